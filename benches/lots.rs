@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use fitcheck::batch::{Input, Manner, Packing, Sink, Stream, Watch, run, run_into, workers};
-use fitcheck::exchange::batch::{BLOCK, Block, Court, Csv, Cutter, Marks, Part, Store, Tally};
-use fitcheck::exchange::{Given, import_from, sizes};
+use fitcheck::exchange::batch::{BLOCK, Block, Csv, Cutter, Marks, Part, Store, StreamJudging, Tally};
+use fitcheck::exchange::{ImportInputs, import_from, sizes};
 use fitcheck::files;
 use fitcheck::journal::chain::FileHash;
 use fitcheck::tolerance::{Feature, Sources};
@@ -69,7 +69,7 @@ impl Sink<Marks> for Kept {
 fn batch(path: &Path, to: &Path, sources: &Sources) -> u64 {
     let mut stream = Stream::of(Box::new(File::open(path).expect("the rows"))).expect("a head");
     let layout = stream.layout(true, "rows.csv").expect("a head").expect("columns");
-    let court = Court::new(&layout, sources);
+    let court = StreamJudging::new(&layout, sources);
     let mut input = Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
     let mut rows = 0;
     files::write_with(to, &mut |out| {
@@ -87,7 +87,7 @@ fn lot(path: &Path, sources: &Sources) -> usize {
     let input = Hashed(File::open(path).expect("the rows"), FileHash::default());
     let mut stream = Stream::of(Box::new(input)).expect("a head");
     let layout = stream.layout(true, "rows.csv").expect("a head").expect("columns");
-    let court = Court::new(&layout, sources);
+    let court = StreamJudging::new(&layout, sources);
     let mut kept = Kept::default();
     let mut input = Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
     let input = Input { stream: &mut input, cutter: Cutter::new(layout.separator(), BLOCK, true) };
@@ -121,7 +121,7 @@ fn lots(criterion: &mut Criterion) {
             bencher.iter(|| {
                 let mut made = 0;
                 let mut file = File::open(&path).expect("the rows");
-                import_from("rows.csv", &mut file, Given::new(&sources, now), &mut |_| made += 1);
+                import_from("rows.csv", &mut file, ImportInputs::new(&sources, now), &mut |_| made += 1);
                 assert!(count <= made);
             });
         });

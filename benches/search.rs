@@ -4,7 +4,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use fitcheck::tolerance::fit::search::{Scope, Wanted, search};
+use fitcheck::tolerance::fit::search::{ClearanceRange, Scope, search};
 use fitcheck::tolerance::iso286::Options;
 
 fn searches(criterion: &mut Criterion) {
@@ -14,7 +14,7 @@ fn searches(criterion: &mut Criterion) {
         ("nothing, the nearest miss", "0.0001", "0.0002"),
     ] {
         let length = |text: &str| text.parse().expect("a length");
-        let (nominal, wanted) = (length("25"), Wanted { minimum: length(minimum), maximum: length(maximum) });
+        let (nominal, wanted) = (length("25"), ClearanceRange { minimum: length(minimum), maximum: length(maximum) });
         criterion.bench_function(name, |bencher| {
             bencher.iter(|| search(black_box(nominal), black_box(wanted), Options::default(), Scope::All, 20));
         });

@@ -7,7 +7,7 @@ use clap::error::ErrorKind;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command, FromArgMatches, ValueEnum};
 
-use super::{CliError, Io, Refused as _};
+use super::{CliError, IntoCliError as _, Io};
 use crate::control::shipped_tables;
 use crate::store::tables::read_tables;
 use crate::tolerance::table_edit::MakeError;

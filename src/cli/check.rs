@@ -11,7 +11,7 @@ use super::judging::JudgeArgs;
 use super::material::Part;
 use super::record::RecordArgs;
 use super::said::decided;
-use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What};
+use super::{CliError, CliRemark, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::budget::{Assessment, Conditions};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
@@ -130,7 +130,7 @@ impl Args {
         let recorder = self.record.recorder(io)?;
         let sources = self.tables.load(io)?;
         let asked = self.callout.trim();
-        let asked = if asked.is_empty() { What::Callout.arg() } else { asked.arg() };
+        let asked = if asked.is_empty() { ErrorSubject::Callout.arg() } else { asked.arg() };
         let callout: Callout = self.callout.parse().about(&asked)?;
         let feature = self.feature.map(FeatureArg::feature);
         let unstated = feature.is_none() && callout.feature().is_none();
@@ -205,7 +205,7 @@ impl Args {
         io: &mut Io<'_>,
     ) -> Result<(Rule, Option<Assessment>), CliError> {
         let Some(path) = &self.by.budget else { return Ok((self.by.rule.rule()?, None)) };
-        let conditions = record.conditions().about(&What::Option { name: "budget" })?;
+        let conditions = record.conditions().about(&ErrorSubject::Option { name: "budget" })?;
         // Nobody said hole or shaft.
         let conditions = Conditions { feature: conditions.feature.filter(|_| !unstated), ..conditions };
         let (found, uncertainty) = budget::assess(path, &conditions, io)?;
@@ -215,7 +215,7 @@ impl Args {
 
     fn measurement(&self, limits: &Limits, io: &mut Io<'_>) -> Result<Measurement, CliError> {
         if let Some(text) = &self.source.measured {
-            let diameter = super::diameter(text, What::MeasuredValue)?;
+            let diameter = super::diameter(text, ErrorSubject::MeasuredValue)?;
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
@@ -224,14 +224,14 @@ impl Args {
             return measure_contacts(&contacts, origin).about(&name);
         }
         let diameter = match &self.true_diameter {
-            Some(text) => text.parse().about(&What::TrueDiameter)?,
+            Some(text) => text.parse().about(&ErrorSubject::TrueDiameter)?,
             None => limits.middle(),
         };
         let workpiece = Workpiece::usual(limits.feature, diameter.to_mm_f64());
-        let mut machine = Machine::new(workpiece, Probe::USUAL, self.seed).about(&What::SimulatedWorkpiece)?;
+        let mut machine = Machine::new(workpiece, Probe::USUAL, self.seed).about(&ErrorSubject::SimulatedWorkpiece)?;
         let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: self.seed };
         let position = ProbePosition::default();
-        let measured = measure(limits, &position, &mut machine, origin).about(&What::SimulatedMeasurement)?;
+        let measured = measure(limits, &position, &mut machine, origin).about(&ErrorSubject::SimulatedMeasurement)?;
         Ok(measured.0)
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{CliError, Format, Io, Outcome, Refused as _, read_contacts};
+use super::{CliError, Format, IntoCliError as _, Io, Outcome, read_contacts};
 use crate::exchange::contacts::Contacts;
 use crate::probing::Circle;
 use crate::probing::circle::{Evaluation, TwoPoint, Zone, evaluate};

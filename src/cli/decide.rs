@@ -3,7 +3,7 @@
 use serde_json::{Map, Value as Json, json};
 
 use super::rule::RuleArgs;
-use super::{CliError, Format, Io, Outcome, Refused as _, What};
+use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Bounds, Deviations, Feature};
 use crate::verdict::rules::{Acceptance, Prior, Risks, Zones, acceptance_for};
@@ -59,7 +59,7 @@ pub(super) struct Args {
 }
 
 /// What is asked, read.
-struct Asked {
+struct DecisionRequest {
     rule: Rule,
     bounds: Bounds,
     has: [bool; 2],
@@ -82,9 +82,9 @@ impl Args {
         Ok(status.map_or(Outcome::Done, Outcome::Judged))
     }
 
-    fn read(&self) -> Result<Asked, CliError> {
+    fn read(&self) -> Result<DecisionRequest, CliError> {
         let length = |name, text: &Option<String>| -> Result<Option<Length>, CliError> {
-            text.as_ref().map(|text| text.parse::<Length>().about(&What::Option { name })).transpose()
+            text.as_ref().map(|text| text.parse::<Length>().about(&ErrorSubject::Option { name })).transpose()
         };
         let lower = length("lower", &self.lower)?;
         let upper = length("upper", &self.upper)?;
@@ -112,19 +112,19 @@ impl Args {
             }
             None => None,
         };
-        Ok(Asked { rule, bounds, has, measured: length("measured", &self.measured)?, prior, consumer_risk })
+        Ok(DecisionRequest { rule, bounds, has, measured: length("measured", &self.measured)?, prior, consumer_risk })
     }
 
     fn prior(&self) -> Result<Option<Prior>, CliError> {
         let um = |name, text: &str| {
-            let length = Length::parse_in(text, Unit::Micrometre).about(&What::Option { name })?;
+            let length = Length::parse_in(text, Unit::Micrometre).about(&ErrorSubject::Option { name })?;
             if length <= Length::ZERO {
-                return Err(CliError::NotAboveZero { diameter: length }).about(&What::Option { name });
+                return Err(CliError::NotAboveZero { diameter: length }).about(&ErrorSubject::Option { name });
             }
             Ok(length.to_mm_f64())
         };
         if let (Some(mean), Some(deviation)) = (&self.process_mean, &self.process_sd) {
-            let mean = mean.parse::<Length>().about(&What::Option { name: "process-mean" })?.to_mm_f64();
+            let mean = mean.parse::<Length>().about(&ErrorSubject::Option { name: "process-mean" })?.to_mm_f64();
             return Ok(Some(Prior::Normal { mean, deviation: um("process-sd", deviation)? }));
         }
         let Some(gamma) = &self.gamma else { return Ok(None) };
@@ -142,8 +142,8 @@ fn number(text: &str) -> Option<f64> {
 }
 
 /// Everything, under the names that programs read.
-fn answer(asked: &Asked, zones: &Zones) -> Result<Map<String, Json>, CliError> {
-    let Asked { rule, bounds, has: [has_lower, has_upper], .. } = *asked;
+fn answer(asked: &DecisionRequest, zones: &Zones) -> Result<Map<String, Json>, CliError> {
+    let DecisionRequest { rule, bounds, has: [has_lower, has_upper], .. } = *asked;
     let mut answer = Map::new();
     let mut put = |name: &str, value: Json| {
         answer.insert(name.to_owned(), value);
@@ -217,7 +217,7 @@ fn csv(answer: &Map<String, Json>) -> String {
 }
 
 /// The same for people.
-fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) {
+fn text(asked: &DecisionRequest, answer: &Map<String, Json>, io: &mut Io<'_>) {
     let shown = |name: &str| match answer.get(name) {
         None | Some(Json::Null) => "–".to_owned(),
         Some(value) => value.to_string(),

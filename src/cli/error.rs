@@ -201,7 +201,7 @@ pub(super) enum CliError {
 /// What an error is about, where it is neither a file nor a callout.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "cli-what")]
-pub(super) enum What<'a> {
+pub(super) enum ErrorSubject<'a> {
     /// No text at all was given.
     Callout,
     /// `--measured`
@@ -268,14 +268,14 @@ impl From<csv::Error> for CliError {
 }
 
 /// An error of a room on its way out.
-pub(super) trait Refused<T> {
+pub(super) trait IntoCliError<T> {
     /// In the words of the room.
     fn said(self) -> Result<T, CliError>;
     /// After what it is about.
     fn about(self, what: &(impl IntoArg + ?Sized)) -> Result<T, CliError>;
 }
 
-impl<T, E: Say> Refused<T> for Result<T, E> {
+impl<T, E: Say> IntoCliError<T> for Result<T, E> {
     fn said(self) -> Result<T, CliError> {
         self.map_err(|error| CliError::Said(error.message()))
     }

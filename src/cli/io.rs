@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use super::admitted::Admits;
 use super::progress::{Line, Work};
 use super::said::{CliRemark, CliWarning, about, remark, warning};
-use super::{CliError, Outcome, Refused as _, What};
+use super::{CliError, ErrorSubject, IntoCliError as _, Outcome};
 use crate::control::deviations;
 use crate::exchange::contacts;
 use crate::files::{self, FileError};
@@ -281,7 +281,7 @@ pub(super) fn read_table(path: &Path, io: &mut Io<'_>) -> Result<(DeviationTable
 }
 
 /// A measured diameter in mm, above zero.
-pub(super) fn diameter(text: &str, what: What<'_>) -> Result<Length, CliError> {
+pub(super) fn diameter(text: &str, what: ErrorSubject<'_>) -> Result<Length, CliError> {
     let diameter: Length = text.parse().about(&what)?;
     if Length::ZERO < diameter { Ok(diameter) } else { Err(CliError::NotAboveZero { diameter }).about(&what) }
 }

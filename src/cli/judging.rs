@@ -6,18 +6,18 @@ use std::sync::Arc;
 
 use super::material::{WarmArgs, Warmth};
 use super::rule::RuleArgs;
-use super::{CliError, CliRemark, CliWarning, Io, Refused as _};
+use super::{CliError, CliRemark, CliWarning, IntoCliError as _, Io};
 use crate::budget::{Budget, BudgetWarning};
 use crate::exchange::Labels;
 use crate::journal::Record;
-use crate::journal::planned::{self, Beside, Planned, PlannedError, PlannedRemark};
+use crate::journal::planned::{self, JudgingOptions, Planned, PlannedError, PlannedRemark};
 use crate::message::{IntoArg as _, Say as _};
 use crate::part::{Plan, Size};
 use crate::report::csv::More;
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::{Correction, Temperature};
 use crate::verdict::Rule;
-use crate::verdict::rules::{Given, RuleName, Uncertainty};
+use crate::verdict::rules::{RuleInputs, RuleName, Uncertainty};
 
 /// By which rule a measured value is judged, and what is known of it.
 #[derive(Debug, Clone, clap::Args)]
@@ -56,7 +56,7 @@ pub(super) struct Judge {
     options: RuleArgs,
     /// The rule where they name it, and what they give it; a plan may have another one.
     named: Option<RuleName>,
-    given: Given,
+    given: RuleInputs,
     warmth: Option<Warmth>,
     /// A budget, which gives each record an uncertainty of its own, and its file.
     budget: Option<(String, Budget)>,
@@ -125,7 +125,7 @@ impl Judge {
     fn judged_by_plan(&self, size: &Size<'_>, record: Record) -> Result<Planned, CliError> {
         let warm = self.warmth.as_ref().map(|warmth| (warmth.part.warm, warmth.scale));
         let budget = self.budget.as_ref().map(|(_file, budget)| budget);
-        let beside = Beside { rule: self.named, given: self.given, budget, warm };
+        let beside = JudgingOptions { rule: self.named, given: self.given, budget, warm };
         planned::judge(size, record, &beside).map_err(|error| match (&error, &self.budget) {
             (PlannedError::Budget(_), Some((file, _))) => {
                 CliError::About { what: file.as_str().arg(), error: error.message() }

@@ -1,6 +1,6 @@
 //! `fitcheck limits`: limits of size of one callout or of a stream of them.
 
-use super::answers::{Answerer, Answers, Asked};
+use super::answers::{Answerer, Answers, CalloutInput};
 use super::people::mm;
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Sources, Tolerance};
@@ -46,7 +46,7 @@ struct LimitsOf<'a>(&'a Sources);
 row! {
     /// A line of CSV or a JSON object.
     #[derive(Default)]
-    struct Row<'a> of(callout: &'a str, limits: &Limits) {
+    struct LimitsRow<'a> of(callout: &'a str, limits: &Limits) {
         callout: &'a str = callout,
         nominal_mm: Option<Figure> = Some(Figure::mm(limits.nominal, 0)),
         lower_um: Option<Figure> = Some(Figure::um(limits.deviations.lower())),
@@ -64,9 +64,9 @@ pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
 }
 
 impl Answerer for LimitsOf<'_> {
-    type Row<'a> = Row<'a>;
+    type AnswerRow<'a> = LimitsRow<'a>;
 
-    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) {
+    fn answer(&mut self, asked: CalloutInput<'_>, answers: &mut Answers, io: &mut Io<'_>) {
         let callout: Callout = match asked.callout.parse() {
             Ok(callout) => callout,
             Err(error) => return answers.refuse::<Self>(asked, &error, io),
@@ -77,17 +77,17 @@ impl Answerer for LimitsOf<'_> {
         // A fit is two sizes: the hole's answer, then the shaft's.
         for feature in [Feature::Hole, Feature::Shaft] {
             let part = callout.of_part(feature);
-            self.answer_part(Asked { callout: &part.to_string(), ..asked }, part, answers, io);
+            self.answer_part(CalloutInput { callout: &part.to_string(), ..asked }, part, answers, io);
         }
     }
 
-    fn refused(callout: &str, error: String) -> Row<'_> {
-        Row { callout, error: Some(error), ..Row::default() }
+    fn refused(callout: &str, error: String) -> LimitsRow<'_> {
+        LimitsRow { callout, error: Some(error), ..LimitsRow::default() }
     }
 }
 
 impl LimitsOf<'_> {
-    fn answer_part(&self, asked: Asked<'_>, callout: Callout, answers: &mut Answers, io: &mut Io<'_>) {
+    fn answer_part(&self, asked: CalloutInput<'_>, callout: Callout, answers: &mut Answers, io: &mut Io<'_>) {
         match self.0.size_limits(&callout) {
             Err(error) => answers.refuse::<Self>(asked, &error, io),
             Ok(limits) => {
@@ -95,7 +95,7 @@ impl LimitsOf<'_> {
                     io.warn_about(&callout, &doubt);
                 }
                 if !answers.is_text() {
-                    return answers.figures(&Row::of(asked.callout, &limits), io);
+                    return answers.figures(&LimitsRow::of(asked.callout, &limits), io);
                 }
                 answers.text(|io, _| write_text(&callout, &limits, io), io);
             }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{CliError, Refused as _, What};
+use super::{CliError, ErrorSubject, IntoCliError as _};
 use crate::files;
 use crate::length::Length;
 use crate::message::IntoArg as _;
@@ -67,7 +67,7 @@ impl Part {
 /// Refuses a doubtful temperature, unless it is meant.
 pub(super) fn refuse_far(doubt: Option<ThermalDoubt>, is_meant: bool) -> Result<Option<ThermalDoubt>, CliError> {
     match doubt {
-        Some(error) if !is_meant => Err(CliError::AddFarTemperature { what: What::Temperature.arg(), error }),
+        Some(error) if !is_meant => Err(CliError::AddFarTemperature { what: ErrorSubject::Temperature.arg(), error }),
         doubt => Ok(doubt),
     }
 }
@@ -121,12 +121,13 @@ impl WarmArgs {
     pub(super) fn warmth(&self) -> Result<Option<Warmth>, CliError> {
         let (Some(temperature), Some(material)) = (&self.temperature, &self.material) else { return Ok(None) };
         let materials = materials(self.materials.as_deref())?;
-        let read = |text: &str| text.parse::<Temperature>().about(&What::Temperature);
-        let part = Part::of(material, &materials, read(temperature)?).about(&What::Option { name: "material" })?;
+        let read = |text: &str| text.parse::<Temperature>().about(&ErrorSubject::Temperature);
+        let part =
+            Part::of(material, &materials, read(temperature)?).about(&ErrorSubject::Option { name: "material" })?;
         let scale = match (&self.scale_temperature, &self.scale_material) {
             (Some(temperature), Some(material)) => {
                 let scale = Part::of(material, &materials, read(temperature)?);
-                Some(scale.about(&What::Option { name: "scale-material" })?)
+                Some(scale.about(&ErrorSubject::Option { name: "scale-material" })?)
             }
             _ => None,
         };

@@ -97,7 +97,7 @@ use crate::files::{self, ZoneError};
 use crate::report::figure::Figure;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
-use error::{CliError, Refused, What};
+use error::{CliError, ErrorSubject, IntoCliError};
 pub use io::{Io, tell};
 use io::{diameter, now, put, read_contacts, read_input, read_table, save, save_with};
 use said::{CliRemark, CliWarning};

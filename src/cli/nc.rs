@@ -7,10 +7,10 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use super::args::dialogue;
 use super::io::{not_dash, unless_forced, write_new};
 use super::plan::{is_plan_file, read_named, whole};
-use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs};
+use super::{CliError, CliRemark, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::files;
 use crate::nc::sets::{Control, ControlFolder, FeatureError, FeatureFault, NcSet, SetError, Target};
-use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Document, Draft, Plan, Row};
+use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Document, Draft, DraftFeature, Plan};
 use crate::tolerance::{Callout, Sources, Tolerance};
 use crate::words::Dialogue;
 
@@ -263,13 +263,13 @@ impl Position {
     }
 
     /// The feature as a row of a plan. A program moves to its place, so that is needed.
-    fn row(&self, callout: &str) -> Result<Row, CliError> {
+    fn row(&self, callout: &str) -> Result<DraftFeature, CliError> {
         let place = [Column::X, Column::Y, Column::Z];
         let missing = self.all().into_iter().find(|(_, column, given)| place.contains(column) && given.is_none());
         if let Some((option, ..)) = missing {
             return Err(CliError::OptionMissing { option });
         }
         let given = self.all().into_iter().filter_map(|(_, column, text)| Some((column, text?.clone())));
-        Ok(Row::of(given.chain([(Column::Callout, callout.to_owned())])))
+        Ok(DraftFeature::of(given.chain([(Column::Callout, callout.to_owned())])))
     }
 }

@@ -11,7 +11,7 @@ use super::{Io, Outcome};
 use crate::exchange::Labels;
 use crate::journal::Record;
 use crate::length::Length;
-use crate::part::{Plan, Repeats, Standing, Step, Taken, Walk};
+use crate::part::{PartStanding, Plan, Repeats, SizeValue, Step, Walk};
 use crate::probing::Origin;
 use crate::verdict::Status;
 
@@ -112,7 +112,7 @@ impl PlanParts {
         let part = self.parts.entry(key).or_insert_with(new);
         self.seen += 1;
         part.seen = self.seen;
-        part.walk.take(at, Taken { status, is_simulated, when, is_settled: false });
+        part.walk.take(at, SizeValue { status, is_simulated, when, is_settled: false });
         let file = match &record.measurement.origin {
             Origin::Imported { file } | Origin::ImportedSimulation { file } => file.as_ref(),
             _ => "",
@@ -185,10 +185,10 @@ impl PlanParts {
     /// The outcome of the run: the worst part, or a verdict of no part where that is worse. Without scrap, rework or doubt it is good where
     /// every part is, bad data where a part lacks a value, and to be looked at first where it was simulated.
     pub(super) fn outcome(&self, of_none: Option<Status>) -> Outcome {
-        let standings: Vec<Standing> = self.each().map(|(_, walk)| walk.standing()).collect();
-        let worst = standings.iter().filter_map(Standing::said).max().max(self.beyond).max(of_none);
+        let standings: Vec<PartStanding> = self.each().map(|(_, walk)| walk.standing()).collect();
+        let worst = standings.iter().filter_map(PartStanding::said).max().max(self.beyond).max(of_none);
         // Of a part that is not known what it lacks nothing is good.
-        let is_open = self.beyond.is_some() || standings.iter().any(Standing::is_open);
+        let is_open = self.beyond.is_some() || standings.iter().any(PartStanding::is_open);
         let judged = match worst {
             None | Some(Status::Good) if is_open => Outcome::BadData,
             Some(worst) => Outcome::Judged(worst),

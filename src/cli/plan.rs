@@ -7,12 +7,12 @@ use serde_json::{Value as Json, json};
 
 use super::rows::csv_line;
 use super::rows::{line, names};
-use super::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
+use super::{CliError, CliRemark, ErrorSubject, Figure, Format, IntoCliError as _, Io, Outcome, TableArgs, read_input};
 use crate::cli::io::{is_dash, write_new};
-use crate::exchange::{self, Given, PLAN_ENDINGS};
+use crate::exchange::{self, ImportInputs, PLAN_ENDINGS};
 use crate::files;
 use crate::message::{IntoArg as _, Say as _};
-use crate::part::{Column, Document, Draft, HeadField, Plan, PlanError, PlanFault, PlanFeature, Row, Size};
+use crate::part::{Column, Document, Draft, DraftFeature, HeadField, Plan, PlanError, PlanFault, PlanFeature, Size};
 use crate::tolerance::Sources;
 
 const EXAMPLES: &str = "\
@@ -135,7 +135,7 @@ fn said(fault: PlanError, name: Option<&str>) -> CliError {
         None => match fault.what {
             PlanFault::Number { column, error } => {
                 let name = column.replace('_', "-");
-                CliError::About { what: What::Option { name: &name }.arg(), error: error.message() }
+                CliError::About { what: ErrorSubject::Option { name: &name }.arg(), error: error.message() }
             }
             what => CliError::Said(what.message()),
         },
@@ -153,7 +153,7 @@ fn of_bytes(path: &Path, name: &str, bytes: &[u8]) -> Result<Document, PlanError
     let beside = |ending: &str| files::beside(path, ending);
     // Limits of classes are compared with those of the standard; a plan has no times.
     let sources = Sources::default();
-    exchange::read_plan(name, bytes, Given { beside: &beside, ..Given::new(&sources, DateTime::MIN) })
+    exchange::read_plan(name, bytes, ImportInputs { beside: &beside, ..ImportInputs::new(&sources, DateTime::MIN) })
 }
 
 /// Says what a plan of another tool does not take over.
@@ -199,7 +199,7 @@ impl CheckArgs {
                 Format::Json => answers.push(answer(&name, &read)),
                 Format::Csv => {
                     if std::mem::take(&mut is_first) {
-                        csv_line(names::<Checked<'_>>(), io);
+                        csv_line(names::<PlanRow<'_>>(), io);
                     }
                     csv(&name, &read, io);
                 }
@@ -213,9 +213,9 @@ impl CheckArgs {
     }
 }
 
-type Read = Result<Plan, Vec<PlanError>>;
+type ReadPlan = Result<Plan, Vec<PlanError>>;
 
-fn text(name: &str, read: &Read, io: &mut Io<'_>) {
+fn text(name: &str, read: &ReadPlan, io: &mut Io<'_>) {
     let plan = match read {
         Ok(plan) => plan,
         Err(faults) => return faults.iter().for_each(|fault| io.fail(said(fault.clone(), Some(name)))),
@@ -236,7 +236,7 @@ fn text(name: &str, read: &Read, io: &mut Io<'_>) {
 row! {
     /// A line of CSV: a size, or a fault.
     #[derive(Default)]
-    struct Checked<'a> of(file: &'a str, size: &Size<'_>) {
+    struct PlanRow<'a> of(file: &'a str, size: &Size<'_>) {
         file: &'a str = file,
         line: Option<usize> = size.feature.line,
         number: String = size.feature.number.clone(),
@@ -253,21 +253,21 @@ fn asked(size: &Size<'_>) -> String {
     size.callout.map_or_else(|| size.feature.kind.asked(), |callout| callout.to_string())
 }
 
-fn csv(file: &str, read: &Read, io: &mut Io<'_>) {
-    let mut print = |one: &Checked<'_>| io.data().write_all(line(one).end());
+fn csv(file: &str, read: &ReadPlan, io: &mut Io<'_>) {
+    let mut print = |one: &PlanRow<'_>| io.data().write_all(line(one).end());
     match read {
-        Ok(plan) => plan.sizes().for_each(|size| print(&Checked::of(file, &size))),
+        Ok(plan) => plan.sizes().for_each(|size| print(&PlanRow::of(file, &size))),
         Err(faults) => {
             for fault in faults {
                 let line = fault.place.line;
                 let error = Some(fault.what.to_string());
-                print(&Checked { file, line, error, ..Checked::default() });
+                print(&PlanRow { file, line, error, ..PlanRow::default() });
             }
         }
     }
 }
 
-fn answer(name: &str, read: &Read) -> Json {
+fn answer(name: &str, read: &ReadPlan) -> Json {
     match read {
         Ok(plan) => json!({
             "file": name,
@@ -313,10 +313,11 @@ impl BeginArgs {
         let sources = self.tables.load(io)?;
         let mut draft = Draft::default();
         draft.set(HeadField::Part, self.part.as_ref().map_or_else(String::new, Clone::clone));
-        draft.rows = self.callouts.iter().map(|callout| Row::of([(Column::Callout, callout.clone())])).collect();
+        draft.rows =
+            self.callouts.iter().map(|callout| DraftFeature::of([(Column::Callout, callout.clone())])).collect();
         // A plan without a feature is the frame of one.
         if draft.rows.is_empty() {
-            draft.rows.push(Row::of([(Column::Callout, "25 H7".to_owned())]));
+            draft.rows.push(DraftFeature::of([(Column::Callout, "25 H7".to_owned())]));
             io.remark(&CliRemark::PlanExample);
         }
         draft.renumber();

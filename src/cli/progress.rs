@@ -50,13 +50,13 @@ struct Done {
 /// The line on standard error; its clones are the same line.
 #[derive(Debug, Clone)]
 pub(super) struct Line {
-    shown: Arc<Mutex<Shown>>,
+    shown: Arc<Mutex<ProgressLine>>,
     /// Whether anybody sees it.
     is_watched: bool,
 }
 
 #[derive(Debug)]
-struct Shown {
+struct ProgressLine {
     name: String,
     begun: Instant,
     /// When it was last changed.
@@ -131,11 +131,11 @@ impl Line {
     fn new(name: &str) -> Self {
         let is_watched = !ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr()).is_hidden();
         let name = name.to_owned();
-        let shown = Shown { name, begun: Instant::now(), last: None, bar: None, is_over: false };
+        let shown = ProgressLine { name, begun: Instant::now(), last: None, bar: None, is_over: false };
         Self { shown: Arc::new(Mutex::new(shown)), is_watched }
     }
 
-    fn lock(&self) -> MutexGuard<'_, Shown> {
+    fn lock(&self) -> MutexGuard<'_, ProgressLine> {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -182,7 +182,7 @@ impl Line {
     }
 }
 
-impl Shown {
+impl ProgressLine {
     fn clear(&mut self) {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();

@@ -91,14 +91,14 @@ pub(super) struct Stream {
 }
 
 /// Where a journal is.
-pub(super) enum Place {
+pub(super) enum JournalPlace {
     /// The file of a station.
     File(PathBuf),
     /// The server of a shop. Its address may hold a password.
     Server(String),
 }
 
-impl Place {
+impl JournalPlace {
     /// The journal that was named, or else the user's own.
     fn of(given: Option<&str>) -> Result<Self, CliError> {
         let of_variable = || std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty());
@@ -117,22 +117,22 @@ pub(super) fn own() -> Result<PathBuf, CliError> {
 
 impl JournalArgs {
     /// The file or the server.
-    pub(super) fn place(&self) -> Result<Place, CliError> {
-        Place::of(self.journal.as_deref())
+    pub(super) fn place(&self) -> Result<JournalPlace, CliError> {
+        JournalPlace::of(self.journal.as_deref())
     }
 
     /// The file, for what a server cannot do.
     pub(super) fn file(&self) -> Result<PathBuf, CliError> {
         match self.place()? {
-            Place::File(file) => Ok(file),
-            Place::Server(_) => Err(CliError::JournalIsServer),
+            JournalPlace::File(file) => Ok(file),
+            JournalPlace::Server(_) => Err(CliError::JournalIsServer),
         }
     }
 }
 
 /// Collects what is to be recorded.
 pub(super) struct Recorder {
-    place: Place,
+    place: JournalPlace,
     about: About,
     /// The part of a plan that names the features, empty where it names no part: what a value is called is never the part then.
     plan: Option<String>,
@@ -152,7 +152,7 @@ impl RecordArgs {
         let part = self.part.as_ref();
         let serial = self.serial.as_ref();
         let about = about(station, [self.who.as_ref(), part, serial, self.feature_name.as_ref(), self.remark.as_ref()]);
-        let place = Place::of(self.journal.as_deref())?;
+        let place = JournalPlace::of(self.journal.as_deref())?;
         Ok(Some(Recorder { place, about, plan: None, is_file_first: false, entries: Vec::new() }))
     }
 }
@@ -265,9 +265,9 @@ impl Recorder {
             return Ok(());
         }
         match place {
-            Place::File(file) => keep(&file, &about, &entries, io),
+            JournalPlace::File(file) => keep(&file, &about, &entries, io),
             // A station writes to its own file first: what is there is safe, whatever becomes of the server.
-            Place::Server(address) => {
+            JournalPlace::Server(address) => {
                 let file = own()?;
                 keep(&file, &about, &entries, io)?;
                 if let Err(error) = server::send(&address, &file, &about.station, io) {
@@ -334,8 +334,8 @@ impl StreamArgs {
             None => recorder,
         };
         let file = match &recorder.place {
-            Place::File(file) => file.clone(),
-            Place::Server(_) => own()?,
+            JournalPlace::File(file) => file.clone(),
+            JournalPlace::Server(_) => own()?,
         };
         let journal = Journal::open(&file, &opening).map_err(refused)?;
         tell_remarks(&journal, io);
@@ -404,7 +404,7 @@ impl Stream {
         if let Err(error) = self.journal.tidy() {
             io.warn(&error);
         }
-        if let Place::Server(address) = &self.recorder.place
+        if let JournalPlace::Server(address) = &self.recorder.place
             && let Err(error) = server::send(address, &self.file, &self.recorder.about.station, io)
         {
             io.warn(&Recorded::NotSent { error: error.message() });

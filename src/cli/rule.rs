@@ -1,10 +1,10 @@
 //! The decision rule of a subcommand: its options, and what they make.
 
 use super::args::one_of;
-use super::{CliError, Refused as _, What};
+use super::{CliError, ErrorSubject, IntoCliError as _};
 use crate::length::{Length, Unit};
 use crate::verdict::Rule;
-use crate::verdict::rules::{Given, Prover, RuleName, Uncertainty, UncertaintyError, multiple};
+use crate::verdict::rules::{Prover, RuleInputs, RuleName, Uncertainty, UncertaintyError, multiple};
 
 /// Which values are accepted when the measurement is uncertain.
 #[derive(Debug, Clone, clap::Args)]
@@ -43,7 +43,8 @@ impl RuleArgs {
 
     /// The same with the uncertainty of a budget instead of the options.
     pub(super) fn rule_with(&self, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
-        Rule::new(self.rule.unwrap_or(RuleName::Simple), self.given(budget)?).about(&What::Option { name: "rule" })
+        Rule::new(self.rule.unwrap_or(RuleName::Simple), self.given(budget)?)
+            .about(&ErrorSubject::Option { name: "rule" })
     }
 
     /// Which rule they name.
@@ -52,9 +53,9 @@ impl RuleArgs {
     }
 
     /// What the options give a rule; the uncertainty of a budget instead of theirs.
-    pub(super) fn given(&self, budget: Option<Uncertainty>) -> Result<Given, CliError> {
-        let k = Uncertainty::factor(self.k.as_deref().unwrap_or("2")).about(&What::Option { name: "k" })?;
-        let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&What::Option { name });
+    pub(super) fn given(&self, budget: Option<Uncertainty>) -> Result<RuleInputs, CliError> {
+        let k = Uncertainty::factor(self.k.as_deref().unwrap_or("2")).about(&ErrorSubject::Option { name: "k" })?;
+        let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&ErrorSubject::Option { name });
         let uncertainty = match (&self.u, &self.expanded) {
             _ if budget.is_some() => budget,
             (Some(u), _) => Some(about("u", Uncertainty::standard(u))?.covered(k)),
@@ -63,12 +64,12 @@ impl RuleArgs {
         };
         let factor = self.factor.as_ref().map(|text| {
             let factor = multiple(text).filter(|factor| 0 < *factor);
-            factor.ok_or(CliError::NotAMultiple { given: text.clone() }).about(&What::Option { name: "factor" })
+            factor.ok_or(CliError::NotAMultiple { given: text.clone() }).about(&ErrorSubject::Option { name: "factor" })
         });
         let width = self
             .guard
             .as_ref()
-            .map(|text| Length::parse_in(text, Unit::Micrometre).about(&What::Option { name: "guard" }));
-        Ok(Given { uncertainty, factor: factor.transpose()?, width: width.transpose()?, prover: self.prover.1 })
+            .map(|text| Length::parse_in(text, Unit::Micrometre).about(&ErrorSubject::Option { name: "guard" }));
+        Ok(RuleInputs { uncertainty, factor: factor.transpose()?, width: width.transpose()?, prover: self.prover.1 })
     }
 }

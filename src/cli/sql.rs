@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::args::{classes, one_of};
-use super::{CliError, Io, Outcome, Refused as _, TableArgs, put};
+use super::{CliError, IntoCliError as _, Io, Outcome, TableArgs, put};
 use crate::exchange::sql::{self, DIALECTS, Dialect, ERRORS, Model};
 
 /// Write limits and verdicts as plain SQL for a database or a data lake

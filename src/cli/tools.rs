@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde_json::{Value as Json, json};
 
 use super::io::not_dash;
-use super::{CliError, CliRemark, Io, Refused as _, read_input, save};
+use super::{CliError, CliRemark, IntoCliError as _, Io, read_input, save};
 use crate::control::tool_table::{Changed, ToolChange, ToolTable};
 
 /// Where the tool table comes from and goes to.

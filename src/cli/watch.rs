@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::import::{Printer, Row, Rows};
+use super::import::{ImportRow, Printer, Rows};
 use super::judging::{Judge, JudgeArgs};
 use super::parts::PlanParts;
 use super::record::{Stream, StreamArgs};
@@ -12,10 +12,10 @@ use super::said::{CliWarning, about, warning};
 use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
 use crate::journal::body;
 use crate::journal::entry::{Checked, Content, Entry, FileRole, UsedFile};
-use crate::journal::found::Found;
+use crate::journal::found::FoundEntry;
 use crate::message::{Located, Message, Say as _, message};
 use crate::verdict::Status;
-use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, Waiting, Watcher};
+use crate::watch::{Alone, Batch, EVERY, FileJudging, FolderScan, TakenFiles, Waiting, Watcher};
 
 /// How long after a journal that refused it is tried again.
 const LATER: Duration = Duration::from_secs(1);
@@ -71,7 +71,7 @@ pub(super) struct Args {
 
 /// What a run of it has.
 struct Run<'a> {
-    judging: Judging<'a>,
+    judging: FileJudging<'a>,
     judge: &'a Judge,
     journal: Stream,
     printer: Printer,
@@ -115,7 +115,7 @@ impl Args {
         let sources = &sources;
         let masks = masks.as_slice();
         let now = super::now();
-        let judging = Judging { plan, sources, masks, columns: None, now, temperature: None };
+        let judging = FileJudging { plan, sources, masks, columns: None, now, temperature: None };
         let judge = &judge;
         let worst = None;
         let is_bad = false;
@@ -135,14 +135,14 @@ impl Args {
 }
 
 /// What the journal has: the files that were taken, and the values of the plan's parts, which later ones may contradict.
-fn before(journal: &Stream, parts: Option<&mut PlanParts>) -> Result<Known, CliError> {
-    let mut known = Known::default();
+fn before(journal: &Stream, parts: Option<&mut PlanParts>) -> Result<TakenFiles, CliError> {
+    let mut known = TakenFiles::default();
     let mut replaced = BTreeSet::new();
     let has_plan = parts.is_some();
     journal.each(&mut |_, body| {
         known.see(body);
         // What cannot be read is what `journal verify` is there for.
-        if has_plan && let Ok(Some(Found { corrects: Some(number), .. })) = body::found(body) {
+        if has_plan && let Ok(Some(FoundEntry { corrects: Some(number), .. })) = body::found(body) {
             replaced.insert(number);
         }
     })?;
@@ -180,7 +180,7 @@ impl Run<'_> {
         let mut told = None;
         let mut refused = BTreeSet::new();
         loop {
-            let judging = Judging { now: super::now(), ..self.judging };
+            let judging = FileJudging { now: super::now(), ..self.judging };
             match watcher.look(judging, begun.elapsed()) {
                 Ok(look) => {
                     if !look.is_idle() {
@@ -223,7 +223,7 @@ impl Run<'_> {
     }
 
     /// Tells which files cannot be read, each once.
-    fn refused(&mut self, look: &Look, told: &mut BTreeSet<String>, io: &mut Io<'_>) {
+    fn refused(&mut self, look: &FolderScan, told: &mut BTreeSet<String>, io: &mut Io<'_>) {
         let refused = look.waiting.iter().filter(|(_, why)| matches!(why, Waiting::Refused { .. }));
         let now: BTreeSet<String> = refused.clone().map(|(name, _)| name.clone()).collect();
         for (name, why) in refused.filter(|(name, _)| !told.contains(name)) {
@@ -243,7 +243,7 @@ impl Run<'_> {
     }
 
     /// Tells once which values of a file contradict each other, or those of the same part in a file before, whoever took that one.
-    fn contradictions(&mut self, file: &str, rows: &[Row], io: &mut Io<'_>) {
+    fn contradictions(&mut self, file: &str, rows: &[ImportRow], io: &mut Io<'_>) {
         let Some(parts) = &mut self.parts else { return };
         let mut keys = BTreeSet::new();
         for (row, record) in rows.iter().filter_map(|row| Some((row, row.judged.as_deref()?))) {
@@ -265,10 +265,10 @@ impl Run<'_> {
 
     /// Records what is ready, all of it or none, and then shows it.
     fn take(&mut self, watcher: &mut Watcher, mut ready: Vec<Batch>, io: &mut Io<'_>) -> Result<(), CliError> {
-        let mut all: Vec<Vec<Row>> = Vec::new();
+        let mut all: Vec<Vec<ImportRow>> = Vec::new();
         for batch in &mut ready {
             let mut rows = Rows::of(Path::new(&batch.name), self.judge, true).by(self.judging.plan);
-            let mut rows: Vec<Row> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
+            let mut rows: Vec<ImportRow> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
             let file =
                 UsedFile { role: FileRole::Measurements, name: batch.name.as_str().into(), sha256: batch.sha256 };
             for row in &mut rows {
@@ -277,7 +277,8 @@ impl Run<'_> {
                 if let Err(error) = self.journal.size_of(record, &row.labels, file.clone()) {
                     let line = row.line.unwrap_or(1);
                     batch.problems.push(Located::in_line(line, error.message()).message());
-                    *row = Row { error: Some(error.to_string()), status: None, judged: None, ..std::mem::take(row) };
+                    *row =
+                        ImportRow { error: Some(error.to_string()), status: None, judged: None, ..std::mem::take(row) };
                 }
             }
             all.push(rows);
@@ -293,7 +294,7 @@ impl Run<'_> {
             }
             for item in &batch.items {
                 super::import::warn(Path::new(&batch.name), item, io);
-                if let Some(row) = Row::against(Path::new(&batch.name), item) {
+                if let Some(row) = ImportRow::against(Path::new(&batch.name), item) {
                     self.printer.against(&row, io)?;
                 }
             }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
-use super::effects::{Beside, Runner};
+use super::effects::{EffectContext, Runner};
 use super::errands::Errands;
 use super::in_turn::InTurn;
 use super::journal::Records;
@@ -157,7 +157,7 @@ impl App {
         self.runner.run(
             ctx,
             effect,
-            &Beside { sources, columns, masks, words, temperature: self.session.temperature(), now },
+            &EffectContext { sources, columns, masks, words, temperature: self.session.temperature(), now },
         );
     }
 

@@ -14,7 +14,7 @@ use super::errands::Errands;
 use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
-use super::reading::{Found, With, is_read, read};
+use super::reading::{FileContents, With, is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
@@ -25,7 +25,7 @@ use crate::files::{self, FileError};
 use crate::message::message;
 use crate::session::parts::PlanCommand;
 use crate::session::{
-    Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose,
+    Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
     RecordsCommand, RowsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
@@ -34,7 +34,7 @@ use crate::words::Words;
 
 /// What effects need besides themselves, as it is when they are sent.
 #[derive(Clone, Copy)]
-pub(super) struct Beside<'a> {
+pub(super) struct EffectContext<'a> {
     pub sources: &'a Arc<Sources>,
     /// The columns of files as they were corrected.
     pub columns: &'a Arc<Remembered>,
@@ -109,8 +109,8 @@ impl Runner {
     }
 
     /// Runs an effect; the frame itself does the clipboard.
-    pub fn run(&self, ctx: &Context, effect: Effect, beside: &Beside<'_>) {
-        let Beside { sources, columns, masks, words, temperature, now } = *beside;
+    pub fn run(&self, ctx: &Context, effect: Effect, beside: &EffectContext<'_>) {
+        let EffectContext { sources, columns, masks, words, temperature, now } = *beside;
         let masks = Arc::clone(masks);
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
@@ -301,12 +301,12 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
 }
 
 /// What a file holds, after what is to be known before it is used.
-fn seen(purpose: Purpose, path: PathBuf, read: Found) -> Vec<Command> {
-    let Found { before, command, sha256 } = read;
+fn seen(purpose: Purpose, path: PathBuf, read: FileContents) -> Vec<Command> {
+    let FileContents { before, command, sha256 } = read;
     let fate = match &command {
-        _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
-        command if is_read(command) => Fate::Read,
-        _ => Fate::Refused,
+        _ if matches!(path.try_exists(), Ok(false)) => ReadOutcome::Gone,
+        command if is_read(command) => ReadOutcome::Read,
+        _ => ReadOutcome::Refused,
     };
     // A file is remembered as what it is.
     let purpose = match (purpose, &command) {
@@ -395,7 +395,7 @@ mod tests {
             let (sources, columns) = (Arc::default(), Arc::default());
             let (masks, temperature) = (Arc::default(), None);
             let beside =
-                Beside { sources: &sources, columns: &columns, masks: &masks, words: &words, temperature, now };
+                EffectContext { sources: &sources, columns: &columns, masks: &masks, words: &words, temperature, now };
             runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();

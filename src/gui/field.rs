@@ -16,7 +16,7 @@ use super::view::{View, problem, quiet};
 use crate::session::{Command, Field};
 
 /// How a field looks.
-pub(super) struct Look {
+pub(super) struct FieldStyle {
     pub font: FontId,
     /// The width in points.
     pub width: f32,
@@ -25,7 +25,7 @@ pub(super) struct Look {
     pub hint: RichText,
 }
 
-impl Look {
+impl FieldStyle {
     /// A small field for a number, right-aligned.
     pub fn number(width: f32) -> Self {
         Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: RichText::default() }
@@ -41,7 +41,13 @@ impl Look {
 ///
 /// Tab or a click into the field selects its text, so that typing replaces it; Enter measures and keeps the focus, so
 /// that the next value can come at once.
-pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>, name: Id, look: Look) -> Response {
+pub(super) fn field_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    field: impl Into<Field>,
+    name: Id,
+    look: FieldStyle,
+) -> Response {
     let field = field.into();
     let mut text = view.session.text(field).to_owned();
     let id = id(field);
@@ -135,7 +141,7 @@ pub(super) fn pairs_ui(
             for ((field, _, unit), name) in row.iter().zip(names) {
                 ui.horizontal(|ui| {
                     ui.spacing_mut().item_spacing.x = pairs.gap;
-                    field_ui(ui, view, *field, name, Look::number((pairs.field)(unit)));
+                    field_ui(ui, view, *field, name, FieldStyle::number((pairs.field)(unit)));
                     if !unit.is_empty() {
                         quiet(ui, *unit);
                     }

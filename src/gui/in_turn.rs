@@ -20,7 +20,7 @@ pub(super) struct InTurn {
 
 /// What an event is for the order of keys.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum InputKind {
     /// It moves nothing: the pointer is moved, a key is released or repeated.
     Rest,
     /// A key that types a sign.
@@ -74,21 +74,21 @@ impl InTurn {
             let kind = self.kind(&event);
             // Outside a text field every sign is a key of its own; the text of a key stays with it.
             let is_next = match kind {
-                Kind::Rest | Kind::Held => false,
-                Kind::Stroke => !is_typing && (has_stroke || has_text),
-                Kind::Text => !is_typing && has_text,
-                Kind::Move => has_stroke || has_text,
+                InputKind::Rest | InputKind::Held => false,
+                InputKind::Stroke => !is_typing && (has_stroke || has_text),
+                InputKind::Text => !is_typing && has_text,
+                InputKind::Move => has_stroke || has_text,
             };
             if is_next {
                 self.waiting.push_front(event);
                 self.settles = !is_typing;
                 break;
             }
-            has_stroke |= kind == Kind::Stroke;
-            has_text |= kind == Kind::Text;
+            has_stroke |= kind == InputKind::Stroke;
+            has_text |= kind == InputKind::Text;
             self.note(&event);
             taken.push(event);
-            if kind == Kind::Move && self.has_keys() {
+            if kind == InputKind::Move && self.has_keys() {
                 self.settles = true;
                 break;
             }
@@ -99,9 +99,9 @@ impl InTurn {
     /// Whether keys are waiting.
     fn has_keys(&self) -> bool {
         self.waiting.iter().any(|event| match self.kind(event) {
-            Kind::Stroke | Kind::Text | Kind::Held => true,
-            Kind::Move => !matches!(event, Event::PointerButton { .. }),
-            Kind::Rest => false,
+            InputKind::Stroke | InputKind::Text | InputKind::Held => true,
+            InputKind::Move => !matches!(event, Event::PointerButton { .. }),
+            InputKind::Rest => false,
         })
     }
 
@@ -116,21 +116,23 @@ impl InTurn {
         }
     }
 
-    fn kind(&self, event: &Event) -> Kind {
+    fn kind(&self, event: &Event) -> InputKind {
         match event {
-            Event::Text(_) | Event::Paste(_) | Event::Ime(_) => Kind::Text,
+            Event::Text(_) | Event::Paste(_) | Event::Ime(_) => InputKind::Text,
             Event::Key { key, pressed: true, modifiers, .. } => {
                 // A held arrow runs through a list however slowly it is drawn, and never longer than it is held.
                 let is_repeated = self.down.contains(key) && !matches!(key, Key::Tab | Key::Enter | Key::Escape);
                 match () {
-                    () if is_repeated => Kind::Rest,
-                    () if types(*key, *modifiers) => Kind::Stroke,
-                    () => Kind::Move,
+                    () if is_repeated => InputKind::Rest,
+                    () if types(*key, *modifiers) => InputKind::Stroke,
+                    () => InputKind::Move,
                 }
             }
-            Event::Copy | Event::Cut | Event::PointerButton { .. } | Event::AccessKitActionRequest(_) => Kind::Move,
-            Event::ModifiersChanged(_) => Kind::Held,
-            _ => Kind::Rest,
+            Event::Copy | Event::Cut | Event::PointerButton { .. } | Event::AccessKitActionRequest(_) => {
+                InputKind::Move
+            }
+            Event::ModifiersChanged(_) => InputKind::Held,
+            _ => InputKind::Rest,
         }
     }
 }

@@ -3,17 +3,17 @@
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use super::reading::{Found, With, bytes_of, name, whole};
+use super::reading::{FileContents, With, bytes_of, name, whole};
 use super::rows;
 use super::working::Watched;
 use crate::control::mask::Mask;
-use crate::exchange::{self, Detected, FirstRows, Given, Imported, Item, MOST_ROWS, Mapping};
+use crate::exchange::{self, Detected, FirstRows, ImportInputs, Imported, Item, MOST_ROWS, Mapping};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, message};
 use crate::session::parts::WalkCommand;
 use crate::session::{
-    AskedColumns, CheckCommand, ColumnsCommand, Command, ImportInto, RowsCommand, UsedColumns, refusal,
+    CheckCommand, ColumnsCommand, ColumnsRequest, Command, ImportInto, RowsCommand, UsedColumns, refusal,
 };
 
 /// A file with its beginning, where it is read by its columns.
@@ -36,9 +36,9 @@ struct Known {
 }
 
 /// Reads measurements: with these columns, else with those that are remembered, else with those that are certain.
-pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, with: With<'_>) -> Found {
+pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, with: With<'_>) -> FileContents {
     if let Some(command) = large(into, &path, mapping.is_some(), with) {
-        return Found { before: None, command, sha256: None };
+        return FileContents { before: None, command, sha256: None };
     }
     let mut looked = match Looked::new(into, path, FirstRows::of) {
         Ok(looked) => looked,
@@ -72,9 +72,9 @@ pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, w
 }
 
 /// Reads the beginning of a file whose columns the user wants to see.
-pub(super) fn ask(into: ImportInto, path: PathBuf, with: With<'_>) -> Found {
+pub(super) fn ask(into: ImportInto, path: PathBuf, with: With<'_>) -> FileContents {
     if let Some(command) = large(into, &path, true, with) {
-        return Found { before: None, command, sha256: None };
+        return FileContents { before: None, command, sha256: None };
     }
     match Looked::new(into, path, FirstRows::of_columns) {
         Ok(looked) if looked.first.is_some() => looked.ask(true, with),
@@ -121,13 +121,13 @@ fn large(into: ImportInto, path: &Path, is_mapped: bool, with: With<'_>) -> Opti
 }
 
 /// What could not be read, said by whoever waits for it.
-fn taken(into: ImportInto, name: String, result: Result<std::convert::Infallible, Message>) -> Found {
+fn taken(into: ImportInto, name: String, result: Result<std::convert::Infallible, Message>) -> FileContents {
     let Err(problem) = result;
     let command = match into {
         ImportInto::History => CheckCommand::Imported { name, result: Err(problem) }.into(),
         ImportInto::Part(run) => WalkCommand::Imported { run, name, result: Err(problem) }.into(),
     };
-    Found { before: None, command, sha256: None }
+    FileContents { before: None, command, sha256: None }
 }
 
 impl Looked {
@@ -144,15 +144,15 @@ impl Looked {
     }
 
     /// Its columns are asked about.
-    fn ask(self, is_wanted: bool, with: With<'_>) -> Found {
+    fn ask(self, is_wanted: bool, with: With<'_>) -> FileContents {
         let Self { path, name, into, sha256, first, .. } = self;
-        let Some(first) = first else { return Found { before: None, command: Command::Picked(None), sha256 } };
+        let Some(first) = first else { return FileContents { before: None, command: Command::Picked(None), sha256 } };
         let mapping = with.columns.find(&first).map(|(.., mapping)| mapping).unwrap_or_default();
-        let asked = AskedColumns { name, path, into, first, mapping, is_wanted };
-        Found { before: None, command: ColumnsCommand::Ask(Box::new(asked)).into(), sha256: None }
+        let asked = ColumnsRequest { name, path, into, first, mapping, is_wanted };
+        FileContents { before: None, command: ColumnsCommand::Ask(Box::new(asked)).into(), sha256: None }
     }
 
-    fn import(self, mapping: Option<&Mapping>, known: Option<Known>, with: With<'_>) -> Found {
+    fn import(self, mapping: Option<&Mapping>, known: Option<Known>, with: With<'_>) -> FileContents {
         let Self { path, name, into, bytes, sha256, .. } = self;
         let used = known.map(|Known { detected, remembered, .. }| {
             let used = UsedColumns { name: name.clone(), path: path.clone(), into, detected, remembered };
@@ -164,7 +164,7 @@ impl Looked {
                 WalkCommand::Imported { run, result: items(&path, bytes, mapping, with), name }.into()
             }
         };
-        Found { before: used, command, sha256 }
+        FileContents { before: used, command, sha256 }
     }
 }
 
@@ -180,7 +180,8 @@ fn import(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>
     let beside = |ending: &str| files::beside(path, ending);
     let masks = masks_of(&name(path), &bytes, mapping, with);
     let temperature = with.temperature;
-    let given = Given { beside: &beside, mapping, masks, temperature, ..Given::new(with.sources, with.now) };
+    let given =
+        ImportInputs { beside: &beside, mapping, masks, temperature, ..ImportInputs::new(with.sources, with.now) };
     let mut body = Cursor::new(bytes);
     let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, &job), given);
     whole(Box::new(imported), &job)
@@ -191,9 +192,9 @@ fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>)
     let job = (with.begins)(path, false);
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
-    let usual = Given::new(with.sources, with.now);
+    let usual = ImportInputs::new(with.sources, with.now);
     let masks = masks_of(&name(path), &bytes, mapping, with);
-    let given = Given {
+    let given = ImportInputs {
         beside: &beside,
         mapping,
         masks,

@@ -13,14 +13,14 @@ use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::tool_table::ToolTable;
 use crate::exchange::contacts::{self, Contacts};
-use crate::exchange::{self, Given, Remembered};
+use crate::exchange::{self, ImportInputs, Remembered};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _, message};
 use crate::nc::program::ProgramWarning;
 use crate::part;
 use crate::probing::simulated::{Part, Simulation};
-use crate::report::pairing::Parts;
+use crate::report::pairing::PairingParts;
 use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
 use crate::session::{
@@ -75,7 +75,7 @@ pub(super) struct With<'a> {
 }
 
 /// What a file holds.
-pub(super) struct Found {
+pub(super) struct FileContents {
     /// What is to be known before.
     pub before: Option<Command>,
     /// The command that takes it.
@@ -85,7 +85,7 @@ pub(super) struct Found {
 }
 
 /// Reads what a dialog of this purpose asks for.
-pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> Found {
+pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileContents {
     let (name, mut seen) = (name(&path), None);
     let command = match purpose {
         Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
@@ -120,7 +120,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> Found {
         // These purposes write files.
         _ => Command::Picked(None),
     };
-    Found { before: None, command, sha256: seen }
+    FileContents { before: None, command, sha256: seen }
 }
 
 /// The bytes of a file that a record may name.
@@ -133,7 +133,7 @@ pub(super) fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, 
 fn read_plan(path: &Path, seen: &mut Option<Hash>) -> Result<Box<part::Document>, Message> {
     let bytes = bytes_of(path, seen)?;
     let (beside, sources) = (|ending: &str| files::beside(path, ending), Sources::default());
-    let given = Given { beside: &beside, ..Given::new(&sources, DateTime::MIN) };
+    let given = ImportInputs { beside: &beside, ..ImportInputs::new(&sources, DateTime::MIN) };
     exchange::read_plan(&name(path), &bytes, given).map(Box::new).map_err(|error| error.message())
 }
 
@@ -212,12 +212,12 @@ fn read_readings(path: &Path) -> Result<Box<BothSizes>, Message> {
     Ok(Box::new(BothSizes::read(&name(path), &bytes)))
 }
 
-fn read_parts(path: &Path, name: &str, feature: Feature, job: &Job) -> Result<Arc<Parts>, Message> {
+fn read_parts(path: &Path, name: &str, feature: Feature, job: &Job) -> Result<Arc<PairingParts>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     job.has(bytes.len());
     let mut body = Cursor::new(bytes);
     let sizes = exchange::sizes_from(name, &mut Watched::new(&mut body, job), feature, &mut || job.row());
-    usable(name, Parts::of_file(name, whole(sizes, job)?))
+    usable(name, PairingParts::of_file(name, whole(sizes, job)?))
 }
 
 fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use crate::batch::{self, Failed, Input, Packing, Sink, Stream, Watch};
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{BLOCK, Block, Court, Cutter, Layout, Marks, Part, Picked, Store, Tally, pick};
+use crate::exchange::batch::{BLOCK, Block, Cutter, Layout, Marks, Part, Picked, Store, StreamJudging, Tally, pick};
 use crate::files;
 use crate::journal::chain::FileHash;
 use crate::message::{Message, Say as _, message};
@@ -121,7 +121,8 @@ impl Runs {
     ) {
         let read = AtomicU64::new(0);
         let begun = Instant::now();
-        let mut found = Found { store: Store::default(), news: News::default(), read: &read, begun, said: None, say };
+        let mut found =
+            RunProgress { store: Store::default(), news: News::default(), read: &read, begun, said: None, say };
         // A run that fails inside says so like any other.
         let run = || self.judge_into((number, path), watch, sources, &mut found);
         let end = match std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)) {
@@ -139,7 +140,7 @@ impl Runs {
         (number, path): (u64, &Path),
         watch: &Watch,
         sources: &Arc<Sources>,
-        found: &mut Found<'_>,
+        found: &mut RunProgress<'_>,
     ) -> Result<(), Message> {
         let failed = |error: &io::Error| system(path, error);
         let (file, size) = files::open(path).map_err(|error| error.message())?;
@@ -167,7 +168,7 @@ impl Runs {
         }
         self.set_text(number, text);
         found.news.layout = Some(Arc::clone(&layout));
-        let court = Court::new(&layout, sources);
+        let court = StreamJudging::new(&layout, sources);
         let cutter = Cutter::new(layout.separator(), BLOCK, true);
         let rows = Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
         let mut rows = Copied { rows, copy, length: 0 };
@@ -197,7 +198,7 @@ impl Runs {
         // Another run has begun, and its rows are asked for anew.
         let Some(text) = text else { return Ok(Vec::new()) };
         let changed = || message!("rows-changed");
-        let court = Court::new(&text.layout, &text.sources);
+        let court = StreamJudging::new(&text.layout, &text.sources);
         let mut all = Vec::new();
         for (part, rows) in wanted {
             let bytes = text.bytes(part).map_err(|error| unread(&error))?;
@@ -278,7 +279,7 @@ impl<R: Read> Read for Copied<R> {
 }
 
 /// What a run has found.
-struct Found<'a> {
+struct RunProgress<'a> {
     store: Store,
     news: News,
     read: &'a AtomicU64,
@@ -288,7 +289,7 @@ struct Found<'a> {
     say: &'a mut (dyn FnMut(News) + Send),
 }
 
-impl Found<'_> {
+impl RunProgress<'_> {
     fn say(&mut self) {
         let news = &mut self.news;
         news.classes.clone_from(&self.store.classes);
@@ -300,7 +301,7 @@ impl Found<'_> {
     }
 }
 
-impl Sink<Marks> for Found<'_> {
+impl Sink<Marks> for RunProgress<'_> {
     fn take(&mut self, marks: &mut Marks, block: &Block, tally: &Tally) -> io::Result<()> {
         self.news.parts.push(Arc::new(self.store.part(marks, block, tally)));
         self.news.tally.add(tally.clone());

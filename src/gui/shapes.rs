@@ -5,7 +5,7 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, 
 
 use super::theme::palette;
 use crate::tolerance::Feature;
-use crate::tolerance::fit::Kind;
+use crate::tolerance::fit::FitKind;
 use crate::verdict::Status;
 
 /// Screen coordinates have fewer digits than geometry.
@@ -128,20 +128,20 @@ pub(super) fn feature(
 }
 
 /// The shape of a kind of fit: a shaft smaller than its hole, as large, or larger.
-pub(super) fn fit_kind(painter: &Painter, rect: Rect, kind: Kind, colour: Color32, ground: Color32) {
+pub(super) fn fit_kind(painter: &Painter, rect: Rect, kind: FitKind, colour: Color32, ground: Color32) {
     let size = rect.size().min_elem();
     let (ring, shaft) = (size * 0.3, Stroke::new(size * 0.09, colour));
     match kind {
-        Kind::Clearance => {
+        FitKind::Clearance => {
             painter.circle(rect.center(), size * 0.44, ground, shaft);
             painter.circle_filled(rect.center(), size * 0.22, colour);
         }
-        Kind::Transition => {
+        FitKind::Transition => {
             painter.circle(rect.center(), size * 0.44, ground, shaft);
             painter.circle_filled(rect.center(), size * 0.4, colour);
             painter.circle_filled(rect.center(), size * 0.22, ground);
         }
-        Kind::Interference => {
+        FitKind::Interference => {
             painter.circle_filled(rect.center(), size * 0.48, colour);
             painter.circle_stroke(rect.center(), ring, Stroke::new(size * 0.05, ground));
         }

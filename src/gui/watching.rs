@@ -16,11 +16,11 @@ use crate::session::Command;
 use crate::session::parts::{WalkCommand, WatchNews, WatchedFile};
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
-use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, PATIENCE, Watcher};
+use crate::watch::{Alone, Batch, EVERY, FileJudging, FolderScan, PATIENCE, TakenFiles, Watcher};
 use crate::words::{Language, Words};
 
 /// Reads what the journal knows already.
-pub(super) type KnownOf = Box<dyn FnOnce() -> Result<Known, Message> + Send>;
+pub(super) type KnownOf = Box<dyn FnOnce() -> Result<TakenFiles, Message> + Send>;
 
 /// What a watch needs.
 pub(super) struct Watch {
@@ -79,7 +79,7 @@ impl Watching {
 
 /// What the window knows already: it is told only what changes.
 #[derive(Default)]
-struct Told {
+struct ReportedWatch {
     same: Vec<(String, Message)>,
     waiting: Vec<(String, Message)>,
     trouble: Option<Message>,
@@ -88,7 +88,7 @@ struct Told {
 impl Watch {
     fn run(mut self, taken: &Receiver<u64>) {
         let Ok(alone) = self.alone(taken) else { return };
-        let nothing: KnownOf = Box::new(|| Ok(Known::default()));
+        let nothing: KnownOf = Box::new(|| Ok(TakenFiles::default()));
         let known = match std::mem::replace(&mut self.known, nothing)() {
             Ok(known) => known,
             Err(why) => return self.say(WatchNews::Trouble(Some(why))),
@@ -103,10 +103,10 @@ impl Watch {
         if let Some(alone) = &alone {
             watcher.leave(alone.file());
         }
-        let (mut told, mut number) = (Told::default(), 0);
+        let (mut told, mut number) = (ReportedWatch::default(), 0);
         loop {
             let (plan, sources, columns) = (Some(&*self.plan), &*self.sources, Some(&*self.columns));
-            let judging = Judging {
+            let judging = FileJudging {
                 plan,
                 sources,
                 masks: &self.masks,
@@ -172,10 +172,10 @@ impl Watch {
     }
 
     /// Tells what has changed: what is waited for, and whether the folder can be read. Returns what is ready.
-    fn tell(&self, look: Result<Look, Message>, told: &mut Told) -> Vec<Batch> {
-        let (Look { ready, waiting, same }, trouble) = match look {
+    fn tell(&self, look: Result<FolderScan, Message>, told: &mut ReportedWatch) -> Vec<Batch> {
+        let (FolderScan { ready, waiting, same }, trouble) = match look {
             Ok(look) => (look, None),
-            Err(why) => (Look::default(), Some(why)),
+            Err(why) => (FolderScan::default(), Some(why)),
         };
         if trouble != told.trouble {
             told.trouble.clone_from(&trouble);

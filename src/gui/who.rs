@@ -3,7 +3,7 @@
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, RichText, Ui};
 
-use super::field::{Look, field_ui};
+use super::field::{FieldStyle, field_ui};
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
@@ -52,7 +52,7 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     ui.separator();
     let name = quiet(ui, view.text("records-page-new-name"));
-    let look = Look { font: theme::font(sizes().body), ..Look::large(space(46.0)) };
+    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(space(46.0)) };
     let before = view.commands.len();
     field_ui(ui, view, RecordsField::Who, name.id, look);
     let button = view.named(WindowAction::TakeName).min_size(eframe::egui::vec2(0.0, control(ui)));

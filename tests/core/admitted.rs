@@ -266,7 +266,7 @@ fn files_without_a_serial_number_are_parts_of_their_own_after_a_restart() {
 mod walks {
     //! Any values of a size in any order.
 
-    use fitcheck::part::{Document, Plan, Repeats, Taken, Walk};
+    use fitcheck::part::{Document, Plan, Repeats, SizeValue, Walk};
     use fitcheck::tolerance::Sources;
     use fitcheck::verdict::Status;
     use jiff::civil::date;
@@ -277,7 +277,7 @@ mod walks {
         Document::read(one.as_bytes()).unwrap().plan(&Sources::default()).unwrap()
     }
 
-    fn walk(values: &[Taken]) -> Walk {
+    fn walk(values: &[SizeValue]) -> Walk {
         let mut walk = Walk::new(&plan(), String::new());
         for value in values {
             walk.take(0, *value);
@@ -285,11 +285,11 @@ mod walks {
         walk
     }
 
-    fn taken() -> impl Strategy<Value = Taken> {
+    fn taken() -> impl Strategy<Value = SizeValue> {
         let status = prop::sample::select(Status::ALL.to_vec());
         let when = prop::option::of((0..4_i8).prop_map(|hour| date(2026, 11, 24).at(hour, 0, 0, 0)));
         let fields = (status, when, any::<bool>());
-        fields.prop_map(|(status, when, is_simulated)| Taken { status, is_simulated, when, is_settled: false })
+        fields.prop_map(|(status, when, is_simulated)| SizeValue { status, is_simulated, when, is_settled: false })
     }
 
     proptest! {
@@ -298,7 +298,7 @@ mod walks {
             values in prop::collection::vec(taken(), 1..8),
         ) {
             let walk = walk(&values);
-            let is_scrap = |taken: &Taken| taken.status == Status::Scrap && !taken.is_simulated;
+            let is_scrap = |taken: &SizeValue| taken.status == Status::Scrap && !taken.is_simulated;
             if values.iter().any(is_scrap) {
                 prop_assert_eq!(walk.standing().said(), Some(Status::Scrap));
             }

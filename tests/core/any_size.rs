@@ -5,7 +5,7 @@ use std::io::{Cursor, Read, Seek, SeekFrom, Write as _};
 use std::path::Path;
 
 use assert_cmd::Command;
-use fitcheck::exchange::{Given, Item, import, import_from};
+use fitcheck::exchange::{ImportInputs, Item, import, import_from};
 use fitcheck::tolerance::Sources;
 
 const NOW: jiff::civil::DateTime = jiff::civil::date(2025, 1, 1).at(0, 0, 0, 0);
@@ -30,7 +30,7 @@ fn text(line_end: &str) -> String {
 fn read(name: &str, bytes: &[u8]) -> (Vec<(usize, String, i64)>, Vec<String>) {
     let (mut records, mut others) = (Vec::new(), Vec::new());
     let sources = Sources::default();
-    import_from(name, &mut Cursor::new(bytes), Given::new(&sources, NOW), &mut |item| match item {
+    import_from(name, &mut Cursor::new(bytes), ImportInputs::new(&sources, NOW), &mut |item| match item {
         Item::Record { line, record, .. } => {
             records.push((line, record.id.clone(), record.measurement.diameter.nanometres()));
         }
@@ -90,7 +90,7 @@ fn what_is_kept_in_memory_is_bounded_and_says_so() {
     let sources = Sources::default();
     let text = text("\n");
     let (mut rows, mut said) = (0, Vec::new());
-    let given = Given { most_rows: 10, ..Given::new(&sources, NOW) };
+    let given = ImportInputs { most_rows: 10, ..ImportInputs::new(&sources, NOW) };
     import_from("m.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| match item {
         Item::Error(error) => said.push(error.to_string()),
         _ => rows += 1,
@@ -144,7 +144,7 @@ impl Seek for Failing {
 fn what_was_read_before_the_disk_failed_counts() {
     let (sources, mut records, mut said) = (Sources::default(), 0, Vec::new());
     let mut body = Failing { text: Cursor::new(text("\n").into_bytes()), after: 1_500_000 };
-    import_from("m.csv", &mut body, Given::new(&sources, NOW), &mut |item| match item {
+    import_from("m.csv", &mut body, ImportInputs::new(&sources, NOW), &mut |item| match item {
         Item::Error(error) => said.push(error.to_string()),
         _ => records += 1,
     });

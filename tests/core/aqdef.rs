@@ -3,7 +3,7 @@
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use fitcheck::exchange::{FORMATS, Given, Item, Labels, Quantity, import_from};
+use fitcheck::exchange::{FORMATS, ImportInputs, Item, Labels, Quantity, import_from};
 use fitcheck::tolerance::Sources;
 
 fn folder() -> PathBuf {
@@ -20,7 +20,7 @@ fn items(name: &str, bytes: &[u8], beside: Option<(&str, &[u8])>) -> Vec<Item> {
     let sources = Sources::default();
     let now = jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0);
     let beside = |ending: &str| beside.filter(|(known, _)| *known == ending).map(|(_, bytes)| bytes.to_vec());
-    let given = Given { beside: &beside, ..Given::new(&sources, now) };
+    let given = ImportInputs { beside: &beside, ..ImportInputs::new(&sources, now) };
     import_from(name, &mut Cursor::new(bytes), given, &mut |item| items.push(item));
     items
 }
@@ -657,7 +657,7 @@ fn values_of_a_million_parts_are_handed_out_one_by_one() {
     let mut count = 0;
     let sources = Sources::default();
     let now = jiff::civil::date(2000, 1, 1).at(0, 0, 0, 0);
-    let given = Given::new(&sources, now);
+    let given = ImportInputs::new(&sources, now);
     import_from("a.dfq", &mut Cursor::new(text.as_bytes()), given, &mut |item| {
         count += usize::from(matches!(item, Item::Record { .. }));
     });

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use fitcheck::batch::{Failed, Input, Manner, Packing, Rendering, Summary, Watch, run};
 use fitcheck::control::deviations::read_table;
-use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv};
+use fitcheck::exchange::batch::{Csv, Cutter, JsonLines, Layout, RowNoteKind, StreamJudging, Tsv};
 use fitcheck::exchange::{Item, import_each};
 use fitcheck::length::{Length, Unit};
 use fitcheck::tolerance::{Callout, Feature, Sources, iso286};
@@ -46,7 +46,7 @@ const WHOLE: Cut = Cut { step: 1 << 20, piece: 1 << 20, is_patient: true, worker
 
 fn judged<R: Rendering>(text: &[u8], cut: Cut, sources: &Sources, out: &mut Vec<u8>) -> Result<Summary, Failed> {
     let layout = Layout::of(text, true, "test.csv").unwrap();
-    let court = Court::new(&layout, sources);
+    let court = StreamJudging::new(&layout, sources);
     let cutter = Cutter::new(layout.separator(), cut.step, cut.is_patient);
     let mut input = Pieces { rest: &text[layout.skip..], piece: cut.piece, fails: false };
     let manner = Manner { workers: cut.workers, packing: Packing::Plain, prefix: "" };
@@ -125,8 +125,8 @@ fn a_quoted_cell_may_run_over_lines_and_a_stray_mark_costs_its_own_line() {
     let mut out = Vec::new();
     let summary = judged::<Csv>(text.as_bytes(), WHOLE, &Sources::default(), &mut out).unwrap();
     let notes = |kind| summary.tally.notes(kind).first.iter().map(|note| note.line + 2).collect::<Vec<_>>();
-    assert_eq!(notes(Kind::Refused), [4]);
-    assert_eq!(notes(Kind::SeveralLines), [2]);
+    assert_eq!(notes(RowNoteKind::Refused), [4]);
+    assert_eq!(notes(RowNoteKind::SeveralLines), [2]);
     assert_eq!(summary.tally.lines, 7);
 }
 
@@ -142,7 +142,7 @@ fn a_line_of_megabytes_is_told_and_costs_itself_only() {
             let mut out = Vec::new();
             let cut = Cut { step, piece: step, ..WHOLE };
             let summary = judged::<Csv>(text.as_bytes(), cut, &Sources::default(), &mut out).unwrap();
-            let refused = summary.tally.notes(Kind::Refused);
+            let refused = summary.tally.notes(RowNoteKind::Refused);
             assert_eq!(refused.count, 1);
             assert!(
                 refused.first[0].line == 1 && refused.first[0].what.to_string().contains(reason),
@@ -161,7 +161,7 @@ fn a_stream_that_breaks_off_gives_its_whole_rows_and_then_the_reason() {
     let text = b"id,callout,measured\n1,25 H7,25.01\n2,25 H7,25.0";
     let layout = Layout::of(text, true, "test.csv").unwrap();
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     for step in [1, 7, 1000] {
         let mut input = Pieces { rest: &text[layout.skip..], piece: step, fails: true };
         let mut out = Vec::new();

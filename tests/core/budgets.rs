@@ -2,8 +2,8 @@
 //! `tests/data/rules/vectors.json`.
 
 use fitcheck::budget::{
-    Basis, Budget, Calibrated, Conditions, Contribution, Evaluated, Evaluation, Geometry, Help, Kind, Law, Validity,
-    factor, student,
+    Basis, Budget, Calibrated, Conditions, Contribution, ContributionKind, Evaluated, Evaluation, Geometry, Help, Law,
+    Validity, factor, student,
 };
 use fitcheck::length::Length;
 use fitcheck::probing::Contact;
@@ -467,7 +467,7 @@ proptest! {
                 name: String::new(),
                 evaluated: Evaluated::B,
                 law: Law::Normal,
-                kind: Kind::Plain,
+                kind: ContributionKind::Plain,
                 u,
                 sensitivity,
                 degrees_of_freedom: (!endless).then_some(degrees),

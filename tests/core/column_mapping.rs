@@ -5,7 +5,7 @@ use std::path::Path;
 
 use assert_cmd::Command;
 use fitcheck::exchange::{
-    Choice, FirstRows, Given, Item, Kept, Labels, MOST_KEPT, Mapping, Remembered, Role, import_from,
+    Choice, FirstRows, ImportInputs, Item, Kept, Labels, MOST_KEPT, Mapping, Remembered, Role, import_from,
 };
 use fitcheck::tolerance::Sources;
 
@@ -16,7 +16,7 @@ fn read(mapping: Option<&str>, text: &str) -> (Vec<String>, Vec<Labels>) {
     let mapping = mapping.map(|text| text.parse::<Mapping>().unwrap());
     let sources = Sources::default();
     let (mut said, mut all) = (Vec::new(), Vec::new());
-    let given = Given { mapping: mapping.as_ref(), ..Given::new(&sources, NOW) };
+    let given = ImportInputs { mapping: mapping.as_ref(), ..ImportInputs::new(&sources, NOW) };
     import_from("m.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| {
         said.push(match item {
             Item::Record { line, record, labels } => {
@@ -184,7 +184,7 @@ fn what_is_detected_reads_the_same_when_it_is_said() {
         let sources = Sources::default();
         let items = |mapping: Option<&Mapping>| {
             let mut items = Vec::new();
-            let given = Given { mapping, ..Given::new(&sources, NOW) };
+            let given = ImportInputs { mapping, ..ImportInputs::new(&sources, NOW) };
             import_from("m.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| items.push(item));
             items
         };
@@ -273,7 +273,7 @@ fn date_and_time_have_a_column_each_or_one_of_them_is_left_out() {
     let text = "Datum;Uhrzeit;Passung;Istmaß\n14.3.2024;8:05;25 H7;25,012\n";
     let time = |toml: &str| {
         let (mapping, sources) = (Mapping::from_toml(toml).unwrap(), Sources::default());
-        let given = Given { mapping: Some(&mapping), ..Given::new(&sources, NOW) };
+        let given = ImportInputs { mapping: Some(&mapping), ..ImportInputs::new(&sources, NOW) };
         let mut times = Vec::new();
         import_from("m.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| {
             if let Item::Record { record, .. } = item {
@@ -313,7 +313,7 @@ fn what_is_chosen_for_a_file_is_found_again_for_files_of_its_shape_alone() {
         assert_eq!((found, kept.day()), (shape.as_str(), "2025-01-01"));
         let sources = Sources::default();
         let mut sizes = Vec::new();
-        let given = Given { mapping: Some(&mapping), ..Given::new(&sources, NOW) };
+        let given = ImportInputs { mapping: Some(&mapping), ..ImportInputs::new(&sources, NOW) };
         import_from("b.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| {
             if let Item::Unjudged(unjudged) = item {
                 sizes.push(format!("{} {}", unjudged.id, unjudged.measured.unwrap()));
@@ -398,7 +398,7 @@ fn the_sheet_of_a_workbook_is_said() {
     assert!(detected.mapping.to_toml().unwrap().contains("sheet = "), "{}", detected.mapping.to_toml().unwrap());
     let read = |mapping: &Mapping| {
         let (sources, mut said) = (Sources::default(), Vec::new());
-        let given = Given { mapping: Some(mapping), ..Given::new(&sources, NOW) };
+        let given = ImportInputs { mapping: Some(mapping), ..ImportInputs::new(&sources, NOW) };
         import_from("m.xlsx", &mut Cursor::new(&bytes), given, &mut |item| match item {
             Item::Error(error) => said.push(error.to_string()),
             Item::Record { line, .. } => said.push(line.to_string()),

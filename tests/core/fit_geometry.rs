@@ -1,7 +1,7 @@
 //! Hole and shaft as geometry: the kind at its limits, what is not a fit, and what measured parts do in it.
 
 use fitcheck::length::Length;
-use fitcheck::tolerance::fit::{Fit, Kind};
+use fitcheck::tolerance::fit::{Fit, FitKind};
 use fitcheck::tolerance::{Deviations, Feature, Limits, Source};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::fit::{Actual, Possible};
@@ -23,15 +23,15 @@ fn fit(hole: (&str, &str), shaft: (&str, &str)) -> Fit {
 #[test]
 fn zero_counts_as_clearance_at_the_least_and_as_interference_at_the_most() {
     #[track_caller]
-    fn check(hole: (&str, &str), shaft: (&str, &str), kind: Kind) {
+    fn check(hole: (&str, &str), shaft: (&str, &str), kind: FitKind) {
         assert_eq!(fit(hole, shaft).kind(), kind);
     }
-    check(("0.021", "0"), ("0", "-0.013"), Kind::Clearance);
-    check(("0.021", "0"), ("0.000001", "-0.013"), Kind::Transition);
-    check(("0.021", "0"), ("0.034", "0.021"), Kind::Interference);
-    check(("0.021", "0"), ("0.034", "0.020999"), Kind::Transition);
-    check(("0", "0"), ("0", "0"), Kind::Clearance);
-    check(("0", "-0.000001"), ("0", "0"), Kind::Interference);
+    check(("0.021", "0"), ("0", "-0.013"), FitKind::Clearance);
+    check(("0.021", "0"), ("0.000001", "-0.013"), FitKind::Transition);
+    check(("0.021", "0"), ("0.034", "0.021"), FitKind::Interference);
+    check(("0.021", "0"), ("0.034", "0.020999"), FitKind::Transition);
+    check(("0", "0"), ("0", "0"), FitKind::Clearance);
+    check(("0", "-0.000001"), ("0", "0"), FitKind::Interference);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use fitcheck::length::Length;
 use fitcheck::tolerance::fit::preferred::{function, preference};
-use fitcheck::tolerance::fit::search::{Candidate, Scope, SearchError, Wanted, search, search_in};
+use fitcheck::tolerance::fit::search::{Candidate, ClearanceRange, Scope, SearchError, search, search_in};
 use fitcheck::tolerance::fit::{Basis, basis};
 use fitcheck::tolerance::iso286::{self, Edition, Grade, Letter, Options};
 use fitcheck::tolerance::table::Column;
@@ -21,8 +21,8 @@ fn nm(nanometres: i64) -> Length {
     Length::from_nanometres(nanometres).unwrap()
 }
 
-fn wanted(minimum: &str, maximum: &str) -> Wanted {
-    Wanted { minimum: mm(minimum), maximum: mm(maximum) }
+fn wanted(minimum: &str, maximum: &str) -> ClearanceRange {
+    ClearanceRange { minimum: mm(minimum), maximum: mm(maximum) }
 }
 
 type Pair = (ToleranceClass, ToleranceClass);
@@ -50,7 +50,7 @@ fn every_pair(nominal: Length, options: Options) -> Vec<(Pair, i64, i64)> {
     pairs
 }
 
-fn found(nominal: Length, wanted: Wanted, scope: Scope) -> Vec<Candidate> {
+fn found(nominal: Length, wanted: ClearanceRange, scope: Scope) -> Vec<Candidate> {
     let found = search(nominal, wanted, Options::default(), scope, usize::MAX).unwrap();
     assert_eq!(found.total, found.candidates.len());
     assert_eq!(found.nearest.is_some(), found.total == 0);
@@ -108,7 +108,7 @@ fn the_borders_of_a_known_fit_find_it_and_a_nanometre_less_does_not() {
             }
             tried += 1;
             let has = |minimum, maximum| {
-                let wanted = Wanted { minimum: nm(minimum), maximum: nm(maximum) };
+                let wanted = ClearanceRange { minimum: nm(minimum), maximum: nm(maximum) };
                 let candidates = found(mm(size), wanted, Scope::All);
                 candidates.iter().any(|found| {
                     assert!(minimum <= found.minimum.nanometres() && found.maximum.nanometres() <= maximum);
@@ -263,7 +263,7 @@ proptest! {
     fn finds_the_same_at_any_size_and_for_any_range(
         size in 1_i64..600_000_000, middle in -100_000_i64..100_000, width in 0_i64..200_000,
     ) {
-        let wanted = Wanted { minimum: nm(middle), maximum: nm(middle + width) };
+        let wanted = ClearanceRange { minimum: nm(middle), maximum: nm(middle + width) };
         let expected: BTreeSet<Pair> = every_pair(nm(size), Options::default())
             .iter()
             .filter(|(_, min, max)| middle <= *min && *max <= middle + width)

@@ -6,7 +6,7 @@
 use fitcheck::length::Length;
 use fitcheck::tolerance::fit::equivalent::{Difference, equivalent};
 use fitcheck::tolerance::fit::preferred::{Function, Preference, function, preference};
-use fitcheck::tolerance::fit::{Basis, Fit, FitError, Kind, basis};
+use fitcheck::tolerance::fit::{Basis, Fit, FitError, FitKind, basis};
 use fitcheck::tolerance::iso286::{self, Grade, Letter, Options};
 use fitcheck::tolerance::{Feature, Limits, Source, Sources, ToleranceClass};
 use fitcheck::verdict::Status;
@@ -55,19 +55,19 @@ fn sizes() -> Vec<Length> {
 #[test]
 fn worked_examples() {
     #[track_caller]
-    fn check(nominal: &str, pair: &str, minimum: &str, maximum: &str, kind: Kind) {
+    fn check(nominal: &str, pair: &str, minimum: &str, maximum: &str, kind: FitKind) {
         let fit = fit(nominal, pair);
         let said = (fit.minimum_clearance().to_string(), fit.maximum_clearance().to_string(), fit.kind());
         assert_eq!(said, (minimum.to_owned(), maximum.to_owned(), kind), "{nominal} {pair}");
     }
-    check("25", "H7/g6", "0.007", "0.041", Kind::Clearance);
-    check("25", "H7/k6", "-0.015", "0.019", Kind::Transition);
-    check("50", "H7/p6", "-0.042", "-0.001", Kind::Interference);
-    check("2", "H7/p6", "-0.012", "0.004", Kind::Transition);
-    check("25", "H7/h6", "0", "0.034", Kind::Clearance);
-    check("2", "P7/h6", "-0.016", "0", Kind::Interference);
-    check("3150", "H8/h7", "0", "0.54", Kind::Clearance);
-    check("4", "H01/js01", "-0.0002", "0.0006", Kind::Transition);
+    check("25", "H7/g6", "0.007", "0.041", FitKind::Clearance);
+    check("25", "H7/k6", "-0.015", "0.019", FitKind::Transition);
+    check("50", "H7/p6", "-0.042", "-0.001", FitKind::Interference);
+    check("2", "H7/p6", "-0.012", "0.004", FitKind::Transition);
+    check("25", "H7/h6", "0", "0.034", FitKind::Clearance);
+    check("2", "P7/h6", "-0.016", "0", FitKind::Interference);
+    check("3150", "H8/h7", "0", "0.54", FitKind::Clearance);
+    check("4", "H01/js01", "-0.0002", "0.0006", FitKind::Transition);
 }
 
 #[test]
@@ -292,9 +292,9 @@ proptest! {
         let (minimum, maximum) = (fit.minimum_clearance().nanometres(), fit.maximum_clearance().nanometres());
         prop_assert!(minimum < maximum);
         let kind = match (0 <= minimum, maximum <= 0) {
-            (true, _) => Kind::Clearance,
-            (_, true) => Kind::Interference,
-            _ => Kind::Transition,
+            (true, _) => FitKind::Clearance,
+            (_, true) => FitKind::Interference,
+            _ => FitKind::Transition,
         };
         prop_assert_eq!(fit.kind(), kind);
         let hole = fit.hole();

@@ -5,9 +5,9 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use fitcheck::control::mask::{Context, Found, Mask};
+use fitcheck::control::mask::{Context, Mask, PrintMatch};
 use fitcheck::control::variables::{Family, Parameter, Value, Variables};
-use fitcheck::exchange::{Given, Item, import_from};
+use fitcheck::exchange::{ImportInputs, Item, import_from};
 use fitcheck::journal::{Record, status_variables};
 use fitcheck::length::Length;
 use fitcheck::probing::{Measurement, Origin};
@@ -32,7 +32,7 @@ fn read(masks: &[(&str, &str)], bytes: &[u8]) -> Vec<String> {
     let masks: Vec<(String, Mask)> = masks.iter().map(|(name, text)| ((*name).to_owned(), mask(text))).collect();
     let sources = Sources::default();
     let mut said = Vec::new();
-    let given = Given { masks: &masks, ..Given::new(&sources, NOW) };
+    let given = ImportInputs { masks: &masks, ..ImportInputs::new(&sources, NOW) };
     import_from("list.txt", &mut Cursor::new(bytes), given, &mut |item| {
         said.push(match item {
             Item::Record { line, record, .. } => told(line, &record),
@@ -88,11 +88,16 @@ fn the_time_is_what_was_printed() {
     let sources = Sources::default();
     let mut times = Vec::new();
     let text = std::fs::read(folder.join("fit_list.txt")).unwrap();
-    import_from("l.txt", &mut Cursor::new(text), Given { masks: &masks, ..Given::new(&sources, NOW) }, &mut |item| {
-        if let Item::Record { record, .. } = item {
-            times.push(record.time.to_string());
-        }
-    });
+    import_from(
+        "l.txt",
+        &mut Cursor::new(text),
+        ImportInputs { masks: &masks, ..ImportInputs::new(&sources, NOW) },
+        &mut |item| {
+            if let Item::Record { record, .. } = item {
+                times.push(record.time.to_string());
+            }
+        },
+    );
     assert_eq!(times, ["2024-03-14T08:05:00", "2024-03-14T08:07:00", "2024-03-14T08:09:00", "2024-03-14T08:12:00"]);
 }
 
@@ -475,7 +480,7 @@ proptest! {
             let printed = if comma { printed.replace('.', ",") } else { printed };
             let lines: Vec<&str> = printed.lines().collect();
             match inverse.at(&lines) {
-                Found::Printed(found) => {
+                PrintMatch::Printed(found) => {
                     prop_assert_eq!(found.lines, records.len());
                     for ((is_number, expected), (_, value)) in expected.iter().zip(&found.values) {
                         if *is_number {
@@ -486,7 +491,7 @@ proptest! {
                         }
                     }
                 }
-                Found::Ambiguous(_) => {}
+                PrintMatch::Ambiguous(_) => {}
                 other => prop_assert!(false, "{other:?}\n{text}\n{printed}"),
             }
         }

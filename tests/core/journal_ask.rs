@@ -1,6 +1,6 @@
 //! The language of questions to a journal: what each word asks for, errors with their places, and texts that read back.
 
-use fitcheck::journal::ask::{Here, Question};
+use fitcheck::journal::ask::{LocalNow, Question};
 use fitcheck::verdict::Status;
 use jiff::Timestamp;
 use jiff::tz::{Offset, TimeZone};
@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use proptest::sample::select;
 
 /// A Monday afternoon, an hour ahead of UTC.
-fn here() -> Here {
-    Here { now: "2026-11-23T14:30:00Z".parse().unwrap(), zone: TimeZone::fixed(Offset::constant(1)) }
+fn here() -> LocalNow {
+    LocalNow { now: "2026-11-23T14:30:00Z".parse().unwrap(), zone: TimeZone::fixed(Offset::constant(1)) }
 }
 
 fn read(text: &str) -> Question {
@@ -63,7 +63,7 @@ fn days_are_those_of_the_place() {
     let week = Question { before_ms: Some(ms("2026-11-29T23:00:00Z")), ..today.clone() };
     assert_eq!(read("week"), week);
     // A Sunday evening in UTC is a Monday in Auckland.
-    let there = Here { now: "2026-11-22T12:30:00Z".parse().unwrap(), zone: TimeZone::fixed(Offset::constant(13)) };
+    let there = LocalNow { now: "2026-11-22T12:30:00Z".parse().unwrap(), zone: TimeZone::fixed(Offset::constant(13)) };
     let found = Question::read("week", &there).unwrap();
     assert_eq!((found.from_ms, found.before_ms), (Some(ms("2026-11-22T11:00:00Z")), Some(ms("2026-11-29T11:00:00Z"))));
     let times = read("from:2026-11-23T14:30 to:2026-11-23T13:45:10.5Z");
@@ -76,7 +76,7 @@ fn days_are_those_of_the_place() {
 #[test]
 fn a_day_on_which_clocks_change_is_whole() {
     let zone = TimeZone::posix("CET-1CEST,M3.5.0,M10.5.0/3").unwrap();
-    let here = Here { zone, ..here() };
+    let here = LocalNow { zone, ..here() };
     let found = Question::read("from:2026-10-25 to:2026-10-25", &here).unwrap();
     let hours = (found.before_ms.unwrap() - found.from_ms.unwrap()) / 3_600_000;
     assert_eq!((hours, found.text(&here).as_str()), (25, "from:2026-10-25 to:2026-10-25"));

@@ -16,7 +16,7 @@ use fitcheck::length::Length;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin, measure_contacts};
 use fitcheck::tolerance::fit::thermal::{self, Warm};
 use fitcheck::tolerance::{Base, Callout, Feature, Limits, Source, Sources};
-use fitcheck::verdict::rules::{Given, Prover, RuleName, Uncertainty};
+use fitcheck::verdict::rules::{Prover, RuleInputs, RuleName, Uncertainty};
 use fitcheck::verdict::{AxisPosition, Doubt, PositionVerdict, Rule, Status};
 use jiff::civil::date;
 use proptest::prelude::*;
@@ -155,7 +155,7 @@ fn any_rule() -> impl Strategy<Value = Rule> {
         let factor = factor.filter(|_| name.takes_factor());
         let width = width.filter(|_| name.takes_width());
         let prover = if name.takes_prover() { prover } else { Prover::Supplier };
-        Rule::new(name, Given { uncertainty, factor, width, prover }).unwrap_or(Rule::SIMPLE)
+        Rule::new(name, RuleInputs { uncertainty, factor, width, prover }).unwrap_or(Rule::SIMPLE)
     })
 }
 
@@ -556,7 +556,7 @@ fn three(chain: ChainId) -> Vec<Vec<u8>> {
     let begin = Begin { chain, program: "fitcheck 0.1.0".to_owned(), after: None };
     let first = write(&Entry { about: about(), content: Content::Begin(begin) }).unwrap();
     let u = Uncertainty::standard("1.2").unwrap();
-    let given = Given { uncertainty: Some(u), ..Given::default() };
+    let given = RuleInputs { uncertainty: Some(u), ..RuleInputs::default() };
     let contacts: Vec<Contact> =
         [[12.505, 0.0, -5.0], [0.1, 12.507, -5.0], [-12.503, 0.0, -5.0], [0.1, -12.5, -5.0]].map(Contact::at).to_vec();
     // Whatever the last bit of a square root is elsewhere.

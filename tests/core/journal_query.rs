@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use fitcheck::journal::Record;
 use fitcheck::journal::memory::{Memory, Removed};
-use fitcheck::journal::query::{Column, Query, RecordId, Records, Searched, Sort, Wanted};
+use fitcheck::journal::query::{Column, FilterWord, Query, RecordId, Records, Searched, Sort};
 use fitcheck::length::Length;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::tolerance::{Callout, Sources};
@@ -53,7 +53,7 @@ fn any_record() -> impl Strategy<Value = Arc<Record>> {
 
 fn any_query() -> impl Strategy<Value = Query> {
     let word = select(["a", "H7", "h7", "25", "lot", "2.csv", "07", "25,01"].as_slice()).prop_map(|text| {
-        let mut word = Wanted::new(text);
+        let mut word = FilterWord::new(text);
         word.statuses = [Status::Scrap].into_iter().filter(|_| text == "a").collect();
         word.typed = text == "lot";
         word
@@ -190,7 +190,7 @@ proptest! {
 fn found(words: &[&str]) -> Vec<usize> {
     let records =
         [record((4, 2, 0, 12, 0)), record((5, 1, 1, -2, 0)), record((0, 0, 2, -7, 0)), record((6, 3, 4, 0, 0))];
-    let query = Query { words: words.iter().map(|word| Wanted::new(word)).collect(), ..Query::default() };
+    let query = Query { words: words.iter().map(|word| FilterWord::new(word)).collect(), ..Query::default() };
     let finds = |record: &Arc<Record>| query.finds(record, &Searched::of(record));
     (0..).zip(&records).filter(|(_, record)| finds(record)).map(|(number, _)| number).collect()
 }

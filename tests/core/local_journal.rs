@@ -11,7 +11,7 @@ use fitcheck::journal::ask::Question;
 use fitcheck::journal::body;
 use fitcheck::journal::chain::Head;
 use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Kept, Moment};
-use fitcheck::journal::found::{Found, folded};
+use fitcheck::journal::found::{FoundEntry, folded};
 use fitcheck::journal::inspection::Break;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::store::local::{Anchors, Finding, Journal, Opening, Reader, Verified, backup, verify};
@@ -650,7 +650,7 @@ fn by_question(question: &Question, place: &Place) -> Vec<u64> {
     let found: Vec<_> =
         kept.iter().filter_map(|kept| Some((kept.head.number, body::found(&kept.body).unwrap()?))).collect();
     let is_corrected = |number| found.iter().any(|(_, found)| found.corrects == Some(number));
-    let finds = |(number, found): &&(u64, Found<'_>)| question.finds(found, is_corrected(*number));
+    let finds = |(number, found): &&(u64, FoundEntry<'_>)| question.finds(found, is_corrected(*number));
     found.iter().rev().filter(finds).map(|(number, _)| *number).collect()
 }
 

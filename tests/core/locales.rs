@@ -17,7 +17,7 @@ use crate::house::source_folders;
 const CALLS: [&str; 10] = [
     "Message::new(",
     "message!(",
-    "FoundName::new(",
+    "ResultName::new(",
     "Self::new(",
     "words.get(",
     "english.get(",

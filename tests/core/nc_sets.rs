@@ -12,7 +12,7 @@ use fitcheck::length::Length;
 use fitcheck::nc::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
 use fitcheck::nc::program::{Body, Program, TextExpression, TextOperand};
 use fitcheck::nc::sets::{Control, NcSet, SetError, SetRemark, Target};
-use fitcheck::part::{Column, Draft, MOST_FEATURES, Plan, PlanFeature, Row};
+use fitcheck::part::{Column, Draft, DraftFeature, MOST_FEATURES, Plan, PlanFeature};
 use fitcheck::probing::cycle::{Plane, Remark};
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
 use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
@@ -30,14 +30,14 @@ fn mm(text: &str) -> Length {
     text.parse().unwrap()
 }
 
-fn feature(callout: &str, [x, y, z]: [&str; 3]) -> Row {
-    Row::of(
+fn feature(callout: &str, [x, y, z]: [&str; 3]) -> DraftFeature {
+    DraftFeature::of(
         [(Column::Callout, callout), (Column::X, x), (Column::Y, y), (Column::Z, z)]
             .map(|(c, text)| (c, text.to_owned())),
     )
 }
 
-fn limits(row: &Row, sources: &Sources) -> Limits {
+fn limits(row: &DraftFeature, sources: &Sources) -> Limits {
     sources.limits(&row.text(Column::Callout).unwrap().parse().unwrap(), None).unwrap()
 }
 
@@ -45,7 +45,7 @@ fn time() -> jiff::civil::DateTime {
     jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0)
 }
 
-fn make(features: &[Row], control: Control, language: Dialogue) -> NcSet {
+fn make(features: &[DraftFeature], control: Control, language: Dialogue) -> NcSet {
     let plan = of_rows(features, &Sources::default());
     NcSet::make(&plan, &Target::new(control, language), &Sources::default()).unwrap()
 }
@@ -122,7 +122,7 @@ fn native(callout: Callout, limits: &Limits, measurement: Measurement, language:
 /// Runs a set on one workpiece per feature, compares all results, and returns the statuses.
 #[track_caller]
 fn check(
-    features: &[Row],
+    features: &[DraftFeature],
     diameters: &[Length],
     control: Control,
     language: Dialogue,
@@ -154,7 +154,7 @@ fn check(
 }
 
 /// Classes inside, on and outside their zone, one beyond the 47, one beyond 400 mm, half micrometres.
-fn plan() -> Vec<Row> {
+fn plan() -> Vec<DraftFeature> {
     let mut features = vec![
         feature("25 H7", ["40", "30", "-8"]),
         feature("25 D10", ["-12.5", "0.0004", "0"]),
@@ -316,7 +316,7 @@ fn an_itnc_530_gets_the_mask_as_printed_and_later_controls_say_what_differs() {
 fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
     let classes: Vec<ToleranceClass> =
         shipped_tables().iter().flat_map(|table| table.columns().iter().map(|column| column.class)).collect();
-    let features: Vec<Row> = classes
+    let features: Vec<DraftFeature> = classes
         .iter()
         .map(|class| feature(&Callout::new(mm("25"), *class).unwrap().to_string(), ["40", "30", "-8"]))
         .collect();
@@ -408,7 +408,7 @@ fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     let few = ["25 ZA8", "25 U7"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();
     let set = make(&few, Control::Itnc530, Dialogue::En);
     assert!(!set.remarks.iter().any(|remark| matches!(remark, SetRemark::FewerColumns { .. })));
-    let many: Vec<Row> =
+    let many: Vec<DraftFeature> =
         ["ZA8", "U7", "S7", "T7", "H7"].map(|class| feature(&format!("25 {class}"), ["0", "0", "0"])).to_vec();
     let set = make(&many, Control::Itnc530, Dialogue::En);
     let fewer = SetRemark::FewerColumns { table: "82553_hole.tab", classes: "ZA8 U7 S7 T7 H7".to_owned() };
@@ -418,7 +418,7 @@ fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     assert_eq!(check(&many, &diameters, Control::Itnc530, Dialogue::It, &sources), [Status::Good; 5]);
     // Even more than those: refused with the control's limit, nothing is left out.
     let letters = "CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC".split(' ');
-    let all: Vec<Row> = letters
+    let all: Vec<DraftFeature> = letters
         .flat_map(|letter| [6, 7].map(|grade| format!("8 {letter}{grade}")))
         .filter(|callout| sources.limits(&callout.parse().unwrap(), None).is_ok())
         .map(|callout| feature(&callout, ["0", "0", "0"]))

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use fitcheck::length::Length;
-use fitcheck::pairing::{Grinding, MOST_AMOUNTS, Pair, Pairing, Range, Ranges, Wanted, grinding, groups, pair};
+use fitcheck::pairing::{Grinding, MOST_AMOUNTS, Pair, PairClearances, Pairing, Range, Ranges, grinding, groups, pair};
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
@@ -16,8 +16,8 @@ fn all_nm(nanometres: &[i64]) -> Vec<Length> {
     nanometres.iter().copied().map(nm).collect()
 }
 
-fn wanted(minimum: i64, maximum: i64) -> Wanted {
-    Wanted::new(nm(minimum), nm(maximum)).unwrap()
+fn wanted(minimum: i64, maximum: i64) -> PairClearances {
+    PairClearances::new(nm(minimum), nm(maximum)).unwrap()
 }
 
 /// Sizes by their positions.
@@ -40,7 +40,7 @@ fn check(holes: &[i64], shafts: &[i64], (minimum, maximum): (i64, i64), expected
 
 /// Every part is in one pair or left over, every clearance is the pair's and wanted, and all is in order of size.
 #[track_caller]
-fn is_sound(holes: &[Length], shafts: &[Length], wanted: Wanted, pairing: &Pairing) {
+fn is_sound(holes: &[Length], shafts: &[Length], wanted: PairClearances, pairing: &Pairing) {
     let each_once = |used: Vec<usize>, left: &[usize], count: usize| {
         let all: Vec<usize> = used.into_iter().chain(left.iter().copied()).collect();
         assert_eq!(all.len(), count);
@@ -366,13 +366,13 @@ proptest! {
 #[test]
 fn wanted_clearances_are_two_lengths_with_two_points_between() {
     let read = |text: &str| {
-        text.parse::<Wanted>().map(|wanted| (wanted.minimum().nanometres(), wanted.maximum().nanometres()))
+        text.parse::<PairClearances>().map(|wanted| (wanted.minimum().nanometres(), wanted.maximum().nanometres()))
     };
     assert_eq!(read("0.010..0.030"), Ok((10_000, 30_000)));
     assert_eq!(read("-0,020 .. -0,005"), Ok((-20_000, -5_000)));
     assert_eq!(read("-20 µm..+5um"), Ok((-20_000, 5_000)));
     assert_eq!(read("0.01..0.01"), Ok((10_000, 10_000)));
-    let refused = |text: &str| text.parse::<Wanted>().unwrap_err().to_string();
+    let refused = |text: &str| text.parse::<PairClearances>().unwrap_err().to_string();
     let form = "expected the smallest and the largest in mm with two points between them, such as 0.010..0.030";
     assert_eq!(refused("0.010"), format!("clearances 0.010: {form}"));
     assert_eq!(refused("0.03..0.01"), "the smallest clearance 0.03 mm is larger than the largest, 0.01 mm");

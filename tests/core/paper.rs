@@ -9,7 +9,7 @@ use fitcheck::probing::measurement::measure_contacts;
 use fitcheck::probing::{Contact, Measurement, Origin};
 use fitcheck::report::{RENDERINGS, Report};
 use fitcheck::tolerance::Sources;
-use fitcheck::verdict::rules::{Given, Prover, RuleName, Uncertainty};
+use fitcheck::verdict::rules::{Prover, RuleInputs, RuleName, Uncertainty};
 use fitcheck::verdict::{Rule, Status, Undecided};
 use fitcheck::words::{Language, Words};
 use jiff::civil::date;
@@ -285,7 +285,7 @@ fn touched(contacts: u32, step_deg: f64) -> Record {
 fn by(name: RuleName) -> Rule {
     let uncertainty = Uncertainty::standard("0.5").ok();
     let width = name.takes_width().then(|| "0.001".parse().unwrap());
-    Rule::new(name, Given { uncertainty, factor: None, width, prover: Prover::Supplier }).unwrap()
+    Rule::new(name, RuleInputs { uncertainty, factor: None, width, prover: Prover::Supplier }).unwrap()
 }
 
 #[test]
@@ -473,7 +473,7 @@ fn a_size_proves_nothing_of_a_centre_out_of_position() {
     let now = date(2026, 11, 21).at(0, 0, 0, 0);
     let read = fitcheck::exchange::import("TCHPR421.TXT", &std::fs::read(log).unwrap(), &Sources::default(), now);
     let mut record = read.records[0].clone();
-    let given = Given { uncertainty: Some(Uncertainty::standard("1.2").unwrap()), ..Given::default() };
+    let given = RuleInputs { uncertainty: Some(Uncertainty::standard("1.2").unwrap()), ..RuleInputs::default() };
     let rule = Rule::new(RuleName::Iso14253Of2017, given).unwrap();
     let position = record.verdict.position.as_mut().unwrap();
     for (off, is_scrap) in [("0.001", false), ("1", true)] {

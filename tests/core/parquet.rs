@@ -15,7 +15,9 @@ use ::parquet::schema::types::{Type, TypePtr};
 use bytes::Bytes;
 use fitcheck::batch::parquet::{Columns, from_text, into_text, through};
 use fitcheck::batch::{Input, Manner, Packing, Summary, Watch};
-use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv, layout_of, output_fields};
+use fitcheck::exchange::batch::{
+    Csv, Cutter, JsonLines, Layout, RowNoteKind, StreamJudging, Tsv, layout_of, output_fields,
+};
 use fitcheck::exchange::parquet::{Field, Reader, Writer};
 use fitcheck::tolerance::Sources;
 use proptest::prelude::*;
@@ -128,7 +130,7 @@ fn as_csv(file: &Bytes) -> Result<(Vec<Vec<String>>, Summary), String> {
     let reader = || Reader::new(file.clone()).map_err(|error| error.to_string());
     let layout = layout_of(reader()?).map_err(|error| error.to_string())?;
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let mut out = Csv::header(&layout, "");
     let summary = into_text::<Csv, _>(reader()?, &court, MANNER, &mut out, &Watch::default(), &mut |_| {});
     let summary = summary.map_err(|error| format!("{error:?}"))?;
@@ -140,7 +142,7 @@ fn as_parquet(file: &Bytes) -> Result<Bytes, String> {
     let reader = || Reader::new(file.clone()).map_err(|error| error.to_string());
     let layout = layout_of(reader()?).map_err(|error| error.to_string())?;
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let columns = output_fields(&layout, Some(reader()?.fields()), "").unwrap();
     let mut out = Vec::new();
     let mut writer = Writer::new(&mut out, &columns).unwrap();
@@ -161,7 +163,7 @@ fn as_parquet(file: &Bytes) -> Result<Bytes, String> {
 fn csv_as_parquet(text: &[u8], step: usize) -> Bytes {
     let layout = Layout::of(text, true, "a.csv").unwrap();
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let columns = output_fields(&layout, None, "").unwrap();
     let mut out = Vec::new();
     let mut writer = Writer::new(&mut out, &columns).unwrap();
@@ -176,7 +178,7 @@ fn csv_as_parquet(text: &[u8], step: usize) -> Bytes {
 fn csv_answers(text: &[u8]) -> (Vec<Vec<String>>, Summary) {
     let layout = Layout::of(text, true, "a.csv").unwrap();
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let mut out = Csv::header(&layout, "");
     let mut stream = &text[layout.skip..];
     let input = Input { stream: &mut stream, cutter: Cutter::new(layout.separator(), 1 << 20, true) };
@@ -349,9 +351,9 @@ fn what_means_something_in_csv_is_a_cell_like_any_other() {
     let (rows, summary) = as_csv(&bytes).unwrap();
     let found: Vec<(&str, &str)> = rows[1..].iter().map(|row| (row[0].as_str(), row[7].as_str())).collect();
     assert_eq!(found, [("#1", "GOOD"), ("a,b", "GOOD"), ("c\"d", "GOOD"), ("e\nf", "GOOD"), (";", "")]);
-    assert_eq!(summary.tally.notes(Kind::SeveralLines).count, 0);
+    assert_eq!(summary.tally.notes(RowNoteKind::SeveralLines).count, 0);
     assert_eq!(summary.tally.lines, 5, "a row counts as one line");
-    assert_eq!(summary.tally.notes(Kind::Refused).first[0].line, 4);
+    assert_eq!(summary.tally.notes(RowNoteKind::Refused).first[0].line, 4);
     let again = cells(&as_parquet(&bytes).unwrap());
     let statuses: Vec<&str> = again[1..].iter().map(|row| row[7].as_str()).collect();
     assert_eq!(statuses, ["GOOD", "GOOD", "GOOD", "GOOD", ""]);
@@ -362,7 +364,7 @@ fn json_lines_come_from_parquet_too() {
     let bytes = Bytes::from_static(include_bytes!("../data/parquet/polars.parquet"));
     let layout = layout_of(Reader::new(bytes.clone()).unwrap()).unwrap();
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let mut out = Vec::new();
     let reader = Reader::new(bytes).unwrap();
     into_text::<JsonLines, _>(reader, &court, MANNER, &mut out, &Watch::default(), &mut |_| {}).unwrap();
@@ -384,7 +386,7 @@ fn tsv_comes_from_parquet_too() {
     );
     let layout = layout_of(Reader::new(bytes.clone()).unwrap()).unwrap();
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let mut out = Tsv::header(&layout, "");
     let reader = Reader::new(bytes).unwrap();
     into_text::<Tsv, _>(reader, &court, MANNER, &mut out, &Watch::default(), &mut |_| {}).unwrap();
@@ -462,7 +464,7 @@ proptest! {
         prop_assert_eq!(&said, &expected);
         prop_assert_eq!(summary.counts(), other.counts());
         prop_assert_eq!(summary.tally.rows, other.tally.rows);
-        prop_assert_eq!(summary.tally.notes(Kind::Refused).count, other.tally.notes(Kind::Refused).count);
+        prop_assert_eq!(summary.tally.notes(RowNoteKind::Refused).count, other.tally.notes(RowNoteKind::Refused).count);
         prop_assert_eq!(cells(&as_parquet(&bytes).unwrap()), shortened(expected.clone(), 5));
         prop_assert_eq!(cells(&csv_as_parquet(&text, step)), shortened(expected, 5));
     }

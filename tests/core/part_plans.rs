@@ -10,7 +10,7 @@ use fitcheck::length::Length;
 use fitcheck::nc::machine::{Contacts, Machine, NcPath, Remark, Settings, Step};
 use fitcheck::nc::program::Program;
 use fitcheck::nc::sets::{Control, NcSet, Target};
-use fitcheck::part::{Kind, Plan};
+use fitcheck::part::{FeatureKind, Plan};
 use fitcheck::probing::simulated::{Face, FreePoint, Part, Surface, Walls, Workpiece};
 use fitcheck::tolerance::{Feature, Limits, Source, Sources};
 use fitcheck::verdict::{Status, judge};
@@ -55,8 +55,8 @@ fn plan(control: Control) -> Plan {
 
 /// The limits of every feature, from the library: one of every size. Those of a point count from its nominal place.
 pub fn limits(plan: &Plan) -> Vec<Vec<Limits>> {
-    let of = |kind: &Kind| match kind {
-        Kind::Point(band, _) => {
+    let of = |kind: &FeatureKind| match kind {
+        FeatureKind::Point(band, _) => {
             vec![Limits::new(Feature::Shaft, Length::ZERO, *band, Source::Callout).unwrap()]
         }
         kind => {

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::length::Length;
-use fitcheck::part::Kind;
+use fitcheck::part::FeatureKind;
 use serde_json::Value;
 
 use super::part_plans::{limits, sizes};
@@ -67,11 +67,11 @@ fn resize(text: &str, sizes: &[Vec<Length>]) -> String {
 }
 
 /// What `fitcheck check` says of every size: minimum, maximum, status. A point is checked as a shaft of 10 mm.
-fn checked(folder: &Path, kind: &Kind, sizes: &[Length]) -> Vec<[String; 3]> {
+fn checked(folder: &Path, kind: &FeatureKind, sizes: &[Length]) -> Vec<[String; 3]> {
     let ten: Length = "10".parse().unwrap();
-    let off = if matches!(kind, Kind::Point(..)) { ten } else { Length::ZERO };
+    let off = if matches!(kind, FeatureKind::Point(..)) { ten } else { Length::ZERO };
     let callouts: Vec<String> = match kind {
-        Kind::Point(band, _) => vec![format!("10 {}/{}", signed(band.upper()), signed(band.lower()))],
+        FeatureKind::Point(band, _) => vec![format!("10 {}/{}", signed(band.upper()), signed(band.lower()))],
         kind => kind.callouts().iter().map(ToString::to_string).collect(),
     };
     let all = callouts.iter().zip(sizes).map(|(callout, size)| {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use fitcheck::length::Length;
-use fitcheck::part::{Column, Document, Draft, HeadField, Plan, PlanFault, Row};
+use fitcheck::part::{Column, Document, Draft, DraftFeature, HeadField, Plan, PlanFault};
 use fitcheck::tolerance::{Feature, Sources};
 use proptest::prelude::*;
 
@@ -362,7 +362,7 @@ fn what_is_written_reads_back_and_means_the_same() {
 
 #[test]
 fn numbers_are_given_in_order() {
-    let mut draft = Draft::of(vec![Row::default(), Row::of([(Column::Number, "7".to_owned())])]);
+    let mut draft = Draft::of(vec![DraftFeature::default(), DraftFeature::of([(Column::Number, "7".to_owned())])]);
     draft.renumber();
     let numbers: Vec<_> = draft.rows.iter().map(|row| row.text(Column::Number)).collect();
     assert_eq!(numbers, [Some("1"), Some("2")]);
@@ -377,7 +377,7 @@ proptest! {
         head in prop::collection::vec("[ -~äøµ\\n\"\\\\]{0,12}", HeadField::ALL.len()),
         rows in prop::collection::vec(prop::collection::vec("[-0-9.eA-Zµ\"' #=]{0,8}", Column::ALL.len()), 1..4),
     ) {
-        let rows = rows.into_iter().map(|texts| Row::of(Column::ALL.into_iter().zip(texts)));
+        let rows = rows.into_iter().map(|texts| DraftFeature::of(Column::ALL.into_iter().zip(texts)));
         let mut draft = Draft::of(rows.collect());
         for (field, text) in HeadField::ALL.into_iter().zip(head) {
             draft.set(field, text);

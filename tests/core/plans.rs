@@ -1,6 +1,6 @@
 //! Plans of tests, from the text of a file.
 
-use fitcheck::part::{Document, Draft, Plan, Row};
+use fitcheck::part::{Document, Draft, DraftFeature, Plan};
 use fitcheck::tolerance::Sources;
 
 /// The plan of a file without a fault.
@@ -17,6 +17,6 @@ pub fn read(text: &str, sources: &Sources) -> Result<Plan, Vec<String>> {
 
 /// The plan of rows without a file.
 #[track_caller]
-pub fn of_rows(rows: &[Row], sources: &Sources) -> Plan {
+pub fn of_rows(rows: &[DraftFeature], sources: &Sources) -> Plan {
     Plan::of(&Draft::of(rows.to_vec()), sources).unwrap_or_else(|faults| panic!("{faults:?}"))
 }

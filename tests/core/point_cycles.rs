@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fitcheck::length::Length;
 use fitcheck::message::Say as _;
 use fitcheck::probing::cycle::{
-    Cycle, CycleError, CycleResult, Found, FoundName, Inputs, Key, LogTarget, Phase, Plane, Remark, Value,
+    Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Phase, Plane, Remark, ResultName, ResultParameter, Value,
 };
 use fitcheck::probing::cycles::cycle_named;
 use fitcheck::probing::simulated::{Face, FreePoint, Lobes, Machine, Probe, Simulation, Surface, Workpiece};
@@ -119,7 +119,7 @@ fn the_block_of_cycle_427_measures_a_height_between_its_limits() {
 #[test]
 fn cycle_427_gives_the_deviation_without_a_parameter() {
     let deviation = |result: &CycleResult| {
-        let of = |found: &&Found| found.name == FoundName::COORDINATE_DEVIATION;
+        let of = |found: &&ResultParameter| found.name == ResultName::COORDINATE_DEVIATION;
         let found = result.results.iter().find(of).unwrap();
         assert_eq!((found.key, said(&found.name)), (None, "deviation of the coordinate".to_owned()));
         found.value.to_string()

@@ -1,6 +1,6 @@
 //! Which features of a QIF file have a position for a measuring cycle.
 
-use fitcheck::exchange::{Given, read_plan};
+use fitcheck::exchange::{ImportInputs, read_plan};
 use fitcheck::tolerance::Sources;
 
 const FILE: &str = include_str!("../data/qif/minimal_bore_25H7_limitsandfits.qif");
@@ -9,7 +9,7 @@ const FILE: &str = include_str!("../data/qif/minimal_bore_25H7_limitsandfits.qif
 #[track_caller]
 fn plan_of(text: &str) -> (Vec<String>, Vec<String>) {
     let sources = Sources::default();
-    let given = Given::new(&sources, jiff::civil::DateTime::default());
+    let given = ImportInputs::new(&sources, jiff::civil::DateTime::default());
     let document = read_plan("a.qif", text.as_bytes(), given).unwrap();
     let row = &document.draft.rows[0];
     let place = [fitcheck::part::Column::X, fitcheck::part::Column::Y, fitcheck::part::Column::Z];

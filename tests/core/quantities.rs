@@ -4,7 +4,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
-use fitcheck::exchange::{ByPlan, FirstRows, Given, Item, Mapping, Role, import_from};
+use fitcheck::exchange::{ByPlan, FirstRows, ImportInputs, Item, Mapping, Role, import_from};
 use fitcheck::part::Document;
 use fitcheck::tolerance::Sources;
 
@@ -270,7 +270,8 @@ fn judged(plan: &str, name: &str, bytes: &[u8]) -> Vec<String> {
     let sources = Sources::default();
     let plan = Document::read(plan.as_bytes()).unwrap().plan(&sources).unwrap();
     let by_plan = ByPlan::new(&plan);
-    let given = Given { has_plan: true, ..Given::new(&sources, jiff::civil::date(2026, 11, 25).at(0, 0, 0, 0)) };
+    let given =
+        ImportInputs { has_plan: true, ..ImportInputs::new(&sources, jiff::civil::date(2026, 11, 25).at(0, 0, 0, 0)) };
     let mut said = Vec::new();
     import_from(name, &mut Cursor::new(bytes), given, &mut |item| {
         by_plan.item(item, &mut |item| match item {

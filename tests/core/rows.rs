@@ -8,7 +8,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck::batch::{Input, Manner, Packing, Sink, Watch, run, run_into};
-use fitcheck::exchange::batch::{Block, Court, Csv, Cutter, Fate, Filter, Layout, Marks, Part, Store, Tally, pick};
+use fitcheck::exchange::batch::{
+    Block, Csv, Cutter, Filter, Layout, Marks, Part, RowFate, Store, StreamJudging, Tally, pick,
+};
 use fitcheck::exchange::import;
 use fitcheck::message::Message;
 use fitcheck::session::action::{Action, Part as Place};
@@ -44,7 +46,7 @@ fn parts(text: &[u8], step: usize, workers: usize, sources: &Sources) -> (Layout
     let layout = Layout::of(text, true, "test.csv").unwrap();
     let mut found = Collected::default();
     {
-        let court = Court::new(&layout, sources);
+        let court = StreamJudging::new(&layout, sources);
         let mut rows = Cursor::new(&text[layout.skip..]);
         let input = Input { stream: &mut rows, cutter: Cutter::new(layout.separator(), step, true) };
         let making: (usize, &(dyn Fn() -> Marks + Sync)) = (workers, &Marks::default);
@@ -54,9 +56,9 @@ fn parts(text: &[u8], step: usize, workers: usize, sources: &Sources) -> (Layout
 }
 
 /// What `batch` writes: the class's text and the status of each row, and whether it is refused.
-fn written(text: &[u8], sources: &Sources) -> Vec<(String, Fate)> {
+fn written(text: &[u8], sources: &Sources) -> Vec<(String, RowFate)> {
     let layout = Layout::of(text, true, "test.csv").unwrap();
-    let court = Court::new(&layout, sources);
+    let court = StreamJudging::new(&layout, sources);
     let mut rows = Cursor::new(&text[layout.skip..]);
     let input = Input { stream: &mut rows, cutter: Cutter::new(layout.separator(), 1 << 20, true) };
     let manner = Manner { workers: 1, packing: Packing::Plain, prefix: "" };
@@ -66,10 +68,10 @@ fn written(text: &[u8], sources: &Sources) -> Vec<(String, Fate)> {
     let rows = reader.records().map(|row| {
         let row = row.unwrap();
         let status = &row[row.len() - 3];
-        let fate = Fate::ALL.into_iter().find(|fate| fate.status().is_some_and(|known| known.word() == status));
+        let fate = RowFate::ALL.into_iter().find(|fate| fate.status().is_some_and(|known| known.word() == status));
         // A class of its own column; rows without a verdict count as those without a class.
         let class = row[1].split(' ').next_back().unwrap_or_default().to_owned();
-        (class, fate.unwrap_or(Fate::NotJudged), row[row.len() - 1].is_empty() && status.is_empty())
+        (class, fate.unwrap_or(RowFate::NotJudged), row[row.len() - 1].is_empty() && status.is_empty())
     });
     rows.filter(|(_, _, is_no_row)| !is_no_row).map(|(class, fate, _)| (class, fate)).collect()
 }
@@ -87,23 +89,23 @@ proptest! {
         rows in prop::collection::vec(row(), 1..80),
         step in 20_usize..400,
         workers in 1_usize..4,
-        fates in prop::collection::btree_set(prop::sample::select(Fate::ALL.to_vec()), 0..3),
+        fates in prop::collection::btree_set(prop::sample::select(RowFate::ALL.to_vec()), 0..3),
     ) {
         let text = format!("id,callout,measured,note\np,25 H7,25.01,\n{}", rows.concat());
         let sources = Sources::default();
         let expected = written(text.as_bytes(), &sources);
         let (layout, found) = parts(text.as_bytes(), step, workers, &sources);
-        let court = Court::new(&layout, &sources);
+        let court = StreamJudging::new(&layout, &sources);
         let class = |number: usize| number.checked_sub(1).map(|at| found.store.classes[at].to_string());
         let kept: Vec<_> = found.parts.iter().flat_map(|part| (0..part.len()).map(|at| part.row(at).unwrap())).collect();
         // An open quotation mark is read otherwise by the reader of this test.
         let is_comparable = !text.contains("\"open");
         if is_comparable {
-            let fates = |fates: &mut dyn Iterator<Item = Fate>| fates.collect::<Vec<_>>();
+            let fates = |fates: &mut dyn Iterator<Item = RowFate>| fates.collect::<Vec<_>>();
             prop_assert_eq!(fates(&mut kept.iter().map(|row| row.0)), fates(&mut expected.iter().map(|row| row.1)));
         }
         for ((fate, number), (text, _)) in kept.iter().zip(&expected).filter(|_| is_comparable) {
-            if *fate != Fate::NotJudged && let Some(class) = class(*number) {
+            if *fate != RowFate::NotJudged && let Some(class) = class(*number) {
                 prop_assert_eq!(&class, text);
             }
         }
@@ -148,7 +150,7 @@ fn other_bytes_in_the_place_of_a_part_are_no_rows_of_it() {
     let text = b"id,callout,measured\n1,25 H7,25.01\n2,25 H7,24.99\n".to_vec();
     let sources = Sources::default();
     let (layout, found) = parts(&text, 1 << 20, 1, &sources);
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let part = &found.parts[0];
     let rows = text[layout.skip..].to_vec();
     assert_eq!(pick(rows.clone(), part, &[1], &court).unwrap()[0].named, ["2", "25 H7"]);
@@ -209,7 +211,7 @@ fn judged(session: &mut Session, run: u64, news: News) {
 fn answer(session: &mut Session, text: &str, effects: Vec<Effect>) {
     let layout = Layout::of(text.as_bytes(), true, "big.csv").unwrap();
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     for effect in effects {
         let Effect::ReadRows { run, wanted } = effect else { panic!("{effect:?}") };
         let mut all = Vec::new();
@@ -281,14 +283,14 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
         .collect();
     assert_eq!(classes, [(1, Some("H7".to_owned()), 90), (2, Some("g6".to_owned()), 10), (0, None, 1)]);
     for (commands, listed) in [
-        (vec![RowsCommand::Fate(Fate::Judged(Status::Scrap))], 10),
-        (vec![RowsCommand::Fate(Fate::Judged(Status::Rework))], 20),
+        (vec![RowsCommand::Fate(RowFate::Judged(Status::Scrap))], 10),
+        (vec![RowsCommand::Fate(RowFate::Judged(Status::Rework))], 20),
         (vec![RowsCommand::Class(1)], 10),
         (vec![RowsCommand::Class(0), RowsCommand::Class(1)], 0),
-        (vec![RowsCommand::AllClasses, RowsCommand::Fate(Fate::Judged(Status::Rework))], 10),
-        (vec![RowsCommand::Fate(Fate::NotJudged)], 11),
-        (vec![RowsCommand::Fate(Fate::Judged(Status::Scrap))], 1),
-        (vec![RowsCommand::Fate(Fate::NotJudged)], 101),
+        (vec![RowsCommand::AllClasses, RowsCommand::Fate(RowFate::Judged(Status::Rework))], 10),
+        (vec![RowsCommand::Fate(RowFate::NotJudged)], 11),
+        (vec![RowsCommand::Fate(RowFate::Judged(Status::Scrap))], 1),
+        (vec![RowsCommand::Fate(RowFate::NotJudged)], 101),
     ] {
         for command in commands {
             assert!(send(&mut session, command).is_empty());
@@ -297,7 +299,7 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
         let all: Vec<u64> = (0..listed).map(|place| rows(&session).at(place).unwrap().number).collect();
         assert!(all.is_sorted_by(|one, other| one < other) && rows(&session).at(listed).is_none());
     }
-    send(&mut session, RowsCommand::Fate(Fate::Judged(Status::Scrap)));
+    send(&mut session, RowsCommand::Fate(RowFate::Judged(Status::Scrap)));
     for (step, number) in [
         (Step::Down, 1),
         (Step::Down, 11),
@@ -312,7 +314,7 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
         assert_eq!(rows(&session).cursor(), Some(number), "{step:?}");
     }
     // A cursor that the filter leaves out is not lost.
-    send(&mut session, RowsCommand::Fate(Fate::Judged(Status::Scrap)));
+    send(&mut session, RowsCommand::Fate(RowFate::Judged(Status::Scrap)));
     assert_eq!(rows(&session).look().1, Some(1));
 }
 
@@ -365,11 +367,11 @@ fn rows_in_sight_are_asked_for_once_and_a_file_that_has_changed_is_said() {
 fn other_limits_judge_the_file_again() {
     let (text, mut session) = (some(100), opened());
     judged(&mut session, 1, news(&text, usize::MAX, Some(End::Done)));
-    send(&mut session, RowsCommand::Fate(Fate::NotJudged));
+    send(&mut session, RowsCommand::Fate(RowFate::NotJudged));
     let effects = session.apply(Command::NoOwnTables, now());
     assert_eq!(effects, [Effect::StopRows, Effect::JudgeRows { run: 2, path: PathBuf::from("big.csv") }]);
     assert_eq!((rows(&session).count(), rows(&session).is_running()), (0, true));
-    assert!(rows(&session).filter().fates.contains(&Fate::NotJudged), "the filter stays");
+    assert!(rows(&session).filter().fates.contains(&RowFate::NotJudged), "the filter stays");
 }
 
 /// Only here so that a change of the size is noticed: millions of rows take two bytes each.

@@ -4,7 +4,7 @@
 use assert_cmd::Command;
 use fitcheck::length::Length;
 use fitcheck::tolerance::{Bounds, Deviations, Feature};
-use fitcheck::verdict::rules::{Given, Prover, RuleError, RuleName, Uncertainty, UncertaintyError};
+use fitcheck::verdict::rules::{Prover, RuleError, RuleInputs, RuleName, Uncertainty, UncertaintyError};
 use fitcheck::verdict::{Rule, Status};
 use proptest::prelude::*;
 use serde_json::Value;
@@ -180,7 +180,7 @@ fn bounds(feature: Feature, minimum: &str, maximum: &str) -> Bounds {
 
 fn rule(name: RuleName, prover: Prover) -> Rule {
     let width = name.takes_width().then(|| mm("0.002"));
-    Rule::new(name, Given { uncertainty: Some(Uncertainty::standard("1").unwrap()), factor: None, width, prover })
+    Rule::new(name, RuleInputs { uncertainty: Some(Uncertainty::standard("1").unwrap()), factor: None, width, prover })
         .unwrap()
 }
 
@@ -286,25 +286,25 @@ fn what_is_removed_brings_the_size_to_where_the_rule_accepts_it() {
 #[test]
 fn a_rule_has_what_it_needs_and_nothing_without_effect() {
     let u = Uncertainty::standard("1").ok();
-    let refused = |name: RuleName, given: Given| Rule::new(name, given).unwrap_err();
+    let refused = |name: RuleName, given: RuleInputs| Rule::new(name, given).unwrap_err();
     for name in RuleName::ALL {
         assert_eq!(RuleName::of_word(name.word()), Some(name));
         let needs = !matches!(name, RuleName::Simple | RuleName::Fixed);
         if needs {
-            assert_eq!(refused(name, Given::default()), RuleError::NoUncertainty { rule: name.word() });
+            assert_eq!(refused(name, RuleInputs::default()), RuleError::NoUncertainty { rule: name.word() });
         }
         if !name.takes_factor() {
-            let given = Given { uncertainty: u, factor: Some(1), ..Given::default() };
+            let given = RuleInputs { uncertainty: u, factor: Some(1), ..RuleInputs::default() };
             assert_eq!(refused(name, given), RuleError::NoFactor { rule: name.word() });
         }
         if !name.takes_width() {
-            let given = Given { uncertainty: u, width: Some(mm("1")), ..Given::default() };
+            let given = RuleInputs { uncertainty: u, width: Some(mm("1")), ..RuleInputs::default() };
             assert_eq!(refused(name, given), RuleError::NoWidth { rule: name.word() });
         }
     }
-    let none = Given { width: Some(Length::ZERO), ..Given::default() };
+    let none = RuleInputs { width: Some(Length::ZERO), ..RuleInputs::default() };
     assert_eq!(refused(RuleName::Fixed, none), RuleError::WidthMissing { rule: "fixed" });
-    let customer = Given { prover: Prover::Customer, ..Given::default() };
+    let customer = RuleInputs { prover: Prover::Customer, ..RuleInputs::default() };
     assert_eq!(refused(RuleName::Simple, customer), RuleError::NoProver { rule: "simple" });
     assert_eq!(Uncertainty::standard("0"), Err(UncertaintyError::NotPositive));
     assert!(matches!(Uncertainty::standard("x"), Err(UncertaintyError::Length(_))));
@@ -368,7 +368,7 @@ proptest! {
         let maximum = Length::from_nanometres(25_000_000 + width).unwrap();
         let bounds = Bounds::new(Feature::Hole, Length::ZERO, Deviations::new(maximum, mm("25")).unwrap()).unwrap();
         let uncertainty = Uncertainty::standard(&format!("{}.{:06}", pm / 1_000_000, pm % 1_000_000)).unwrap();
-        let rule = Rule::new(RuleName::Iso14253Of2017, Given { uncertainty: Some(uncertainty), ..Given::default() }).unwrap();
+        let rule = Rule::new(RuleName::Iso14253Of2017, RuleInputs { uncertainty: Some(uncertainty), ..RuleInputs::default() }).unwrap();
         let measured = Length::from_nanometres(25_000_000 + at).unwrap();
         let within = rule.conformity(&bounds, measured).unwrap();
         prop_assert!((within.within + within.below + within.above - 1.0).abs() < 1e-12);

@@ -4,7 +4,7 @@ use fitcheck::session::{CheckAction, CyclesAction, FilesAction, ProgramAction, T
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use fitcheck::session::action::{Action, Key, Place, Shortcut};
+use fitcheck::session::action::{Action, ActionScope, Key, Shortcut};
 use fitcheck::session::{
     CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField, Page, ProgramCommand,
     ProgramField, Session, TablesCommand, TablesField,
@@ -69,11 +69,11 @@ fn every_action_is_listed_once() {
 }
 
 /// How near a place is: where a nearer one has the same keys, that one counts.
-fn nearness(place: Place) -> u8 {
+fn nearness(place: ActionScope) -> u8 {
     match place {
-        Place::Part(_) | Place::Dialog => 0,
-        Place::Page(_) | Place::Workpiece => 1,
-        Place::Everywhere => 2,
+        ActionScope::Part(_) | ActionScope::Dialog => 0,
+        ActionScope::Page(_) | ActionScope::Workpiece => 1,
+        ActionScope::Everywhere => 2,
     }
 }
 
@@ -84,7 +84,7 @@ fn no_two_actions_share_keys_on_a_page() {
         for action in Action::all().filter(|action| action.place().is_on(page)) {
             for shortcut in action.shortcuts() {
                 // Of two parts of a page only one has the focus.
-                let part = matches!(action.place(), Place::Part(_)).then(|| format!("{:?}", action.place()));
+                let part = matches!(action.place(), ActionScope::Part(_)).then(|| format!("{:?}", action.place()));
                 let place = (nearness(action.place()), part, shortcut.to_string());
                 let before = taken.insert(place, action);
                 assert_eq!(before, None, "{shortcut} on {page:?}: {action:?}");
@@ -98,7 +98,9 @@ fn the_keys_that_are_told_are_those_that_are_heard() {
     for page in Page::ALL {
         let session = busy(page);
         let heard = session.keys(None, false);
-        for action in Action::all().filter(|action| !matches!(action.place(), Place::Part(_)) && session.can(*action)) {
+        for action in
+            Action::all().filter(|action| !matches!(action.place(), ActionScope::Part(_)) && session.can(*action))
+        {
             let Some(told) = action.shortcut_on(page) else { continue };
             let first = heard.iter().find(|(shortcut, _)| *shortcut == told).map(|(_, action)| *action);
             assert_eq!(first, Some(action), "{told} on {page:?}");
@@ -174,7 +176,7 @@ fn a_dialog_hears_only_its_own_keys_and_what_closes_it() {
     assert!(session.can(FilesAction::AllFiles) && session.can(FilesAction::Browse));
     for page in Page::ALL {
         let busy = busy(page);
-        let dialog = |action: &Action| action.place() == Place::Dialog;
+        let dialog = |action: &Action| action.place() == ActionScope::Dialog;
         assert!(Action::all().filter(dialog).all(|action| !busy.can(action)), "without a dialog");
     }
 }

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use fitcheck::exchange::{DecimalSign, Detected, FirstRows, Mapping, Role, Separator, import};
 use fitcheck::message::Message;
 use fitcheck::session::{
-    AskedColumns, CheckCommand, ColumnChoice, ColumnsCommand, Command, Effect, ImportInto, OpenColumns, Purpose, Saved,
-    Session, UsedColumns,
+    CheckCommand, ColumnChoice, ColumnsCommand, ColumnsRequest, Command, Effect, ImportInto, OpenColumns, Purpose,
+    Saved, Session, UsedColumns,
 };
 use fitcheck::tolerance::Sources;
 use fitcheck::words::{Language, Words};
@@ -32,7 +32,7 @@ fn ask(session: &mut Session, name: &str, text: &str) {
     let path = PathBuf::from("/in").join(name);
     let mapping = session.remembered_columns().find(&first).map(|(.., mapping)| mapping).unwrap_or_default();
     let asked =
-        AskedColumns { name: name.to_owned(), path, into: ImportInto::History, first, mapping, is_wanted: false };
+        ColumnsRequest { name: name.to_owned(), path, into: ImportInto::History, first, mapping, is_wanted: false };
     send(session, ColumnsCommand::Ask(Box::new(asked)));
 }
 
@@ -163,7 +163,7 @@ fn a_file_for_a_part_that_was_ended_is_not_asked_about() {
     let mut session = Session::new(Language::En);
     let first = FirstRows::of("a.csv", ODD.as_bytes()).unwrap();
     let (name, path, mapping) = ("a.csv".to_owned(), PathBuf::from("/in/a.csv"), Mapping::default());
-    let asked = AskedColumns { name, path, into: ImportInto::Part(1), first, mapping, is_wanted: true };
+    let asked = ColumnsRequest { name, path, into: ImportInto::Part(1), first, mapping, is_wanted: true };
     send(&mut session, ColumnsCommand::Ask(Box::new(asked)));
     assert!(session.open_columns().is_none());
     assert_eq!(session.notices().len(), 1);

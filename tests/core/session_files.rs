@@ -9,8 +9,8 @@ use fitcheck::files::{Entry, FileError, Listing};
 use fitcheck::message::{Message, Say as _};
 use fitcheck::report::RENDERINGS;
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, CycleFile, Dialog, Effect, Fate, FilesCommand, Launch, Page, Purpose, Saved,
-    Session, Step,
+    CheckCommand, CheckField, Command, CycleFile, Dialog, Effect, FilesCommand, Launch, Page, Purpose, ReadOutcome,
+    Saved, Session, Step,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
@@ -353,7 +353,7 @@ fn a_written_file_is_told_with_its_folder_and_can_be_opened() {
 fn every_kind_begins_in_its_own_last_folder() {
     let mut session = session();
     for (purpose, path) in [(Purpose::Import, "/parts/a.csv"), (Purpose::OpenProgram, "/nc/a.h")] {
-        send(&mut session, FilesCommand::Seen { purpose, path: path.into(), fate: Fate::Read });
+        send(&mut session, FilesCommand::Seen { purpose, path: path.into(), fate: ReadOutcome::Read });
     }
     let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
     for (purpose, folder) in [(Purpose::Import, "/parts"), (Purpose::OpenProgram, "/nc"), (Purpose::LoadMask, "/nc")] {
@@ -384,14 +384,14 @@ fn a_name_that_is_no_text_is_read_as_it_is_and_kept_out_of_the_state_file() {
     let mut session = importing();
     let effects = answer(&mut session, Command::Picked(Some(odd.clone())));
     assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, odd.clone()));
-    send(&mut session, FilesCommand::Seen { purpose: Purpose::Import, path: odd, fate: Fate::Read });
+    send(&mut session, FilesCommand::Seen { purpose: Purpose::Import, path: odd, fate: ReadOutcome::Read });
     assert_eq!(session.recent_files().len(), 1);
     let saved = Saved::read(&session.saved().write()).unwrap();
     assert_eq!((saved.files.recent.len(), saved.files.last_folder), (0, Some("/tmp".into())));
     assert_eq!(saved.language, Language::En);
 }
 
-fn seen(session: &mut Session, purpose: Purpose, path: &str, fate: Fate) {
+fn seen(session: &mut Session, purpose: Purpose, path: &str, fate: ReadOutcome) {
     send(session, FilesCommand::Seen { purpose, path: path.into(), fate });
 }
 
@@ -403,17 +403,17 @@ fn recent(session: &Session) -> Vec<String> {
 fn the_last_ten_files_that_were_read_are_remembered() {
     let mut session = session();
     for number in 0..12 {
-        seen(&mut session, Purpose::Import, &format!("/{number}.csv"), Fate::Read);
+        seen(&mut session, Purpose::Import, &format!("/{number}.csv"), ReadOutcome::Read);
     }
     assert_eq!((recent(&session).len(), recent(&session)[0].as_str()), (10, "/11.csv"));
-    seen(&mut session, Purpose::Import, "/5.csv", Fate::Read);
+    seen(&mut session, Purpose::Import, "/5.csv", ReadOutcome::Read);
     assert_eq!((recent(&session).len(), recent(&session)[0].as_str()), (10, "/5.csv"));
-    seen(&mut session, Purpose::Import, "/9.csv", Fate::Refused);
+    seen(&mut session, Purpose::Import, "/9.csv", ReadOutcome::Refused);
     assert_eq!((recent(&session).len(), recent(&session)[0].as_str()), (10, "/5.csv"));
-    seen(&mut session, Purpose::Import, "/9.csv", Fate::Gone);
+    seen(&mut session, Purpose::Import, "/9.csv", ReadOutcome::Gone);
     assert!(recent(&session).len() == 9 && !recent(&session).contains(&"/9.csv".to_owned()));
     // The user's own tables are read at every start: that is no file that somebody opened.
-    seen(&mut session, Purpose::LoadTables, "/tables", Fate::Read);
+    seen(&mut session, Purpose::LoadTables, "/tables", ReadOutcome::Read);
     assert_eq!(recent(&session).len(), 9);
     send(&mut session, FilesCommand::ForgetRecent);
     assert!(recent(&session).is_empty() && !session.can(WindowAction::ForgetRecent));
@@ -431,7 +431,7 @@ fn a_recent_file_is_read_again_for_what_it_was_read_for_on_its_page() {
         (Purpose::LoadMask, Page::Fit, Page::Fit),
     ] {
         let mut session = session();
-        seen(&mut session, purpose, "/a.b", Fate::Read);
+        seen(&mut session, purpose, "/a.b", ReadOutcome::Read);
         let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
         send(&mut again, Command::OpenPage(from));
         assert_eq!(send(&mut again, FilesCommand::OpenRecent(0)), [Effect::Read(purpose, "/a.b".into())]);

@@ -4,9 +4,10 @@
 
 use fitcheck::length::Length;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, Field, FitCommand, FitField, Mark, Page, Parts, Session, Step, extremes,
+    Action, CheckCommand, CheckField, Command, Field, FitCommand, FitField, Mark, MeasuredParts, Page, Session, Step,
+    extremes,
 };
-use fitcheck::tolerance::fit::Kind;
+use fitcheck::tolerance::fit::FitKind;
 use fitcheck::tolerance::fit::search::Scope;
 use fitcheck::tolerance::iso286::Letter;
 use fitcheck::tolerance::table::Column;
@@ -47,15 +48,15 @@ fn told(session: &Session, field: FitField) -> String {
 #[test]
 fn the_kind_and_its_clearances() {
     #[track_caller]
-    fn check(callout: &str, kind: Kind, minimum: i32, maximum: i32) {
+    fn check(callout: &str, kind: FitKind, minimum: i32, maximum: i32) {
         let session = fit(callout);
         let fit = session.fit().fit().unwrap();
         assert_eq!((fit.kind(), fit.minimum_clearance(), fit.maximum_clearance()), (kind, um(minimum), um(maximum)));
     }
-    check("50 H7/p6", Kind::Interference, -42, -1);
-    check("2 H7/p6", Kind::Transition, -12, 4);
-    check("25 H7/h6", Kind::Clearance, 0, 34);
-    check("Ø25 H7-g6", Kind::Clearance, 7, 41);
+    check("50 H7/p6", FitKind::Interference, -42, -1);
+    check("2 H7/p6", FitKind::Transition, -12, 4);
+    check("25 H7/h6", FitKind::Clearance, 0, 34);
+    check("Ø25 H7-g6", FitKind::Clearance, 7, 41);
 }
 
 #[test]
@@ -105,7 +106,7 @@ fn parts_are_judged_with_both_borders() {
             (FitField::measured(Feature::Hole), hole),
             (FitField::measured(Feature::Shaft), shaft),
         ]);
-        let Some(Parts::Both(actual)) = session.fit().parts() else { panic!("no parts") };
+        let Some(MeasuredParts::Both(actual)) = session.fit().parts() else { panic!("no parts") };
         assert_eq!((actual.clearance.to_string().as_str(), actual.conforms), (clearance, conforms));
         assert_eq!((actual.hole_verdict.status(), actual.shaft_verdict.status()), verdicts);
     }

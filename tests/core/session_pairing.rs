@@ -9,7 +9,7 @@ use std::sync::Arc;
 use fitcheck::exchange::sizes;
 use fitcheck::message::Message;
 use fitcheck::report::pairing::FORMATS;
-use fitcheck::report::pairing::Parts;
+use fitcheck::report::pairing::PairingParts;
 use fitcheck::session::{
     CheckCommand, CheckField, Command, Content, Effect, Field, FilesCommand, MeasureBy, Page, Paired, PairingCommand,
     PairingField, Purpose, Saved, Session, Step, usable,
@@ -47,7 +47,7 @@ fn typed(session: &mut Session, field: PairingField, text: &str) {
 
 /// What reading a file of this content answers.
 fn read(feature: Feature, path: &str, content: &str) -> PairingCommand {
-    let parts = Parts::of_file(path, sizes(path, content.as_bytes(), feature));
+    let parts = PairingParts::of_file(path, sizes(path, content.as_bytes(), feature));
     PairingCommand::Read { feature, path: path.into(), result: usable(path, parts) }
 }
 
@@ -375,7 +375,7 @@ fn the_state_file_keeps_what_was_typed_and_the_files() {
     typed(&mut session, PairingField::Wanted, "25 H7/g6");
     typed(&mut session, PairingField::Groups, "4");
     let path: PathBuf = "/shop/holes.csv".into();
-    let (purpose, fate) = (Purpose::OpenParts(Feature::Hole), fitcheck::session::Fate::Read);
+    let (purpose, fate) = (Purpose::OpenParts(Feature::Hole), fitcheck::session::ReadOutcome::Read);
     apply(&mut session, FilesCommand::Seen { purpose, path: path.clone(), fate });
     let saved = Saved::read(&session.saved().write()).unwrap();
     let (session, effects) = Session::restore(saved);

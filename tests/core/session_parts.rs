@@ -238,7 +238,7 @@ fn a_part_is_known_by_its_tables_and_opens_on_the_program_page() {
     let effects = send(&mut session, FilesCommand::Open(Purpose::OpenPart, path.clone()));
     assert_eq!(effects, [Effect::Read(Purpose::OpenPart, path.clone())]);
     assert_eq!(session.page(), Page::Program);
-    let fate = fitcheck::session::Fate::Read;
+    let fate = fitcheck::session::ReadOutcome::Read;
     send(&mut session, FilesCommand::Seen { purpose: Purpose::OpenPart, path: path.clone(), fate });
     let (restored, _) = Session::restore(session.saved());
     assert_eq!(restored.recent_files()[0].purpose, Purpose::OpenPart);

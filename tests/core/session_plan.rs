@@ -4,12 +4,12 @@ use fitcheck::session::{PartsAction, WalkField};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck::exchange::{Given, read_plan};
+use fitcheck::exchange::{ImportInputs, read_plan};
 use fitcheck::message::Message;
-use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
+use fitcheck::part::{Column, Document, Draft, DraftFeature, HeadField, Spot};
 use fitcheck::report::image::Image;
 use fitcheck::session::action::Part;
-use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
+use fitcheck::session::parts::{PartPicture, PartsView, PictureState, PlanCommand, PlanField};
 use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
@@ -480,7 +480,7 @@ fn what_a_plan_of_another_tool_leaves_out_is_told_when_it_is_opened() {
     let text = "K0100/0 2\nK1001/1 P\nK2001/1 1\nK2002/1 A\nK2101/1 25\nK2110/1 25\nK2111/1 25.021\nK2142/1 mm\n\
                 K2001/2 2\nK2002/2 ROUND\nK2004/2 0\nK2009/2 104\nK2101/2 0\nK2110/2 0\nK2111/2 0.01\nK2142/2 mm\n";
     let sources = Sources::default();
-    let given = Given::new(&sources, jiff::civil::DateTime::MIN);
+    let given = ImportInputs::new(&sources, jiff::civil::DateTime::MIN);
     let document = read_plan("a.dfq", text.as_bytes(), given).unwrap();
     let mut session = Session::new(Language::En);
     apply(&mut session, Command::OpenPage(Page::Parts));
@@ -609,17 +609,17 @@ fn the_picture_is_asked_for_once_its_name_is_typed_and_late_answers_change_nothi
     let effects = plan(&mut session, PlanCommand::SettleHead);
     let path = PathBuf::from("/plans/plate.png");
     assert_eq!(effects, [Effect::ReadPicture(path.clone())]);
-    assert_eq!(session.parts().sight(), Some(Sight::Awaited));
+    assert_eq!(session.parts().sight(), Some(PictureState::Awaited));
     let late = PlanCommand::PictureRead { path: "/plans/other.png".into(), result: Ok(dots()) };
     plan(&mut session, late);
-    assert_eq!(session.parts().sight(), Some(Sight::Awaited));
+    assert_eq!(session.parts().sight(), Some(PictureState::Awaited));
     plan(&mut session, PlanCommand::PictureRead { path, result: Ok(dots()) });
-    assert_eq!(session.parts().sight(), Some(Sight::Seen(dots())));
+    assert_eq!(session.parts().sight(), Some(PictureState::Seen(dots())));
     // Another folder is none of the plan's.
     for name in ["../plate.png", "/etc/plate.png", "c:plate.png", "\\\\server\\plate.png"] {
         plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Picture), name.to_owned()));
         assert_eq!(plan(&mut session, PlanCommand::SettleHead), []);
-        let Some(Sight::Refused(why)) = session.parts().sight() else { panic!("{name} is read") };
+        let Some(PictureState::Refused(why)) = session.parts().sight() else { panic!("{name} is read") };
         assert!(said(&why).contains("is not the name of a file beside the plan"), "{}", said(&why));
     }
     apply(&mut session, Command::OpenDialog(Purpose::OpenPicture));
@@ -638,17 +638,17 @@ fn a_part_keeps_the_picture_that_its_plan_had_when_it_was_begun() {
     let read = PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) };
     assert!(plan(&mut session, read).contains(&Effect::ReadPicture("/other/b.png".into())));
     plan(&mut session, PlanCommand::PictureRead { path: "/other/b.png".into(), result: Ok(dots()) });
-    assert_eq!(session.parts().walk_sight(), Some(Sight::Awaited));
+    assert_eq!(session.parts().walk_sight(), Some(PictureState::Awaited));
     let mut own = PartPicture::clone(&dots());
     own.size = [1, 2];
     let own = Arc::new(own);
     plan(&mut session, PlanCommand::PictureRead { path: "/plans/a.png".into(), result: Ok(Arc::clone(&own)) });
-    assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(own)));
-    assert_eq!(session.parts().sight(), Some(Sight::Seen(dots())), "the plan that is edited has its own");
+    assert_eq!(session.parts().walk_sight(), Some(PictureState::Seen(own)));
+    assert_eq!(session.parts().sight(), Some(PictureState::Seen(dots())), "the plan that is edited has its own");
     act(&mut session, PartsAction::NextPart.into());
     act(&mut session, PartsAction::NextPart.into());
     act(&mut session, PartsAction::BeginPart.into());
-    assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(dots())));
+    assert_eq!(session.parts().walk_sight(), Some(PictureState::Seen(dots())));
 }
 
 #[test]
@@ -700,7 +700,7 @@ fn a_balloon_is_dragged_as_one_change_and_moved_by_steps() {
 #[test]
 fn a_thousand_features_cost_little_for_each_change_that_can_be_taken_back() {
     let rows = (0..1_000).map(|row: usize| {
-        Row::of([
+        DraftFeature::of([
             (Column::Name, format!("H{row}")),
             (Column::Callout, "25 H7".to_owned()),
             (Column::X, row.to_string()),

@@ -9,7 +9,7 @@ use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
-use fitcheck::session::records::{Found, Numbers, PAGE, Shorthand, Walk};
+use fitcheck::session::records::{FoundNumbers, Numbers, PAGE, Shorthand, Walk};
 use fitcheck::session::{
     CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, ListCommand, MeasureBy, OpenJournal, Page,
     ProgramCommand, RESTORED, RecordRow, Recorded, RecordsCommand, RecordsField, Saved, Session, Step,
@@ -271,7 +271,7 @@ fn a_question_is_read_at_every_change_and_an_older_answer_is_dropped() {
     let asked = typed(&mut session, RecordsField::Question, "part:P7");
     let [Effect::AskRecords { run, question, rests: true }] = asked.as_slice() else { panic!("{asked:?}") };
     assert_eq!(question.part.as_deref(), Some("P7"));
-    let found = |numbers| Ok(Found { numbers, is_end: true });
+    let found = |numbers| Ok(FoundNumbers { numbers, is_end: true });
     send(&mut session, RecordsCommand::Found { run: first, result: found(Numbers::All { newest: 9, oldest: 2 }) });
     assert_eq!(session.records().listing().count(), 0, "an answer to another question");
     send(&mut session, RecordsCommand::Found { run: *run, result: found(Numbers::These(vec![7])) });
@@ -306,7 +306,7 @@ fn listed(count: u64) -> Session {
     let mut session = recording();
     let asked = send(&mut session, Command::OpenPage(Page::Records));
     let [Effect::AskRecords { run, .. }] = asked.as_slice() else { panic!("{asked:?}") };
-    let found = Found { numbers: Numbers::All { newest: count + 1, oldest: 2 }, is_end: true };
+    let found = FoundNumbers { numbers: Numbers::All { newest: count + 1, oldest: 2 }, is_end: true };
     send(&mut session, RecordsCommand::Found { run: *run, result: Ok(found) });
     session
 }
@@ -370,7 +370,7 @@ fn open(session: &mut Session, rows: Vec<RecordRow>) {
     let asked = send(session, Command::OpenPage(Page::Records));
     let [Effect::AskRecords { run, .. }] = asked.as_slice() else { panic!("{asked:?}") };
     let numbers: Vec<u64> = rows.iter().map(|row| row.head.number).collect();
-    let found = Found { numbers: Numbers::These(numbers.clone()), is_end: true };
+    let found = FoundNumbers { numbers: Numbers::These(numbers.clone()), is_end: true };
     send(session, RecordsCommand::Found { run: *run, result: Ok(found) });
     let first = numbers[0];
     let rows = rows.into_iter().map(Arc::new).collect();

@@ -300,7 +300,7 @@ fn a_table_is_opened_for_the_page_that_is_open_and_comes_back_from_the_state_fil
         let effects = send(&mut session, FilesCommand::Open(Purpose::OpenTools, "/nc/tool.t".into()));
         assert_eq!(effects, [Effect::Read(Purpose::OpenTools, "/nc/tool.t".into())]);
         assert_eq!(session.page(), shown, "{page:?}");
-        let fate = fitcheck::session::Fate::Read;
+        let fate = fitcheck::session::ReadOutcome::Read;
         send(&mut session, FilesCommand::Seen { purpose: Purpose::OpenTools, path: "/nc/tool.t".into(), fate });
         let (restored, _) = Session::restore(session.saved());
         let recent: Vec<_> = restored.recent_files().iter().map(|file| (file.purpose, file.path.clone())).collect();

@@ -9,8 +9,8 @@ use fitcheck::journal::entry::Entry;
 use fitcheck::message::Message;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    AskedColumns, ColumnsCommand, Command, Effect, Field, ImportInto, OpenJournal, Page, PartsCommand, RecordsCommand,
-    Saved, Session, Step,
+    ColumnsCommand, ColumnsRequest, Command, Effect, Field, ImportInto, OpenJournal, Page, PartsCommand,
+    RecordsCommand, Saved, Session, Step,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
@@ -211,7 +211,7 @@ fn columns_that_are_chosen_when_the_next_part_is_begun_read_nothing_into_it() {
     let first = FirstRows::of("a.csv", text.as_bytes()).unwrap();
     let (name, path, mapping) = ("a.csv".to_owned(), PathBuf::from("/in/a.csv"), Mapping::default());
     let into = ImportInto::Part(session.parts().walking().run());
-    let asked = AskedColumns { name, path, into, first, mapping, is_wanted: true };
+    let asked = ColumnsRequest { name, path, into, first, mapping, is_wanted: true };
     for _ in 0..2 {
         act(&mut session, PartsAction::NextPart.into());
     }

@@ -5,8 +5,8 @@ use std::io::{Cursor, Write as _};
 
 use assert_cmd::Command;
 use fitcheck::batch::{Input, Manner, Packing, Watch, run};
-use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Layout};
-use fitcheck::exchange::{Given, Item, Mapping, contacts, import, import_from, sizes};
+use fitcheck::exchange::batch::{Csv, Cutter, JsonLines, Layout, StreamJudging};
+use fitcheck::exchange::{ImportInputs, Item, Mapping, contacts, import, import_from, sizes};
 use fitcheck::tolerance::{Feature, Sources};
 
 const NOW: jiff::civil::DateTime = jiff::civil::date(2026, 1, 1).at(0, 0, 0, 0);
@@ -25,7 +25,7 @@ fn judged(text: &str) -> (Vec<String>, Vec<String>) {
         Err(error) => return (Vec::new(), vec![error.to_string()]),
     };
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let manner = Manner { workers: 1, packing: Packing::Plain, prefix: "" };
     let input = |stream| Input { stream, cutter: Cutter::new(layout.separator(), 1 << 20, true) };
     let (mut csv, mut json) = (Csv::header(&layout, ""), Vec::new());
@@ -357,7 +357,7 @@ fn a_statement_far_behind_the_first_rows_holds_for_all_of_them() {
 fn a_unit_that_the_user_says_must_be_that_of_the_file() {
     let read = |mapping: &str, text: &str| {
         let (mapping, sources) = (mapping.parse::<Mapping>().unwrap(), Sources::default());
-        let given = Given { mapping: Some(&mapping), ..Given::new(&sources, NOW) };
+        let given = ImportInputs { mapping: Some(&mapping), ..ImportInputs::new(&sources, NOW) };
         let mut said = String::new();
         import_from("a.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| match item {
             Item::Record { record, .. } => said += record.verdict.size.status.word(),
@@ -399,7 +399,7 @@ fn a_print_of_a_control_in_inches_is_refused() {
     let read = |mask: &str, print: &str| {
         let masks = [("m.a".to_owned(), fitcheck::control::mask::Mask::read(mask.as_bytes()).unwrap().0)];
         let sources = Sources::default();
-        let given = Given { masks: &masks, ..Given::new(&sources, NOW) };
+        let given = ImportInputs { masks: &masks, ..ImportInputs::new(&sources, NOW) };
         let mut said = Vec::new();
         import_from("p.txt", &mut Cursor::new(print.as_bytes()), given, &mut |item| match item {
             Item::Record { record, .. } => said.push(record.verdict.size.status.word().to_owned()),

@@ -12,9 +12,9 @@ const NOTHING: [&str; 0] = [];
 const DFQ: &str = "K0100 1\nK2001/1 1\nK2002/1 BORE_A\nK2101/1 12\nK2110/1 12.016\nK2111/1 12.059\nK2142/1 mm\n";
 
 /// What a row says of a file, and what shows that it is so.
-type Row = (&'static str, fn(&mut Watched));
+type FileCase = (&'static str, fn(&mut Watched));
 
-const ROWS: [Row; 10] = [
+const ROWS: [FileCase; 10] = [
     ("is put there as a whole, or has complete lines", whole),
     ("does not mark its end (AQDEF, CALYPSO, contacts)", without_end),
     ("ends within a line, a log or a record", within_line),

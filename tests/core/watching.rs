@@ -12,7 +12,7 @@ use fitcheck::files;
 use fitcheck::journal::chain::Hash;
 use fitcheck::tolerance::Sources;
 use fitcheck::tolerance::fit::thermal::Temperature;
-use fitcheck::watch::{Batch, Judging, Known, Look, Watcher};
+use fitcheck::watch::{Batch, FileJudging, FolderScan, TakenFiles, Watcher};
 
 pub(crate) const PLAN: &str = "name;callout;x;y;z\nBORE_A;12 F9;50;65;-8\nPIN;20 g6;100;65;-8\n";
 
@@ -34,13 +34,13 @@ pub(crate) struct Watched {
     pub(crate) temperature: Option<Temperature>,
     pub(crate) masks: Vec<(String, Mask)>,
     /// What the last look has found.
-    pub(crate) looked: Option<Look>,
+    pub(crate) looked: Option<FolderScan>,
 }
 
 impl Watched {
     pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
-        let watcher = Watcher::new(folder.path(), Known::default());
+        let watcher = Watcher::new(folder.path(), TakenFiles::default());
         let (clock, same, recorded) = (Duration::ZERO, Vec::new(), Vec::new());
         Self {
             folder,
@@ -88,7 +88,7 @@ impl Watched {
         let look = self
             .watcher
             .look(
-                Judging {
+                FileJudging {
                     plan: Some(&plan),
                     sources: &sources,
                     masks: &self.masks,
@@ -107,7 +107,7 @@ impl Watched {
 
     /// The same folder watched by a program that knows what this one has recorded.
     pub(crate) fn restarted(&mut self, after: u64) {
-        let mut known = Known::default();
+        let mut known = TakenFiles::default();
         for (name, sha256) in &self.recorded {
             known.add(*sha256, name);
         }

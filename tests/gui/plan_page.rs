@@ -446,7 +446,7 @@ fn png_and_jpeg_are_shown_no_larger_than_is_seen() {
         // The ending is no witness of what is in it.
         picture.save_with_format(&file, format).unwrap();
         let page = open(Window::default(), &path);
-        let Some(fitcheck::session::parts::Sight::Seen(seen)) = page.state().session().parts().sight() else {
+        let Some(fitcheck::session::parts::PictureState::Seen(seen)) = page.state().session().parts().sight() else {
             panic!("{format:?} is not shown")
         };
         assert_eq!(seen.size, [2_048, 683]);

@@ -131,7 +131,7 @@ fn a_server_that_is_stopped_or_killed_in_the_midst_of_a_batch_loses_and_doubles_
 }
 
 /// The last entry that a sender was told the server has.
-fn acknowledged(told: &crate::harness::Told) -> u64 {
+fn acknowledged(told: &crate::harness::StatusLog) -> u64 {
     told.0.lock().unwrap().iter().filter_map(|status| status.server).map(|head| head.number).max().unwrap_or_default()
 }
 

@@ -13,7 +13,7 @@ use fitcheck::journal::entry::{About, Begin, Check, Checked, Content, Correction
 use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::store::shop::{
-    Access, Doing, Made, Patience, Places, Sender, Sending, Sent, ShopAddress, ShopError, Source, Status, init,
+    Access, Doing, Patience, Places, SchemaInit, Sender, Sending, Sent, ShopAddress, ShopError, Source, Status, init,
     send_once,
 };
 use fitcheck::tolerance::{Callout, Sources};
@@ -59,7 +59,7 @@ impl Shop {
     /// The same with the schema.
     pub fn new() -> Option<Self> {
         let shop = Self::empty("FITCHECK_TEST_PG")?;
-        assert_eq!(init(&shop.admin(), SHORT), Ok(Made::New { version: 1 }));
+        assert_eq!(init(&shop.admin(), SHORT), Ok(SchemaInit::New { version: 1 }));
         Some(shop)
     }
 
@@ -278,7 +278,7 @@ impl Book {
     }
 
     /// A sender in the background, and what it told last.
-    pub fn sender(&self, address: &str, patience: Patience) -> (Sender, Told) {
+    pub fn sender(&self, address: &str, patience: Patience) -> (Sender, StatusLog) {
         let (address, given) = ShopAddress::read(address).unwrap();
         Self::sender_as(Sending {
             source: Box::new(self.clone()),
@@ -291,8 +291,8 @@ impl Book {
         })
     }
 
-    pub fn sender_as(sending: Sending) -> (Sender, Told) {
-        let told = Told::default();
+    pub fn sender_as(sending: Sending) -> (Sender, StatusLog) {
+        let told = StatusLog::default();
         let telling = told.clone();
         let sender = Sender::start(sending, move |status| telling.0.lock().unwrap().push(status.clone())).unwrap();
         (sender, told)
@@ -316,9 +316,9 @@ impl Source for Book {
 
 /// Everything that a sender told.
 #[derive(Clone, Default)]
-pub struct Told(pub Arc<Mutex<Vec<Status>>>);
+pub struct StatusLog(pub Arc<Mutex<Vec<Status>>>);
 
-impl Told {
+impl StatusLog {
     /// Waits until it tells something.
     #[track_caller]
     pub fn until(&self, what: &str, wanted: impl Fn(&Status) -> bool) -> Status {

@@ -1,6 +1,6 @@
 //! The schema: made once or again, by whoever may, brought to a newer version, and refused where it is not ours.
 
-use fitcheck::store::shop::{Made, SCHEMA, Schema, ShopError, init, init_as};
+use fitcheck::store::shop::{SCHEMA, Schema, SchemaInit, ShopError, init, init_as};
 
 use crate::chains::verified;
 use crate::harness::{Book, SHORT, Shop, access};
@@ -22,7 +22,7 @@ fn a_schema_is_made_once_and_left_as_it_is_when_it_is_made_again() {
     book.checks(10);
     book.send(&access).unwrap();
     for _ in 0..3 {
-        assert_eq!(init(&shop.admin(), SHORT), Ok(Made::Already { version: 1 }));
+        assert_eq!(init(&shop.admin(), SHORT), Ok(SchemaInit::Already { version: 1 }));
     }
     book.checks(1);
     book.send(&access).unwrap();
@@ -39,8 +39,8 @@ fn several_make_it_at_once() {
         let all: Vec<_> = (0..6).map(|_| scope.spawn(|| init(&admin, SHORT))).collect();
         all.into_iter().map(|one| one.join().unwrap()).collect()
     });
-    assert_eq!(made.iter().filter(|made| **made == Ok(Made::New { version: 1 })).count(), 1, "{made:?}");
-    assert_eq!(made.iter().filter(|made| **made == Ok(Made::Already { version: 1 })).count(), 5, "{made:?}");
+    assert_eq!(made.iter().filter(|made| **made == Ok(SchemaInit::New { version: 1 })).count(), 1, "{made:?}");
+    assert_eq!(made.iter().filter(|made| **made == Ok(SchemaInit::Already { version: 1 })).count(), 5, "{made:?}");
 }
 
 #[test]
@@ -49,8 +49,8 @@ fn an_older_schema_is_brought_to_the_new_version_with_all_that_is_in_it() {
     let (book, access) = (Book::new("Mill 3"), shop.station("a"));
     book.checks(10);
     book.send(&access).unwrap();
-    assert_eq!(init_as(&shop.admin(), SHORT, LATER), Ok(Made::Upgraded { from: 1, version: 2 }));
-    assert_eq!(init_as(&shop.admin(), SHORT, LATER), Ok(Made::Already { version: 2 }));
+    assert_eq!(init_as(&shop.admin(), SHORT, LATER), Ok(SchemaInit::Upgraded { from: 1, version: 2 }));
+    assert_eq!(init_as(&shop.admin(), SHORT, LATER), Ok(SchemaInit::Already { version: 2 }));
     assert_eq!(shop.text("SELECT place FROM fitcheck.chain"), "");
     assert!(verified(&shop.admin(), &[&book]).is_whole());
     // This program goes on sending to a newer server, and does not touch its schema.
@@ -99,10 +99,10 @@ fn whoever_owns_the_database_and_may_make_roles_is_enough() {
         "ALTER ROLE {name}_keeper CREATEROLE; ALTER DATABASE {name} OWNER TO {name}_keeper",
         name = shop.name
     ));
-    assert_eq!(init(&access(&keeper), SHORT), Ok(Made::New { version: 1 }));
+    assert_eq!(init(&access(&keeper), SHORT), Ok(SchemaInit::New { version: 1 }));
     let book = Book::new("Mill 3");
     book.checks(3);
     book.send(&shop.station("a")).unwrap();
     assert!(verified(&access(&keeper), &[&book]).is_whole());
-    assert_eq!(init(&access(&keeper), SHORT), Ok(Made::Already { version: 1 }));
+    assert_eq!(init(&access(&keeper), SHORT), Ok(SchemaInit::Already { version: 1 }));
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use fitcheck::files;
-use fitcheck::store::shop::{CertificateFault, Made, ShopAddress, ShopError, ShopReader, Stop, init};
+use fitcheck::store::shop::{CertificateFault, SchemaInit, ShopAddress, ShopError, ShopReader, Stop, init};
 
 use crate::clusters::Cluster;
 use crate::harness::{SHORT, Shop, access, server};
@@ -26,7 +26,7 @@ fn the_right_certificate_is_accepted() {
     let shop = Shop::on(&cluster.address, "");
     let address = named(&shop.address, "shop.example", &certs.join("authority.pem"));
     assert!(ShopAddress::read(&address).unwrap().0.is_tls());
-    assert_eq!(init(&access(&address), SHORT), Ok(Made::New { version: 1 }));
+    assert_eq!(init(&access(&address), SHORT), Ok(SchemaInit::New { version: 1 }));
     let _reader = ShopReader::open(&access(&address), SHORT, &Stop::default()).unwrap();
     let encrypted = "SELECT string_agg(DISTINCT ssl::text || version, ' ') FROM pg_stat_ssl JOIN pg_stat_activity USING (pid) \
                      WHERE application_name = 'fitcheck' AND datname = current_database()";
@@ -34,7 +34,7 @@ fn the_right_certificate_is_accepted() {
     // By its number too, and on this machine where it is asked for.
     for mode in ["require", "verify-ca", "verify-full"] {
         let address = format!("{}?sslmode={mode}&sslrootcert={}", shop.address, certs.join("authority.pem").display());
-        assert_eq!(init(&access(&address), SHORT), Ok(Made::Already { version: 1 }), "{mode}");
+        assert_eq!(init(&access(&address), SHORT), Ok(SchemaInit::Already { version: 1 }), "{mode}");
     }
 }
 

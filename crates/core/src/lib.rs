@@ -42,7 +42,7 @@
 //!
 //! ```
 //! use fitcheck_core::tolerance::Sources;
-//! use fitcheck_core::verdict::rules::{Given, RuleName, Uncertainty};
+//! use fitcheck_core::verdict::rules::{RuleInputs, RuleName, Uncertainty};
 //! use fitcheck_core::verdict::{Rule, Status, judge_size};
 //!
 //! let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
@@ -50,7 +50,7 @@
 //! assert_eq!(judge_size(&limits, measured).status, Status::Good);
 //!
 //! // A standard uncertainty of 2 µm: 1.65 × 2 µm of guard band, after ISO 14253-1:2017.
-//! let given = Given { uncertainty: Some(Uncertainty::standard("2")?), ..Given::default() };
+//! let given = RuleInputs { uncertainty: Some(Uncertainty::standard("2")?), ..RuleInputs::default() };
 //! let rule = Rule::new(RuleName::Iso14253Of2017, given)?;
 //! assert_eq!(rule.status(&limits.bounds(), measured), Status::ReMeasure);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

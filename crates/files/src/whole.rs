@@ -14,7 +14,7 @@ use super::straight::Straight;
 use super::unfinished::Unfinished;
 
 /// What a path leads to.
-enum Place {
+enum WriteTarget {
     /// A file or nothing, with every link on the way followed.
     File(PathBuf, Option<Metadata>),
     /// A pipe, a device or an open file of this program: it is written to and never replaced.
@@ -24,7 +24,7 @@ enum Place {
 /// How many links are followed, as many as the Linux kernel does.
 const MOST_LINKS: usize = 40;
 
-impl Place {
+impl WriteTarget {
     fn of(path: &Path) -> io::Result<Self> {
         let mut at = path.to_owned();
         for _ in 0..MOST_LINKS {
@@ -52,9 +52,9 @@ impl Place {
 /// Writes a file that may exist. Its mode and, where the system allows it, its owner and group stay; a link stays, and
 /// what it leads to is written. A pipe or a device is written to.
 pub(super) fn write(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<()> {
-    let (target, metadata) = match Place::of(path)? {
-        Place::File(target, metadata) => (target, metadata),
-        Place::Straight => {
+    let (target, metadata) = match WriteTarget::of(path)? {
+        WriteTarget::File(target, metadata) => (target, metadata),
+        WriteTarget::Straight => {
             // Appended, because the open file may hold something already.
             let mut file = File::options().append(true).open(path)?;
             return fill(&mut file);
@@ -64,7 +64,7 @@ pub(super) fn write(path: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -
         // A file that may not be written to is not replaced either.
         drop(File::options().write(true).open(&target)?);
     }
-    let whole = Whole::filled(&target, fill)?;
+    let whole = FinishedFile::filled(&target, fill)?;
     if let Some(metadata) = metadata {
         keep_owner(&metadata, &whole.file)?;
     }
@@ -83,17 +83,17 @@ pub(super) fn write_new(
     if path.symlink_metadata().is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
     }
-    Whole::filled(path, fill)?.place(path)
+    FinishedFile::filled(path, fill)?.place(path)
 }
 
 /// A file that is finished but not yet in its place.
-struct Whole {
+struct FinishedFile {
     file: File,
     /// Its name; `None` where it has none.
     name: Option<Unfinished>,
 }
 
-impl Whole {
+impl FinishedFile {
     fn filled(target: &Path, fill: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<Self> {
         let whole = match nameless(folder_of(target))? {
             Some(file) => Self { file, name: None },
@@ -293,8 +293,8 @@ mod tests {
         names
     }
 
-    fn named(target: &Path, bytes: &[u8]) -> Whole {
-        let whole = Whole::named(target).unwrap();
+    fn named(target: &Path, bytes: &[u8]) -> FinishedFile {
+        let whole = FinishedFile::named(target).unwrap();
         (&whole.file).write_all(bytes).unwrap();
         whole
     }
@@ -324,7 +324,7 @@ mod tests {
         named(&target, b"whole").place(&target).unwrap();
         assert_eq!(names(folder.path()), ["report.html"]);
         let other = named(&target, b"other");
-        let refused = Whole::named(&target).map(drop).unwrap_err();
+        let refused = FinishedFile::named(&target).map(drop).unwrap_err();
         assert_eq!(refused.kind(), io::ErrorKind::ResourceBusy);
         other.replace(&target).unwrap();
         assert_eq!(std::fs::read(&target).unwrap(), b"other");

@@ -8,7 +8,7 @@ use fitcheck_exchange::exchange::Mapping;
 use fitcheck_exchange::exchange::batch::Part;
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::Entry;
-use fitcheck_exchange::report::pairing::Asked;
+use fitcheck_exchange::report::pairing::PairingRequest;
 
 use super::field::Field;
 use super::files::{Content, DialogId, Launch};
@@ -71,7 +71,7 @@ pub enum Effect {
     Pair {
         /// The number of the question.
         run: u64,
-        asked: Box<Asked>,
+        asked: Box<PairingRequest>,
     },
     /// Open the journal, which is made where there is none, and send [`RecordsCommand::Opened`] with so many of its newest checks.
     OpenJournal {

@@ -93,26 +93,25 @@ pub use budget::{
     UseOf, advice, bars,
 };
 pub use check::{
-    Asked, CheckAction, CheckCommand, CheckField, CheckPage, Doubted, Judging, Lot, MeasureBy, Question, Shown,
-    UncertaintyFrom, Worth,
+    CheckAction, CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, Lot, MeasureBy, Question, RuleChoice,
+    RuleFields, ShownCheck, UncertaintyFrom,
 };
 pub use columns::{
-    Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id,
-    unit_id,
+    ColumnChoice, ColumnsCommand, ColumnsRequest, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id, unit_id,
 };
 pub use command::Command;
 pub use cycles::{
-    Axis, ContactsFrom, CycleField, CycleRun, CyclesAction, CyclesCommand, CyclesPage, RunLog, Standing,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesAction, CyclesCommand, CyclesPage, RunLog, ValueOrigin,
     WorkpieceField, WorkpieceForm,
 };
 pub use effect::Effect;
 pub use field::Field;
 pub use files::{
-    Content, Dialog, DialogId, Fate, FilesAction, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile,
+    Content, Dialog, DialogId, FilesAction, FilesCommand, FolderList, HEAD, Launch, OpenError, ReadOutcome, RecentFile,
     Working,
 };
 pub use fit::{
-    ClassMap, Equivalent, FitAction, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone,
+    ClassMap, Equivalent, FitAction, FitCommand, FitField, FitPage, MapCell, Mark, MeasuredParts, Picture, PictureZone,
     WarmFit, extremes,
 };
 use fitcheck_core::tolerance::fit::thermal::Temperature;
@@ -124,8 +123,8 @@ use fitcheck_nc::control::shipped_tables;
 pub use history::{ChangeId, History, ListCommand, status_text};
 pub use page::Page;
 pub use pairing::{
-    Bin, FromMiddle, Marks, PairRow, Paired, PairingAction, PairingCommand, PairingField, PairingPage, PairsPicture,
-    Sight, usable,
+    Bin, FromMiddle, Marks, PairRow, Paired, PairingAction, PairingCommand, PairingField, PairingPage, PairingView,
+    PairsPicture, usable,
 };
 pub use part::{feature_message, shape_id};
 pub use parts::{PartsAction, PartsCommand, PartsField, PartsPage, PlanField, WalkField};

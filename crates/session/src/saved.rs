@@ -11,7 +11,7 @@ use fitcheck_core::words::Language;
 use fitcheck_exchange::exchange::Remembered;
 use serde::{Deserialize, Serialize};
 
-use super::check::{Judging, MeasureBy};
+use super::check::{MeasureBy, RuleChoice};
 use super::settings::{Density, Theme};
 
 /// The version that is written.
@@ -127,7 +127,7 @@ pub struct SavedInputs {
     /// Where the next measurement of the check page comes from.
     pub by: MeasureBy,
     /// How the check page judges.
-    pub judging: Judging,
+    pub judging: RuleChoice,
 }
 
 /// What is kept of the cycles page.

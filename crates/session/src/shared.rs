@@ -18,7 +18,7 @@ use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::machine::{NcPath, Store};
 
 use super::budget::OpenBudget;
-use super::check::Worth;
+use super::check::RuleFields;
 use super::columns::{Columns, NoticeColumns};
 use super::effect::Effect;
 use super::files::{Dialog, DialogId, Places, Working};
@@ -187,7 +187,7 @@ pub(super) struct Shared {
     /// The tool table that was opened.
     pub tools: Option<Arc<OpenTools>>,
     /// How the check page judges the next value, for pages that judge values of their own.
-    pub worth: Worth,
+    pub worth: RuleFields,
     /// The budget whose uncertainty checks may use.
     pub budget: Option<Arc<OpenBudget>>,
     pub dialog: Option<Dialog>,
@@ -212,7 +212,7 @@ impl Shared {
     }
 
     /// Takes what a measured value is worth from now on.
-    pub(super) fn take_worth(&mut self, worth: Worth) {
+    pub(super) fn take_worth(&mut self, worth: RuleFields) {
         let is_other = worth.temperature() != self.worth.temperature();
         self.worth = worth;
         if is_other {

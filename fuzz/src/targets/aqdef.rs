@@ -3,7 +3,7 @@
 
 use std::io::Cursor;
 
-use fitcheck::exchange::{Given, Imported, import_given};
+use fitcheck::exchange::{ImportInputs, Imported, import_given};
 use fitcheck::length::Length;
 use fitcheck::verdict::judge;
 
@@ -23,7 +23,7 @@ pub fn run(bytes: &[u8]) {
 
 fn read(name: &str, bytes: &[u8], beside: &[u8]) -> Imported {
     let beside = |_ending: &str| Some(beside.to_vec()).filter(|beside| !beside.is_empty());
-    let given = Given { beside: &beside, ..Given::new(&OWN_SOURCES, NOW) };
+    let given = ImportInputs { beside: &beside, ..ImportInputs::new(&OWN_SOURCES, NOW) };
     import_given(name, &mut Cursor::new(bytes), given)
 }
 

@@ -4,7 +4,7 @@
 use std::io::{Cursor, Read};
 
 use fitcheck::batch::{self, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
-use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv};
+use fitcheck::exchange::batch::{ADDED, Csv, Cutter, JsonLines, Layout, RowNoteKind, StreamJudging, Tsv};
 
 use super::shared::OWN_SOURCES;
 
@@ -20,7 +20,7 @@ pub fn run(bytes: &[u8]) {
     assert_eq!(whole, again);
     assert_eq!(String::from_utf8_lossy(&csv), String::from_utf8_lossy(&same));
     let judged_rows: u64 = whole.counts().iter().sum();
-    assert_eq!(whole.tally.rows, judged_rows + whole.tally.notes(Kind::Refused).count);
+    assert_eq!(whole.tally.rows, judged_rows + whole.tally.notes(RowNoteKind::Refused).count);
     let said = [Csv::header(&layout, ""), csv].concat();
     let answers = with_answers(&said, &layout);
     assert_eq!(answers, whole.tally.rows, "{}", String::from_utf8_lossy(&said));
@@ -37,7 +37,7 @@ pub fn run(bytes: &[u8]) {
 }
 
 fn judged<R: Rendering>(layout: &Layout, text: &[u8], step: usize, is_patient: bool) -> (Summary, Vec<u8>) {
-    let court = Court::new(layout, &OWN_SOURCES);
+    let court = StreamJudging::new(layout, &OWN_SOURCES);
     let cutter = Cutter::new(layout.separator(), step, is_patient);
     let manner = Manner { workers: 1, packing: Packing::Plain, prefix: "" };
     let mut out = Vec::new();

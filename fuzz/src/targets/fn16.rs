@@ -3,9 +3,9 @@
 
 use std::io::Cursor;
 
-use fitcheck::control::mask::{Context, Found, Mask};
+use fitcheck::control::mask::{Context, Mask, PrintMatch};
 use fitcheck::control::variables::{Value, Variables};
-use fitcheck::exchange::{Given, Item, import_from};
+use fitcheck::exchange::{ImportInputs, Item, import_from};
 use fitcheck::tolerance::Sources;
 use fitcheck::words::Dialogue;
 
@@ -28,7 +28,7 @@ pub fn run(bytes: &[u8]) {
                 if !lines.is_empty()
                     && lines.iter().all(|line| line.len() < 1_000 && !line.contains(['\r', '\0', '\n']))
                 {
-                    assert_ne!(inverse.at(&lines), Found::Nothing, "{lines:?}");
+                    assert_ne!(inverse.at(&lines), PrintMatch::Nothing, "{lines:?}");
                 }
             }
         }
@@ -37,7 +37,7 @@ pub fn run(bytes: &[u8]) {
     let masks = [("m.a".to_owned(), mask)];
     let sources = Sources::default();
     let mut items = 0;
-    let given = Given { masks: &masks, ..Given::new(&sources, NOW) };
+    let given = ImportInputs { masks: &masks, ..ImportInputs::new(&sources, NOW) };
     let file = file.get(1..).unwrap_or_default();
     import_from("list.txt", &mut Cursor::new(file), given, &mut |item| {
         items += 1;

@@ -3,23 +3,23 @@
 
 use std::collections::BTreeSet;
 
-use fitcheck::exchange::Given;
+use fitcheck::exchange::ImportInputs;
 use fitcheck::nc::sets::{Control, NcSet, SetError, Target};
-use fitcheck::part::{Document, Draft, Kind};
+use fitcheck::part::{Document, Draft, FeatureKind};
 use fitcheck::words::Dialogue;
 
 use super::shared::{OWN_SOURCES, told};
 
 /// The kinds that one program measures.
-const fn program(kind: &Kind) -> &'static str {
+const fn program(kind: &FeatureKind) -> &'static str {
     match kind {
-        Kind::Boss(_) => "pocket",
+        FeatureKind::Boss(_) => "pocket",
         kind => kind.word(),
     }
 }
 
 pub fn run(bytes: &[u8]) {
-    let given = Given::new(&OWN_SOURCES, jiff::civil::DateTime::MIN);
+    let given = ImportInputs::new(&OWN_SOURCES, jiff::civil::DateTime::MIN);
     let document = match fitcheck::exchange::read_plan("plan", bytes, given) {
         Ok(document) => document,
         Err(error) => return told(bytes, &error),

@@ -3,7 +3,7 @@
 use fitcheck::control::probe_table::ProbeTable;
 use fitcheck::length::{Length, Unit};
 use fitcheck::probing::Source;
-use fitcheck::probing::cycle::{FoundName, Inputs};
+use fitcheck::probing::cycle::{Inputs, ResultName};
 use fitcheck::probing::cycles::cycle;
 
 use super::shared::told;
@@ -33,7 +33,7 @@ pub fn run(bytes: &[u8]) {
         let mut prober = Source::Perfect.prober(cycle, &inputs).expect("a face");
         match cycle.measure(&inputs, &mut *prober) {
             Ok(result) => {
-                assert_eq!(result.length(FoundName::COORDINATE), Length::parse_in("35", Unit::Millimetre).ok());
+                assert_eq!(result.length(ResultName::COORDINATE), Length::parse_in("35", Unit::Millimetre).ok());
             }
             Err(error) => told(bytes, &error),
         }

@@ -1,7 +1,7 @@
 //! Any bytes as an NC program, in any notation: what is read is written as it was; every body that is printed (in Klartext)
 //! reads back as the same; warnings point into the text.
 
-use fitcheck::nc::program::{Body, Notation, Place, Program, write};
+use fitcheck::nc::program::{Body, Notation, Program, TextPlace, write};
 
 use super::shared::told;
 
@@ -46,7 +46,7 @@ fn without_places(body: &Body) -> Body {
     let mut body = body.clone();
     if let Body::Probe(cycle) | Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle) = &mut body {
         for line in &mut cycle.lines {
-            line.place = Place { line: 0, column: 0 };
+            line.place = TextPlace { line: 0, column: 0 };
         }
     }
     body

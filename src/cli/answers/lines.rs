@@ -15,7 +15,7 @@ pub(super) struct Line {
 }
 
 /// The result of looking for the next line.
-pub(super) enum Found {
+pub(super) enum NextLine {
     /// No more lines.
     End,
     /// A line.
@@ -26,7 +26,11 @@ pub(super) enum Found {
 
 impl Line {
     /// Reads a line without its end (LF or CRLF); calls `before_waiting` when the input may take its time.
-    pub(super) fn read(&mut self, input: &mut dyn BufRead, mut before_waiting: impl FnMut()) -> std::io::Result<Found> {
+    pub(super) fn read(
+        &mut self,
+        input: &mut dyn BufRead,
+        mut before_waiting: impl FnMut(),
+    ) -> std::io::Result<NextLine> {
         self.bytes.clear();
         let mut is_whole = true;
         let mut is_end = true;
@@ -60,9 +64,9 @@ impl Line {
             self.bytes.pop();
         }
         match (is_end, is_whole && self.bytes.len() <= LONGEST_LINE) {
-            (true, _) => Ok(Found::End),
-            (false, true) => Ok(Found::Whole),
-            (false, false) => Ok(Found::TooLong),
+            (true, _) => Ok(NextLine::End),
+            (false, true) => Ok(NextLine::Whole),
+            (false, false) => Ok(NextLine::TooLong),
         }
     }
 }

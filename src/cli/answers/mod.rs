@@ -10,14 +10,14 @@ use super::rows::{Columns, csv_line, line, names};
 use super::{CliError, CliRemark, Format, Io};
 use crate::text::decode;
 pub(super) use lines::LONGEST_LINE;
-use lines::{Found, Line};
+use lines::{Line, NextLine};
 
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;
 
 /// A callout, and its line if it comes from standard input.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Asked<'a> {
+pub(super) struct CalloutInput<'a> {
     pub(super) callout: &'a str,
     pub(super) line: Option<usize>,
 }
@@ -25,13 +25,13 @@ pub(super) struct Asked<'a> {
 /// What a subcommand says about a callout; a refused callout also gets an answer.
 pub(super) trait Answerer {
     /// What CSV and JSON say.
-    type Row<'a>: Columns + Serialize;
+    type AnswerRow<'a>: Columns + Serialize;
 
     /// Answers a callout.
-    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>);
+    fn answer(&mut self, asked: CalloutInput<'_>, answers: &mut Answers, io: &mut Io<'_>);
 
     /// The figures of a callout without an answer.
-    fn refused(callout: &str, error: String) -> Self::Row<'_>;
+    fn refused(callout: &str, error: String) -> Self::AnswerRow<'_>;
 }
 
 /// What has been printed so far.
@@ -53,7 +53,7 @@ impl Answers {
     ) -> Result<bool, CliError> {
         let mut answers = Self { format, is_one, answered: 0, refused: 0 };
         match format {
-            Format::Csv => csv_line(names::<A::Row<'_>>(), io),
+            Format::Csv => csv_line(names::<A::AnswerRow<'_>>(), io),
             Format::Json if !is_one => io.data().write_all(b"["),
             Format::Json | Format::Text => {}
         }
@@ -61,7 +61,7 @@ impl Answers {
             if callout == "-" {
                 answers.lines(answerer, io)?;
             } else {
-                answerer.answer(Asked { callout: printable(callout).trim(), line: None }, &mut answers, io);
+                answerer.answer(CalloutInput { callout: printable(callout).trim(), line: None }, &mut answers, io);
             }
         }
         Ok(answers.finish(io))
@@ -75,13 +75,13 @@ impl Answers {
             let (input, out) = io.input_and_data();
             let found = line.read(input, || out.flush())?;
             let text = printable(&decode(&line.bytes));
-            let asked = |callout| Asked { callout, line: Some(number) };
+            let asked = |callout| CalloutInput { callout, line: Some(number) };
             match found {
-                Found::End => break,
+                NextLine::End => break,
                 // A line that nobody reads the answer of.
                 _ if io.is_closed() => break,
-                Found::Whole => answerer.answer(asked(text.trim()), self, io),
-                Found::TooLong => {
+                NextLine::Whole => answerer.answer(asked(text.trim()), self, io),
+                NextLine::TooLong => {
                     let beginning: String = text.chars().take(SHOWN).chain(['…']).collect();
                     self.refuse::<A>(asked(&beginning), &CliError::LineTooLong, io);
                 }
@@ -102,7 +102,7 @@ impl Answers {
     }
 
     /// Prints why there is no answer.
-    pub(super) fn refuse<A: Answerer>(&mut self, asked: Asked<'_>, error: &impl Display, io: &mut Io<'_>) {
+    pub(super) fn refuse<A: Answerer>(&mut self, asked: CalloutInput<'_>, error: &impl Display, io: &mut Io<'_>) {
         self.refused += 1;
         if !self.is_text() {
             return self.figures(&A::refused(asked.callout, error.to_string()), io);
@@ -111,9 +111,9 @@ impl Answers {
         // On a screen, earlier answers must also come before it.
         io.data().flush();
         match asked {
-            Asked { callout: "", line: Some(line) } => io.tell(format_args!("line {line}: {error}")),
-            Asked { callout: "", line: None } => io.tell(format_args!("\"\": {error}")),
-            Asked { callout, .. } => io.tell(format_args!("{callout}: {error}")),
+            CalloutInput { callout: "", line: Some(line) } => io.tell(format_args!("line {line}: {error}")),
+            CalloutInput { callout: "", line: None } => io.tell(format_args!("\"\": {error}")),
+            CalloutInput { callout, .. } => io.tell(format_args!("{callout}: {error}")),
         }
     }
 

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::parquet;
 use crate::batch::{self, Failed, Input, Manner, Rendering, Summary, Watch, WithRendering};
-use crate::exchange::batch::{Court, Layout};
+use crate::exchange::batch::{Layout, StreamJudging};
 
 /// The rows of an input.
 pub(super) enum Rows<'a> {
@@ -13,19 +13,19 @@ pub(super) enum Rows<'a> {
 }
 
 /// Rows that are judged and written as text.
-pub(super) struct Judging<'a> {
+pub(super) struct TextJudging<'a> {
     pub rows: Rows<'a>,
-    pub court: &'a Court<'a>,
+    pub court: &'a StreamJudging<'a>,
     pub manner: Manner<'a>,
     pub out: &'a mut (dyn Write + Send),
     pub watch: &'a Watch,
     pub tick: &'a mut dyn FnMut(&Watch),
 }
 
-impl WithRendering for Judging<'_> {
-    type Made = Result<Summary, Failed>;
+impl WithRendering for TextJudging<'_> {
+    type Rendered = Result<Summary, Failed>;
 
-    fn rendering<R: Rendering>(self) -> Self::Made {
+    fn rendering<R: Rendering>(self) -> Self::Rendered {
         let Self { rows, court, manner, out, watch, tick } = self;
         match rows {
             Rows::Text(input) => batch::run::<R>(input, court, manner, out, watch, tick),
@@ -35,17 +35,17 @@ impl WithRendering for Judging<'_> {
 }
 
 /// What stands above the rows of an input is written.
-pub(super) struct Above<'a> {
+pub(super) struct TextHeading<'a> {
     pub layout: &'a Layout,
     pub manner: Manner<'a>,
     pub is_first: bool,
     pub out: &'a mut (dyn Write + Send),
 }
 
-impl WithRendering for Above<'_> {
-    type Made = io::Result<()>;
+impl WithRendering for TextHeading<'_> {
+    type Rendered = io::Result<()>;
 
-    fn rendering<R: Rendering>(self) -> Self::Made {
+    fn rendering<R: Rendering>(self) -> Self::Rendered {
         let Self { layout, manner, is_first, out } = self;
         let text = if is_first { R::above(layout, manner.prefix) } else { R::between(layout).to_vec() };
         let mut packed = Vec::new();

@@ -26,13 +26,13 @@ use super::progress::Work;
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
+use crate::exchange::batch::{ADDED, BLOCK, Cutter, Layout, StreamJudging};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
 use fitcheck_core::text::long;
-use judging::{Above, Judging, Rows};
-use summary::Told;
+use judging::{Rows, TextHeading, TextJudging};
+use summary::BatchRemarks;
 
 /// Judge every row of CSV or Parquet files of any length, in order
 #[derive(Debug, clap::Args)]
@@ -99,7 +99,7 @@ impl Args {
         let mut result = Ok(Summary::default());
         if let Some(path) = self.file() {
             let (input, _, listener) = io.streams();
-            let mut told = Told::new(listener);
+            let mut told = BatchRemarks::new(listener);
             let written = files::write_with(path, &mut |out| {
                 result = job.all(input, out, &mut told);
                 // What is not whole is not kept; the reason follows.
@@ -111,7 +111,7 @@ impl Args {
             }
         } else {
             let (input, out, listener) = io.streams();
-            result = job.all(input, out, &mut Told::new(listener));
+            result = job.all(input, out, &mut BatchRemarks::new(listener));
         }
         let summary = result?;
         summary::tell(&summary, io);
@@ -220,7 +220,7 @@ impl Job<'_> {
         &self,
         input: &mut (dyn Read + Send),
         out: &mut (dyn Write + Send),
-        told: &mut Told<'_>,
+        told: &mut BatchRemarks<'_>,
     ) -> Result<Summary, CliError> {
         let mut first = None;
         // Before anything is written; a pipe can be looked at only once.
@@ -270,7 +270,7 @@ impl Job<'_> {
 
     /// Writes what stands above the rows of an input; `false` where the form is not text.
     fn above(&self, layout: &Layout, is_first: bool, out: &mut (dyn Write + Send)) -> io::Result<bool> {
-        let above = Above { layout, manner: self.manner(), is_first, out };
+        let above = TextHeading { layout, manner: self.manner(), is_first, out };
         self.form.with_rendering(above).map_or(Ok(false), |written| written.map(|()| true))
     }
 
@@ -346,12 +346,17 @@ impl Job<'_> {
     }
 
     /// Judges the rows of one input.
-    fn one(&self, opened: Opened<'_>, answers: &mut Answers<'_>, told: &mut Told<'_>) -> Result<Summary, CliError> {
+    fn one(
+        &self,
+        opened: Opened<'_>,
+        answers: &mut Answers<'_>,
+        told: &mut BatchRemarks<'_>,
+    ) -> Result<Summary, CliError> {
         let Opened { name, path, from, layout, size, .. } = opened;
         for (line, warning) in &layout.warnings {
             told.warning(&name, *line, warning);
         }
-        let court = Court::new(&layout, self.sources);
+        let court = StreamJudging::new(&layout, self.sources);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
         let work = Work::on(&name, size.filter(|_| !is_packed));
         let manner = self.manner();
@@ -373,7 +378,8 @@ impl Job<'_> {
         };
         let summary = match answers {
             Answers::Text(out) => {
-                let judging = Judging { rows, court: &court, manner, out: &mut **out, watch: &watch, tick: &mut tick };
+                let judging =
+                    TextJudging { rows, court: &court, manner, out: &mut **out, watch: &watch, tick: &mut tick };
                 let no_text = || Err(Failed::Writing(io::ErrorKind::Unsupported.into()));
                 self.form.with_rendering(judging).unwrap_or_else(no_text)
             }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::batch::{Failed, Input, Manner, Rendering, Summary, Watch};
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{Court, Layout};
+use crate::exchange::batch::{Layout, StreamJudging};
 
 /// Whether this program knows Parquet.
 pub(super) const IS_KNOWN: bool = false;
@@ -27,7 +27,7 @@ pub(super) fn floats(file: &File, _layout: &Layout) -> Vec<String> {
 
 pub(super) fn into_text<R: Rendering>(
     file: File,
-    _court: &Court<'_>,
+    _court: &StreamJudging<'_>,
     _manner: Manner<'_>,
     _out: &mut (dyn Write + Send),
     _watch: &Watch,
@@ -56,7 +56,7 @@ impl<'o> Writer<'o> {
     pub(super) fn add_text(
         &mut self,
         _input: Input<'_>,
-        _court: &Court<'_>,
+        _court: &StreamJudging<'_>,
         _workers: usize,
         _watch: &Watch,
         _tick: &mut dyn FnMut(&Watch),
@@ -67,7 +67,7 @@ impl<'o> Writer<'o> {
     pub(super) fn add(
         &mut self,
         file: File,
-        _court: &Court<'_>,
+        _court: &StreamJudging<'_>,
         _workers: usize,
         _watch: &Watch,
         _tick: &mut dyn FnMut(&Watch),

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::batch::parquet::Columns;
 use crate::batch::{Failed, Input, Manner, Rendering, Summary, Watch, parquet};
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{Court, Layout, layout_of, output_fields};
+use crate::exchange::batch::{Layout, StreamJudging, layout_of, output_fields};
 use crate::exchange::parquet::{Field, Reader};
 
 /// Whether this program knows Parquet.
@@ -34,7 +34,7 @@ pub(super) fn floats(file: &File, layout: &Layout) -> Vec<String> {
 /// Judges all rows of a file and writes them as text.
 pub(super) fn into_text<R: Rendering>(
     file: File,
-    court: &Court<'_>,
+    court: &StreamJudging<'_>,
     manner: Manner<'_>,
     out: &mut (dyn Write + Send),
     watch: &Watch,
@@ -65,7 +65,7 @@ impl<'o> Writer<'o> {
     pub(super) fn add_text(
         &mut self,
         input: Input<'_>,
-        court: &Court<'_>,
+        court: &StreamJudging<'_>,
         workers: usize,
         watch: &Watch,
         tick: &mut dyn FnMut(&Watch),
@@ -78,7 +78,7 @@ impl<'o> Writer<'o> {
     pub(super) fn add(
         &mut self,
         file: File,
-        court: &Court<'_>,
+        court: &StreamJudging<'_>,
         workers: usize,
         watch: &Watch,
         tick: &mut dyn FnMut(&Watch),

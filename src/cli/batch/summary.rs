@@ -4,7 +4,7 @@ use crate::batch::Summary;
 use crate::cli::admitted::Admits as _;
 use crate::cli::io::Listener;
 use crate::cli::{CliRemark, CliWarning, Io, Outcome, said};
-use crate::exchange::batch::{Counts, FIRST, Kind, Tally};
+use crate::exchange::batch::{Counts, FIRST, RowNoteKind, Tally};
 use crate::exchange::{ImportErrorKind, ImportWarningKind};
 use crate::verdict::Status;
 
@@ -12,15 +12,15 @@ use crate::verdict::Status;
 const CLASSES: usize = 20;
 
 /// Tells the first remarks of all inputs together.
-pub(super) struct Told<'a> {
+pub(super) struct BatchRemarks<'a> {
     listener: Listener<'a>,
-    /// How many of each kind were told, in the order of [`Kind::ALL`].
-    counts: [usize; Kind::ALL.len()],
+    /// How many of each kind were told, in the order of [`RowNoteKind::ALL`].
+    counts: [usize; RowNoteKind::ALL.len()],
 }
 
-impl<'a> Told<'a> {
+impl<'a> BatchRemarks<'a> {
     pub(super) const fn new(listener: Listener<'a>) -> Self {
-        Self { listener, counts: [0; Kind::ALL.len()] }
+        Self { listener, counts: [0; RowNoteKind::ALL.len()] }
     }
 
     pub(super) fn remark(&mut self, what: &CliRemark) {
@@ -37,11 +37,11 @@ impl<'a> Told<'a> {
 
     /// The first remarks about rows of an input whose first row is in this line.
     pub(super) fn notes(&mut self, name: &str, first_line: usize, tally: &Tally) {
-        for (kind, told) in Kind::ALL.into_iter().zip(&mut self.counts) {
+        for (kind, told) in RowNoteKind::ALL.into_iter().zip(&mut self.counts) {
             for note in tally.notes(kind).first.iter().take(FIRST - *told) {
                 *told += 1;
                 let column = note.column.map_or(String::new(), |column| format!(":{column}"));
-                let warning = if kind == Kind::Refused { "" } else { "warning: " };
+                let warning = if kind == RowNoteKind::Refused { "" } else { "warning: " };
                 self.listener.tell(format_args!("{name}:{}{column}: {warning}{}", first_line + note.line, note.what));
             }
         }
@@ -77,33 +77,33 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
     if tally.rows == 0 {
         return io.fail(ImportErrorKind::NoRows);
     }
-    io.tell(counted(tally.rows, summary.counts(), tally.notes(Kind::Refused).count));
+    io.tell(counted(tally.rows, summary.counts(), tally.notes(RowNoteKind::Refused).count));
     if let Some(count) = all_nominal(summary).and_then(|count| usize::try_from(count).ok()) {
         io.tell(said::warning(&ImportWarningKind::AllNominal { count }));
     }
     for (count, one, many) in [
         (
-            tally.notes(Kind::Doubt).count,
+            tally.notes(RowNoteKind::Doubt).count,
             "value may be another quantity or belong to another part",
             "values may be another quantity or belong to another part",
         ),
         (
-            tally.notes(Kind::StatusDiffers).count,
+            tally.notes(RowNoteKind::StatusDiffers).count,
             "row has a different status in its file",
             "rows have a different status in their file",
         ),
         (
-            tally.notes(Kind::StatusUnknown).count,
+            tally.notes(RowNoteKind::StatusUnknown).count,
             "row has an unknown status in its file",
             "rows have an unknown status in their file",
         ),
         (
-            tally.notes(Kind::ClaimDiffers).count,
+            tally.notes(RowNoteKind::ClaimDiffers).count,
             "limit, deviation or type of feature in the file contradicts its row",
             "limits, deviations or types of features in the file contradict their rows",
         ),
         (tally.simulated, "row says that nobody measured", "rows say that nobody measured"),
-        (tally.notes(Kind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
+        (tally.notes(RowNoteKind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
         (
             tally.not_utf8,
             "line is not UTF-8: read as Windows-1252, written as UTF-8",
@@ -133,12 +133,13 @@ fn all_nominal(summary: &Summary) -> Option<u64> {
 /// As `import`: bad data where any row has no verdict, else the worst one, and what has to be looked at first.
 pub(super) fn outcome(summary: &Summary) -> Outcome {
     let tally = &summary.tally;
-    if tally.rows == 0 || 0 < tally.notes(Kind::Refused).count {
+    if tally.rows == 0 || 0 < tally.notes(RowNoteKind::Refused).count {
         return Outcome::BadData;
     }
     let worst =
         Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
     let judged = worst.map_or(Outcome::Done, Outcome::Judged);
-    let against = tally.notes(Kind::Doubt).count + tally.simulated + tally.against + all_nominal(summary).unwrap_or(0);
+    let against =
+        tally.notes(RowNoteKind::Doubt).count + tally.simulated + tally.against + all_nominal(summary).unwrap_or(0);
     if 0 < against { judged.worse(Outcome::LookFirst) } else { judged }
 }

@@ -2,13 +2,13 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::Beside;
+use super::ReadingMessages;
 use super::found::{figure, head, rounded};
-use crate::budget::{Answer, Assessment, Conditions, Help, Row};
+use crate::budget::{Answer, Assessment, Conditions, ContributionRow, Help};
 use crate::cli::{Figure, Io, rows};
 
 /// Everything as one object.
-pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &Beside) -> Map<String, Json> {
+pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &ReadingMessages) -> Map<String, Json> {
     let mut answer = head(found);
     if let Some(Json::Array(warnings)) = answer.get_mut("warnings") {
         warnings.extend(beside.warnings.iter().map(|warning| json!(warning)));
@@ -38,7 +38,7 @@ pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &Beside)
     answer
 }
 
-fn contribution(row: &Row) -> Json {
+fn contribution(row: &ContributionRow) -> Json {
     json!({
         "name": row.name,
         "type": row.evaluated.letter(),
@@ -125,7 +125,7 @@ fn lines(found: &Assessment) -> Vec<Line<'_>> {
 }
 
 impl<'a> Line<'a> {
-    fn of_contribution(row: &'a Row) -> Self {
+    fn of_contribution(row: &'a ContributionRow) -> Self {
         Self {
             r#type: row.evaluated.letter(),
             law: row.law.name(),

@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 use crate::budget::{Assessment, Budget, Conditions, Geometry};
 use crate::cli::io::read_input;
 use crate::cli::said::CliRemark;
-use crate::cli::{CliError, Io, Refused as _};
+use crate::cli::{CliError, IntoCliError as _, Io};
 use crate::journal::entry::FileRole;
 use crate::length::without_zeros;
 use crate::text::decode;

@@ -15,10 +15,10 @@ use std::path::PathBuf;
 use jiff::civil::Date;
 
 use super::pair::read_parts;
-use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, said};
-use crate::budget::{Assessment, Basis, Conditions, Geometry, Kind};
+use super::{CliError, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, read_contacts, said};
+use crate::budget::{Assessment, Basis, Conditions, ContributionKind, Geometry};
 use crate::length::Length;
-use crate::report::pairing::Parts;
+use crate::report::pairing::PairingParts;
 use crate::tolerance::fit::thermal::Temperature;
 pub(super) use found::{assess, head, introduce, read};
 
@@ -75,15 +75,15 @@ pub(super) struct Args {
 
 /// What was said before the budget was evaluated.
 #[derive(Debug, Default)]
-struct Beside {
+struct ReadingMessages {
     /// Readings that cannot be used.
     refused: Vec<String>,
     /// What to check about the readings and the options.
     warnings: Vec<String>,
 }
 
-impl Beside {
-    fn of(read: Option<&Parts>) -> Self {
+impl ReadingMessages {
+    fn of(read: Option<&PairingParts>) -> Self {
         let Some(read) = read else { return Self::default() };
         Self { refused: read.errors.iter().map(ToString::to_string).collect(), warnings: read.warnings() }
     }
@@ -92,13 +92,14 @@ impl Beside {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let (name, budget) = read(&self.file, io)?;
-        let size = self.size.as_ref().map(|text| super::diameter(text, What::Option { name: "size" })).transpose()?;
+        let size =
+            self.size.as_ref().map(|text| super::diameter(text, ErrorSubject::Option { name: "size" })).transpose()?;
         let conditions = Conditions { size, geometry: self.geometry(io)?, ..Conditions::default() };
         let read = match (&budget.basis, &self.readings) {
             (Basis::Calibrated(piece), Some(path)) => Some(read_parts(path, piece.feature, io)?),
             _ => None,
         };
-        let mut beside = Beside::of(read.as_ref());
+        let mut beside = ReadingMessages::of(read.as_ref());
         for option in self.unused(&budget.basis) {
             let warning = CliWarning::BudgetOption { option };
             io.warn(&warning);
@@ -125,20 +126,20 @@ impl Args {
             return Geometry::of_contacts(&read.contacts).map(Some).about(&name);
         }
         let (Some(touches), Some(step)) = (self.touches, &self.step) else { return Ok(None) };
-        let about = What::Option { name: "step" };
+        let about = ErrorSubject::Option { name: "step" };
         // A step has the digits of a length: a millionth of a degree.
         let step: Length = step.parse().about(&about)?;
-        Geometry::steps(touches, step.to_mm_f64()).map(Some).about(&What::Option { name: "touches" })
+        Geometry::steps(touches, step.to_mm_f64()).map(Some).about(&ErrorSubject::Option { name: "touches" })
     }
 
     /// Options that change nothing for this budget.
     fn unused(&self, basis: &Basis) -> Vec<&'static str> {
-        let has = |wanted: fn(Kind) -> bool| match basis {
+        let has = |wanted: fn(ContributionKind) -> bool| match basis {
             Basis::Contributions(contributions) => contributions.iter().any(|one| wanted(one.kind)),
             Basis::Calibrated(_) => false,
         };
-        let has_scatter = has(|kind| matches!(kind, Kind::Scatter(_)));
-        let depends_on_size = has(Kind::grows_with_size);
+        let has_scatter = has(|kind| matches!(kind, ContributionKind::Scatter(_)));
+        let depends_on_size = has(ContributionKind::grows_with_size);
         let is_calibrated = matches!(basis, Basis::Calibrated(_));
         let options = [
             ("size", self.size.is_some(), depends_on_size),

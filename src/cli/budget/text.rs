@@ -1,7 +1,7 @@
 //! The answer for people.
 
 use super::found::figure;
-use crate::budget::{Answer, Assessment, Conditions, Evaluation, Geometry, Help, Repeated, Row, Validity};
+use crate::budget::{Answer, Assessment, Conditions, ContributionRow, Evaluation, Geometry, Help, Repeated, Validity};
 use crate::cli::Io;
 
 /// The longest name that sets the width of its column.
@@ -58,7 +58,7 @@ fn table(evaluation: &Evaluation, io: &mut Io<'_>) {
         "share",
     );
     for row in &evaluation.rows {
-        let Row { name, u, unit, sensitivity, contribution, share, .. } = row;
+        let ContributionRow { name, u, unit, sensitivity, contribution, share, .. } = row;
         let letter = row.evaluated.letter();
         let law = row.law.name();
         let freedom = degrees(row.degrees_of_freedom);

@@ -7,7 +7,7 @@ use super::super::tools;
 use super::{Io, Run, Source};
 use crate::length::Length;
 use crate::probing::circle::{Evaluation, Uncertainty};
-use crate::probing::cycle::{Check, CircleFound, Found, LogTarget, Move, Plane, Value};
+use crate::probing::cycle::{Check, CircleFound, LogTarget, Move, Plane, ResultParameter, Value};
 use crate::probing::{Contact, TouchProbe};
 use crate::verdict::Status;
 use crate::words::Dialogue;
@@ -79,7 +79,7 @@ object! {
 
 row! {
     /// A line of CSV: a result, or the status.
-    struct Line of(found: &Found, simulated: bool) {
+    struct Line of(found: &ResultParameter, simulated: bool) {
         key: Option<String> = Some(found.key?.to_string()),
         name: String = found.name.to_string(),
         value: String = found.value.to_string(),
@@ -101,7 +101,7 @@ row! {
     }
 }
 
-fn result(found: &Found) -> Json {
+fn result(found: &ResultParameter) -> Json {
     json!({"key": found.key.map(|key| key.to_string()), "name": found.name.to_string(), "value": value(&found.value)})
 }
 

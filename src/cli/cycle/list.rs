@@ -12,7 +12,7 @@ object! {
         cycle: &'static str = cycle.code,
         name: &'static str = cycle.name(language),
         notes: Vec<String> = cycle.notes.iter().map(ToString::to_string).collect(),
-        parameters: Vec<Row> = rows(cycle, language),
+        parameters: Vec<ParameterRow> = rows(cycle, language),
     }
 }
 
@@ -28,7 +28,7 @@ impl Columns for Plain {
 
 row! {
     /// One parameter.
-    struct Row of(parameter: &Parameter, language: Dialogue) {
+    struct ParameterRow of(parameter: &Parameter, language: Dialogue) {
         key: String = parameter.key.to_string(),
         name: &'static str = parameter.name_in(language),
         question: &'static str = parameter.question(language),
@@ -41,7 +41,7 @@ row! {
     }
 }
 
-impl Row {
+impl ParameterRow {
     /// The value that is used when it is not given.
     fn unset(&self) -> &str {
         match &self.default {
@@ -52,8 +52,8 @@ impl Row {
     }
 }
 
-fn rows(cycle: &Cycle, language: Dialogue) -> Vec<Row> {
-    cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect()
+fn rows(cycle: &Cycle, language: Dialogue) -> Vec<ParameterRow> {
+    cycle.parameters.iter().map(|parameter| ParameterRow::of(parameter, language)).collect()
 }
 
 /// Another default where another parameter has a certain value.

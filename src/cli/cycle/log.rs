@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::super::io::not_dash;
-use super::super::{CliWarning, Refused as _, What};
+use super::super::{CliWarning, ErrorSubject, IntoCliError as _};
 use super::{CliError, Io, Source};
 use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::files::{self, FileError};
 use crate::length::Unit;
-use crate::message::{Located, Place};
+use crate::message::{FilePlace, Located};
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
 use crate::text::decode;
 use crate::words::Dialogue;
@@ -72,7 +72,7 @@ impl LogArgs {
         match (result.log, &self.log_folder) {
             (LogTarget::File(name), Some(folder)) => add(&log, folder, name, language, io)?,
             (LogTarget::Screen, _) => {
-                let bytes = log.write(language).about(&What::Log)?;
+                let bytes = log.write(language).about(&ErrorSubject::Log)?;
                 kept.shown = Some(decode(&bytes).replace("\r\n", "\n"));
             }
             // Nothing is written, so nothing differs.
@@ -108,8 +108,8 @@ fn add(log: &CycleLog, folder: &Path, name: &str, language: Dialogue, io: &mut I
         Err(error) => return Err(error.into()),
     };
     let of_file =
-        |what| Located { what, place: Place { file: Some(path.to_string_lossy().into()), ..Place::default() } };
-    let bytes = log.append(&before, language).map_err(of_file).about(&What::Log)?;
+        |what| Located { what, place: FilePlace { file: Some(path.to_string_lossy().into()), ..FilePlace::default() } };
+    let bytes = log.append(&before, language).map_err(of_file).about(&ErrorSubject::Log)?;
     files::make_folder(folder)?;
     super::super::save(path, &bytes, io)
 }

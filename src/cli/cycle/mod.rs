@@ -25,7 +25,7 @@ use source::{remark_on_moves, warn_of_unused};
 use super::args::dialogue;
 use super::record::RecordArgs;
 use super::tools::ToolArgs;
-use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_input};
+use super::{CliError, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::tool_table::{Changed, ToolChange};
@@ -330,8 +330,8 @@ impl Args {
         table.probe(self.probe).copied().ok_or_else(missing)
     }
 
-    const fn what(&self) -> What<'static> {
-        What::Cycle { code: self.cycle.code }
+    const fn what(&self) -> ErrorSubject<'static> {
+        ErrorSubject::Cycle { code: self.cycle.code }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::{CliError, CliWarning, Io, Refused as _, What, read_contacts, read_input};
+use crate::cli::{CliError, CliWarning, ErrorSubject, IntoCliError as _, Io, read_contacts, read_input};
 use crate::exchange::contacts::Contacts;
 use crate::journal::entry::{CycleOrigin, FileRole};
 use crate::nc::machine::Remark;
@@ -62,8 +62,8 @@ impl Source {
             }
             Self::Workpiece { file, part } => probing::Source::Part(part).prober(cycle, inputs).about(file),
             Self::Perfect => match probing::Source::Perfect.prober(cycle, inputs) {
-                Err(SourceError::Cycle(error)) => Err(error).about(&What::Cycle { code: cycle.code }),
-                prober => prober.about(&What::PerfectWorkpiece),
+                Err(SourceError::Cycle(error)) => Err(error).about(&ErrorSubject::Cycle { code: cycle.code }),
+                prober => prober.about(&ErrorSubject::PerfectWorkpiece),
             },
         }
     }

@@ -1,6 +1,6 @@
 //! The answer for one fit: computed by the core, put together here.
 
-use super::Given;
+use super::FitInputs;
 use super::heat::{Heat, Heated};
 use crate::length::Length;
 use crate::tolerance::fit::Fit;
@@ -56,7 +56,7 @@ impl Measured {
 
 impl<'a> Answer<'a> {
     /// The answer, or why there is none.
-    pub(super) fn of(callout: Callout, given: &'a Given<'_>) -> Result<Self, FitError> {
+    pub(super) fn of(callout: Callout, given: &'a FitInputs<'_>) -> Result<Self, FitError> {
         let fit = Fit::of_callout(&callout, given.sources)?;
         let Tolerance::Fit { hole, shaft } = callout.tolerance() else {
             return Err(FitError::OneSided { callout });

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use crate::cli::material::{Part, materials, refuse_far};
-use crate::cli::{CliError, Refused as _, What};
+use crate::cli::{CliError, ErrorSubject, IntoCliError as _};
 use crate::length::Length;
 use crate::tolerance::fit::thermal::{Temperature, ThermalDoubt, clearance_change_apart};
-use crate::tolerance::fit::{Fit, Kind};
+use crate::tolerance::fit::{Fit, FitKind};
 
 /// Materials and temperatures.
 #[derive(Debug, clap::Args)]
@@ -74,8 +74,8 @@ pub(super) struct Heated {
 }
 
 impl Heated {
-    pub(super) fn kind(&self) -> Kind {
-        Kind::of(self.minimum, self.maximum)
+    pub(super) fn kind(&self) -> FitKind {
+        FitKind::of(self.minimum, self.maximum)
     }
 }
 
@@ -87,15 +87,15 @@ impl HeatArgs {
     pub(super) fn load(&self) -> Result<Option<Heat>, CliError> {
         let (Some(hole), Some(shaft)) = (&self.hole_material, &self.shaft_material) else { return Ok(None) };
         let materials = materials(self.materials.as_deref())?;
-        let part = |name: &str, own_temperature: Option<&String>, which: What<'_>| {
+        let part = |name: &str, own_temperature: Option<&String>, which: ErrorSubject<'_>| {
             let temperature = match self.temperatures.temperature.as_ref().or(own_temperature) {
-                Some(text) => text.parse().about(&What::Temperature)?,
+                Some(text) => text.parse().about(&ErrorSubject::Temperature)?,
                 None => Temperature::REFERENCE,
             };
             Part::of(name, &materials, temperature).about(&which)
         };
-        let hole = part(hole, self.temperatures.hole_temperature.as_ref(), What::HoleMaterial)?;
-        let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), What::ShaftMaterial)?;
+        let hole = part(hole, self.temperatures.hole_temperature.as_ref(), ErrorSubject::HoleMaterial)?;
+        let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), ErrorSubject::ShaftMaterial)?;
         let mut doubts = Vec::new();
         for part in [&hole, &shaft] {
             doubts.extend(refuse_far(part.doubt(false), self.far_temperature)?);

@@ -19,8 +19,8 @@ mod text;
 use answer::Answer;
 use figures::Figures;
 
-use super::answers::{Answerer, Answers, Asked};
-use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, What, diameter};
+use super::answers::{Answerer, Answers, CalloutInput};
+use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs, diameter};
 use crate::length::Length;
 use crate::tolerance::Sources;
 use crate::verdict::{Status, doubt};
@@ -102,8 +102,8 @@ impl Args {
             return self.reverse.run(&self.callouts, &sources, self.format, io);
         }
         let part = |text: &Option<String>, what| text.as_ref().map(|text| diameter(text, what)).transpose();
-        let hole = part(&self.hole, What::MeasuredHole)?;
-        let shaft = part(&self.shaft, What::MeasuredShaft)?;
+        let hole = part(&self.hole, ErrorSubject::MeasuredHole)?;
+        let shaft = part(&self.shaft, ErrorSubject::MeasuredShaft)?;
         let is_one = matches!(self.callouts.as_slice(), [one] if one != "-");
         if !is_one && (hole.is_some() || shaft.is_some()) {
             return Err(CliError::PartsOfSeveral);
@@ -112,7 +112,7 @@ impl Args {
         for doubt in heat.iter().flat_map(|heat| &heat.doubts) {
             io.warn(doubt);
         }
-        let given = Given { sources: &sources, heat, hole, shaft };
+        let given = FitInputs { sources: &sources, heat, hole, shaft };
         let mut fits = Fits { given, worst: None };
         let all_answered = Answers::print((self.format, is_one), &self.callouts, &mut fits, io)?;
         Ok(if all_answered { fits.worst.map_or(Outcome::Done, Outcome::Judged) } else { Outcome::BadData })
@@ -120,7 +120,7 @@ impl Args {
 }
 
 /// What is asked about every callout.
-struct Given<'a> {
+struct FitInputs<'a> {
     sources: &'a Sources,
     heat: Option<heat::Heat>,
     /// The measured diameters.
@@ -130,15 +130,15 @@ struct Given<'a> {
 
 /// Answers with fits.
 struct Fits<'a> {
-    given: Given<'a>,
+    given: FitInputs<'a>,
     /// The worst status of the measured parts.
     worst: Option<Status>,
 }
 
 impl Answerer for Fits<'_> {
-    type Row<'a> = Figures<'a>;
+    type AnswerRow<'a> = Figures<'a>;
 
-    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) {
+    fn answer(&mut self, asked: CalloutInput<'_>, answers: &mut Answers, io: &mut Io<'_>) {
         let answer = asked.callout.parse().said().and_then(|callout| Answer::of(callout, &self.given).said());
         let answer = match answer {
             Ok(answer) => answer,
@@ -147,7 +147,7 @@ impl Answerer for Fits<'_> {
         self.worst = self.worst.max(answer.measured.status());
         let fit = &answer.fit;
         for (name, limits, measured) in
-            [(What::Hole, fit.hole(), self.given.hole), (What::Shaft, fit.shaft(), self.given.shaft)]
+            [(ErrorSubject::Hole, fit.hole(), self.given.hole), (ErrorSubject::Shaft, fit.shaft(), self.given.shaft)]
         {
             if let Some(doubt) = measured.and_then(|measured| doubt(limits, measured)) {
                 io.warn_about(&name, &doubt);

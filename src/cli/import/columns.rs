@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value as Json, json};
 
 use crate::cli::rows::csv_line;
-use crate::cli::{CliError, Format, Io, Outcome, Refused as _};
+use crate::cli::{CliError, Format, IntoCliError as _, Io, Outcome};
 use crate::exchange::{Detected, Mapping};
 use crate::files;
 
@@ -57,7 +57,7 @@ pub(super) fn show(paths: &[PathBuf], mapping: Option<&Mapping>, format: Format,
 }
 
 /// What is shown of one column.
-struct Shown<'a> {
+struct ColumnSummary<'a> {
     number: usize,
     name: &'a str,
     holds: &'static str,
@@ -65,10 +65,10 @@ struct Shown<'a> {
 }
 
 /// The columns of a file: as many as have a name, hold something or have a cell in the first row.
-fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
+fn columns(detected: &Detected) -> impl Iterator<Item = ColumnSummary<'_>> {
     let cells = detected.rows.first().map_or(&[][..], |(_, cells)| cells);
     let count = detected.roles.len().max(detected.names.len()).max(cells.len());
-    (0..count).map(move |at| Shown {
+    (0..count).map(move |at| ColumnSummary {
         number: at + 1,
         name: detected.names.get(at).map_or("", String::as_str),
         holds: detected.word(at).unwrap_or("-"),
@@ -77,13 +77,13 @@ fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
 }
 
 fn text(path: &Path, detected: &Detected, toml: &str, io: &mut Io<'_>) {
-    let shown: Vec<Shown<'_>> = columns(detected).collect();
-    let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).fold(0, usize::max).min(WIDEST);
+    let shown: Vec<ColumnSummary<'_>> = columns(detected).collect();
+    let wide = |length: fn(&ColumnSummary<'_>) -> usize| shown.iter().map(length).fold(0, usize::max).min(WIDEST);
     let names = wide(|column| column.name.chars().count());
     let holds = wide(|column| column.holds.len());
     let out = io.people();
     writeln!(out, "{}", path.display());
-    for Shown { number, name, holds: held, first } in &shown {
+    for ColumnSummary { number, name, holds: held, first } in &shown {
         let line = format!("{number:>4}  {name:<names$}  {held:<holds$}  {first}");
         writeln!(out, "{}", line.trim_end());
     }
@@ -99,13 +99,13 @@ fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) {
         csv_line(["file", "column", "name", "holds", "first"], io);
     }
     let file = path.display().to_string();
-    for Shown { number, name, holds, first } in columns(detected) {
+    for ColumnSummary { number, name, holds, first } in columns(detected) {
         csv_line([file.as_str(), &number.to_string(), name, holds, first], io);
     }
 }
 
 fn as_json(path: &Path, detected: &Detected, toml: &str) -> Json {
-    let columns = columns(detected).map(|Shown { number, name, holds, first }| {
+    let columns = columns(detected).map(|ColumnSummary { number, name, holds, first }| {
         json!({ "column": number, "name": name, "holds": (holds != "-").then_some(holds), "first": first })
     });
     json!({

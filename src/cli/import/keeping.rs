@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::row::Row;
+use super::row::ImportRow;
 use crate::cli::record::Recorder;
 use crate::cli::said::Recorded;
 use crate::cli::{CliError, Io};
@@ -54,7 +54,7 @@ impl Keeping {
     }
 
     /// A row: a check is kept.
-    pub(super) fn see(&mut self, row: &Row) {
+    pub(super) fn see(&mut self, row: &ImportRow) {
         let place = || row.line.map_or_else(|| row.file.to_string(), |line| format!("{}:{line}", row.file));
         let why = match &row.judged {
             Some(record) => match self.recorder.size_of(Arc::clone(record), &row.labels, self.files.clone()) {

@@ -17,9 +17,9 @@ use super::progress::{Watched, Work};
 use super::record::RecordArgs;
 use super::rows::names;
 use super::said::CliWarning;
-use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, said};
+use super::{CliError, Format, IntoCliError as _, Io, Outcome, TableArgs, said};
 use crate::control::mask::Mask;
-use crate::exchange::{Body, ByPlan, FORMATS, Given, Item, MOST_ROWS, WHOLE, import_from};
+use crate::exchange::{Body, ByPlan, FORMATS, ImportInputs, Item, MOST_ROWS, WHOLE, import_from};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::part::{Plan, Size};
@@ -28,7 +28,7 @@ use crate::verdict::Status;
 use keeping::Keeping;
 use print::Printed;
 pub(super) use print::Printer;
-pub(super) use row::{Row, Rows};
+pub(super) use row::{ImportRow, Rows};
 
 /// Read measurements from files of any known format and judge each
 #[derive(Debug, clap::Args)]
@@ -176,20 +176,20 @@ impl Args {
                     let masks = masks.as_slice();
                     let mapping = mapping.as_ref();
                     let has_plan = plan.is_some();
-                    let given = Given {
+                    let given = ImportInputs {
                         beside: &beside,
                         masks,
                         mapping,
                         most_rows,
                         has_plan,
                         temperature: judge.temperature(),
-                        ..Given::new(&sources, now)
+                        ..ImportInputs::new(&sources, now)
                     };
                     import.file(path, &file, given, io)?;
                 }
                 Err(error) => {
                     io.fail(&error);
-                    import.row(&Row::of_file(path, error.to_string()), io);
+                    import.row(&ImportRow::of_file(path, error.to_string()), io);
                 }
             }
         }
@@ -213,7 +213,7 @@ struct Import<'a> {
 }
 
 impl Import<'_> {
-    fn file(&mut self, path: &Path, file: &Measured, given: Given<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn file(&mut self, path: &Path, file: &Measured, given: ImportInputs<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
         let name = files::name_of(path).to_string_lossy();
         let plan = self.by_plan.as_ref().map(ByPlan::plan);
         let mut rows = Rows::of(path, self.judge, self.keeping.is_some()).by(plan);
@@ -234,7 +234,7 @@ impl Import<'_> {
                 work.row();
             }
             warn(path, &item, io);
-            if let Some(row) = Row::against(path, &item)
+            if let Some(row) = ImportRow::against(path, &item)
                 && self.printed.is_ok()
             {
                 self.printed = self.printer.against(&row, io);
@@ -264,7 +264,7 @@ impl Import<'_> {
     }
 
     /// Counts a row and prints it.
-    fn row(&mut self, row: &Row, io: &mut Io<'_>) {
+    fn row(&mut self, row: &ImportRow, io: &mut Io<'_>) {
         self.tally.count(row);
         if row.wants_a_look {
             io.look_first();
@@ -286,7 +286,7 @@ impl Import<'_> {
             }
             for size in &missing {
                 if self.printed.is_ok() {
-                    self.printed = self.printer.row(&Row::missing(path, size, &who), io);
+                    self.printed = self.printer.row(&ImportRow::missing(path, size, &who), io);
                 }
             }
             let names = missing.iter().map(|size| size.name()).collect::<Vec<_>>().join(", ");
@@ -334,7 +334,7 @@ pub(super) fn mask(path: &Path, io: &mut Io<'_>) -> Result<(String, Mask), CliEr
 fn read(
     body: &mut dyn Body,
     name: &str,
-    given: Given<'_>,
+    given: ImportInputs<'_>,
     wants_hash: bool,
     take: &mut dyn FnMut(Item),
 ) -> Option<std::io::Result<Hash>> {
@@ -361,7 +361,7 @@ pub(super) fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
 }
 
 impl Tally {
-    fn count(&mut self, row: &Row) {
+    fn count(&mut self, row: &ImportRow) {
         self.bad |= row.error.is_some();
         match (&mut self.parts, &row.judged) {
             (Some(parts), Some(record)) => parts.see(record, &row.labels, row.line),

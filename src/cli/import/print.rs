@@ -6,11 +6,11 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Number, Value as Json};
 
-use super::row::Row;
+use super::row::ImportRow;
 use crate::cli::people::{Aligned, Side, mm, um};
 use crate::cli::rows::csv_line;
 use crate::cli::rows::{Columns, names};
-use crate::cli::{CliError, Format, Io, Refused as _};
+use crate::cli::{CliError, Format, IntoCliError as _, Io};
 use crate::length::{Length, Unit};
 use crate::report::csv::{CsvLine, More, cell};
 use crate::report::json;
@@ -48,7 +48,7 @@ impl Printer {
         Self { format, more, is_first: true, line, table, summary }
     }
 
-    pub(in crate::cli) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(in crate::cli) fn row(&mut self, row: &ImportRow, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => {
                 self.text(row, io);
@@ -68,7 +68,7 @@ impl Printer {
     }
 
     /// What stands against all values of a file is a row for machines, too: people are told it already.
-    pub(in crate::cli) fn against(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(in crate::cli) fn against(&mut self, row: &ImportRow, io: &mut Io<'_>) -> Result<(), CliError> {
         if self.format == Format::Text { Ok(()) } else { self.row(row, io) }
     }
 
@@ -92,7 +92,7 @@ impl Printer {
     }
 
     /// Puts the verdict into the table; prints errors to standard error with their places.
-    fn text(&mut self, row: &Row, io: &mut Io<'_>) {
+    fn text(&mut self, row: &ImportRow, io: &mut Io<'_>) {
         self.summary.count(row);
         // What is missing is named in one sentence.
         let Some(line) = row.line.filter(|_| !row.is_missing) else { return };
@@ -108,7 +108,7 @@ impl Printer {
         }
     }
 
-    fn json(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn json(&mut self, row: &ImportRow, io: &mut Io<'_>) -> Result<(), CliError> {
         let more = match &row.judged {
             Some(record) => json::more(record, self.more).said()?,
             None => self.more.names().map(|name| (name, Json::Null)).collect(),
@@ -123,7 +123,7 @@ impl Printer {
 
 row! {
     /// A row for programs.
-    pub(super) struct Printed<'a> of(row: &'a Row, more: Map<String, Json>) {
+    pub(super) struct Printed<'a> of(row: &'a ImportRow, more: Map<String, Json>) {
         file: &'a str = &row.file,
         line: Option<usize> = row.line,
         id: &'a str = &row.id,
@@ -249,7 +249,7 @@ const TABLE: Aligned<9> = Aligned {
     widest: 200,
 };
 
-fn cells(row: &Row) -> [String; 9] {
+fn cells(row: &ImportRow) -> [String; 9] {
     let limits = match (row.minimum, row.maximum) {
         (Some(minimum), Some(maximum)) => format!("{} to {}", mm(minimum), mm(maximum)),
         _ => String::new(),
@@ -281,7 +281,7 @@ struct Summary {
 }
 
 impl Summary {
-    fn count(&mut self, row: &Row) {
+    fn count(&mut self, row: &ImportRow) {
         if row.is_missing {
             self.missing += 1;
             return;

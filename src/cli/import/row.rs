@@ -17,7 +17,7 @@ use crate::verdict::{PositionVerdict, Status};
 
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(in crate::cli) struct Row {
+pub(in crate::cli) struct ImportRow {
     pub(in crate::cli) file: Arc<str>,
     /// Its line; `None` where the file could not be read.
     pub(in crate::cli) line: Option<usize>,
@@ -85,17 +85,17 @@ impl<'a> Rows<'a> {
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
     /// had theirs.
-    pub(in crate::cli) fn row(&mut self, item: Item) -> Option<Row> {
+    pub(in crate::cli) fn row(&mut self, item: Item) -> Option<ImportRow> {
         let (line, mut row) = match item {
             Item::Record { line, record, labels } => (line, self.record(record, labels)),
             Item::Unjudged(unjudged) => {
-                let mut row = Row::of_unjudged(&unjudged);
+                let mut row = ImportRow::of_unjudged(&unjudged);
                 if row.status.is_some() && !self.judge.is_plain() {
                     row.warns(&CliWarning::LimitsAlone);
                 }
                 (unjudged.line, row)
             }
-            Item::Error(error) => (error.place.line.unwrap_or(1), Row::of_error(&error)),
+            Item::Error(error) => (error.place.line.unwrap_or(1), ImportRow::of_error(&error)),
             Item::Warning(warning) => {
                 let line = warning.what.row?;
                 if self.warnings.0 != line {
@@ -135,28 +135,30 @@ impl Rows<'_> {
     }
 
     /// The row of a record, as the judge of this import says.
-    fn record(&mut self, record: Box<Record>, labels: Labels) -> Row {
+    fn record(&mut self, record: Box<Record>, labels: Labels) -> ImportRow {
         let source = Some(self.said(&record.limits.source));
         if self.judge.is_plain() && self.sizes.is_empty() {
-            let row = Row { source, labels, ..Row::of(&record) };
+            let row = ImportRow { source, labels, ..ImportRow::of(&record) };
             let is_wanted = self.wants_checks || record.correction.is_some();
-            return Row { judged: is_wanted.then(|| Arc::from(record)), ..row };
+            return ImportRow { judged: is_wanted.then(|| Arc::from(record)), ..row };
         }
         let id = record.id.clone();
         let measured = Some(record.measurement.diameter);
         let is_simulated = Some(record.measurement.origin.is_simulated());
         match self.judge.judged_of(&self.sizes, *record, &labels) {
             Ok((record, said)) => {
-                let mut row = Row { source, labels, ..Row::of(&record) };
+                let mut row = ImportRow { source, labels, ..ImportRow::of(&record) };
                 row.warnings.extend(said.iter().map(ToString::to_string));
-                Row { judged: Some(Arc::new(record)), ..row }
+                ImportRow { judged: Some(Arc::new(record)), ..row }
             }
-            Err(error) => Row { id, labels, measured, is_simulated, error: Some(error.to_string()), ..Row::default() },
+            Err(error) => {
+                ImportRow { id, labels, measured, is_simulated, error: Some(error.to_string()), ..ImportRow::default() }
+            }
         }
     }
 }
 
-impl Row {
+impl ImportRow {
     fn of(record: &Record) -> Self {
         let limits = &record.limits;
         let size = record.verdict.size;

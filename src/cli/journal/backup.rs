@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _};
+use super::{CliError, CliRemark, IntoCliError as _, Io, JournalArgs, Outcome};
 use crate::cli::io::not_dash;
 use crate::journal::chain::Head;
 use crate::store::local;

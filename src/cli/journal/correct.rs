@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use super::show::row;
-use super::{CliError, Io, JournalArgs, Outcome, Refused as _};
-use crate::cli::What;
+use super::{CliError, IntoCliError as _, Io, JournalArgs, Outcome};
+use crate::cli::ErrorSubject;
 use crate::cli::record::keep;
 use crate::cli::said::CliWarning;
 use crate::journal::Record;
 use crate::journal::entry::{About, Check, Checked, Content, Correction, Entry};
 use crate::store::here;
-use crate::store::local::{Reader, Row};
+use crate::store::local::{ListedEntry, Reader};
 
 const HELP: &str = "\
 Nothing is changed: a new entry names the old one and gives the reason, and both stay. A value that
@@ -126,7 +126,7 @@ impl Args {
 
     /// The record with another typed value, judged by the same limits and the same rule.
     fn again(&self, check: &Check, text: &str) -> Result<Record, CliError> {
-        let diameter = crate::cli::diameter(text, What::MeasuredValue)?;
+        let diameter = crate::cli::diameter(text, ErrorSubject::MeasuredValue)?;
         let again = match &check.what {
             Checked::Size(record) => record.typed_again(diameter),
             Checked::Cycle(_) => None,
@@ -136,7 +136,7 @@ impl Args {
 }
 
 /// A check that may be corrected: one that nothing has corrected yet.
-fn standing(row: &Row) -> Result<(&About, &Check), CliError> {
+fn standing(row: &ListedEntry) -> Result<(&About, &Check), CliError> {
     let number = row.kept.head.number;
     if let Some(by) = row.corrected_by {
         return Err(CliError::AlreadyCorrectedBy { number, by });
@@ -144,6 +144,6 @@ fn standing(row: &Row) -> Result<(&About, &Check), CliError> {
     match &row.entry {
         Ok(Entry { about, content: Content::Check(check) }) => Ok((about, check)),
         Ok(_) => Err(CliError::NoCheck { number }),
-        Err(error) => Err(error.clone()).about(&What::Entry { number }),
+        Err(error) => Err(error.clone()).about(&ErrorSubject::Entry { number }),
     }
 }

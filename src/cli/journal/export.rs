@@ -6,15 +6,15 @@ use std::path::PathBuf;
 use super::list::unread;
 use super::row::Line;
 use super::show::line;
-use super::{CliError, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, put, server};
+use super::{CliError, Format, IntoCliError as _, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, put, server};
 use crate::cli::args::one_of;
 use crate::cli::progress::{Size, Work, stopped};
-use crate::cli::record::Place;
+use crate::cli::record::JournalPlace;
 use crate::cli::rows;
 use crate::journal::chain::ChainId;
 use crate::message::{Message, Say as _};
 use crate::report::csv;
-use crate::store::local::{Reader, Row};
+use crate::store::local::{ListedEntry, Reader};
 
 /// So many entries are read at once.
 const PAGE: usize = 500;
@@ -59,14 +59,14 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let question = self.question.read(io)?;
         let from = match self.journal.place()? {
-            Place::File(file) => {
+            JournalPlace::File(file) => {
                 let reader = Reader::open(&file).said()?;
                 // Entries never change, so these numbers are the journal as it is now.
                 let mut numbers = reader.numbers(&question, None, usize::MAX).said()?;
                 numbers.reverse();
                 Source::Journal { reader, numbers }
             }
-            Place::Server(address) => Source::Server(Box::new(server::pages(&address, question, io)?)),
+            JournalPlace::Server(address) => Source::Server(Box::new(server::pages(&address, question, io)?)),
         };
         let size = match &from {
             Source::Journal { numbers, .. } => u64::try_from(numbers.len()).map_or(Size::Open, Size::Rows),
@@ -102,7 +102,10 @@ impl Source {
     ///
     /// # Errors
     /// Why the journal could not be read to its end.
-    fn each(&self, take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>) -> Result<std::io::Result<()>, Message> {
+    fn each(
+        &self,
+        take: &mut dyn FnMut(ChainId, ListedEntry) -> std::io::Result<()>,
+    ) -> Result<std::io::Result<()>, Message> {
         match self {
             Self::Journal { reader, numbers } => {
                 for page in numbers.chunks(PAGE) {
@@ -125,7 +128,7 @@ struct Export<'a> {
     /// Why the journal could not be read to its end.
     failed: Option<Message>,
     /// Entries that this version cannot read.
-    unread: Vec<Row>,
+    unread: Vec<ListedEntry>,
 }
 
 impl Export<'_> {

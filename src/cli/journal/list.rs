@@ -1,14 +1,16 @@
 //! `fitcheck journal list`: the newest checks, or those that a question asks for.
 
 use super::row::{self, Line};
-use super::{CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, server};
+use super::{
+    CliError, CliRemark, Format, IntoCliError as _, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, server,
+};
 use crate::cli::people::Side::Left;
 use crate::cli::people::{Aligned, mm};
-use crate::cli::record::Place;
+use crate::cli::record::JournalPlace;
 use crate::cli::rows;
 use crate::journal::ask::Question;
 use crate::journal::entry::{Check, Content, Entry};
-use crate::store::local::{Reader, Row};
+use crate::store::local::{ListedEntry, Reader};
 
 fn help() -> String {
     format!(
@@ -51,7 +53,7 @@ impl Args {
         // One more than is listed tells that there are more.
         let most = self.limit.saturating_add(1);
         let mut rows = match self.journal.place()? {
-            Place::File(file) => {
+            JournalPlace::File(file) => {
                 let reader = Reader::open(&file).said()?;
                 let all = if self.oldest { usize::MAX } else { most };
                 let mut numbers = reader.numbers(&question, None, all).said()?;
@@ -61,8 +63,8 @@ impl Args {
                 numbers.truncate(most);
                 reader.rows(&numbers).said()?
             }
-            Place::Server(_) if self.oldest => return Err(CliError::JournalIsServer),
-            Place::Server(address) => server::list(&address, &question, most, io)?,
+            JournalPlace::Server(_) if self.oldest => return Err(CliError::JournalIsServer),
+            JournalPlace::Server(address) => server::list(&address, &question, most, io)?,
         };
         let are_more = self.limit < rows.len();
         rows.truncate(self.limit);
@@ -86,7 +88,7 @@ impl Args {
 }
 
 /// Tells of entries that could not be read.
-pub(super) fn unread(rows: &[Row], io: &mut Io<'_>) -> Outcome {
+pub(super) fn unread(rows: &[ListedEntry], io: &mut Io<'_>) -> Outcome {
     let mut outcome = Outcome::Done;
     for row in rows {
         if let Err(error) = &row.entry {
@@ -98,7 +100,7 @@ pub(super) fn unread(rows: &[Row], io: &mut Io<'_>) -> Outcome {
 }
 
 /// The cells of a row for people.
-fn cells(row: &Row) -> [String; 9] {
+fn cells(row: &ListedEntry) -> [String; 9] {
     let Some(Entry { about, content }) = row::entry(row) else {
         let mut cells: [String; 9] = Default::default();
         let [number, .., what] = &mut cells;
@@ -131,7 +133,7 @@ fn cells(row: &Row) -> [String; 9] {
 }
 
 /// What else is to be said of a row.
-fn marks(row: &Row, content: &Content) -> String {
+fn marks(row: &ListedEntry, content: &Content) -> String {
     let mut marks = Vec::new();
     if row::check(row).is_some_and(crate::journal::entry::Check::is_simulated) {
         marks.push("simulated".to_owned());

@@ -30,9 +30,9 @@ mod verify;
 use jiff::Timestamp;
 
 use super::record::JournalArgs;
-use super::{CliError, CliRemark, Format, Io, Outcome, Refused, put};
+use super::{CliError, CliRemark, Format, IntoCliError, Io, Outcome, put};
 use crate::files;
-use crate::journal::ask::{Here, Question};
+use crate::journal::ask::{LocalNow, Question};
 
 /// Work with the journal: list, show, export, verify, correct, back up, send
 #[derive(Debug, clap::Args)]
@@ -91,8 +91,8 @@ impl QuestionArgs {
 }
 
 /// Now, in the time zone of this computer.
-fn here() -> Here {
-    Here { now: Timestamp::now(), zone: files::zone_or_unknown() }
+fn here() -> LocalNow {
+    LocalNow { now: Timestamp::now(), zone: files::zone_or_unknown() }
 }
 
 /// Tells that nobody knows the time zone of this computer, where days or the time of an entry depend on it.

@@ -6,7 +6,7 @@ use super::{CliError, Io};
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
 use crate::message::Message;
-use crate::store::local::Row;
+use crate::store::local::ListedEntry;
 
 pub(in crate::cli) fn init(_address: &str, _io: &mut Io<'_>) -> Result<(), CliError> {
     Err(CliError::NoShop)
@@ -36,7 +36,7 @@ impl Pages {
     pub(in crate::cli) fn each(
         &self,
         _most: usize,
-        _take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>,
+        _take: &mut dyn FnMut(ChainId, ListedEntry) -> std::io::Result<()>,
     ) -> Result<std::io::Result<()>, Message> {
         match *self {}
     }
@@ -47,6 +47,6 @@ pub(in crate::cli) fn list(
     _question: &Question,
     _most: usize,
     _io: &mut Io<'_>,
-) -> Result<Vec<Row>, CliError> {
+) -> Result<Vec<ListedEntry>, CliError> {
     Err(CliError::NoShop)
 }

@@ -6,13 +6,13 @@ use crate::journal::entry::{Check, Checked, CycleCheck, Entry};
 use crate::length::Length;
 use crate::report::csv::harmless;
 use crate::report::row::position;
-use crate::store::local::Row;
+use crate::store::local::ListedEntry;
 use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::Status;
 
 row! {
     /// An entry of a list.
-    pub(super) struct Line of(row: &Row) {
+    pub(super) struct Line of(row: &ListedEntry) {
         station: Option<String> = name(&about(row)?.station),
         number: u64 = row.kept.head.number,
         time: Option<String> = Some(about(row)?.time.text()),
@@ -46,19 +46,19 @@ row! {
     }
 }
 
-pub(super) fn entry(row: &Row) -> Option<&Entry> {
+pub(super) fn entry(row: &ListedEntry) -> Option<&Entry> {
     row.entry.as_ref().ok()
 }
 
-fn about(row: &Row) -> Option<&crate::journal::entry::About> {
+fn about(row: &ListedEntry) -> Option<&crate::journal::entry::About> {
     entry(row).map(|entry| &entry.about)
 }
 
-pub(super) fn check(row: &Row) -> Option<&Check> {
+pub(super) fn check(row: &ListedEntry) -> Option<&Check> {
     entry(row)?.check()
 }
 
-pub(super) fn record(row: &Row) -> Option<&Record> {
+pub(super) fn record(row: &ListedEntry) -> Option<&Record> {
     match &check(row)?.what {
         Checked::Size(record) => Some(record),
         Checked::Cycle(_) => None,
@@ -66,23 +66,23 @@ pub(super) fn record(row: &Row) -> Option<&Record> {
 }
 
 /// How a value was brought to 20 °C.
-fn correction(row: &Row) -> Option<&Correction> {
+fn correction(row: &ListedEntry) -> Option<&Correction> {
     record(row)?.correction.as_ref()
 }
 
-fn cycle(row: &Row) -> Option<&CycleCheck> {
+fn cycle(row: &ListedEntry) -> Option<&CycleCheck> {
     match &check(row)?.what {
         Checked::Size(_) => None,
         Checked::Cycle(cycle) => Some(cycle),
     }
 }
 
-fn limits(row: &Row) -> Option<[Length; 2]> {
+fn limits(row: &ListedEntry) -> Option<[Length; 2]> {
     let of_record = record(row).map(|record| [record.limits.minimum(), record.limits.maximum()]);
     of_record.or_else(|| cycle(row)?.limits)
 }
 
-pub(super) fn measured(row: &Row) -> Option<Length> {
+pub(super) fn measured(row: &ListedEntry) -> Option<Length> {
     record(row).map(|record| record.measurement.diameter).or_else(|| cycle(row)?.measured)
 }
 

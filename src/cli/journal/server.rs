@@ -4,13 +4,13 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use super::verify::{InspectedAnswer, bar};
-use super::{CliError, CliRemark, Io, Refused as _};
+use super::{CliError, CliRemark, IntoCliError as _, Io};
 use crate::cli::record::own;
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
 use crate::message::{Message, Say as _};
 use crate::store::StoreRemark;
-use crate::store::local::{Anchors, Reader, Row};
+use crate::store::local::{Anchors, ListedEntry, Reader};
 use crate::store::shop::{
     self, Access, Clock, Elsewhere, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop,
 };
@@ -63,7 +63,7 @@ pub(in crate::cli) fn list(
     question: &Question,
     most: usize,
     io: &mut Io<'_>,
-) -> Result<Vec<Row>, CliError> {
+) -> Result<Vec<ListedEntry>, CliError> {
     let reader = ShopReader::open(&access(address, io)?, Patience::default(), &Stop::default()).said()?;
     let page = reader.page(question, None, most).said()?;
     if 0 < page.unread {
@@ -92,7 +92,7 @@ impl Pages {
     pub(in crate::cli) fn each(
         &self,
         most: usize,
-        take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>,
+        take: &mut dyn FnMut(ChainId, ListedEntry) -> std::io::Result<()>,
     ) -> Result<std::io::Result<()>, Message> {
         let mut after = None;
         loop {

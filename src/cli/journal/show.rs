@@ -1,9 +1,9 @@
 //! `fitcheck journal show`: one entry with its whole reasoning.
 
-use super::{CliError, Format, Io, JournalArgs, Outcome, Refused as _, text};
+use super::{CliError, Format, IntoCliError as _, Io, JournalArgs, Outcome, text};
 use crate::cli::args::one_of;
 use crate::journal::chain::{ChainId, Head};
-use crate::store::local::{Reader, Row};
+use crate::store::local::{ListedEntry, Reader};
 
 /// Show one entry with everything that it holds
 #[derive(Debug, clap::Args)]
@@ -45,13 +45,13 @@ impl Args {
 }
 
 /// An entry by its number.
-pub(super) fn row(reader: &Reader, number: u64, last: u64, file: &std::path::Path) -> Result<Row, CliError> {
+pub(super) fn row(reader: &Reader, number: u64, last: u64, file: &std::path::Path) -> Result<ListedEntry, CliError> {
     let row = reader.rows(&[number]).said()?.into_iter().next();
     row.ok_or_else(|| CliError::NoEntry { number, last, path: file.to_owned() })
 }
 
 /// An entry as one line of JSON: its body is as it is kept, byte for byte, so that its hash can be computed from it.
-pub(super) fn line(row: &Row, chain: ChainId, before: Option<Head>) -> Vec<u8> {
+pub(super) fn line(row: &ListedEntry, chain: ChainId, before: Option<Head>) -> Vec<u8> {
     let Head { number, hash } = row.kept.head;
     let before = before.map_or_else(String::new, |before| format!("\"before\":\"{}\",", before.hash));
     let corrected_by = row.corrected_by.map_or("null".to_owned(), |number| number.to_string());

@@ -9,7 +9,7 @@ use crate::cli::said::decided;
 use crate::journal::Record;
 use crate::journal::chain::ChainId;
 use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry};
-use crate::store::local::Row;
+use crate::store::local::ListedEntry;
 use crate::tolerance::FigureWarning;
 
 /// So many contacts are listed.
@@ -27,7 +27,7 @@ fn some(name: &str, text: &str, io: &mut Io<'_>) {
     }
 }
 
-pub(super) fn print(row: &Row, chain: ChainId, last: u64, io: &mut Io<'_>) {
+pub(super) fn print(row: &ListedEntry, chain: ChainId, last: u64, io: &mut Io<'_>) {
     let head = row.kept.head;
     line("entry", format_args!("{} of {last}", head.number), io);
     line("chain", chain, io);

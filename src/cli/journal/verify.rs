@@ -5,9 +5,9 @@ use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::{CliError, CliRemark, Format, Io, JournalArgs, Outcome, Refused as _, server};
+use super::{CliError, CliRemark, Format, IntoCliError as _, Io, JournalArgs, Outcome, server};
 use crate::cli::args::one_of;
-use crate::cli::record::Place;
+use crate::cli::record::JournalPlace;
 use crate::journal::chain::{ChainId, Head, HexError};
 use crate::journal::inspection::{Break, Inspected};
 use crate::store::StoreRemark;
@@ -59,8 +59,8 @@ fn head(text: &str) -> Result<Known, String> {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let file = match self.journal.place()? {
-            Place::File(file) => file,
-            Place::Server(address) => {
+            JournalPlace::File(file) => file,
+            JournalPlace::Server(address) => {
                 let known = self.heads.iter().map(|(chain, head)| Some(((*chain)?, *head)));
                 let known: Vec<_> = known.collect::<Option<_>>().ok_or(CliError::HeadWithoutChain)?;
                 let is_whole = server::verify(&address, &known, self.format == Format::Json, io)?;

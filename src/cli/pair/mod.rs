@@ -13,9 +13,9 @@ use std::sync::Arc;
 
 use super::args::one_of;
 use super::io::Tame;
-use super::{CliError, CliWarning, Io, Outcome, Refused as _, TableArgs, put};
-use crate::pairing::{MOST_AMOUNTS, MOST_GROUPS, Wanted};
-use crate::report::pairing::{Answer, Asked, FORMATS, Note, column_names};
+use super::{CliError, CliWarning, IntoCliError as _, Io, Outcome, TableArgs, put};
+use crate::pairing::{MOST_AMOUNTS, MOST_GROUPS, PairClearances};
+use crate::report::pairing::{FORMATS, Note, PairingAnswer, PairingRequest, column_names};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Callout, Feature};
 pub(super) use parts::read_parts;
@@ -108,8 +108,8 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let fit = self.fit(io)?;
         let wanted = match (&self.clearance, &fit) {
-            (Some(text), _) => text.parse::<Wanted>(),
-            (None, Some((_, fit))) => Wanted::new(fit.minimum_clearance(), fit.maximum_clearance()),
+            (Some(text), _) => text.parse::<PairClearances>(),
+            (None, Some((_, fit))) => PairClearances::new(fit.minimum_clearance(), fit.maximum_clearance()),
             // clap has refused it.
             (None, None) => "".parse(),
         };
@@ -120,9 +120,9 @@ impl Args {
         }
         let holes = Arc::new(read_parts(&self.holes, Feature::Hole, io)?);
         let shafts = Arc::new(read_parts(&self.shafts, Feature::Shaft, io)?);
-        let asked = Asked { holes, shafts, wanted, fit, group_count: self.classes.map(usize::from) };
+        let asked = PairingRequest { holes, shafts, wanted, fit, group_count: self.classes.map(usize::from) };
         let answer = asked.answer();
-        let Asked { holes, shafts, .. } = &answer.asked;
+        let PairingRequest { holes, shafts, .. } = &answer.asked;
         for (parts, outside) in [holes, shafts].into_iter().zip(&answer.outside) {
             if let Some(outside) = outside {
                 parts::tell(parts, &Note::of(outside), io);
@@ -159,7 +159,7 @@ impl Args {
         Ok(())
     }
 
-    fn print(&self, answer: &Answer, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn print(&self, answer: &PairingAnswer, io: &mut Io<'_>) -> Result<(), CliError> {
         let format = self.format.1;
         put(
             self.output.as_deref(),

@@ -9,11 +9,11 @@ use crate::cli::progress::{Watched, Work};
 use crate::cli::said::warning;
 use crate::exchange::{ImportError, sizes_from};
 use crate::message::Located;
-use crate::report::pairing::{Note, Parts};
+use crate::report::pairing::{Note, PairingParts};
 use crate::tolerance::Feature;
 
 /// Reads a file; errors and warnings also go to standard error.
-pub(in crate::cli) fn read_parts(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Parts, CliError> {
+pub(in crate::cli) fn read_parts(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<PairingParts, CliError> {
     let (name, bytes) = read_input(path, io)?;
     let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
     let work = Work::on(&name, u64::try_from(bytes.len()).ok());
@@ -24,7 +24,7 @@ pub(in crate::cli) fn read_parts(path: &Path, feature: Feature, io: &mut Io<'_>)
         return Err(CliError::Stopped { rows: work.rows() });
     }
     drop(work);
-    let parts = Parts::of_file(file, sizes);
+    let parts = PairingParts::of_file(file, sizes);
     for note in &parts.notes {
         tell(&parts, note, io);
     }
@@ -35,12 +35,12 @@ pub(in crate::cli) fn read_parts(path: &Path, feature: Feature, io: &mut Io<'_>)
 }
 
 /// `holes.csv:4: warning: …`
-pub(super) fn tell(parts: &Parts, note: &Note, io: &mut Io<'_>) {
+pub(super) fn tell(parts: &PairingParts, note: &Note, io: &mut Io<'_>) {
     io.tell(format_args!("{}: {}", parts.place_of(note), warning(&note.what)));
 }
 
 /// `holes.csv:4:2`
-fn place(parts: &Parts, error: &Located<ImportError>) -> String {
+fn place(parts: &PairingParts, error: &Located<ImportError>) -> String {
     let column = error.place.column.map_or(String::new(), |column| format!(":{column}"));
     format!("{}:{}{column}", parts.file(), error.place.line.unwrap_or(1))
 }

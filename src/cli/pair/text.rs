@@ -5,11 +5,11 @@ use std::io::{Result, Write};
 use crate::cli::people::Side::{self, Left, Right};
 use crate::cli::people::{Aligned, mm, negative, range, um};
 use crate::exchange::Size;
-use crate::pairing::{Grinding, Group, Groups, Pair, Wanted};
-use crate::report::pairing::{Answer, Asked, Parts};
+use crate::pairing::{Grinding, Group, Groups, Pair, PairClearances};
+use crate::report::pairing::{PairingAnswer, PairingParts, PairingRequest};
 
-pub(super) fn write(answer: &Answer, out: &mut dyn Write) -> Result<()> {
-    let Answer { asked: Asked { holes, shafts, wanted, fit, .. }, pairing, .. } = answer;
+pub(super) fn write(answer: &PairingAnswer, out: &mut dyn Write) -> Result<()> {
+    let PairingAnswer { asked: PairingRequest { holes, shafts, wanted, fit, .. }, pairing, .. } = answer;
     let fit = fit.as_ref().map_or(String::new(), |(callout, _)| format!("{callout}, "));
     let negative = negative(wanted.minimum());
     writeln!(
@@ -51,7 +51,7 @@ const fn simulated(part: &Size, what: &'static str) -> &'static str {
     if part.is_simulated { what } else { "" }
 }
 
-fn pairs(out: &mut dyn Write, answer: &Answer, pairs: &[Pair]) -> Result<()> {
+fn pairs(out: &mut dyn Write, answer: &PairingAnswer, pairs: &[Pair]) -> Result<()> {
     let row = |pair: &Pair| {
         let hole = answer.asked.holes.sizes.get(pair.hole)?;
         let shaft = answer.asked.shafts.sizes.get(pair.shaft)?;
@@ -65,8 +65,8 @@ fn pairs(out: &mut dyn Write, answer: &Answer, pairs: &[Pair]) -> Result<()> {
     table(out, columns, &rows)
 }
 
-fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
-    let Answer { asked: Asked { holes, shafts, .. }, pairing, .. } = answer;
+fn leftovers(out: &mut dyn Write, answer: &PairingAnswer) -> Result<()> {
+    let PairingAnswer { asked: PairingRequest { holes, shafts, .. }, pairing, .. } = answer;
     if pairing.holes.is_empty() && pairing.shafts.is_empty() {
         return Ok(());
     }
@@ -74,7 +74,7 @@ fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
     let shaft_count = counted(pairing.shafts.len(), "shaft");
     writeln!(out)?;
     writeln!(out, "left over: {hole_count}, {shaft_count}")?;
-    let left = |what: &'static str, parts: &Parts, positions: &[usize]| -> Vec<[String; 4]> {
+    let left = |what: &'static str, parts: &PairingParts, positions: &[usize]| -> Vec<[String; 4]> {
         let parts = positions.iter().filter_map(|&at| parts.sizes.get(at));
         let row = |part: &Size| [what.into(), name(part), mm(part.measured), simulated(part, "simulated").into()];
         parts.map(row).collect()
@@ -85,7 +85,7 @@ fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
     answer.grinding.as_ref().map_or(Ok(()), |grinding| ground(out, answer, grinding))
 }
 
-fn ground(out: &mut dyn Write, answer: &Answer, grinding: &Grinding) -> Result<()> {
+fn ground(out: &mut dyn Write, answer: &PairingAnswer, grinding: &Grinding) -> Result<()> {
     let bounded = if grinding.is_bounded() {
         format!(
             "; only amounts up to {} µm were tried, the farthest would need {} µm",
@@ -110,7 +110,7 @@ fn ground(out: &mut dyn Write, answer: &Answer, grinding: &Grinding) -> Result<(
     pairs(out, answer, &best.pairs)
 }
 
-fn sorted(out: &mut dyn Write, groups: &Groups, wanted: Wanted) -> Result<()> {
+fn sorted(out: &mut dyn Write, groups: &Groups, wanted: PairClearances) -> Result<()> {
     let row = |(number, group): (usize, &Group)| {
         let within = match group.all_within(wanted) {
             Some(true) => "all within",

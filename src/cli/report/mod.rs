@@ -21,8 +21,8 @@ use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
-use part::Parts;
-use reading::{Collected, Given, name};
+use part::ReportParts;
+use reading::{Collected, ReportChecks, name};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]
@@ -155,10 +155,11 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         if let Some(path) = &self.plan {
-            collected.parts = Some(Parts::read(path, &sources, self.repeats.repeats(), io)?);
+            collected.parts = Some(ReportParts::read(path, &sources, self.repeats.repeats(), io)?);
         }
         let plan = collected.parts.as_ref().map(|parts| Arc::clone(&parts.plan));
-        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan, are_corrected: false };
+        let mut given =
+            ReportChecks { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan, are_corrected: false };
         given.judge.tell(io);
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {

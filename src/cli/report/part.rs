@@ -24,7 +24,7 @@ type Key = (String, String);
 
 /// What is known of the parts of a report.
 #[derive(Debug)]
-pub(super) struct Parts {
+pub(super) struct ReportParts {
     pub(super) plan: Arc<Plan>,
     repeats: Repeats,
     picture: Option<Result<Image, Message>>,
@@ -37,7 +37,7 @@ pub(super) struct Parts {
     others: BTreeSet<Key>,
 }
 
-impl Parts {
+impl ReportParts {
     /// By a plan, with the picture beside it.
     pub(super) fn read(path: &Path, sources: &Sources, repeats: Repeats, io: &mut Io<'_>) -> Result<Self, CliError> {
         let plan = Arc::new(super::super::plan::read_plan(path, sources, io)?);

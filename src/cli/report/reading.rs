@@ -12,7 +12,7 @@ use super::super::measured::Measured;
 use super::super::progress::{Watched, Work, stopped};
 use super::super::said::warning;
 use super::super::{CliError, Io, Outcome};
-use super::part::Parts;
+use super::part::ReportParts;
 use crate::exchange::{self, ByPlan, Item, import_from};
 use crate::files::{self, FileError};
 use crate::journal::Record;
@@ -29,7 +29,7 @@ const MOST_NOTES: usize = 1_000;
 
 /// The checks of files and options. The files are read again for every look at the checks, so that they may be of any size.
 #[derive(Debug)]
-pub(super) struct Given {
+pub(super) struct ReportChecks {
     pub(super) files: Vec<(PathBuf, Measured, Work)>,
     /// From options.
     pub(super) typed: Vec<Record>,
@@ -41,13 +41,13 @@ pub(super) struct Given {
     pub(super) are_corrected: bool,
 }
 
-impl Given {
+impl ReportChecks {
     fn read(&self, (path, file, work): (&Path, &Measured, &Work), take: &mut dyn FnMut(Item)) {
         let beside = |ending: &str| files::beside(path, ending);
         let has_plan = self.plan.is_some();
         let temperature = self.judge.temperature();
-        let usual = exchange::Given::new(&self.sources, self.now);
-        let given = exchange::Given { beside: &beside, has_plan, temperature, ..usual };
+        let usual = exchange::ImportInputs::new(&self.sources, self.now);
+        let given = exchange::ImportInputs { beside: &beside, has_plan, temperature, ..usual };
         let by_plan = self.plan.as_deref().map(ByPlan::new);
         let mut take = |item: Item| {
             // What comes after the wish to stop is what it broke.
@@ -77,7 +77,7 @@ pub(super) fn name(path: &Path) -> String {
     files::name_of(path).to_string_lossy().into_owned()
 }
 
-impl Checks for Given {
+impl Checks for ReportChecks {
     fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
         let sizes = Sizes::of(self.plan.as_deref());
         for (path, file, work) in &self.files {
@@ -125,12 +125,17 @@ pub(super) struct Collected {
     /// Whether a value was brought to 20 °C, here or before.
     pub(super) are_corrected: bool,
     /// The whole parts, with a plan.
-    pub(super) parts: Option<Parts>,
+    pub(super) parts: Option<ReportParts>,
 }
 
 impl Collected {
     /// Looks at a file of measurements.
-    pub(super) fn file(&mut self, (path, file, work): (&Path, &Measured, &Work), given: &Given, io: &mut Io<'_>) {
+    pub(super) fn file(
+        &mut self,
+        (path, file, work): (&Path, &Measured, &Work),
+        given: &ReportChecks,
+        io: &mut Io<'_>,
+    ) {
         let name = &name(path);
         let line = |line: usize| message!("report-note-line").text("place", name).text("line", line);
         let sizes = Sizes::of(given.plan.as_deref());

@@ -13,7 +13,7 @@ use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
-use crate::probing::cycle::Found;
+use crate::probing::cycle::ResultParameter;
 use crate::text::cut;
 
 /// The most blocks that a trace keeps.
@@ -118,7 +118,7 @@ fn placed(machine: &Machine, at: &BlockPlace, more: Json) -> Json {
 
 fn cycle(machine: &Machine, run: &CycleRun) -> Json {
     let result = &run.result;
-    let name = |found: &Found| found.key.map_or_else(|| found.name.in_files(), |key| key.to_string());
+    let name = |found: &ResultParameter| found.key.map_or_else(|| found.name.in_files(), |key| key.to_string());
     let results: Map<String, Json> =
         result.results.iter().map(|found| (name(found), result_value(&found.value))).collect();
     let more = json!({

@@ -17,7 +17,7 @@ use super::cycle::{Source, SourceArgs, pairs, probe_table};
 use super::io::not_dash;
 use super::record::{RecordArgs, Recorder};
 use super::tools::ToolArgs;
-use super::{CliError, Format, Io, Outcome, Refused as _, What, now, read_input};
+use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome, now, read_input};
 use crate::control::variables::{Parameter, Value};
 use crate::files::{self, FileError};
 use crate::journal::entry::{CycleCheck, FileRole};
@@ -263,7 +263,7 @@ fn contacts_of(source: &Source) -> Contacts {
 
 /// Sets a parameter and returns it.
 fn set(machine: &mut Machine, name: &str, value: &str) -> Result<Parameter, CliError> {
-    let what = What::Set { name, value };
+    let what = ErrorSubject::Set { name, value };
     let parameter: Parameter = name.parse().about(&what)?;
     let value = if parameter.family.is_text() {
         Value::Text(value.to_owned())

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::cli::args::{classes, one_of};
 use crate::cli::io::is_dash;
 use crate::cli::{
-    CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, put, read_table, save,
+    CliError, CliRemark, CliWarning, ErrorSubject, IntoCliError as _, Io, Outcome, StandardArgs, put, read_table, save,
 };
 use crate::control::shipped_tables;
 use crate::exchange::tables::{PARQUET, TABLE_FORMATS, TableFormat, parquet_of};
@@ -232,5 +232,5 @@ fn generations() -> impl Iterator<Item = &'static TableFormat> {
 }
 
 fn size(text: &str) -> Result<Length, CliError> {
-    text.parse().about(&What::Size)
+    text.parse().about(&ErrorSubject::Size)
 }

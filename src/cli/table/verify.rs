@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use crate::cli::people::um;
 use crate::cli::rows::csv;
-use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardArgs, read_table};
+use crate::cli::{CliError, Figure, Format, IntoCliError as _, Io, Outcome, StandardArgs, read_table};
 use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, TableFile};
 use crate::length::Length;
-use crate::message::{Message, Place, Say};
+use crate::message::{FilePlace, Message, Say};
 use crate::tolerance::compare::{Comparison, Difference, compare};
 use crate::tolerance::iso286::Undefined;
 use crate::tolerance::{DeviationTable, Deviations};
@@ -56,13 +56,13 @@ object! {
         size_ranges: usize = one.table.ends().len(),
         cells: usize = one.found.compared,
         own_columns: Vec<String> = one.found.unknown.iter().map(ToString::to_string).collect(),
-        differences: Vec<Row<'a>> = one.rows().collect(),
+        differences: Vec<DifferenceRow<'a>> = one.rows().collect(),
     }
 }
 
 row! {
     /// One difference.
-    struct Row<'a> of(table: &'a DeviationTable, difference: &Difference, place: Option<&Place>) {
+    struct DifferenceRow<'a> of(table: &'a DeviationTable, difference: &Difference, place: Option<&FilePlace>) {
         file: &'a str = table.name(),
         class: String = difference.class.to_string(),
         over_mm: Figure = Figure(difference.over.to_string()),
@@ -121,7 +121,7 @@ impl Args {
 
 impl Verified {
     /// Where the value that differs is in the file: the upper one, unless only the lower one differs.
-    fn place(&self, difference: &Difference) -> Option<Place> {
+    fn place(&self, difference: &Difference) -> Option<FilePlace> {
         let file = self.file.as_ref()?;
         let column = file.table.column(difference.class.as_str())?;
         let is_lower = difference.upper_by() == Some(Length::ZERO);
@@ -133,9 +133,9 @@ impl Verified {
         self.table.columns().len().saturating_sub(self.found.unknown.len())
     }
 
-    fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+    fn rows(&self) -> impl Iterator<Item = DifferenceRow<'_>> {
         let differences = self.found.differences.iter();
-        differences.map(|difference| Row::of(&self.table, difference, self.place(difference).as_ref()))
+        differences.map(|difference| DifferenceRow::of(&self.table, difference, self.place(difference).as_ref()))
     }
 }
 

@@ -16,7 +16,7 @@ const HEIGHT: f32 = 2.5;
 const GAP: f32 = 2.0;
 
 /// What is written at a bar, and its length.
-struct Drawn {
+struct ContributionBar {
     name: Arc<Galley>,
     amount: Arc<Galley>,
     length: f64,
@@ -39,9 +39,9 @@ pub(super) fn bars_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
         let amount = ui.painter().layout_no_wrap(amount, theme::bold(sizes().body), palette.text.0);
         let room = (width - amount.size().x - space(3.0)).max(space(10.0));
         let name = ui.painter().layout(name, font.clone(), palette.text.0, room);
-        drawn.push(Drawn { name, amount, length: bar.length });
+        drawn.push(ContributionBar { name, amount, length: bar.length });
     }
-    let height: f32 = drawn.iter().map(Drawn::height).sum();
+    let height: f32 = drawn.iter().map(ContributionBar::height).sum();
     let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
     let mut top = rect.top();
     for bar in &drawn {
@@ -53,7 +53,7 @@ pub(super) fn bars_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(format!("{}.", said.join(", "))));
 }
 
-impl Drawn {
+impl ContributionBar {
     fn height(&self) -> f32 {
         self.name.size().y + space(HEIGHT + GAP)
     }

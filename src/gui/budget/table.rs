@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, FontId, Grid, Label, Layout, Rect, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use crate::budget::{Answer, Assessment, Evaluation, Law, Row};
+use crate::budget::{Answer, Assessment, ContributionRow, Evaluation, Law};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
@@ -19,7 +19,7 @@ const WORDS: usize = 2;
 const GAP: f32 = 2.5;
 
 /// A row in words.
-struct Told {
+struct ContributionTexts {
     name: String,
     letter: &'static str,
     law: String,
@@ -47,7 +47,7 @@ pub(super) fn table_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
 
 fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
     heading(ui, view.text("budget-page-table"));
-    let rows: Vec<Told> = evaluation.rows.iter().map(|row| told(view, row)).collect();
+    let rows: Vec<ContributionTexts> = evaluation.rows.iter().map(|row| told(view, row)).collect();
     let heads = [
         view.text("budget-page-column-type"),
         view.text("budget-page-column-law"),
@@ -101,7 +101,7 @@ struct Columns<'a> {
     name: f32,
 }
 
-fn grid_ui(ui: &mut Ui, view: &View<'_>, rows: &[Told], columns: &Columns<'_>) {
+fn grid_ui(ui: &mut Ui, view: &View<'_>, rows: &[ContributionTexts], columns: &Columns<'_>) {
     let Columns { heads, widths, from, name } = *columns;
     let is_word = |number: usize| number < WORDS;
     let quiet = palette(ui.ctx()).quiet.0;
@@ -126,14 +126,14 @@ fn grid_ui(ui: &mut Ui, view: &View<'_>, rows: &[Told], columns: &Columns<'_>) {
 }
 
 /// Where there is no room for columns, a row is a sentence.
-fn list_ui(ui: &mut Ui, rows: &[Told]) {
+fn list_ui(ui: &mut Ui, rows: &[ContributionTexts]) {
     for row in rows {
         let shown = quiet(ui, &row.said);
         row.say(ui, shown.rect);
     }
 }
 
-impl Told {
+impl ContributionTexts {
     /// The cells after the name.
     fn cells(&self) -> Vec<String> {
         let first = [self.letter.to_owned(), self.law.clone(), self.u.clone()];
@@ -188,7 +188,7 @@ const fn law_id(law: Law) -> &'static str {
     }
 }
 
-fn told(view: &View<'_>, row: &Row) -> Told {
+fn told(view: &View<'_>, row: &ContributionRow) -> ContributionTexts {
     let figure = |number: f64, decimals: usize| view.words.number(&format!("{number:.decimals$}"));
     let law = view.text(law_id(row.law));
     let [u, sensitivity, um, share] =
@@ -205,7 +205,7 @@ fn told(view: &View<'_>, row: &Row) -> Told {
         .text("um", &um)
         .text("percent", &share)
         .text("degrees", row.degrees_of_freedom.map_or_else(infinite, |_| freedom.clone()));
-    Told {
+    ContributionTexts {
         name: row.name.clone(),
         letter: row.evaluated.letter(),
         law,

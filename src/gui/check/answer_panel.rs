@@ -12,7 +12,7 @@ use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say, message};
 use crate::session::CheckAction;
-use crate::session::{Doubted, Lot, Question, Step};
+use crate::session::{DoubtedText, Lot, Question, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
@@ -67,7 +67,7 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
 }
 
 /// What is asked about a text before anything is judged by it.
-fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &Doubted) {
+fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &DoubtedText) {
     let enter = if doubted.meant.is_some() { "doubted-enter" } else { "doubted-type" };
     let card = Card {
         word: view.text("word-question"),

@@ -6,7 +6,7 @@ use super::field_pairs::pairs_ui;
 use crate::gui::check::record_panel::record_ui;
 use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
@@ -40,7 +40,7 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn callout_ui(ui: &mut Ui, view: &mut View<'_>) -> Option<Rect> {
     let name = heading(ui, view.text("callout"));
     let width = ui.available_width();
-    field_ui(ui, view, CheckField::Callout, name.id, Look::large(width));
+    field_ui(ui, view, CheckField::Callout, name.id, FieldStyle::large(width));
     error_ui(ui, view, CheckField::Callout);
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let is_asked = view.session.check().asked().needs_feature();
@@ -94,7 +94,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     let width = ui.available_width();
     ui.horizontal(|ui| {
         let unit = space(8.0);
-        field_ui(ui, view, CheckField::Measured, name.id, Look::large(width - unit - space(4.0)));
+        field_ui(ui, view, CheckField::Measured, name.id, FieldStyle::large(width - unit - space(4.0)));
         quiet(ui, "mm");
     });
     if let Some(rect) = features {
@@ -124,7 +124,7 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
             let class = ui.label(view.text("tolerance-class"));
             ui.end_row();
             ui.horizontal(|ui| {
-                field_ui(ui, view, CheckField::Nominal, name.id, Look::number(space(22.0)));
+                field_ui(ui, view, CheckField::Nominal, name.id, FieldStyle::number(space(22.0)));
                 quiet(ui, "mm");
             });
             class_chooser_ui(ui, view, class.id);
@@ -133,7 +133,7 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
     );
     let name = ui.label(view.text("part-name"));
     let width = ui.available_width();
-    let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
+    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
     field_ui(ui, view, CheckField::Part, name.id, look);
     record_ui(ui, view);
 }

@@ -6,7 +6,7 @@ use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetIn
 
 use super::history_list::{self, list_ui};
 use super::rows_panel;
-use crate::gui::field::{self, Look, field_ui};
+use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::colours;
@@ -94,7 +94,7 @@ fn chosen_ui(ui: &mut Ui, view: &View<'_>) {
 /// The filter; Escape empties it and goes to the list.
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("history-filter"));
-    let look = Look { font: theme::font(sizes().body), ..Look::large(space(40.0)) };
+    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(space(40.0)) };
     let filter = field_ui(ui, view, CheckField::HistoryFilter, name.id, look);
     let left = filter.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     // A notice over the page takes Escape first.

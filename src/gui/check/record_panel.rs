@@ -2,7 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::message;
@@ -16,7 +16,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
         for (field, name) in [(CheckField::Serial, "records-page-serial"), (CheckField::Remark, "records-page-remark")]
         {
             let name = ui.label(view.text(name));
-            let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
+            let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
             field_ui(ui, view, field, name.id, look);
             error_ui(ui, view, field);
         }

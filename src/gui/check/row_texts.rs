@@ -1,6 +1,6 @@
 //! Words and numbers of the rows of a large file.
 
-use crate::exchange::batch::Fate;
+use crate::exchange::batch::RowFate;
 use crate::words::Words;
 
 /// A whole number in groups of three digits, with spaces that do not break.
@@ -17,6 +17,6 @@ pub(in crate::gui) fn grouped(number: u64) -> String {
 }
 
 /// The name of what became of a row.
-pub(super) fn fate_text(words: &Words, fate: Fate) -> String {
+pub(super) fn fate_text(words: &Words, fate: RowFate) -> String {
     fate.status().map_or_else(|| words.get("rows-not-judged"), |status| words.told(&status))
 }

@@ -49,7 +49,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
 
 fn rows_of(words: &Words, rows: &Rows, places: Range<usize>) -> Vec<Row<u64>> {
     let row = |row: Listed<'_>| {
-        let cells = Cells::of(words, rows, &row);
+        let cells = LargeFileCells::of(words, rows, &row);
         Row {
             is_cursor: rows.cursor() == Some(row.number),
             is_open: rows.shown().is_some_and(|shown| shown.number == row.number),
@@ -60,7 +60,7 @@ fn rows_of(words: &Words, rows: &Rows, places: Range<usize>) -> Vec<Row<u64>> {
 }
 
 /// The texts of a row.
-struct Cells {
+struct LargeFileCells {
     line: String,
     part: String,
     callout: String,
@@ -70,7 +70,7 @@ struct Cells {
     what: String,
 }
 
-impl Cells {
+impl LargeFileCells {
     fn of(words: &Words, rows: &Rows, row: &Listed<'_>) -> Self {
         let status = fate_text(words, row.fate);
         let Some(picked) = row.read else {

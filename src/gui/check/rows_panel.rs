@@ -9,7 +9,7 @@ use eframe::egui::{
 
 use super::row_texts::{fate_text, grouped};
 use super::rows_list::list_ui;
-use crate::exchange::batch::{FIRST, Fate, Kind, Tally};
+use crate::exchange::batch::{FIRST, RowFate, RowNoteKind, Tally};
 use crate::gui::shapes::{self, share};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
@@ -41,7 +41,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         why_ui(ui, view, rows);
         for (fate, count) in rows.fates() {
             // Nothing is re-measured without a guard band, so a zero would only raise questions.
-            if fate != Fate::Judged(Status::ReMeasure) || 0 < count {
+            if fate != RowFate::Judged(Status::ReMeasure) || 0 < count {
                 fate_ui(ui, view, rows, (fate, count));
             }
         }
@@ -115,7 +115,7 @@ fn why_text(words: &Words, rows: &Rows) -> String {
 }
 
 /// A count that lists its rows: a box with a check mark, the shape, the word and the number.
-fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (Fate, u64)) {
+fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (RowFate, u64)) {
     let is_chosen = rows.filter().fates.contains(&fate);
     let (fill, colour) = palette(ui.ctx()).of_status(fate.status());
     let text = message!("rows-fate").text("fate", fate_text(view.words, fate)).text("count", grouped(count));
@@ -194,8 +194,9 @@ fn summary_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
             ui.separator();
             for (_, class, counts) in rows.classes() {
                 let name = class.map_or_else(|| view.text("rows-no-class"), |class| class.to_string());
-                let counts = Fate::ALL.into_iter().zip(counts).filter(|(_, count)| 0 < **count);
-                let said = |(fate, count): (Fate, &u64)| format!("{} {}", fate_text(view.words, fate), grouped(*count));
+                let counts = RowFate::ALL.into_iter().zip(counts).filter(|(_, count)| 0 < **count);
+                let said =
+                    |(fate, count): (RowFate, &u64)| format!("{} {}", fate_text(view.words, fate), grouped(*count));
                 let counts: Vec<String> = counts.map(said).collect();
                 ui.label(format!("{name}: {}", counts.join(", ")));
             }
@@ -217,7 +218,7 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
             quiet(ui, words.say(&message!("rows-note").count("line", *line).with("what", warning)));
         }
     }
-    for kind in Kind::ALL {
+    for kind in RowNoteKind::ALL {
         let notes = tally.notes(kind);
         if usize::try_from(notes.count).is_ok_and(|count| FIRST < count) {
             quiet(
@@ -235,13 +236,13 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
 /// What there is to be said of all rows, and of how many.
 fn counts(tally: &Tally) -> [(&'static str, u64); 9] {
     [
-        ("rows-refused", tally.notes(Kind::Refused).count),
-        ("rows-doubted", tally.notes(Kind::Doubt).count),
-        ("rows-status-differs", tally.notes(Kind::StatusDiffers).count),
-        ("rows-status-unknown", tally.notes(Kind::StatusUnknown).count),
-        ("rows-claim-differs", tally.notes(Kind::ClaimDiffers).count),
+        ("rows-refused", tally.notes(RowNoteKind::Refused).count),
+        ("rows-doubted", tally.notes(RowNoteKind::Doubt).count),
+        ("rows-status-differs", tally.notes(RowNoteKind::StatusDiffers).count),
+        ("rows-status-unknown", tally.notes(RowNoteKind::StatusUnknown).count),
+        ("rows-claim-differs", tally.notes(RowNoteKind::ClaimDiffers).count),
         ("rows-simulated", tally.simulated),
-        ("rows-several-lines", tally.notes(Kind::SeveralLines).count),
+        ("rows-several-lines", tally.notes(RowNoteKind::SeveralLines).count),
         ("rows-not-utf8", tally.not_utf8),
         ("rows-comments", tally.comments),
     ]

@@ -3,14 +3,14 @@
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
 use super::field_pairs::pairs_ui;
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::material::material_ui;
 use crate::gui::theme::space;
 use crate::gui::view::{View, one_of_ui, quiet};
 use crate::length::Length;
 use crate::message::{Message, message};
 use crate::session::WindowAction;
-use crate::session::{CheckCommand, CheckField, Page, UncertaintyFrom, Worth};
+use crate::session::{CheckCommand, CheckField, Page, RuleFields, UncertaintyFrom};
 use crate::verdict::rules::{Prover, RuleName, percent};
 
 /// The fields that the header of the rule folds away.
@@ -46,7 +46,7 @@ pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
     CollapsingHeader::new(header).id_salt("warm").open(open).show_unindented(ui, |ui| temperature_ui(ui, view));
 }
 
-const fn worth<'a>(view: &View<'a>) -> &'a Worth {
+const fn worth<'a>(view: &View<'a>) -> &'a RuleFields {
     view.session.check().asked().worth()
 }
 
@@ -206,7 +206,7 @@ fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn one_ui(ui: &mut Ui, view: &mut View<'_>, (of, name, unit): (CheckField, &str, &str)) {
     let name = quiet(ui, view.text(name));
     Grid::new(("one-field", of)).num_columns(2).min_row_height(0.0).spacing(vec2(space(2.0), 0.0)).show(ui, |ui| {
-        field_ui(ui, view, of, name.id, Look::number(space(22.0)));
+        field_ui(ui, view, of, name.id, FieldStyle::number(space(22.0)));
         quiet(ui, unit);
         ui.end_row();
     });

@@ -11,7 +11,7 @@ use crate::gui::verdict_card::{Card, card_height, card_ui, half, lines_below_ui,
 use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
 use crate::message::{Message, message};
-use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
+use crate::probing::cycle::{Check, CycleResult, LogTarget, ResultName, ResultParameter, Value};
 use crate::session::{CycleRun, RunLog};
 use crate::session::{CyclesAction, WorkpieceAction};
 use crate::verdict::Status;
@@ -64,7 +64,7 @@ fn largest_card(words: &Words) -> Card {
         value: Some(format!("{} mm", words.number("888.8888"))),
         instruction: Some(remove(words, &words.number("888.8"))),
         lines: vec![
-            with_more(words, words.told(&FoundName::DIAMETER), 2),
+            with_more(words, words.told(&ResultName::DIAMETER), 2),
             um("below-minimum"),
             um("remove-to-middle"),
             um("remove-per-side"),
@@ -155,7 +155,7 @@ fn check_card(words: &Words, check: &Check) -> Card {
         Some(removal) => {
             lines.push(if check.below_maximum() < Length::ZERO { below } else { above });
             lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
-            if check.what == FoundName::DIAMETER {
+            if check.what == ResultName::DIAMETER {
                 let half = half(words, digits, removal.to_limit);
                 lines.push(words.say(&message!("remove-per-side").text("um", half)));
             }
@@ -171,7 +171,7 @@ fn check_card(words: &Words, check: &Check) -> Card {
 
 /// The main value of the cycle: a diameter, a deviation along the normal, or else the first one.
 fn main_value(words: &Words, result: &CycleResult) -> Option<String> {
-    let about = [FoundName::DIAMETER, FoundName::DEVIATION_ALONG];
+    let about = [ResultName::DIAMETER, ResultName::DEVIATION_ALONG];
     let found = result.results.iter().find(|found| about.contains(&found.name)).or_else(|| result.results.first())?;
     Some(match found.value {
         // Like a value beside limits: a measured value has more digits than are meaningful.
@@ -190,7 +190,7 @@ fn value(words: &Words, value: &Value, decimals: usize) -> String {
 
 /// How many decimals show all lengths exactly, with their decimal signs aligned.
 fn decimals(result: &CycleResult) -> usize {
-    let of_value = |found: &Found| match found.value {
+    let of_value = |found: &ResultParameter| match found.value {
         Value::Length(length) => {
             length.exact(Unit::Millimetre, 3).split_once('.').map_or(0, |(_, decimals)| decimals.len())
         }

@@ -3,13 +3,13 @@
 use eframe::egui::{Align, Event, Id, Layout, Rect, Response, RichText, Ui, vec2};
 
 use super::wrong_field;
-use crate::gui::field::{Look, error_ui, field_ui, select_all};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, select_all};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, keep_focus, list_ui, quiet, quiet_height, quiet_within};
 use crate::message::message;
 use crate::probing::cycle::{Meaning, Parameter, Range, Value};
-use crate::session::{CycleField, CyclesCommand, Field, NamedTool, Standing};
+use crate::session::{CycleField, CyclesCommand, Field, NamedTool, ValueOrigin};
 
 /// How wide a field is.
 const FIELD: f32 = 24.0;
@@ -96,14 +96,14 @@ fn wide_row_ui(ui: &mut Ui, name: String, field_width: f32, field: impl FnOnce(&
 }
 
 /// What an empty field shows: a default in italics, so that it is not taken for something typed; what is missing in bold.
-fn hint(view: &View<'_>, standing: &Standing) -> RichText {
+fn hint(view: &View<'_>, standing: &ValueOrigin) -> RichText {
     match standing {
-        Standing::Given => RichText::default(),
-        Standing::Required => required(view),
-        Standing::Default(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))) => {
+        ValueOrigin::Given => RichText::default(),
+        ValueOrigin::Required => required(view),
+        ValueOrigin::Default(value @ (Value::Length(_) | Value::Angle(_) | Value::Number(_))) => {
             RichText::new(view.words.number(value.to_string().trim_end_matches('°'))).italics()
         }
-        Standing::Default(_) | Standing::Optional => RichText::new(view.text("cycles-none")).italics(),
+        ValueOrigin::Default(_) | ValueOrigin::Optional => RichText::new(view.text("cycles-none")).italics(),
     }
 }
 
@@ -118,26 +118,26 @@ fn required_mark(ui: &Ui, field: Rect) {
 }
 
 /// What a screen reader says of a field in which nothing is typed, beside its name.
-fn describe(ui: &Ui, view: &View<'_>, field: CycleField, standing: &Standing, response: &Response) {
+fn describe(ui: &Ui, view: &View<'_>, field: CycleField, standing: &ValueOrigin, response: &Response) {
     // An error has been said already.
-    if *standing == Standing::Given || view.session.error(field).is_some() {
+    if *standing == ValueOrigin::Given || view.session.error(field).is_some() {
         return;
     }
     let said = standing_text(view, standing);
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_description(said.clone());
-        if *standing == Standing::Required {
+        if *standing == ValueOrigin::Required {
             node.set_required();
         }
     });
 }
 
 /// `50 mm when nothing is typed`, `Required`, `Optional`.
-pub(super) fn standing_text(view: &View<'_>, standing: &Standing) -> String {
+pub(super) fn standing_text(view: &View<'_>, standing: &ValueOrigin) -> String {
     match standing {
-        Standing::Required => view.text("cycles-must-be-given"),
-        Standing::Given | Standing::Optional => view.text("cycles-may-be-left-out"),
-        Standing::Default(value) => {
+        ValueOrigin::Required => view.text("cycles-must-be-given"),
+        ValueOrigin::Given | ValueOrigin::Optional => view.text("cycles-may-be-left-out"),
+        ValueOrigin::Default(value) => {
             let value = view.words.say(&value.with_unit());
             view.words.say(&message!("cycles-default").text("value", value))
         }
@@ -156,11 +156,11 @@ fn number_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: Id, paramet
     // The value that PREDEF stands for has no default.
     let standing = match of {
         CycleField::Parameter(_) => view.session.cycles().standing(parameter),
-        _ => Standing::Given,
+        _ => ValueOrigin::Given,
     };
-    let look = Look { hint: hint(view, &standing), ..Look::number(space(FIELD)) };
+    let look = FieldStyle { hint: hint(view, &standing), ..FieldStyle::number(space(FIELD)) };
     let response = field_ui(ui, view, of, name, look);
-    if standing == Standing::Required {
+    if standing == ValueOrigin::Required {
         required_mark(ui, response.rect);
     }
     describe(ui, view, of, &standing, &response);
@@ -236,7 +236,7 @@ fn choice_ui(
         }
     });
     let response = list.labelled_by(name);
-    if standing == Standing::Required {
+    if standing == ValueOrigin::Required {
         required_mark(ui, response.rect);
     }
     describe(ui, view, CycleField::Parameter(key), &standing, &response);
@@ -272,7 +272,7 @@ pub(super) fn figure_ui(ui: &mut Ui, view: &mut View<'_>, of: impl Into<Field>, 
     };
     let hint = if is_optional { RichText::new(view.text("cycles-none")).italics() } else { RichText::default() };
     row_ui(ui, name, |ui, name| {
-        let response = field_ui(ui, view, of, name, Look { hint, ..Look::number(space(FIELD)) });
+        let response = field_ui(ui, view, of, name, FieldStyle { hint, ..FieldStyle::number(space(FIELD)) });
         lead_here(ui, view, of, &response);
         quiet(ui, unit);
     });

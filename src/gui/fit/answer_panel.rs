@@ -14,10 +14,10 @@ use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, doubt_text, heading, named_figures_ui, problem, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
-use crate::session::{Equivalent, FitAction, FitCommand, Parts, WarmFit, extremes};
+use crate::session::{Equivalent, FitAction, FitCommand, MeasuredParts, WarmFit, extremes};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::preferred::{function, preference};
-use crate::tolerance::fit::{Fit, Kind, basis};
+use crate::tolerance::fit::{Fit, FitKind, basis};
 use crate::verdict::Status;
 use crate::verdict::fit::{Actual, Possible};
 
@@ -45,11 +45,11 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-const fn kind_id(kind: Kind) -> &'static str {
+const fn kind_id(kind: FitKind) -> &'static str {
     match kind {
-        Kind::Clearance => "fit-word-clearance",
-        Kind::Transition => "fit-word-transition",
-        Kind::Interference => "fit-word-interference",
+        FitKind::Clearance => "fit-word-clearance",
+        FitKind::Transition => "fit-word-transition",
+        FitKind::Interference => "fit-word-interference",
     }
 }
 
@@ -89,7 +89,7 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, fit: &Fit) -> Vec<String> {
     let mean = fit.mean_clearance();
     let mean_id = if mean < Length::ZERO { "fit-mean-interference" } else { "fit-mean-clearance" };
     // The maximum comes first, even where it is the largest interference.
-    let (first, second) = if fit.kind() == Kind::Interference { (lower, upper) } else { (upper, lower) };
+    let (first, second) = if fit.kind() == FitKind::Interference { (lower, upper) } else { (upper, lower) };
     let rows = [first, second, (mean_id, mean.abs())];
     let rows = rows.map(|(id, amount)| (view.text(id), format!("{} µm", view.words.um(amount))));
     let said = rows.iter().map(|(name, value)| format!("{name} {value}")).collect();
@@ -166,10 +166,10 @@ fn clearance(view: &View<'_>, clearance: Length) -> String {
     view.words.say(&Message::new(id).text("um", view.words.um(clearance.abs())))
 }
 
-fn parts_ui(ui: &mut Ui, view: &View<'_>, parts: &Parts) {
+fn parts_ui(ui: &mut Ui, view: &View<'_>, parts: &MeasuredParts) {
     match parts {
-        Parts::Both(actual) => both_ui(ui, view, actual),
-        Parts::One(possible) => one_ui(ui, view, possible),
+        MeasuredParts::Both(actual) => both_ui(ui, view, actual),
+        MeasuredParts::One(possible) => one_ui(ui, view, possible),
     }
 }
 
@@ -212,7 +212,7 @@ fn warm_ui(ui: &mut Ui, view: &View<'_>, warm: &WarmFit) {
     let degrees = view.words.number(&warm.temperature.to_string());
     heading(ui, view.words.say(&message!("fit-at-temperature").text("degrees", degrees)));
     ui.label(RichText::new(range(view, warm.minimum, warm.maximum)).font(theme::bold(sizes().value)));
-    let kind = view.text(kind_id(Kind::of(warm.minimum, warm.maximum)));
+    let kind = view.text(kind_id(FitKind::of(warm.minimum, warm.maximum)));
     let change = message!("fit-temperature-change").text("um", view.words.signed_um(warm.change));
     ui.label(format!("{kind}; {}", view.words.say(&change)));
     if let Some(actual) = warm.actual {

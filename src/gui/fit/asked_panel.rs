@@ -2,7 +2,7 @@
 
 use eframe::egui::{Button, Grid, Id, Ui, vec2};
 
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, list_ui, quiet};
 use crate::session::{FitCommand, FitField};
@@ -13,7 +13,7 @@ use crate::tolerance::fit::preferred::{Function, Preference, function, preferenc
 pub(super) fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("fit-callout"));
     let width = ui.available_width();
-    field_ui(ui, view, FitField::Callout, name.id, Look::large(width));
+    field_ui(ui, view, FitField::Callout, name.id, FieldStyle::large(width));
     error_ui(ui, view, FitField::Callout);
     if view.session.text(FitField::Callout).trim().is_empty() {
         quiet(ui, view.text("fit-callout-hint"));

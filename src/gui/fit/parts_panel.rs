@@ -2,7 +2,7 @@
 
 use eframe::egui::{Grid, Ui, vec2};
 
-use crate::gui::field::{Look, Pairs, error_ui, field_ui, pairs_ui};
+use crate::gui::field::{FieldStyle, Pairs, error_ui, field_ui, pairs_ui};
 use crate::gui::material::material_ui;
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
@@ -31,7 +31,7 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("fit-temperature"));
         ui.spacing_mut().item_spacing.x = space(1.0);
-        field_ui(ui, view, FitField::Temperature, name.id, Look::number(space(16.0)));
+        field_ui(ui, view, FitField::Temperature, name.id, FieldStyle::number(space(16.0)));
         quiet(ui, "°C");
     });
     error_ui(ui, view, FitField::Temperature);
@@ -53,7 +53,7 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
                 if let Some(expansion) = material_ui(ui, view, ("fit-material", part), now, (material.id, width)) {
                     view.send(FitCommand::ChooseExpansion(part, expansion));
                 }
-                field_ui(ui, view, FitField::expansion(part), expansion.id, Look::number(width - space(2.0)));
+                field_ui(ui, view, FitField::expansion(part), expansion.id, FieldStyle::number(width - space(2.0)));
                 ui.end_row();
             });
         error_ui(ui, view, FitField::expansion(part));

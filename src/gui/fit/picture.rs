@@ -10,7 +10,7 @@ use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
 use crate::message::message;
-use crate::session::{FitField, Mark, Parts, Picture, PictureZone, extremes};
+use crate::session::{FitField, Mark, MeasuredParts, Picture, PictureZone, extremes};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Feature, Limits};
 use crate::words::Words;
@@ -253,7 +253,7 @@ impl<'a> Drawing<'a> {
             (of_hole.lower_um, of_shaft.upper_um, self.words.get(lower.0), lower.1),
         ];
         if let (Some(Mark::InSight(hole)), Some(Mark::InSight(shaft))) = (of_hole.mark, of_shaft.mark)
-            && let Some(Parts::Both(actual)) = self.view.session.fit().parts()
+            && let Some(MeasuredParts::Both(actual)) = self.view.session.fit().parts()
         {
             let id = if actual.clearance < Length::ZERO { "fit-arrow-interference" } else { "fit-arrow-clearance" };
             arrows.push((hole, shaft, self.words.get(id), actual.clearance.abs()));

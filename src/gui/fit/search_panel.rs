@@ -10,7 +10,7 @@ use crate::length::Length;
 use crate::message::message;
 use crate::session::{FitCommand, FitField};
 use crate::tolerance::Feature;
-use crate::tolerance::fit::search::{Candidate, Found, Scope};
+use crate::tolerance::fit::search::{Candidate, FitSearchResult, Scope};
 
 /// How many rows the list shows at once.
 const ROWS: f32 = 6.0;
@@ -51,7 +51,7 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &Found) {
+fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &FitSearchResult) {
     if let Some(miss) = &found.nearest {
         quiet(ui, view.text("fit-found-none"));
         row_ui(ui, view, &miss.candidate);

@@ -15,7 +15,7 @@ use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::message::message;
 use crate::session::parts::WalkCommand;
-use crate::session::records::{Found, Numbers, PAGE};
+use crate::session::records::{FoundNumbers, Numbers, PAGE};
 use crate::session::{Command, RecordRow, RecordsCommand};
 
 /// How long nobody may type before a question is asked.
@@ -31,7 +31,7 @@ const BATCH: usize = 50_000;
 const OLDEST: u64 = 2;
 
 /// Something to find or to read.
-pub(super) enum Asked {
+pub(super) enum FinderRequest {
     /// The journal is in this file.
     File(PathBuf),
     Question {
@@ -76,7 +76,7 @@ impl Finder {
     }
 
     /// Answers until the window is gone.
-    pub fn run(mut self, asked: &Receiver<Asked>, answers: &Sender<Command>) {
+    pub fn run(mut self, asked: &Receiver<FinderRequest>, answers: &Sender<Command>) {
         let mut open: Option<Open> = None;
         loop {
             let next = match (&open, asked.try_recv()) {
@@ -89,7 +89,7 @@ impl Finder {
                 },
             };
             match next {
-                Some(Asked::Question { run, question, rests, ctx }) => {
+                Some(FinderRequest::Question { run, question, rests, ctx }) => {
                     let asking = Open { run, question, before: None, ctx };
                     let rested = if rests { self.rest(asking, asked, answers) } else { Some(asking) };
                     let Some(rested) = rested else { return };
@@ -102,11 +102,11 @@ impl Finder {
     }
 
     /// Waits until nobody types; the newest question is asked. `None` where the window is gone.
-    fn rest(&mut self, first: Open, asked: &Receiver<Asked>, answers: &Sender<Command>) -> Option<Open> {
+    fn rest(&mut self, first: Open, asked: &Receiver<FinderRequest>, answers: &Sender<Command>) -> Option<Open> {
         let mut open = first;
         loop {
             match asked.recv_timeout(REST) {
-                Ok(Asked::Question { run, question, rests, ctx }) => {
+                Ok(FinderRequest::Question { run, question, rests, ctx }) => {
                     open = Open { run, question, before: None, ctx };
                     if !rests {
                         return Some(open);
@@ -120,10 +120,10 @@ impl Finder {
     }
 
     /// Everything at once, for tests.
-    pub fn at_once(&mut self, asked: Asked) -> Vec<Command> {
+    pub fn at_once(&mut self, asked: FinderRequest) -> Vec<Command> {
         let (answers, commands) = std::sync::mpsc::channel();
         match asked {
-            Asked::Question { run, question, ctx, .. } => {
+            FinderRequest::Question { run, question, ctx, .. } => {
                 let mut open = Some(Open { run, question, before: None, ctx });
                 while let Some(next) = open.take() {
                     open = self.go_on(next, &answers);
@@ -144,10 +144,10 @@ impl Finder {
             if *open.question == Question::default() {
                 // Every number is listed: a chain has no gaps.
                 let newest = reader.newest()?.number;
-                return Ok(Found { numbers: Numbers::All { newest, oldest: OLDEST }, is_end: true });
+                return Ok(FoundNumbers { numbers: Numbers::All { newest, oldest: OLDEST }, is_end: true });
             }
             let numbers = reader.numbers(&open.question, open.before, most)?;
-            Ok(Found { is_end: numbers.len() < most, numbers: Numbers::These(numbers) })
+            Ok(FoundNumbers { is_end: numbers.len() < most, numbers: Numbers::These(numbers) })
         });
         if self.newest.load(Relaxed) != open.run {
             return None;
@@ -168,10 +168,10 @@ impl Finder {
         goes_on.then_some(open)
     }
 
-    fn serve(&mut self, asked: Asked, answers: &Sender<Command>) {
+    fn serve(&mut self, asked: FinderRequest, answers: &Sender<Command>) {
         match asked {
-            Asked::File(file) => (self.file, self.reader) = (Some(file), None),
-            Asked::Rows { numbers, ctx } => {
+            FinderRequest::File(file) => (self.file, self.reader) = (Some(file), None),
+            FinderRequest::Rows { numbers, ctx } => {
                 let wanted = with_those_before(&numbers);
                 let mut result = self.with_reader(|reader| reader.rows(&wanted));
                 if result == Err(ReadError::Interrupted) {
@@ -185,7 +185,7 @@ impl Finder {
                 };
                 say(answers, &ctx, RecordsCommand::Read { numbers, result });
             }
-            Asked::Part { run, question, most, ctx } => {
+            FinderRequest::Part { run, question, most, ctx } => {
                 let read = |reader: &dyn Reads| {
                     let mut numbers = reader.numbers(&question, None, most)?;
                     numbers.sort_unstable();
@@ -204,7 +204,7 @@ impl Finder {
                 });
                 say(answers, &ctx, WalkCommand::Came { run, result });
             }
-            Asked::Question { .. } => {}
+            FinderRequest::Question { .. } => {}
         }
     }
 

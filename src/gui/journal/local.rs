@@ -11,7 +11,7 @@ use crate::journal::entry::{Entry, Moment};
 use crate::message::{Message, Say as _, message};
 use crate::session::records::Verified;
 use crate::session::{OpenJournal, RecordRow};
-use crate::store::local::{self, Anchors, Journal, Opening, Reader, Row};
+use crate::store::local::{self, Anchors, Journal, ListedEntry, Opening, Reader};
 use crate::store::{StoreError, StoreRemark, is_server};
 
 /// Journals in files of this computer.
@@ -120,7 +120,7 @@ impl Reads for Reader {
     }
 }
 
-fn row(row: Row) -> RecordRow {
-    let Row { kept, entry, corrected_by } = row;
+fn row(row: ListedEntry) -> RecordRow {
+    let ListedEntry { kept, entry, corrected_by } = row;
     RecordRow { head: kept.head, entry: entry.map_err(|error| error.message()), corrected_by, went_back: false }
 }

@@ -28,7 +28,7 @@ use std::time::Duration;
 
 pub use crate::store::here::{computer, moment};
 use eframe::egui::Context;
-use finder::{Asked, Finder};
+use finder::{Finder, FinderRequest};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use local::Local;
@@ -43,7 +43,7 @@ use crate::journal::entry::{Entry, Moment};
 use crate::message::{Message, message};
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
-use crate::watch::Known;
+use crate::watch::TakenFiles;
 
 /// Where records are kept, whatever that is: the file of this station, or one that a test has made up.
 pub trait Journals: Debug + Send + Sync {
@@ -168,7 +168,7 @@ pub(super) struct Desk {
     /// Hears when everything is written.
     written: Mutex<Receiver<()>>,
     /// To the thread that reads.
-    finder: Sender<Asked>,
+    finder: Sender<FinderRequest>,
     /// The same two for tests, on the frame's thread.
     at_once: Mutex<(Writer, Finder)>,
     interrupt: Interrupt,
@@ -204,7 +204,7 @@ impl Desk {
     pub fn new(errands: Errands, records: Records, clock: fn() -> DateTime, answers: Sender<Command>) -> Self {
         let (writer, jobs) = channel::<Job>();
         let (done, written) = channel();
-        let (finder, asked) = channel::<Asked>();
+        let (finder, asked) = channel::<FinderRequest>();
         let (interrupt, newest) = (Interrupt::default(), Arc::<AtomicU64>::default());
         let new_writer = || Writer::new(Arc::clone(&records.journals));
         let new_finder = || Finder::new(Arc::clone(&records.journals), Arc::clone(&interrupt), Arc::clone(&newest));
@@ -252,7 +252,7 @@ impl Desk {
             Effect::OpenJournal { file, station, newest } => {
                 *lock(&self.file) = Some(file.clone());
                 let now = (self.records.moment)();
-                self.find(ctx, Asked::File(file.clone()));
+                self.find(ctx, FinderRequest::File(file.clone()));
                 self.write(Job::open(ctx, (file, station), now, newest));
             }
             Effect::Keep { run, mut entries } => {
@@ -269,12 +269,12 @@ impl Desk {
                 if let Some(interrupt) = lock(&self.interrupt).as_ref() {
                     interrupt();
                 }
-                self.find(ctx, Asked::Question { run, question, rests, ctx: ctx.clone() });
+                self.find(ctx, FinderRequest::Question { run, question, rests, ctx: ctx.clone() });
             }
             Effect::ReadPart { run, question, most } => {
-                self.find(ctx, Asked::Part { run, question, most, ctx: ctx.clone() });
+                self.find(ctx, FinderRequest::Part { run, question, most, ctx: ctx.clone() });
             }
-            Effect::ReadRecords(numbers) => self.find(ctx, Asked::Rows { numbers, ctx: ctx.clone() }),
+            Effect::ReadRecords(numbers) => self.find(ctx, FinderRequest::Rows { numbers, ctx: ctx.clone() }),
             Effect::VerifyRecords { run } => self.verify(ctx, run),
             Effect::SendTo(address) => self.send_to(ctx, address.as_deref()),
             Effect::WakeSender => lock(&self.shop).wake(),
@@ -294,7 +294,7 @@ impl Desk {
     pub fn known(&self) -> KnownOf {
         let (journals, file) = (Arc::clone(&self.records.journals), lock(&self.file).clone());
         Box::new(move || {
-            let mut known = Known::default();
+            let mut known = TakenFiles::default();
             if let Some(file) = file {
                 journals.bodies(&file, &mut |body| known.see(body))?;
             }
@@ -316,7 +316,7 @@ impl Desk {
         }
     }
 
-    fn find(&self, ctx: &Context, asked: Asked) {
+    fn find(&self, ctx: &Context, asked: FinderRequest) {
         if self.is_at_once {
             let commands = lock(&self.at_once).1.at_once(asked);
             return commands.into_iter().for_each(|command| say(&self.answers, ctx, command));

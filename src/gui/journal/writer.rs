@@ -16,28 +16,28 @@ use crate::session::{Command, OpenJournal, RecordRow, RecordsCommand};
 pub(super) struct Job {
     pub ctx: Context,
     now: Moment,
-    what: What,
+    what: WriterTask,
 }
 
-enum What {
+enum WriterTask {
     Open { place: (PathBuf, String), newest: u64 },
     Keep { run: u64, entries: Vec<Entry> },
 }
 
 impl Job {
     pub fn open(ctx: &Context, place: (PathBuf, String), now: Moment, newest: u64) -> Self {
-        Self { ctx: ctx.clone(), now, what: What::Open { place, newest } }
+        Self { ctx: ctx.clone(), now, what: WriterTask::Open { place, newest } }
     }
 
     pub fn keep(ctx: &Context, now: Moment, run: u64, entries: Vec<Entry>) -> Self {
-        Self { ctx: ctx.clone(), now, what: What::Keep { run, entries } }
+        Self { ctx: ctx.clone(), now, what: WriterTask::Keep { run, entries } }
     }
 
     /// The answer where nobody can do it.
     pub fn refused(self, why: Message) -> Command {
         match self.what {
-            What::Open { .. } => RecordsCommand::Opened(Err(why)).into(),
-            What::Keep { run, .. } => RecordsCommand::Kept { run, result: Err(why) }.into(),
+            WriterTask::Open { .. } => RecordsCommand::Opened(Err(why)).into(),
+            WriterTask::Keep { run, .. } => RecordsCommand::Kept { run, result: Err(why) }.into(),
         }
     }
 }
@@ -59,12 +59,12 @@ impl Writer {
     pub fn work(&mut self, job: Job) -> Vec<Command> {
         let Job { now, what, .. } = job;
         match what {
-            What::Open { place, newest } => {
+            WriterTask::Open { place, newest } => {
                 self.place = Some(place);
                 let result = self.open(&now).and_then(|opened| Ok((opened, self.newest(newest)?)));
                 vec![RecordsCommand::Opened(result).into()]
             }
-            What::Keep { run, entries } => {
+            WriterTask::Keep { run, entries } => {
                 // It failed before: what it holds now is looked at anew.
                 let mut result = self.append(&now, &entries);
                 if result.as_ref().is_err_and(|problem| problem.id == "store-moved") {

@@ -4,11 +4,11 @@ use eframe::egui::{RichText, ScrollArea, Ui, vec2};
 
 use crate::exchange::ImportError;
 use crate::gui::class_chooser::feature_picture;
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Located, Message, Say as _, message};
-use crate::report::pairing::{Note, Parts, PartsFrom};
+use crate::report::pairing::{Note, PairingParts, PartsFrom};
 use crate::session::PairingAction;
 use crate::session::PairingField;
 use crate::tolerance::Feature;
@@ -31,7 +31,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn wanted_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("pairing-page-wanted"));
     let width = ui.available_width();
-    field_ui(ui, view, PairingField::Wanted, name.id, Look::large(width));
+    field_ui(ui, view, PairingField::Wanted, name.id, FieldStyle::large(width));
     error_ui(ui, view, PairingField::Wanted);
     let page = view.session.pairing();
     if let Some(understood) = page.understood() {
@@ -45,7 +45,7 @@ fn wanted_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn groups_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("pairing-page-groups"));
-        field_ui(ui, view, PairingField::Groups, name.id, Look::number(space(16.0)));
+        field_ui(ui, view, PairingField::Groups, name.id, FieldStyle::number(space(16.0)));
     });
     error_ui(ui, view, PairingField::Groups);
     if let Some(error) = view.session.pairing().group_error() {
@@ -84,7 +84,7 @@ fn parts_ui(ui: &mut Ui, view: &mut View<'_>, feature: Feature) {
 }
 
 /// How many parts there are, and what has to be said about them.
-fn read_ui(ui: &mut Ui, view: &View<'_>, parts: &Parts, feature: Feature) {
+fn read_ui(ui: &mut Ui, view: &View<'_>, parts: &PairingParts, feature: Feature) {
     let from = match &parts.from {
         PartsFrom::File(name) => message!("pairing-page-from-file").text("name", name),
         PartsFrom::Checks => message!("pairing-page-from-history"),

@@ -7,7 +7,7 @@ use eframe::egui::{ScrollArea, Sense, Ui, WidgetInfo, vec2};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem};
 use crate::message::{Message, message};
-use crate::pairing::{Group, Groups, Range, Wanted};
+use crate::pairing::{Group, Groups, PairClearances, Range};
 
 /// How many groups are listed at once.
 const AT_ONCE: f32 = 4.0;
@@ -17,7 +17,7 @@ fn line_height() -> f32 {
 }
 
 /// The groups, and how many parts are in none.
-pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: Wanted) {
+pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: PairClearances) {
     heading(ui, view.text("pairing-page-groups-title"));
     let (holes, shafts) = groups.outside();
     if (holes, shafts) != (0, 0) {
@@ -50,7 +50,7 @@ pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: W
 }
 
 /// What is said of a group: pairs and whether any of them is good, both sides, the clearances.
-fn lines(view: &View<'_>, number: usize, group: &Group, wanted: Wanted) -> Vec<String> {
+fn lines(view: &View<'_>, number: usize, group: &Group, wanted: PairClearances) -> Vec<String> {
     let words = view.words;
     let within = match group.all_within(wanted) {
         Some(true) => "pairing-page-all-within",

@@ -10,7 +10,7 @@ use crate::gui::shapes::{ratio, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
-use crate::session::{PairRow, Paired, Sight};
+use crate::session::{PairRow, Paired, PairingView};
 use crate::tolerance::Feature;
 
 /// Half the size of a mark.
@@ -49,7 +49,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, paired: &Paired) {
 }
 
 /// What the picture shows, in words, for users who cannot see it.
-fn describe(view: &View<'_>, paired: &Paired, sight: &Sight) -> String {
+fn describe(view: &View<'_>, paired: &Paired, sight: &PairingView) -> String {
     let (words, answer) = (view.words, &paired.answer);
     let (holes, shafts) = (&answer.asked.holes.sizes, &answer.asked.shafts.sizes);
     let mut said = vec![
@@ -88,7 +88,7 @@ struct Drawing<'a> {
     palette: &'a Palette,
     view: &'a View<'a>,
     paired: &'a Paired,
-    sight: &'a Sight,
+    sight: &'a PairingView,
     /// Where the holes and the shafts stand.
     columns: [f32; 2],
 }
@@ -107,7 +107,7 @@ impl<'a> Drawing<'a> {
         room: Rect,
         palette: &'a Palette,
         view: &'a View<'a>,
-        (paired, sight): (&'a Paired, &'a Sight),
+        (paired, sight): (&'a Paired, &'a PairingView),
     ) -> Self {
         // The heads stand above.
         let body = Rect::from_min_max(room.min + vec2(0.0, LINE + 2.0), room.max - vec2(0.0, 2.0));

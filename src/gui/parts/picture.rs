@@ -15,7 +15,7 @@ use crate::gui::theme::{self, control, palette, palette_of, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
-use crate::session::parts::{Balloon, PartPicture, PlanCommand, Sight, WalkCommand};
+use crate::session::parts::{Balloon, PartPicture, PictureState, PlanCommand, WalkCommand};
 use crate::session::{PartsCommand, Step};
 
 /// The most balloons that stand beside the picture at once: more would be no help.
@@ -46,16 +46,16 @@ pub(super) fn walk_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn picture_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
-    (sight, balloons): (Option<Sight>, &[Balloon]),
+    (sight, balloons): (Option<PictureState>, &[Balloon]),
     can_move: bool,
 ) -> Option<usize> {
     let picture = match sight {
-        Some(Sight::Seen(picture)) => picture,
-        Some(Sight::Awaited) => {
+        Some(PictureState::Seen(picture)) => picture,
+        Some(PictureState::Awaited) => {
             quiet(ui, view.text("parts-page-picture-awaited"));
             return None;
         }
-        Some(Sight::Refused(why)) => {
+        Some(PictureState::Refused(why)) => {
             problem(ui, view.words.say(&why));
             return None;
         }

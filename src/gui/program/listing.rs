@@ -73,13 +73,13 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, document: &Document, rows: Range<us
         let (rect, _) = ui.allocate_exact_size(vec2(width, row_height()), Sense::hover());
         let block = document.program().block_at(line);
         let begins = block.is_some_and(|block| document.first_line(block) == line);
-        let row = Row { rect, line, block, begins, is_current: block.is_some() && block == current, failed };
+        let row = VisibleLine { rect, line, block, begins, is_current: block.is_some() && block == current, failed };
         row_ui(ui, view, document, &row, seen);
     }
 }
 
 /// A line in sight.
-struct Row {
+struct VisibleLine {
     rect: Rect,
     line: usize,
     block: Option<usize>,
@@ -88,7 +88,7 @@ struct Row {
     failed: bool,
 }
 
-fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &Row, seen: Rect) {
+fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine, seen: Rect) {
     let palette = palette(ui.ctx());
     let painter = ui.painter();
     let whole = Rect::from_x_y_ranges(seen.x_range(), row.rect.y_range());
@@ -115,7 +115,7 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &Row, seen: Re
 }
 
 /// The marks before a block, and what a click does: before it a breakpoint, on it the selection.
-fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &Row, block: usize) {
+fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine, block: usize) {
     let palette = palette(ui.ctx());
     let program = view.session.program();
     let has_breakpoint = program.has_breakpoint(block);
@@ -143,7 +143,7 @@ fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &Row, block:
 }
 
 /// What a screen reader says: the line, and its marks in words.
-fn said(view: &View<'_>, document: &Document, row: &Row, has_breakpoint: bool) -> String {
+fn said(view: &View<'_>, document: &Document, row: &VisibleLine, has_breakpoint: bool) -> String {
     let text = document.program().line(row.line).trim();
     let text = text.get(..text.floor_char_boundary(WIDEST.min(text.len()))).unwrap_or_default();
     let mut said = text.to_owned();

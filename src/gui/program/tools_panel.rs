@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Id, RichText, Ui, vec2};
 
 use crate::control::variables::Parameter;
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
@@ -57,7 +57,7 @@ fn input_ui(ui: &mut Ui, view: &mut View<'_>, parameter: Parameter) {
     let input = message!("tools-input").text("parameter", parameter);
     let name = quiet(ui, view.words.say(&input));
     ui.horizontal(|ui| {
-        let look = Look { hint: own.unwrap_or_default(), ..Look::number(space(FIELD)) };
+        let look = FieldStyle { hint: own.unwrap_or_default(), ..FieldStyle::number(space(FIELD)) };
         field_ui(ui, view, field, name.id, look);
         let table = view.session.tools().map(|tools| &tools.table);
         let chosen = table.zip(named.as_ref()).and_then(|(table, named)| named.row(table));

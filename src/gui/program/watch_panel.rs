@@ -5,7 +5,7 @@ use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::control::variables::Value;
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
@@ -20,7 +20,8 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         heading(ui, view.text("program-page-parameters"));
         let name = quiet(ui, view.text("program-page-filter"));
-        let look = Look { font: theme::font(sizes().body), ..Look::large(ui.available_width() - space(5.0)) };
+        let look =
+            FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(ui.available_width() - space(5.0)) };
         field_ui(ui, view, ProgramField::Filter, name.id, look);
     });
     given_ui(ui, view);
@@ -45,7 +46,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.5);
         let name = quiet(ui, view.text("program-page-set"));
-        let small = |width| Look { font: theme::font(sizes().body), ..Look::large(width) };
+        let small = |width| FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
         field_ui(ui, view, ProgramField::Name, name.id, small(space(14.0)));
         let value = quiet(ui, "=");
         let give = view.text("program-page-give");

@@ -11,7 +11,7 @@ use crate::words::Words;
 
 /// What is known of a row of the list.
 #[derive(Debug, Default)]
-pub(super) struct Cells {
+pub(super) struct RecordCells {
     pub number: String,
     pub time: String,
     pub part: String,
@@ -31,7 +31,7 @@ pub(super) struct Cells {
     pub is_check: bool,
 }
 
-impl Cells {
+impl RecordCells {
     /// A row that was not read yet.
     pub fn missing(number: u64) -> Self {
         let wait = || "…".to_owned();

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use eframe::egui::{Id, Ui};
 
-use super::cells::Cells;
+use super::cells::RecordCells;
 use crate::gui::table::{Column, Row, Table};
 use crate::gui::view::View;
 use crate::session::RecordsCommand;
@@ -65,7 +65,7 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<u64>> {
     let listing = page.listing();
     let row = |number: u64| {
         let read = listing.row(number);
-        let cells = read.map_or_else(|| Cells::missing(number), |row| Cells::of(view.words, row));
+        let cells = read.map_or_else(|| RecordCells::missing(number), |row| RecordCells::of(view.words, row));
         let is_struck = cells.is_struck;
         Row {
             is_cursor: page.cursor() == Some(number),

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 
-use super::cells::Cells;
+use super::cells::RecordCells;
 use super::correction_panel::correction_ui;
 use super::reasons::{Line, lines};
 use crate::gui::columns::column_ui;
@@ -52,7 +52,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The verdict, and that it is simulated or stands no longer.
 fn verdict_ui(ui: &mut Ui, words: &Words, row: &RecordRow) {
-    let cells = Cells::of(words, row);
+    let cells = RecordCells::of(words, row);
     ui.horizontal_wrapped(|ui| {
         if let Some(status) = cells.verdict.filter(|_| cells.is_check) {
             let word = words.told(&status);

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, vec2};
 
 use super::grid;
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, quiet};
 use crate::length::Length;
@@ -95,7 +95,7 @@ fn right_ui(ui: &mut Ui, height: f32, figure: impl FnOnce(&mut Ui) -> Response) 
 
 /// A field of the cell. Enter puts both into the table and goes back to the cells; Escape goes back without a change.
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, field: TablesField, name: Id) {
-    let response = field_ui(ui, view, field, name, Look::number(space(18.0)));
+    let response = field_ui(ui, view, field, name, FieldStyle::number(space(18.0)));
     let pressed = |key| ui.input(|input| input.key_pressed(key));
     if response.has_focus() && pressed(Key::Enter) && view.session.tables().cell_is_readable() {
         ui.memory_mut(|memory| memory.request_focus(grid::id()));

@@ -42,7 +42,7 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// A cell: its column among all, its class and its range.
-type Place = (usize, ToleranceClass, usize);
+type DrawnCell = (usize, ToleranceClass, usize);
 
 /// Draws the cells in sight.
 fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&Grid, &Cells<'_>), focused: bool) {
@@ -54,7 +54,7 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
         for range in cells.rows() {
             let Some(&cell) = class.cells.get(range) else { continue };
             let rect = cells.rect(range, place);
-            let look = paint::Look {
+            let look = paint::TableCellView {
                 palette: palette(ui.ctx()),
                 words: view.words,
                 decimals,
@@ -70,7 +70,7 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
 }
 
 /// A cell can be clicked; for a screen reader it has a name.
-fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (place, rect): (Place, Rect)) {
+fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (place, rect): (DrawnCell, Rect)) {
     let (_, class, range) = place;
     let selected = document.selected() == Some((class, range));
     let (salt, click) = ((class.as_str(), range), (rect, Sense::CLICK));
@@ -85,7 +85,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (plac
 }
 
 /// `H7, over 18 up to 30 mm, +21 / 0 µm, differs from ISO 286`.
-fn cell_name(view: &View<'_>, document: &Document, (column, class, range): Place) -> String {
+fn cell_name(view: &View<'_>, document: &Document, (column, class, range): DrawnCell) -> String {
     let (over, to) = document.range(range).unwrap_or_default();
     let figures = match document.cell(class, range) {
         Some(cell) => message!("tables-pair")

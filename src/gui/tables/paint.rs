@@ -9,7 +9,7 @@ use crate::tolerance::Deviations;
 use crate::words::Words;
 
 /// What is shown of a cell.
-pub(super) struct Look<'a> {
+pub(super) struct TableCellView<'a> {
     pub palette: &'a Palette,
     pub words: &'a Words,
     /// How much room the decimals of the column need.
@@ -23,7 +23,7 @@ pub(super) struct Look<'a> {
 }
 
 /// A cell: upper over lower deviation, or a quiet dash.
-pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
+pub(super) fn cell(painter: &Painter, rect: Rect, look: &TableCellView<'_>) {
     let palette = look.palette;
     ground(painter, rect, if look.cursor.is_none() { palette.field } else { palette.selection });
     if let Some(pair) = look.cell {
@@ -50,7 +50,7 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
 }
 
 /// A deviation; its decimals take the room that the column's longest ones need.
-fn figure(painter: &Painter, rect: Rect, y: f32, look: &Look<'_>, length: Length) {
+fn figure(painter: &Painter, rect: Rect, y: f32, look: &TableCellView<'_>, length: Length) {
     let text = look.words.signed_um(length);
     let sign = look.words.language().decimal_sign();
     let (whole, rest) = text.split_at(text.find(sign).unwrap_or(text.len()));

@@ -5,7 +5,7 @@ use eframe::egui::{Label, RichText, Sense, Ui, vec2};
 
 use super::paint;
 use crate::exchange::tables::TABLE_FORMATS;
-use crate::gui::field::{Look, field_ui};
+use crate::gui::field::{FieldStyle, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
@@ -90,7 +90,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-filter"));
-    let look = Look { font: theme::font(sizes().body), ..Look::large(space(40.0)) };
+    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(space(40.0)) };
     let field = field_ui(ui, view, TablesField::Filter, name.id, look);
     field.on_hover_text(view.text("tables-filter-hint"));
     let Some(document) = view.session.tables().shown() else { return };

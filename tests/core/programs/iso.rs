@@ -1,13 +1,13 @@
 //! ISO programs: every form, with the block of Klartext that says the same; what is refused, with line and column.
 
 use fitcheck::nc::program::{
-    Axis, AxisWord, Body, CycleBlock, CycleLine, Frame, Goes, MachineFunction, Notation, Operand, PassedOver, Place,
-    Program, Target, Unit,
+    Axis, AxisWord, Body, CycleBlock, CycleLine, Frame, Goes, MachineFunction, Notation, Operand, PassedOver, Program,
+    Target, TextPlace, Unit,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
 
-const NOWHERE: Place = Place { line: 0, column: 0 };
+const NOWHERE: TextPlace = TextPlace { line: 0, column: 0 };
 
 fn without_places(mut body: Body) -> Body {
     if let Body::Probe(cycle) | Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle) = &mut body {

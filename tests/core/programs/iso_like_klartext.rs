@@ -70,7 +70,7 @@ const CYCLES: [Parameters; 7] = [
 
 /// A value of a cycle: a number, or the parameter that holds it.
 #[derive(Debug, Clone)]
-enum Given {
+enum CycleNumber {
     Number(String),
     Parameter(u16),
     Missing,
@@ -186,7 +186,7 @@ impl Case {
         both.block(&format!("T{} G17 S50", self.tool), &format!("TOOL CALL {} Z S50", self.tool));
         both.block("G00 G40 G90 X+0 Y+0 Z+100", "L X+0 Y+0 Z+100 R0 FMAX");
         both.block("G01 G91 X+1.5 F500 M5", "L IX+1.5 F500 M5");
-        let given: Vec<(u16, Given)> = self.given(&mut both);
+        let given: Vec<(u16, CycleNumber)> = self.given(&mut both);
         if self.is_called {
             both.block("L5,0", "CALL LBL 5");
             both.block("M30", "M30");
@@ -215,7 +215,7 @@ impl Case {
     }
 
     /// The values as the cycle gets them; those that a parameter holds are assigned before.
-    fn given(&self, both: &mut Both) -> Vec<(u16, Given)> {
+    fn given(&self, both: &mut Both) -> Vec<(u16, CycleNumber)> {
         let mut given = vec![];
         both.block("D00 Q60 P01 +0", "FN 0: Q60 = +0");
         for (index, (key, value)) in self.values().into_iter().enumerate() {
@@ -223,30 +223,30 @@ impl Case {
             let holder = 20 + u16::try_from(index).unwrap();
             let way = self.through.get(index).copied().unwrap_or(0);
             match way {
-                _ if self.drop == Some(index) => given.push((key, Given::Missing)),
+                _ if self.drop == Some(index) => given.push((key, CycleNumber::Missing)),
                 1 => {
                     both.block(&format!("D00 Q{holder} P01 {text}"), &format!("FN 0: Q{holder} = {text}"));
-                    given.push((key, Given::Parameter(holder)));
+                    given.push((key, CycleNumber::Parameter(holder)));
                 }
                 2 => {
                     let formula = format!("Q{holder} = 3 * {text} - {text} * 2");
                     both.block(&formula, &formula);
-                    given.push((key, Given::Parameter(holder)));
+                    given.push((key, CycleNumber::Parameter(holder)));
                 }
-                _ => given.push((key, Given::Number(text))),
+                _ => given.push((key, CycleNumber::Number(text))),
             }
         }
         given
     }
 
-    fn cycle(&self, both: &mut Both, given: &[(u16, Given)]) {
+    fn cycle(&self, both: &mut Both, given: &[(u16, CycleNumber)]) {
         let code = CYCLES[self.cycle].0;
         let words: Vec<String> = given
             .iter()
             .filter_map(|(key, given)| match given {
-                Given::Number(text) => Some(format!("Q{key}={text}")),
-                Given::Parameter(holder) => Some(format!("Q{key}=+Q{holder}")),
-                Given::Missing => None,
+                CycleNumber::Number(text) => Some(format!("Q{key}={text}")),
+                CycleNumber::Parameter(holder) => Some(format!("Q{key}=+Q{holder}")),
+                CycleNumber::Missing => None,
             })
             .collect();
         let lines: Vec<String> = words.iter().map(|word| format!("    {word} ;X")).collect();

@@ -3,8 +3,8 @@
 use fitcheck::control::variables::{Family, Parameter};
 use fitcheck::nc::program::{
     Axis, AxisWord, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, Expression, Feed,
-    MachineFunction, Mode, Movement, NumberFunction, Operand, Operation, Place, Program, Relation, Target,
-    TextExpression, TextOperand, Tool, Unit, write,
+    MachineFunction, Mode, Movement, NumberFunction, Operand, Operation, Program, Relation, Target, TextExpression,
+    TextOperand, TextPlace, Tool, Unit, write,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -140,7 +140,7 @@ proptest! {
     }
 }
 
-const NOWHERE: Place = Place { line: 0, column: 0 };
+const NOWHERE: TextPlace = TextPlace { line: 0, column: 0 };
 
 fn without_places(body: &Body) -> Body {
     let mut body = body.clone();

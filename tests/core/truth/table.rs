@@ -286,7 +286,7 @@ fn pick<'a, T>(random: &mut Random, of: &'a [T]) -> &'a T {
 }
 
 /// A row before it is written.
-struct Row {
+struct TruthRow {
     nominal: i64,
     class: String,
     measured: i64,
@@ -294,7 +294,7 @@ struct Row {
 }
 
 /// A row whose value lies in the zone, on its border or beside it, in whole steps of the unit.
-fn row(random: &mut Random, unit: Unit) -> Row {
+fn row(random: &mut Random, unit: Unit) -> TruthRow {
     loop {
         let nominal = if unit.nanometres == 25_400_000 {
             25_400_000 * i64::try_from(1 + random.below(18)).unwrap()
@@ -316,7 +316,7 @@ fn row(random: &mut Random, unit: Unit) -> Row {
         };
         let measured = from - from.rem_euclid(unit.step);
         let status = judged(&zone.class, limits, measured);
-        return Row { nominal, class: zone.class.clone(), measured, status };
+        return TruthRow { nominal, class: zone.class.clone(), measured, status };
     }
 }
 

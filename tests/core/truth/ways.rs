@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck::batch::{Input, Manner, Packing, Watch, run};
-use fitcheck::exchange::batch::{Court, Csv, Cutter, Layout};
+use fitcheck::exchange::batch::{Csv, Cutter, Layout, StreamJudging};
 use fitcheck::exchange::{ByPlan, ImportWarningKind, Imported, Item, import, import_each};
 use fitcheck::session::{CheckCommand, Command, Session};
 use fitcheck::tolerance::Sources;
@@ -86,7 +86,7 @@ fn batch(table: &Table) -> Answers {
     let text = table.text.as_bytes();
     let Ok(layout) = Layout::of(text, true, "t.csv") else { return Answers::new() };
     let sources = Sources::default();
-    let court = Court::new(&layout, &sources);
+    let court = StreamJudging::new(&layout, &sources);
     let mut input = &text[layout.skip..];
     let cutter = Cutter::new(layout.separator(), 1 << 20, true);
     let mut out = Csv::header(&layout, "");

@@ -1,7 +1,7 @@
 //! Whether a budget is about what is judged with it: its size, its side, its temperature and its material.
 
 use super::warning::BudgetWarning;
-use super::{Basis, Budget, Calibrated, Conditions, Contribution, Kind, brief_of};
+use super::{Basis, Budget, Calibrated, Conditions, Contribution, ContributionKind, brief_of};
 use crate::length::Length;
 use crate::tolerance::fit::thermal::{Correction, Warm};
 
@@ -50,11 +50,11 @@ fn of_contribution(contribution: &Contribution, correction: &Correction) -> Opti
     let expansion = |warm: Warm| f64::from(warm.expansion.thousandths()) / 1e3;
     let off = |warm: Warm| f64::from(warm.temperature.thousandths()) / 1e3 - 20.0;
     let (budget, given, is_temperature) = match contribution.kind {
-        Kind::PartTemperature(alpha) => (alpha * 1e6, expansion(correction.part), false),
-        Kind::ScaleTemperature(alpha) => (alpha * 1e6, expansion(correction.scale?), false),
-        Kind::PartExpansion(delta) => (delta, off(correction.part), true),
-        Kind::ScaleExpansion(delta) => (delta, off(correction.scale?), true),
-        Kind::Plain | Kind::Scatter(_) | Kind::Resolution => return None,
+        ContributionKind::PartTemperature(alpha) => (alpha * 1e6, expansion(correction.part), false),
+        ContributionKind::ScaleTemperature(alpha) => (alpha * 1e6, expansion(correction.scale?), false),
+        ContributionKind::PartExpansion(delta) => (delta, off(correction.part), true),
+        ContributionKind::ScaleExpansion(delta) => (delta, off(correction.scale?), true),
+        ContributionKind::Plain | ContributionKind::Scatter(_) | ContributionKind::Resolution => return None,
     };
     if (budget - given).abs() < SAME {
         return None;

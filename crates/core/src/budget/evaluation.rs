@@ -1,6 +1,6 @@
 //! A budget evaluated as in the GUM: u² is the sum of (c·u)², its degrees of freedom are those of Welch and Satterthwaite.
 
-use super::{Contribution, Evaluated, Geometry, Kind, Law, factor};
+use super::{Contribution, ContributionKind, Evaluated, Geometry, Law, factor};
 use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::Feature;
@@ -21,7 +21,7 @@ pub struct Conditions {
 
 /// A row of the table of contributions.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ContributionRow {
     /// What it comes from.
     pub name: String,
     /// How it was evaluated.
@@ -29,7 +29,7 @@ pub struct Row {
     /// The law of its values.
     pub law: Law,
     /// What it does to the diameter.
-    pub kind: Kind,
+    pub kind: ContributionKind,
     /// The unit of its standard uncertainty: `µm`, `K`, or `µm/(m K)` for an expansion.
     pub unit: &'static str,
     /// Its standard uncertainty.
@@ -74,7 +74,7 @@ pub enum Help {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evaluation {
     /// The contributions, in the order of the budget.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ContributionRow>,
     /// The combined standard uncertainty, µm.
     pub u: f64,
     /// Effective degrees of freedom; `None` where they are infinite.
@@ -117,7 +117,7 @@ impl Evaluation {
     /// [`EvaluationError`] where a size or contacts are missing, or nothing is uncertain.
     pub fn of(contributions: &[Contribution], conditions: &Conditions) -> Result<Self, EvaluationError> {
         let rows = contributions.iter().map(|contribution| row(contribution, conditions));
-        let mut rows = rows.collect::<Result<Vec<Row>, _>>()?;
+        let mut rows = rows.collect::<Result<Vec<ContributionRow>, _>>()?;
         // Hypotenuses do not lose small numbers.
         let u = rows.iter().fold(0.0, |u: f64, row| u.hypot(row.contribution));
         if u <= 0.0 {
@@ -136,7 +136,7 @@ impl Evaluation {
     }
 }
 
-fn row(contribution: &Contribution, conditions: &Conditions) -> Result<Row, EvaluationError> {
+fn row(contribution: &Contribution, conditions: &Conditions) -> Result<ContributionRow, EvaluationError> {
     let Contribution { name, evaluated, law, kind, u, sensitivity, degrees_of_freedom } = contribution;
     let named = || name.clone();
     // Millimetres per kelvin as micrometres.
@@ -145,18 +145,20 @@ fn row(contribution: &Contribution, conditions: &Conditions) -> Result<Row, Eval
         Ok(size.to_mm_f64() * per_kelvin * 1_000.0)
     };
     let (by_kind, unit, geometry) = match *kind {
-        Kind::Plain | Kind::Resolution => (1.0, "µm", None),
-        Kind::Scatter(own) => {
+        ContributionKind::Plain | ContributionKind::Resolution => (1.0, "µm", None),
+        ContributionKind::Scatter(own) => {
             let geometry = conditions.geometry.or(own);
             let geometry = geometry.ok_or_else(|| EvaluationError::NoContacts { contribution: named() })?;
             (geometry.factor, "µm", Some(geometry))
         }
-        Kind::PartTemperature(alpha) | Kind::ScaleTemperature(alpha) => (um(alpha)?, "K", None),
+        ContributionKind::PartTemperature(alpha) | ContributionKind::ScaleTemperature(alpha) => (um(alpha)?, "K", None),
         // The expansion is in millionths.
-        Kind::PartExpansion(delta) | Kind::ScaleExpansion(delta) => (um(delta * 1e-6)?, "µm/(m K)", None),
+        ContributionKind::PartExpansion(delta) | ContributionKind::ScaleExpansion(delta) => {
+            (um(delta * 1e-6)?, "µm/(m K)", None)
+        }
     };
     let sensitivity = sensitivity * by_kind;
-    Ok(Row {
+    Ok(ContributionRow {
         name: named(),
         evaluated: *evaluated,
         law: *law,
@@ -171,7 +173,7 @@ fn row(contribution: &Contribution, conditions: &Conditions) -> Result<Row, Eval
     })
 }
 
-fn largest(rows: &[Row]) -> usize {
+fn largest(rows: &[ContributionRow]) -> usize {
     let mut largest = (0, 0.0);
     for (number, row) in rows.iter().enumerate() {
         if largest.1 < row.contribution {
@@ -181,7 +183,7 @@ fn largest(rows: &[Row]) -> usize {
     largest.0
 }
 
-fn help(row: &Row, rows: &[Row], number: usize) -> Vec<Help> {
+fn help(row: &ContributionRow, rows: &[ContributionRow], number: usize) -> Vec<Help> {
     let others = rows.iter().enumerate().filter(|(other, _)| *other != number);
     let others = others.fold(0.0, |u: f64, (_, row)| u.hypot(row.contribution));
     let mut help = vec![Help::Halved { u: others.hypot(row.contribution / 2.0) }];

@@ -76,8 +76,8 @@ use super::error::{BudgetError, MOST};
 use super::kinds::{Keys, KindName};
 use super::numbers::{ALPHA, DEGREES, FAR, Number, Numbers, Refusal, refused};
 use super::piece::{Piece, calibrated};
-use super::{Basis, Budget, Contribution, Evaluated, Geometry, Kind, Law};
-use crate::message::{Located, Place, shortened};
+use super::{Basis, Budget, Contribution, ContributionKind, Evaluated, Geometry, Law};
+use crate::message::{FilePlace, Located, shortened};
 use crate::probing::simulated::{LARGEST, bounded, plain};
 
 /// The most characters of a list of keys.
@@ -91,14 +91,14 @@ struct File {
     by: Spanned<String>,
     valid_until: Spanned<toml::Value>,
     #[serde(default)]
-    contribution: Vec<Given>,
+    contribution: Vec<WrittenContribution>,
     calibrated: Option<Spanned<Piece>>,
 }
 
 /// A contribution as it is written.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Given {
+struct WrittenContribution {
     name: Spanned<String>,
     #[serde(rename = "type")]
     evaluated: Evaluated,
@@ -137,7 +137,7 @@ impl Budget {
     /// # Errors
     /// [`BudgetError`] with line and column.
     pub fn read(text: &str) -> Result<Self, Located<BudgetError>> {
-        let of_file = |what| Located { what, place: Place::default() };
+        let of_file = |what| Located { what, place: FilePlace::default() };
         if LARGEST < text.len() {
             return Err(of_file(BudgetError::TooLarge));
         }
@@ -195,7 +195,7 @@ fn day(key: &'static str, given: &Spanned<toml::Value>, text: &str) -> Result<ji
     day.ok_or_else(|| refused(text, given.span().start, BudgetError::Day { key, given: bounded(&said) }))
 }
 
-impl Given {
+impl WrittenContribution {
     fn contribution(&self, text: &str) -> Result<Contribution, Refusal> {
         let name = filled("name", &self.name, text)?;
         let touches = self.touches.as_ref().map(|touches| Spanned::new(touches.span(), f64::from(*touches.get_ref())));
@@ -221,13 +221,21 @@ impl Given {
         let numbers = Numbers { text, offset: self.name.span().start, table: &name, all: &all };
         let (law, u) = self.law_and_u(&numbers)?;
         let kind = match self.kind {
-            None => Kind::Plain,
-            Some(KindName::Resolution) => Kind::Resolution,
-            Some(KindName::PartTemperature) => Kind::PartTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?),
-            Some(KindName::ScaleTemperature) => Kind::ScaleTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?),
-            Some(KindName::PartExpansion) => Kind::PartExpansion(numbers.needed("delta_k", -DEGREES, DEGREES)?),
-            Some(KindName::ScaleExpansion) => Kind::ScaleExpansion(numbers.needed("delta_k", -DEGREES, DEGREES)?),
-            Some(KindName::Scatter) => Kind::Scatter(self.geometry(&numbers)?),
+            None => ContributionKind::Plain,
+            Some(KindName::Resolution) => ContributionKind::Resolution,
+            Some(KindName::PartTemperature) => {
+                ContributionKind::PartTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?)
+            }
+            Some(KindName::ScaleTemperature) => {
+                ContributionKind::ScaleTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?)
+            }
+            Some(KindName::PartExpansion) => {
+                ContributionKind::PartExpansion(numbers.needed("delta_k", -DEGREES, DEGREES)?)
+            }
+            Some(KindName::ScaleExpansion) => {
+                ContributionKind::ScaleExpansion(numbers.needed("delta_k", -DEGREES, DEGREES)?)
+            }
+            Some(KindName::Scatter) => ContributionKind::Scatter(self.geometry(&numbers)?),
         };
         let sensitivity = numbers.within("sensitivity", -FAR, FAR)?.unwrap_or(1.0);
         let degrees = numbers.within("degrees_of_freedom", 1.0, f64::INFINITY)?;

@@ -39,7 +39,7 @@ pub use assessment::{Answer, Assessment, AssessmentError, Provenance};
 pub use calibrated::{Calibrated, CalibratedError, FEWEST_READINGS, Repeated};
 pub use coverage::{PROBABILITY, factor, student};
 pub use error::BudgetError;
-pub use evaluation::{Conditions, Evaluation, EvaluationError, Help, Row};
+pub use evaluation::{Conditions, ContributionRow, Evaluation, EvaluationError, Help};
 pub use geometry::{Geometry, GeometryError};
 pub use warning::BudgetWarning;
 
@@ -84,7 +84,7 @@ pub struct Contribution {
     /// The law of its values.
     pub law: Law,
     /// What it does to the diameter.
-    pub kind: Kind,
+    pub kind: ContributionKind,
     /// Its standard uncertainty: kelvin for temperatures, µm/(m K) for expansions, otherwise micrometres.
     pub u: f64,
     /// By what it is multiplied besides what its kind says.
@@ -150,7 +150,7 @@ impl Law {
 
 /// What a contribution does to the diameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
+pub enum ContributionKind {
     /// Nothing but its sensitivity.
     Plain,
     /// The scatter of one touch, multiplied by the geometry factor of the contacts: those given here, unless others were taken.
@@ -189,7 +189,7 @@ impl Validity {
     }
 }
 
-impl Kind {
+impl ContributionKind {
     /// Whether it depends on the measured size.
     pub const fn grows_with_size(self) -> bool {
         match self {

@@ -3,7 +3,7 @@
 use toml::Spanned;
 
 use super::error::BudgetError;
-use crate::message::{Located, Place};
+use crate::message::{FilePlace, Located};
 use crate::probing::simulated::{column_at, line_at};
 
 /// The largest uncertainty, in micrometres or kelvin: a metre.
@@ -27,7 +27,7 @@ pub(super) type Refusal = Located<BudgetError>;
 
 /// What is wrong at a place of a text, which counts bytes.
 pub(super) fn refused(text: &str, offset: usize, what: BudgetError) -> Refusal {
-    Located { what, place: Place::in_line(line_at(text, offset), column_at(text, offset)) }
+    Located { what, place: FilePlace::in_line(line_at(text, offset), column_at(text, offset)) }
 }
 
 /// The numbers of one table of a file.

@@ -7,7 +7,7 @@ use super::{Message, Say, message};
 
 /// A place in a file, as far as it is known. Lines and columns count from 1; a column counts characters, not bytes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Place {
+pub struct FilePlace {
     /// The file as the user named it.
     pub file: Option<Arc<str>>,
     /// The line.
@@ -16,7 +16,7 @@ pub struct Place {
     pub column: Option<usize>,
 }
 
-impl Place {
+impl FilePlace {
     /// A line of a text that is named elsewhere.
     pub const fn line(line: usize) -> Self {
         Self { file: None, line: Some(line), column: None }
@@ -39,13 +39,13 @@ pub struct Located<T> {
     /// What it is.
     pub what: T,
     /// Where it is.
-    pub place: Place,
+    pub place: FilePlace,
 }
 
 impl<T> Located<T> {
     /// Something in a line of a text that is named elsewhere.
     pub const fn in_line(line: usize, what: T) -> Self {
-        Self { what, place: Place::line(line) }
+        Self { what, place: FilePlace::line(line) }
     }
 }
 
@@ -53,7 +53,7 @@ impl<T> Located<T> {
 impl<T: Say> Say for Located<T> {
     fn message(&self) -> Message {
         let what = self.what.message();
-        let Place { file, line, column } = &self.place;
+        let FilePlace { file, line, column } = &self.place;
         match (file, line, column) {
             (Some(file), Some(line), Some(column)) => message!("located-in-file")
                 .message("what", what)

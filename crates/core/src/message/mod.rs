@@ -18,7 +18,7 @@
 //!    arguments are the fields. `crates/derive/src/lib.rs` has the attributes that change this. `Display` is the English text.
 //! 3. If the command line shows it as a warning or a remark, decide in `cli/admitted.rs` whether it changes the exit code. A warning of a
 //!    measurement file decides in `exchange/warning.rs`: `stands_against` (exit code 14), `is_loss` (the note of a watched folder) and
-//!    `is_of_claim` (said again by a plan). If `batch` meets it in a row, it needs a `Kind` in `exchange/batch/tally.rs`, a line in
+//!    `is_of_claim` (said again by a plan). If `batch` meets it in a row, it needs a `RowNoteKind` in `exchange/batch/tally.rs`, a line in
 //!    `cli/batch/summary.rs` and one in `gui/check/rows_panel.rs` with its text in `window.ftl`.
 //!
 //! A missing English text does not compile, nor does a text with an argument that the variant lacks. The test `locales` finds a
@@ -37,7 +37,7 @@ pub use arg::{as_text, printed};
 pub use bundle::{Bundle, TextFile, Transform};
 pub use fitcheck_derive::{Say, message};
 pub use foreign::{guarded, is_formula, is_wild, tame};
-pub use located::{Located, Place};
+pub use located::{FilePlace, Located};
 
 /// A sentence without its language: the name of a text and what is put into it.
 #[derive(Debug, Clone, PartialEq, Eq)]

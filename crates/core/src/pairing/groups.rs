@@ -3,7 +3,7 @@
 //! A group reaches from its first size up to the first size of the next one, which belongs to the next; the last group has
 //! both its ends. Ends that are no whole nanometre are rounded up, which moves no part into another group.
 
-use super::{PairingError, Wanted};
+use super::{PairClearances, PairingError};
 use crate::length::Length;
 use crate::tolerance::Feature;
 
@@ -68,7 +68,7 @@ impl Group {
     }
 
     /// Whether every hole of the group goes with every shaft of it; `None` without holes or without shafts.
-    pub fn all_within(&self, wanted: Wanted) -> Option<bool> {
+    pub fn all_within(&self, wanted: PairClearances) -> Option<bool> {
         self.clearances.map(|(smallest, largest)| wanted.allows(smallest) && wanted.allows(largest))
     }
 }

@@ -4,7 +4,7 @@
 //! that are made stay as they are: only leftovers go with leftovers.
 
 use super::matching::{Window, matched, walk};
-use super::{Pair, Pairing, Wanted};
+use super::{Pair, PairClearances, Pairing};
 use crate::length::Length;
 
 /// A micrometre, in nanometres: amounts are looked at in steps of it.
@@ -44,7 +44,7 @@ impl Grinding {
 /// further pairs; of several the smallest. `None` where holes or shafts are not left over.
 ///
 /// A shaft that would be ground away is in no pair.
-pub fn grinding(holes: &[Length], shafts: &[Length], pairing: &Pairing, wanted: Wanted) -> Option<Grinding> {
+pub fn grinding(holes: &[Length], shafts: &[Length], pairing: &Pairing, wanted: PairClearances) -> Option<Grinding> {
     let left = |sizes: &[Length], positions: &[usize]| -> Vec<Length> {
         positions.iter().filter_map(|&at| sizes.get(at).copied()).collect()
     };
@@ -89,7 +89,7 @@ struct Ground<'a> {
 }
 
 impl<'a> Ground<'a> {
-    fn of(shafts: &'a [Length], amount: i64, wanted: Wanted) -> Self {
+    fn of(shafts: &'a [Length], amount: i64, wanted: PairClearances) -> Self {
         let gone = shafts.partition_point(|shaft| shaft.nanometres() <= amount);
         let Window { low, high } = Window::of(wanted);
         let window = Window { low: low - amount, high: high - amount };

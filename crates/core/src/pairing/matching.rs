@@ -7,7 +7,7 @@
 //! The same walk with narrower clearances tells the narrowest band around the middle that still has as many pairs; the band
 //! is found by halving. The walk pairs in order of size. Parts of equal size come in the order in which they were given.
 
-use super::Wanted;
+use super::PairClearances;
 use crate::length::Length;
 
 /// A hole and a shaft that go together.
@@ -46,7 +46,7 @@ pub struct Pairing {
 /// assert_eq!(clearances, ["0.02", "0.022"]);
 /// # Ok::<(), fitcheck_core::pairing::PairingError>(())
 /// ```
-pub fn pair(holes: &[Length], shafts: &[Length], wanted: Wanted) -> Pairing {
+pub fn pair(holes: &[Length], shafts: &[Length], wanted: PairClearances) -> Pairing {
     let sorted_holes = Sorted::of(holes);
     let sorted_shafts = Sorted::of(shafts);
     let holes = &sorted_holes.sizes;
@@ -102,12 +102,12 @@ pub(super) struct Window {
 }
 
 impl Window {
-    pub(super) const fn of(wanted: Wanted) -> Self {
+    pub(super) const fn of(wanted: PairClearances) -> Self {
         Self { low: wanted.minimum().nanometres(), high: wanted.maximum().nanometres() }
     }
 
     /// What of the wanted clearances lies in a band of this width around their middle.
-    const fn around_middle(wanted: Wanted, band: i64) -> Self {
+    const fn around_middle(wanted: PairClearances, band: i64) -> Self {
         let Self { low, high } = Self::of(wanted);
         // Ends of the band on a half nanometre: inwards, where the last whole one is.
         let inwards = (high - low - band).div_euclid(2) + (high - low - band).rem_euclid(2);
@@ -116,7 +116,7 @@ impl Window {
 }
 
 /// The narrowest band of clearances around the middle with this many pairs.
-fn narrowest(holes: &[Length], shafts: &[Length], wanted: Wanted, most: usize) -> Window {
+fn narrowest(holes: &[Length], shafts: &[Length], wanted: PairClearances, most: usize) -> Window {
     let all = Window::of(wanted);
     let mut too_narrow = -1;
     let mut enough = all.high - all.low;

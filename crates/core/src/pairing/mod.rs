@@ -26,7 +26,7 @@ use crate::tolerance::Feature;
 
 /// The clearances that a pair may have, both ends included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wanted {
+pub struct PairClearances {
     minimum: Length,
     maximum: Length,
 }
@@ -75,7 +75,7 @@ pub enum PairingError {
     },
 }
 
-impl Wanted {
+impl PairClearances {
     /// Clearances from the smallest to the largest.
     ///
     /// # Errors
@@ -112,7 +112,7 @@ impl Wanted {
 }
 
 /// `0.010..0.030` in millimetres, or with units: `-20 µm..-5 µm`.
-impl FromStr for Wanted {
+impl FromStr for PairClearances {
     type Err = PairingError;
 
     fn from_str(text: &str) -> Result<Self, PairingError> {

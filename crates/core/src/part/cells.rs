@@ -2,7 +2,7 @@
 
 use super::column::Column;
 use super::fault::PlanFault;
-use super::kind::{Direction, Kind, Towards, WidthAxis};
+use super::kind::{Direction, FeatureKind, Towards, WidthAxis};
 use crate::length::Length;
 use crate::probing::cycle::{Axis, number};
 use crate::tolerance::callout::band;
@@ -41,24 +41,24 @@ impl KindCells<'_> {
     ///
     /// # Errors
     /// Every column that is wrong, and what it has and what it may hold.
-    pub fn read(&self) -> Result<Kind, Vec<CellFault>> {
+    pub fn read(&self) -> Result<FeatureKind, Vec<CellFault>> {
         let (kind, faults) = self.read_all();
         kind.filter(|_kind| faults.is_empty()).ok_or(faults)
     }
 
     /// The kind as far as its own cells say it, also beside a cell that it does not have, and every fault.
-    pub(super) fn read_all(&self) -> (Option<Kind>, Vec<CellFault>) {
+    pub(super) fn read_all(&self) -> (Option<FeatureKind>, Vec<CellFault>) {
         let word = self.kind.unwrap_or("diameter");
         let mut faults = Vec::new();
-        if let Some(word) = Kind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
+        if let Some(word) = FeatureKind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
             return (self.of_kind(word, &mut faults), faults);
         }
-        faults.push((Column::Kind, unknown("kind", word, &Kind::WORDS)));
+        faults.push((Column::Kind, unknown("kind", word, &FeatureKind::WORDS)));
         self.of_no_kind(&mut faults);
         (None, faults)
     }
 
-    fn of_kind(&self, word: &'static str, faults: &mut Vec<CellFault>) -> Option<Kind> {
+    fn of_kind(&self, word: &'static str, faults: &mut Vec<CellFault>) -> Option<FeatureKind> {
         let is_rectangle = ["pocket", "boss"].contains(&word);
         let is_point = word == "point";
         for (column, given, is_of) in [
@@ -84,20 +84,20 @@ impl KindCells<'_> {
                         return None;
                     }
                 };
-                Some(Kind::Width(first?, axis))
+                Some(FeatureKind::Width(first?, axis))
             }
             "face" => {
                 let first = first(faults);
                 let axis = self.axis?;
                 let towards = towards(axis).ok_or_else(|| unknown("axis", axis, &DIRECTIONS));
                 let towards = kept(faults, Column::Axis, towards);
-                Some(Kind::Face(first?, towards?))
+                Some(FeatureKind::Face(first?, towards?))
             }
             _ if is_point => {
                 let band = kept(faults, Column::Callout, point_band(self.callout));
                 let axis = self.axis?;
                 let direction = kept(faults, Column::Axis, direction(axis).ok_or_else(|| no_direction(axis)));
-                Some(Kind::Point(band?, direction?))
+                Some(FeatureKind::Point(band?, direction?))
             }
             _ if is_rectangle => {
                 let first = first(faults);
@@ -106,9 +106,9 @@ impl KindCells<'_> {
                     None => first,
                 };
                 let sides = [first?, second?];
-                Some(if word == "boss" { Kind::Boss(sides) } else { Kind::Pocket(sides) })
+                Some(if word == "boss" { FeatureKind::Boss(sides) } else { FeatureKind::Pocket(sides) })
             }
-            _ => Some(Kind::Diameter(first(faults)?)),
+            _ => Some(FeatureKind::Diameter(first(faults)?)),
         }
     }
 
@@ -174,14 +174,14 @@ fn direction(text: &str) -> Option<Direction> {
 }
 
 /// What the cells of a kind say together: letters, band and coordinate go with it.
-pub(super) fn check_kind(kind: &Kind, place: [Option<Length>; 3]) -> Vec<CellFault> {
+pub(super) fn check_kind(kind: &FeatureKind, place: [Option<Length>; 3]) -> Vec<CellFault> {
     let fault = match kind {
-        Kind::Diameter(_) | Kind::Width(..) => None,
-        Kind::Face(callout, towards) => check_face(*callout, *towards, place),
-        Kind::Pocket(sides) => return check_sides(kind, *sides, Feature::Hole, "H7"),
-        Kind::Boss(sides) => return check_sides(kind, *sides, Feature::Shaft, "h7"),
-        Kind::Point(band, _) if is_band_of_cycle(band) => None,
-        Kind::Point(band, _) => Some(PlanFault::BandSide { upper: band.upper(), lower: band.lower() }),
+        FeatureKind::Diameter(_) | FeatureKind::Width(..) => None,
+        FeatureKind::Face(callout, towards) => check_face(*callout, *towards, place),
+        FeatureKind::Pocket(sides) => return check_sides(kind, *sides, Feature::Hole, "H7"),
+        FeatureKind::Boss(sides) => return check_sides(kind, *sides, Feature::Shaft, "h7"),
+        FeatureKind::Point(band, _) if is_band_of_cycle(band) => None,
+        FeatureKind::Point(band, _) => Some(PlanFault::BandSide { upper: band.upper(), lower: band.lower() }),
     };
     fault.map(|what| (Column::Callout, what)).into_iter().collect()
 }
@@ -201,7 +201,7 @@ fn check_face(callout: Callout, towards: Towards, [x, y, z]: [Option<Length>; 3]
 }
 
 /// The word and the letters say the same.
-fn check_sides(kind: &Kind, sides: [Callout; 2], feature: Feature, example: &'static str) -> Vec<CellFault> {
+fn check_sides(kind: &FeatureKind, sides: [Callout; 2], feature: Feature, example: &'static str) -> Vec<CellFault> {
     let [first, second] = sides;
     let is_other = |callout: &Callout| callout.feature().is_some_and(|side| side != feature);
     // Without a cell of its own the second side has the callout of the first.

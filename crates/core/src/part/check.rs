@@ -4,9 +4,9 @@ use std::str::FromStr;
 
 use super::cells::{KindCells, check_kind};
 use super::column::{Column, HeadField};
-use super::draft::{Draft, Row};
+use super::draft::{Draft, DraftFeature};
 use super::fault::PlanFault;
-use super::kind::Kind;
+use super::kind::FeatureKind;
 use super::measured_by;
 use super::names::Names;
 use super::plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature};
@@ -143,7 +143,7 @@ fn head(draft: &Draft, faults: &mut Faults) -> (Head, Shared) {
 /// One feature of a draft.
 struct Reader<'a> {
     at: usize,
-    row: &'a Row,
+    row: &'a DraftFeature,
     faults: &'a mut Faults,
     sources: &'a Sources,
     shared: &'a Shared,
@@ -177,7 +177,7 @@ impl Reader<'_> {
         self.within_travel(place, clearance_height);
         let side = self.side();
         let kind = self.kind(place, angle);
-        let sides = kind.as_ref().map_or(&[""][..], Kind::sides);
+        let sides = kind.as_ref().map_or(&[""][..], FeatureKind::sides);
         for (column, what) in names.take(self.row.place.line, &number, &name, sides) {
             self.fault(column, what);
         }
@@ -275,7 +275,7 @@ impl Reader<'_> {
         self.take(Column::Feature, found.ok_or_else(unknown))
     }
 
-    fn kind(&mut self, place: [Option<Length>; 3], angle: Angle) -> Option<Kind> {
+    fn kind(&mut self, place: [Option<Length>; 3], angle: Angle) -> Option<FeatureKind> {
         let callout = self.row.text(Column::Callout);
         if callout.is_none() {
             self.fault(Column::Callout, PlanFault::NoCell { column: "callout" });
@@ -288,7 +288,7 @@ impl Reader<'_> {
             self.fault(column, what);
         }
         let kind = kind?;
-        if !matches!(kind, Kind::Diameter(_)) && angle != Angle::default() {
+        if !matches!(kind, FeatureKind::Diameter(_)) && angle != Angle::default() {
             self.fault(Column::Angle, PlanFault::NotOf { column: "angle", kind: kind.word() });
         }
         for (column, what) in check_kind(&kind, place) {
@@ -297,8 +297,8 @@ impl Reader<'_> {
         Some(kind)
     }
 
-    fn limits(&mut self, kind: &Kind, side: Option<Feature>) -> Option<Vec<Limits>> {
-        if let Kind::Point(band, _) = kind {
+    fn limits(&mut self, kind: &FeatureKind, side: Option<Feature>) -> Option<Vec<Limits>> {
+        if let FeatureKind::Point(band, _) = kind {
             let in_proportion = self.sources.proportionate_coordinate(Length::ZERO, *band);
             let in_proportion = in_proportion.map_err(|error| PlanFault::Band(Box::new(error)));
             self.take(Column::Callout, in_proportion)?;
@@ -306,8 +306,8 @@ impl Reader<'_> {
         }
         // A face is judged as an outside dimension; a pocket has sides inside, a boss outside.
         let side = match kind {
-            Kind::Face(..) | Kind::Boss(_) => side.or(Some(Feature::Shaft)),
-            Kind::Pocket(_) => side.or(Some(Feature::Hole)),
+            FeatureKind::Face(..) | FeatureKind::Boss(_) => side.or(Some(Feature::Shaft)),
+            FeatureKind::Pocket(_) => side.or(Some(Feature::Hole)),
             _ => side,
         };
         let mut all = Vec::new();
@@ -316,7 +316,7 @@ impl Reader<'_> {
                 Err(PlanFault::Fit { callout })
             } else {
                 let limits = match kind {
-                    Kind::Face(..) => self.sources.coordinate_limits(&callout, side),
+                    FeatureKind::Face(..) => self.sources.coordinate_limits(&callout, side),
                     _ => self.sources.limits(&callout, side),
                 };
                 limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })
@@ -324,7 +324,7 @@ impl Reader<'_> {
             let Some(limits) = self.take(column, limits) else { continue };
             // Far below a millimetre a class can reach below 0, which no cycle accepts.
             let range = in_range(Meaning::MinimumDiameter, &limits.minimum());
-            if !matches!(kind, Kind::Face(..)) {
+            if !matches!(kind, FeatureKind::Face(..)) {
                 self.take(column, range);
             }
             all.push(limits);
@@ -332,7 +332,7 @@ impl Reader<'_> {
         Some(all).filter(|all| !all.is_empty())
     }
 
-    fn cycle(&mut self, kind: Option<&Kind>, feature: Feature) -> Option<&'static Cycle> {
+    fn cycle(&mut self, kind: Option<&FeatureKind>, feature: Feature) -> Option<&'static Cycle> {
         let read = measured_by::cycle(self.row.text(Column::Cycle), kind, feature);
         self.take(Column::Cycle, read).flatten()
     }

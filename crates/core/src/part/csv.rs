@@ -5,10 +5,10 @@
 
 use super::Document;
 use super::column::Column;
-use super::draft::{Cell, Draft, Row};
+use super::draft::{Draft, DraftCell, DraftFeature};
 use super::fault::{PlanError, PlanFault};
 use super::plan::MOST_FEATURES;
-use crate::message::{Located, Place};
+use crate::message::{FilePlace, Located};
 use crate::text::{decode, lines};
 
 /// The largest plan, 1 MiB: a kilobyte for every feature. Every cell takes memory and time, also an empty one.
@@ -31,7 +31,7 @@ pub(super) fn of_rows(rows: impl IntoIterator<Item = (usize, Vec<String>)>) -> R
     let mut columns: Option<Vec<Option<Column>>> = None;
     let mut document = Document::default();
     for (line, row) in rows {
-        let problem = |what| Located { what, place: Place::line(line) };
+        let problem = |what| Located { what, place: FilePlace::line(line) };
         if row.iter().all(|cell| cell.trim().is_empty()) {
             continue;
         }
@@ -53,10 +53,10 @@ pub(super) fn of_rows(rows: impl IntoIterator<Item = (usize, Vec<String>)>) -> R
         if columns.len() < filled {
             document.problems.push(problem(PlanFault::Cells { found: row.len(), expected: columns.len() }));
         }
-        let mut feature = Row::at(Place::line(line));
+        let mut feature = DraftFeature::at(FilePlace::line(line));
         for (column, text) in columns.iter().zip(row) {
             if let Some(column) = column {
-                feature.put(*column, Cell::at(text.trim().to_owned(), Place::line(line)));
+                feature.put(*column, DraftCell::at(text.trim().to_owned(), FilePlace::line(line)));
             }
         }
         document.draft.rows.push(feature);
@@ -83,7 +83,7 @@ pub(super) fn write(draft: &Draft) -> String {
 }
 
 fn whole(what: PlanFault) -> PlanError {
-    Located { what, place: Place::default() }
+    Located { what, place: FilePlace::default() }
 }
 
 /// The cells of a line; none contains a line end.
@@ -102,7 +102,7 @@ fn cells(line: &str, separator: u8) -> Vec<String> {
 /// What the columns are; `None` for one that a plan does not have, which is told.
 fn header(row: &[String], line: usize, problems: &mut Vec<PlanError>) -> Vec<Option<Column>> {
     let mut columns = Vec::new();
-    let mut problem = |what| problems.push(Located { what, place: Place::line(line) });
+    let mut problem = |what| problems.push(Located { what, place: FilePlace::line(line) });
     for cell in row {
         let column = Column::of_key(cell);
         match column {

@@ -4,20 +4,20 @@
 use std::sync::Arc;
 
 use super::column::{Column, HeadField};
-use crate::message::Place;
+use crate::message::FilePlace;
 
 /// A text and where it stands in its file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Cell {
+pub struct DraftCell {
     /// The text; empty where nothing is given.
     pub text: String,
     /// Line and column of its file, where it is from one.
-    pub place: Place,
+    pub place: FilePlace,
 }
 
-impl Cell {
+impl DraftCell {
     /// A text of a file.
-    pub const fn at(text: String, place: Place) -> Self {
+    pub const fn at(text: String, place: FilePlace) -> Self {
         Self { text, place }
     }
 }
@@ -26,21 +26,21 @@ impl Cell {
 ///
 /// Its cells are shared until they are changed: every change that can be taken back keeps a whole draft.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Row {
-    cells: Arc<[Cell; Column::ALL.len()]>,
+pub struct DraftFeature {
+    cells: Arc<[DraftCell; Column::ALL.len()]>,
     /// Where it begins in its file, where it is from one.
-    pub place: Place,
+    pub place: FilePlace,
 }
 
-impl Default for Row {
+impl Default for DraftFeature {
     fn default() -> Self {
-        Self { cells: Arc::new(std::array::from_fn(|_| Cell::default())), place: Place::default() }
+        Self { cells: Arc::new(std::array::from_fn(|_| DraftCell::default())), place: FilePlace::default() }
     }
 }
 
-impl Row {
+impl DraftFeature {
     /// An empty row that begins at a place of a file.
-    pub fn at(place: Place) -> Self {
+    pub fn at(place: FilePlace) -> Self {
         Self { place, ..Self::default() }
     }
 
@@ -54,8 +54,9 @@ impl Row {
     }
 
     /// A cell.
-    pub fn cell(&self, column: Column) -> &Cell {
-        static EMPTY: Cell = Cell { text: String::new(), place: Place { file: None, line: None, column: None } };
+    pub fn cell(&self, column: Column) -> &DraftCell {
+        static EMPTY: DraftCell =
+            DraftCell { text: String::new(), place: FilePlace { file: None, line: None, column: None } };
         self.cells.get(column.at()).unwrap_or(&EMPTY)
     }
 
@@ -71,11 +72,11 @@ impl Row {
 
     /// Writes a text that is from no file.
     pub fn set(&mut self, column: Column, text: String) {
-        self.put(column, Cell { text, place: Place::default() });
+        self.put(column, DraftCell { text, place: FilePlace::default() });
     }
 
     /// Writes a cell.
-    pub fn put(&mut self, column: Column, cell: Cell) {
+    pub fn put(&mut self, column: Column, cell: DraftCell) {
         if let Some(old) = Arc::make_mut(&mut self.cells).get_mut(column.at()) {
             *old = cell;
         }
@@ -90,20 +91,21 @@ impl Row {
 /// A plan as it is written.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Draft {
-    head: [Cell; HeadField::ALL.len()],
+    head: [DraftCell; HeadField::ALL.len()],
     /// The features.
-    pub rows: Vec<Row>,
+    pub rows: Vec<DraftFeature>,
 }
 
 impl Draft {
     /// A plan of features that says nothing of the part.
-    pub fn of(rows: Vec<Row>) -> Self {
+    pub fn of(rows: Vec<DraftFeature>) -> Self {
         Self { rows, ..Self::default() }
     }
 
     /// A field of the part.
-    pub fn cell(&self, field: HeadField) -> &Cell {
-        static EMPTY: Cell = Cell { text: String::new(), place: Place { file: None, line: None, column: None } };
+    pub fn cell(&self, field: HeadField) -> &DraftCell {
+        static EMPTY: DraftCell =
+            DraftCell { text: String::new(), place: FilePlace { file: None, line: None, column: None } };
         self.head.get(field.at()).unwrap_or(&EMPTY)
     }
 
@@ -114,11 +116,11 @@ impl Draft {
 
     /// Writes a text that is from no file.
     pub fn set(&mut self, field: HeadField, text: String) {
-        self.put(field, Cell { text, place: Place::default() });
+        self.put(field, DraftCell { text, place: FilePlace::default() });
     }
 
     /// Writes a field.
-    pub fn put(&mut self, field: HeadField, cell: Cell) {
+    pub fn put(&mut self, field: HeadField, cell: DraftCell) {
         if let Some(old) = self.head.get_mut(field.at()) {
             *old = cell;
         }
@@ -126,7 +128,8 @@ impl Draft {
 
     /// Whether another draft has the same texts, wherever they are from.
     pub fn says_the_same(&self, other: &Self) -> bool {
-        let same = |one: &[Cell], other: &[Cell]| one.iter().zip(other).all(|(one, other)| one.text == other.text);
+        let same =
+            |one: &[DraftCell], other: &[DraftCell]| one.iter().zip(other).all(|(one, other)| one.text == other.text);
         let rows = || self.rows.iter().zip(&other.rows);
         same(&self.head, &other.head)
             && self.rows.len() == other.rows.len()

@@ -24,12 +24,12 @@ use toml::de::{DeTable, DeValue};
 use super::Document;
 use super::column::{Column, HeadField};
 use super::csv::LARGEST;
-use super::draft::{Cell, Draft, Row};
+use super::draft::{Draft, DraftCell, DraftFeature};
 use super::fault::{PlanError, PlanFault};
 use super::plan::MOST_FEATURES;
 use super::values::beginning;
 use crate::length::Length;
-use crate::message::{Located, Place};
+use crate::message::{FilePlace, Located};
 use crate::text::decode;
 
 /// The key that says that a file is a plan, with the version of its form.
@@ -61,7 +61,7 @@ pub(super) fn says_plan(head: &[u8]) -> bool {
 /// Reads a plan.
 pub(super) fn read(bytes: &[u8]) -> Result<Document, PlanError> {
     if LARGEST < bytes.len() {
-        return Err(Located { what: PlanFault::TooLarge { most: LARGEST >> 10 }, place: Place::default() });
+        return Err(Located { what: PlanFault::TooLarge { most: LARGEST >> 10 }, place: FilePlace::default() });
     }
     let text = decode(bytes);
     let text = text.trim_start_matches('\u{feff}');
@@ -153,7 +153,7 @@ impl Reader<'_> {
         };
         if let Some(text) = self.head_text(field, value) {
             let place = self.lines.place(value.span().start);
-            self.document.draft.put(field, Cell::at(text, place));
+            self.document.draft.put(field, DraftCell::at(text, place));
         }
     }
 
@@ -179,7 +179,7 @@ impl Reader<'_> {
                 self.other(FEATURE, feature, "[[feature]] tables");
                 continue;
             };
-            let mut row = Row::at(self.lines.place(feature.span().start));
+            let mut row = DraftFeature::at(self.lines.place(feature.span().start));
             let mut seen = Vec::new();
             for (key, value) in table {
                 let name = key.get_ref().as_ref();
@@ -195,7 +195,7 @@ impl Reader<'_> {
                 }
                 seen.push(column);
                 if let Some(text) = self.text(column.key(), value, "a text or a number") {
-                    row.put(column, Cell::at(text, self.lines.place(value.span().start)));
+                    row.put(column, DraftCell::at(text, self.lines.place(value.span().start)));
                 }
             }
             self.document.draft.rows.push(row);
@@ -244,10 +244,10 @@ impl<'a> Lines<'a> {
     }
 
     /// Line and character of a byte.
-    fn place(&self, at: usize) -> Place {
+    fn place(&self, at: usize) -> FilePlace {
         let (begun, _) = self.starts.split_at(self.starts.partition_point(|start| *start <= at));
         let before = begun.last().and_then(|start| self.text.get(*start..at));
-        Place::in_line(begun.len(), 1 + before.map_or(0, |text| text.chars().count()))
+        FilePlace::in_line(begun.len(), 1 + before.map_or(0, |text| text.chars().count()))
     }
 }
 

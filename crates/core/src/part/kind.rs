@@ -10,7 +10,7 @@ use crate::tolerance::{Callout, Deviations, Feature};
 
 /// What is measured of a feature.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
+pub enum FeatureKind {
     /// The diameter of a hole or a shaft.
     Diameter(Callout),
     /// The width of a slot or a ridge.
@@ -93,7 +93,7 @@ impl Direction {
     }
 }
 
-impl Kind {
+impl FeatureKind {
     /// The callouts of its sizes, with their classes: two of a pocket or boss, none of a point.
     pub fn callouts(&self) -> Vec<Callout> {
         match self {

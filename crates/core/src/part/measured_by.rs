@@ -1,7 +1,7 @@
 //! Which cycle measures a feature of a plan, and with which further parameters.
 
 use super::fault::PlanFault;
-use super::kind::Kind;
+use super::kind::FeatureKind;
 use super::values::{beginning, is_decided};
 use crate::probing::cycle::{Control, Cycle, Inputs, Parameter};
 use crate::probing::cycles::{cycle_named, cycles_of};
@@ -10,7 +10,7 @@ use crate::tolerance::Feature;
 /// The cycle that a cell names, or else the usual one. Where the kind is not known, any measuring cycle may be named.
 pub(super) fn cycle(
     text: Option<&str>,
-    kind: Option<&Kind>,
+    kind: Option<&FeatureKind>,
     feature: Feature,
 ) -> Result<Option<&'static Cycle>, PlanFault> {
     let Some(text) = text else { return Ok(kind.and_then(|kind| kind.cycle(feature))) };

@@ -6,7 +6,7 @@ use crate::tolerance::fit::thermal::Expansion;
 use crate::tolerance::{Callout, Feature, Limits};
 use crate::verdict::Rule;
 
-use super::kind::Kind;
+use super::kind::FeatureKind;
 
 /// The most features of a plan: a control opens a window for each.
 pub const MOST_FEATURES: usize = 1_000;
@@ -50,7 +50,7 @@ pub struct PlanFeature {
     /// Its name; if none is given, `F` and its position in the plan.
     pub name: String,
     /// What is measured of it, with nominal sizes and tolerances (Q1, QS1).
-    pub kind: Kind,
+    pub kind: FeatureKind,
     /// The limits of every size; those of a point count from its nominal place, as an outside dimension.
     pub limits: Vec<Limits>,
     /// Centre in X and Y and measuring height in Z, or the point's place (Q11, Q21, Q31), ±99999.9999 mm; `None` where one of

@@ -4,7 +4,7 @@
 //! machined, or of a doubt. It never takes the place of scrap by itself: what was too large a hole does not become smaller, so that one of the
 //! two is of another part, of another feature or wrong. Where nothing decides, the worst one counts until somebody chooses.
 
-use super::taken::Taken;
+use super::taken::SizeValue;
 use crate::verdict::Status;
 
 /// Which of several values of a size counts that contradict each other.
@@ -43,7 +43,7 @@ pub(super) struct Counting {
 }
 
 /// Looks at values with their places, in the order in which they came.
-pub(super) fn counting(mut values: impl Iterator<Item = (usize, Taken)>, by: Repeats) -> Option<Counting> {
+pub(super) fn counting(mut values: impl Iterator<Item = (usize, SizeValue)>, by: Repeats) -> Option<Counting> {
     let first = values.next()?;
     let mut last = first;
     let mut worst = first;

@@ -1,6 +1,6 @@
 //! A feature of a plan measured by its cycle on a perfect part: what a walk through the plan takes where nothing is at hand.
 
-use super::kind::{Kind, Towards, WidthAxis};
+use super::kind::{FeatureKind, Towards, WidthAxis};
 use super::plan::PlanFeature;
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
@@ -24,7 +24,7 @@ impl PlanFeature {
         let inputs = self.inputs(cycle)?;
         let result = cycle.measure(&inputs, &mut machine).map_err(|error| error.message())?;
         let origin = Origin::Simulated { cycle: cycle.number, seed };
-        if let (Kind::Diameter(_), Some(found)) = (&self.kind, &result.circle) {
+        if let (FeatureKind::Diameter(_), Some(found)) = (&self.kind, &result.circle) {
             let circle = Measurement::of_circle(found.circle, result.plane_contacts(), origin);
             return circle.map(|circle| vec![circle]).map_err(|error| error.message());
         }
@@ -98,12 +98,12 @@ impl PlanFeature {
             Axis::Third => "3",
         };
         match (meaning, &self.kind) {
-            (Meaning::AxisOfPlane, Kind::Width(_, axis)) => Some(number(axis_of(*axis)).to_owned()),
-            (Meaning::MeasuredAxis, Kind::Face(_, Towards { axis, .. })) => Some(number(*axis).to_owned()),
-            (Meaning::Direction, Kind::Face(_, Towards { is_plus, .. })) => {
+            (Meaning::AxisOfPlane, FeatureKind::Width(_, axis)) => Some(number(axis_of(*axis)).to_owned()),
+            (Meaning::MeasuredAxis, FeatureKind::Face(_, Towards { axis, .. })) => Some(number(*axis).to_owned()),
+            (Meaning::Direction, FeatureKind::Face(_, Towards { is_plus, .. })) => {
                 Some(if *is_plus { "1" } else { "-1" }.to_owned())
             }
-            (Meaning::Normal(axis), Kind::Point(_, direction)) => {
+            (Meaning::Normal(axis), FeatureKind::Point(_, direction)) => {
                 let [x, y, z] = direction.normal();
                 let part = match axis {
                     Axis::First => x,
@@ -120,7 +120,7 @@ impl PlanFeature {
     fn wall(&self, axis: Axis, nominal: Length, is_larger: bool) -> Option<Length> {
         let [x, y, _] = self.place?;
         let place = if axis == Axis::First { x } else { y };
-        let Kind::Width(_, across) = &self.kind else { return Some(place) };
+        let FeatureKind::Width(_, across) = &self.kind else { return Some(place) };
         if axis_of(*across) != axis {
             return Some(place);
         }

@@ -3,7 +3,7 @@
 use super::column::{Column, HeadField};
 use super::draft::Draft;
 use super::fault::{PlanError, PlanFault};
-use crate::message::{Located, Place};
+use crate::message::{FilePlace, Located};
 
 /// What a fault is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -29,9 +29,9 @@ impl Finding {
     /// The same with its place in the draft's file.
     pub fn located(self, draft: &Draft) -> PlanError {
         let place = match self.spot {
-            Spot::Plan => Place::default(),
+            Spot::Plan => FilePlace::default(),
             Spot::Head(field) => draft.cell(field).place.clone(),
-            Spot::Feature(at, column) => draft.rows.get(at).map_or_else(Place::default, |row| {
+            Spot::Feature(at, column) => draft.rows.get(at).map_or_else(FilePlace::default, |row| {
                 let cell = column.map(|column| row.cell(column).place.clone());
                 cell.filter(|place| place.line.is_some()).unwrap_or_else(|| row.place.clone())
             }),

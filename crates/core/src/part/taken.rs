@@ -6,7 +6,7 @@ use crate::verdict::Status;
 
 /// A value of a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Taken {
+pub struct SizeValue {
     /// Its verdict.
     pub status: Status,
     /// Whether nobody measured it.

@@ -11,7 +11,7 @@ use crate::tolerance::Feature;
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::fit::thermal::{Expansion, ThermalError};
 use crate::verdict::Rule;
-use crate::verdict::rules::{Given, RuleName, Uncertainty};
+use crate::verdict::rules::{RuleInputs, RuleName, Uncertainty};
 
 /// Whether a column of the plan, or its callout, decides a parameter of a cycle.
 pub(super) const fn is_decided(meaning: Meaning) -> bool {
@@ -84,11 +84,12 @@ pub(super) fn rule(name: Option<&str>, uncertainty: Option<&str>) -> Result<Opti
     }
     match (named, name) {
         (Some((rule, width)), Some(text)) => {
-            let rule = Rule::new(rule, Given { uncertainty, width, ..Given::default() });
+            let rule = Rule::new(rule, RuleInputs { uncertainty, width, ..RuleInputs::default() });
             rule.map(Some).map_err(|error| vec![(Column::Rule, PlanFault::Rule { rule: beginning(text), error })])
         }
         // An uncertainty alone is shown with the control's rule.
-        _ => Ok(uncertainty.and_then(|_u| Rule::new(RuleName::Simple, Given { uncertainty, ..Given::default() }).ok())),
+        _ => Ok(uncertainty
+            .and_then(|_u| Rule::new(RuleName::Simple, RuleInputs { uncertainty, ..RuleInputs::default() }).ok())),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::repeats::{Counting, Repeats, counting};
-use super::taken::Taken;
+use super::taken::SizeValue;
 use crate::message::Say;
 use crate::verdict::Status;
 
@@ -10,7 +10,7 @@ use crate::verdict::Status;
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Step {
     /// Its values, all of which are kept: [`Self::counts`] says which one counts.
-    pub taken: Vec<Taken>,
+    pub taken: Vec<SizeValue>,
     /// Which one of those counts that contradict each other.
     repeats: Repeats,
     /// Why it was left out; a value that comes later counts.
@@ -19,12 +19,12 @@ pub struct Step {
 
 impl Step {
     /// The values of which one counts: those that somebody measured, and simulated ones where nobody did.
-    fn live(&self) -> impl Iterator<Item = (usize, Taken)> {
+    fn live(&self) -> impl Iterator<Item = (usize, SizeValue)> {
         let nobody = self.taken.iter().all(|taken| taken.is_simulated);
         let of_somebody = move || self.taken.iter().filter(move |taken| nobody || !taken.is_simulated);
         // What somebody chose may have been taken out since.
         let none_left = of_somebody().all(|taken| taken.is_settled);
-        let is_live = move |taken: &Taken| (nobody || !taken.is_simulated) && (none_left || !taken.is_settled);
+        let is_live = move |taken: &SizeValue| (nobody || !taken.is_simulated) && (none_left || !taken.is_settled);
         (0..).zip(self.taken.iter().copied()).filter(move |(_, taken)| is_live(taken))
     }
 
@@ -49,7 +49,7 @@ impl Step {
     }
 
     /// The value that counts.
-    pub fn counts(&self) -> Option<Taken> {
+    pub fn counts(&self) -> Option<SizeValue> {
         self.taken.get(self.counting()?).copied()
     }
 
@@ -70,7 +70,7 @@ pub struct Walk {
 /// What the values of a part make of it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Say)]
 #[say(id = "part-standing")]
-pub struct Standing {
+pub struct PartStanding {
     /// The worst of its sizes; `None` where nothing was measured.
     #[say(skip)]
     pub worst: Option<Status>,
@@ -88,7 +88,7 @@ pub struct Standing {
     pub contradicted: usize,
 }
 
-impl Standing {
+impl PartStanding {
     /// Whether every size was measured, by somebody: without this nothing is green.
     pub const fn is_complete(&self) -> bool {
         !self.is_open() && self.simulated == 0
@@ -136,7 +136,7 @@ impl Walk {
     }
 
     /// Takes a value of a size.
-    pub fn take(&mut self, at: usize, taken: Taken) {
+    pub fn take(&mut self, at: usize, taken: SizeValue) {
         if let Some(step) = self.steps.get_mut(at) {
             step.taken.push(taken);
         }
@@ -167,8 +167,8 @@ impl Walk {
     }
 
     /// What its values make of it.
-    pub fn standing(&self) -> Standing {
-        let mut standing = Standing::default();
+    pub fn standing(&self) -> PartStanding {
+        let mut standing = PartStanding::default();
         for step in &self.steps {
             match (step.counts(), &step.skipped) {
                 (Some(taken), _) => {

@@ -1,6 +1,6 @@
 //! A plan as a simulated part, on which the programs of its set find every feature good.
 
-use super::{Kind, Plan, PlanFeature, WidthAxis};
+use super::{FeatureKind, Plan, PlanFeature, WidthAxis};
 use crate::length::Length;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Extent, Face, FreePoint, Part, PartFeature, Surface, Walls, Workpiece};
@@ -37,25 +37,25 @@ fn part_of(feature: &PlanFeature, place: [Length; 3]) -> Option<PartFeature> {
     let second = more.first().map(|limits| limits.middle().to_mm_f64());
     let walls = |angle| Surface::Walls(Walls { angle, ..Walls::new(round, [x, y], (middle, second)) });
     let surface = match &feature.kind {
-        Kind::Diameter(_) => Surface::Round(Workpiece::round(round, [x, y], middle), Plane::Xy),
-        Kind::Width(_, WidthAxis::X) | Kind::Pocket(_) | Kind::Boss(_) => walls(0.0),
-        Kind::Width(_, WidthAxis::Y) => walls(90.0),
-        Kind::Face(_, towards) => {
+        FeatureKind::Diameter(_) => Surface::Round(Workpiece::round(round, [x, y], middle), Plane::Xy),
+        FeatureKind::Width(_, WidthAxis::X) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) => walls(0.0),
+        FeatureKind::Width(_, WidthAxis::Y) => walls(90.0),
+        FeatureKind::Face(_, towards) => {
             let [first, second, third] = towards.vector();
             let one = |part: f64, place: f64| if 0.0 < part.abs() { middle } else { place };
             let point = [one(first, x), one(second, y), one(third, z)];
             Surface::Face(Face::plane(point, towards.vector().map(|part| 0.0 - part)))
         }
-        Kind::Point(_, direction) => {
+        FeatureKind::Point(_, direction) => {
             Surface::Point(FreePoint { deviation: middle, ..FreePoint::flat([x, y, z], direction.normal()) })
         }
     };
     let usual = Extent::usual(&surface);
     let top = if z < 0.0 { usual.top } else { f64::midpoint(z, feature.clearance_height.to_mm_f64()) };
     let extent = match feature.kind {
-        Kind::Diameter(_) | Kind::Pocket(_) | Kind::Boss(_) => Extent { top, ..usual },
-        Kind::Width(..) => Extent { top, length: middle.max(SHORTEST), ..usual },
-        Kind::Face(..) | Kind::Point(..) => Extent { reach: REACH, ..usual },
+        FeatureKind::Diameter(_) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Extent { top, ..usual },
+        FeatureKind::Width(..) => Extent { top, length: middle.max(SHORTEST), ..usual },
+        FeatureKind::Face(..) | FeatureKind::Point(..) => Extent { reach: REACH, ..usual },
     };
     Some(PartFeature { name: feature.name.clone(), surface, extent })
 }

@@ -50,7 +50,7 @@ impl Form {
     }
 
     /// Hands over what writes the form as text; `None` for a form that is none.
-    pub fn with_rendering<W: WithRendering>(self, with: W) -> Option<W::Made> {
+    pub fn with_rendering<W: WithRendering>(self, with: W) -> Option<W::Rendered> {
         match self {
             Self::Csv => Some(with.rendering::<Csv>()),
             Self::Tsv => Some(with.rendering::<Tsv>()),
@@ -87,10 +87,10 @@ impl Form {
 /// Something that is done with any form of text.
 pub trait WithRendering {
     /// What it makes.
-    type Made;
+    type Rendered;
 
     /// Does it.
-    fn rendering<R: Rendering>(self) -> Self::Made;
+    fn rendering<R: Rendering>(self) -> Self::Rendered;
 }
 
 /// Writes rows with their answers as text.

@@ -34,7 +34,7 @@ pub use forms::{FORMS, Form, Rendering, WithRendering};
 pub use stream::{Packing, Stream};
 pub use text::{Input, Making, Sink, run, run_into};
 
-use crate::exchange::batch::{Counts, Figures, Judge, Met, Tally};
+use crate::exchange::batch::{Counts, Figures, Judge, JudgedCounts, Tally};
 
 /// How far a run has come, for whoever watches it, and its end.
 #[derive(Debug, Default)]
@@ -218,14 +218,14 @@ impl Summary {
     pub fn append(&mut self, other: Self) {
         let Self { tally, by_class, others, figures } = other;
         self.tally.add(tally);
-        self.met(Met { by_class, others, figures });
+        self.met(JudgedCounts { by_class, others, figures });
     }
 
     fn add(&mut self, judge: Judge<'_>) {
         self.met(judge.met());
     }
 
-    fn met(&mut self, Met { by_class, others, mut figures }: Met) {
+    fn met(&mut self, JudgedCounts { by_class, others, mut figures }: JudgedCounts) {
         self.figures.append(&mut figures);
         for (class, counts) in by_class {
             match self.by_class.binary_search_by_key(&class, |(known, _)| *known) {

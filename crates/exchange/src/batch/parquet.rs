@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::text::{Blocks, Text};
 use super::worker::Worker;
 use super::{Failed, Input, Manner, Rendering, Source, Summary, Watch, Watched, take_turns};
-use crate::exchange::batch::{Answers, Block, Court, Judge, Purpose, Tally, Typed};
+use crate::exchange::batch::{Answers, Block, Judge, Purpose, StreamJudging, Tally, Typed};
 use crate::exchange::parquet::{ChunkReader, Field, Group, Reader, Writer};
 
 /// How a run that writes Parquet is done.
@@ -44,7 +44,7 @@ where
 /// [`Failed`] says which side failed first.
 pub fn into_text<R: Rendering, F: ChunkReader + 'static>(
     file: Reader<F>,
-    court: &Court<'_>,
+    court: &StreamJudging<'_>,
     manner: Manner<'_>,
     out: &mut (dyn Write + Send),
     watch: &Watch,
@@ -66,7 +66,7 @@ pub fn into_text<R: Rendering, F: ChunkReader + 'static>(
 /// [`Failed`] says which side failed first.
 pub fn through<F: ChunkReader + 'static, W: Write + Send>(
     file: Reader<F>,
-    court: &Court<'_>,
+    court: &StreamJudging<'_>,
     manner: Columns<'_>,
     out: &mut Writer<W>,
     watch: &Watch,
@@ -88,7 +88,7 @@ pub fn through<F: ChunkReader + 'static, W: Write + Send>(
 /// [`Failed`] says which side failed first.
 pub fn from_text<W: Write + Send>(
     input: Input<'_>,
-    court: &Court<'_>,
+    court: &StreamJudging<'_>,
     manner: Columns<'_>,
     out: &mut Writer<W>,
     watch: &Watch,

@@ -4,7 +4,7 @@ use std::io::{self, Read, Write};
 
 use super::worker::Worker;
 use super::{Failed, Manner, Packing, Rendering, Source, Summary, Watch, Watched, take_turns};
-use crate::exchange::batch::{Block, Court, Cutter, Judge, Marks, Take, Tally};
+use crate::exchange::batch::{Block, Cutter, Judge, Marks, StreamJudging, Take, Tally};
 use fitcheck_core::text::long;
 
 /// Where the rows come from.
@@ -21,7 +21,7 @@ pub struct Input<'a> {
 /// [`Failed`] says which side failed first.
 pub fn run<R: Rendering>(
     input: Input<'_>,
-    court: &Court<'_>,
+    court: &StreamJudging<'_>,
     manner: Manner<'_>,
     out: &mut (dyn Write + Send),
     watch: &Watch,
@@ -63,7 +63,7 @@ pub trait Sink<M: Making>: Send {
 /// [`Failed`] says which side failed first.
 pub fn run_into<M: Making, S: Sink<M>>(
     input: Input<'_>,
-    court: &Court<'_>,
+    court: &StreamJudging<'_>,
     (workers, making): (usize, &(dyn Fn() -> M + Sync)),
     sink: &mut S,
     watch: &Watch,
@@ -108,7 +108,7 @@ pub(super) struct Text<R> {
 }
 
 impl<R: Rendering> Text<R> {
-    pub(super) fn new(court: &Court<'_>, manner: Manner<'_>) -> Self {
+    pub(super) fn new(court: &StreamJudging<'_>, manner: Manner<'_>) -> Self {
         let rendering = R::new(court.layout(), manner.prefix);
         Self { rendering, packing: manner.packing, packed: Vec::new(), failed: None }
     }

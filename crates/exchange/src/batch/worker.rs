@@ -4,7 +4,7 @@ use std::io;
 use std::marker::PhantomData;
 
 use super::Work;
-use crate::exchange::batch::{Court, Judge, Tally};
+use crate::exchange::batch::{Judge, StreamJudging, Tally};
 
 /// What a worker keeps from one portion to the next, how it judges one, and how it writes what it made of it.
 pub(super) struct Worker<'c, P, M, J, W, K: ?Sized> {
@@ -22,7 +22,7 @@ where
     W: Fn(&mut M, &P, &Tally, &mut K) -> io::Result<()>,
     K: ?Sized,
 {
-    pub(super) fn new(court: &'c Court<'_>, made: M, of_portion: J, into: W) -> Self {
+    pub(super) fn new(court: &'c StreamJudging<'_>, made: M, of_portion: J, into: W) -> Self {
         Self { judge: court.judge(), made, of_portion, into, portions: PhantomData, sink: PhantomData }
     }
 }

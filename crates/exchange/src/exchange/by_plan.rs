@@ -2,17 +2,17 @@
 //! compared, and what finds no feature is set aside.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Located, Place};
-use fitcheck_core::part::{By, Clues, Finder, Kind, NotFound, Plan, Size};
+use fitcheck_core::message::{FilePlace, Located};
+use fitcheck_core::part::{By, Clues, FeatureKind, Finder, NotFound, Plan, Size};
 use fitcheck_core::probing::Measurement;
 use fitcheck_core::tolerance::fit::thermal::Correction;
 use fitcheck_core::verdict::{PositionVerdict, judge_size};
 use jiff::civil::DateTime;
 
-use super::claim::Answer;
+use super::claim::ClaimAnswer;
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use super::given::shorten;
-use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
+use super::imported::{Item, Labels, StatedLimits, Unjudged, WhyUnjudged};
 use super::quantity::Quantity;
 use crate::journal::Record;
 
@@ -73,7 +73,7 @@ impl<'a> ByPlan<'a> {
         let Some(size) = self.sizes.get(at) else { return };
         if let Some((given, column)) = not_positive.filter(|_| !may_be_below_zero(size)) {
             let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
-            return take(Item::Error(Box::new(Located { what, place: Place::in_line(line, column) })));
+            return take(Item::Error(Box::new(Located { what, place: FilePlace::in_line(line, column) })));
         }
         let status = judge_size(size.limits, measurement.diameter).status;
         if let Some(why) = labels.too_coarse(size.limits, measurement.diameter, status) {
@@ -92,10 +92,10 @@ impl<'a> ByPlan<'a> {
             Some(rule) => record.by(rule),
             None => record,
         };
-        let answer = Answer::of(&record);
+        let answer = ClaimAnswer::of(&record);
         let kind = &size.feature.kind;
         // A face has one side, and a point none.
-        let has_sides = !matches!(kind, Kind::Face(..) | Kind::Point(..));
+        let has_sides = !matches!(kind, FeatureKind::Face(..) | FeatureKind::Point(..));
         let claims = labels.claims.iter().filter(|claim| has_sides || !claim.is_of_feature());
         let told = found(&size.name(), by, &id, &labels.number)
             .into_iter()
@@ -129,7 +129,7 @@ impl<'a> ByPlan<'a> {
     }
 
     /// Whether a file asks for what the plan asks for: the same nominal size, or else limits that are all the plan's.
-    fn agrees(&self, at: usize, asked: &Asked) -> bool {
+    fn agrees(&self, at: usize, asked: &StatedLimits) -> bool {
         let Some(limits) = self.sizes.get(at).map(|size| size.limits) else { return false };
         match (asked.nominal, asked.minimum, asked.maximum) {
             (Some(nominal), ..) => nominal == limits.nominal,
@@ -158,7 +158,7 @@ struct Value {
     line: usize,
     id: String,
     labels: Labels,
-    asked: Asked,
+    asked: StatedLimits,
     time: DateTime,
     measurement: Measurement,
     position: Option<PositionVerdict>,
@@ -175,7 +175,8 @@ impl Value {
     /// A value that its file has limits for.
     fn of_record(line: usize, record: Record, labels: Labels) -> Self {
         let Record { id, callout, limits: own, time, measurement, verdict, correction, .. } = record;
-        let asked = Asked { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
+        let asked =
+            StatedLimits { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
         let has_nominal = callout.is_some() || own.nominal != own.minimum();
         let kinds: &[&str] = if measurement.centre.is_some() { &["diameter"] } else { &[] };
         let position = verdict.position;
@@ -252,7 +253,7 @@ fn has_name_and_number(value: &Value) -> bool {
 
 /// Whether a value of a size may be zero or less: a coordinate or a deviation, not a distance.
 const fn may_be_below_zero(size: &Size<'_>) -> bool {
-    matches!(size.feature.kind, Kind::Face(..) | Kind::Point(..))
+    matches!(size.feature.kind, FeatureKind::Face(..) | FeatureKind::Point(..))
 }
 
 /// By what a feature was found, where it was not by its name; and what the value is called where that is known to no feature.
@@ -272,7 +273,7 @@ fn found(name: &str, by: By, id: &str, number: &str) -> Option<ImportWarningKind
 }
 
 /// That the file has other limits than the plan, or another nominal size where it has none.
-fn other_limits(asked: &Asked, size: &Size<'_>) -> Option<ImportWarningKind> {
+fn other_limits(asked: &StatedLimits, size: &Size<'_>) -> Option<ImportWarningKind> {
     let limits = size.limits;
     match (asked.minimum, asked.maximum) {
         (Some(minimum), Some(maximum)) => ((minimum, maximum) != (limits.minimum(), limits.maximum()))
@@ -320,5 +321,5 @@ const fn is_plain(why: &WhyUnjudged) -> bool {
 }
 
 fn warning(line: usize, kind: ImportWarningKind) -> Item {
-    Item::Warning(Located { what: ImportWarning { row: Some(line), kind }, place: Place::line(line) })
+    Item::Warning(Located { what: ImportWarning { row: Some(line), kind }, place: FilePlace::line(line) })
 }

@@ -7,21 +7,21 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Place;
+use fitcheck_core::message::FilePlace;
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::tolerance::{Callout, Deviations, Feature, Limits, LimitsError, Source as LimitSource};
 use fitcheck_core::verdict::judge_size;
 use jiff::civil::DateTime;
 
-use super::claim::Answer;
+use super::claim::ClaimAnswer;
 use super::error::{ImportErrorKind, ImportWarningKind};
-use super::imported::{Asked, Labels, Sink, Unjudged, WhyUnjudged};
+use super::imported::{Labels, Sink, StatedLimits, Unjudged, WhyUnjudged};
 use super::source::Context;
 use crate::journal::Record;
 
 /// What is measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum What {
+pub(super) enum CharacteristicKind {
     /// A diameter or a width: a feature of size.
     Size,
     /// A quantity of AQDEF other than a diameter, by its number.
@@ -35,7 +35,7 @@ pub(super) enum What {
 pub(super) struct Characteristic {
     /// Its name; empty where it has a number alone.
     pub(super) name: String,
-    pub(super) what: What,
+    pub(super) what: CharacteristicKind,
     /// The tolerance class as it is written, such as `H7`; empty where it has none.
     pub(super) class: String,
     /// Whether it is a hole or a shaft, where the file says so in another way than by a class.
@@ -79,8 +79,8 @@ impl Characteristic {
     }
 
     /// What the file says that its values should be.
-    pub(super) const fn said(&self) -> Asked {
-        Asked { nominal: self.nominal, minimum: self.minimum, maximum: self.maximum }
+    pub(super) const fn said(&self) -> StatedLimits {
+        StatedLimits { nominal: self.nominal, minimum: self.minimum, maximum: self.maximum }
     }
 
     /// Judges a value by the limits that the file has; where it has a class alone, by those of the class.
@@ -91,7 +91,7 @@ impl Characteristic {
         match self.asked(line, context, sink) {
             Ok(_) if value.measured <= Length::ZERO => {
                 let given = value.measured.to_string();
-                sink.refuse(Place::line(line), ImportErrorKind::NotPositive { given: given.clone() }, given);
+                sink.refuse(FilePlace::line(line), ImportErrorKind::NotPositive { given: given.clone() }, given);
             }
             Ok((callout, limits)) => {
                 let status = judge_size(&limits, value.measured).status;
@@ -102,17 +102,17 @@ impl Characteristic {
                 let time = value.time.unwrap_or(context.now);
                 let record = Record::judged(time, self.id(), callout, limits, measurement, None);
                 self.tell_uncertainty(line, sink);
-                let answer = Answer::of(&record);
+                let answer = ClaimAnswer::of(&record);
                 for claim in &value.labels.claims {
                     if let Some(warning) = claim.tells(&answer) {
-                        sink.warn(Place::line(line), Some(line), warning);
+                        sink.warn(FilePlace::line(line), Some(line), warning);
                     }
                 }
                 sink.keep(line, record, value.labels);
             }
             Err(NoLimits::Unjudged(why)) => self.set_aside(value, origin, why, context, sink),
             Err(NoLimits::Refused(error)) => {
-                sink.refuse(Place::line(line), ImportErrorKind::Limits(*error), value.measured.to_string());
+                sink.refuse(FilePlace::line(line), ImportErrorKind::Limits(*error), value.measured.to_string());
             }
         }
     }
@@ -134,7 +134,7 @@ impl Characteristic {
 
     fn tell_uncertainty(&self, line: usize, sink: &mut Sink<'_>) {
         if let Some(expanded) = self.expanded {
-            sink.warn(Place::line(line), Some(line), ImportWarningKind::UncertaintyNotUsed { expanded });
+            sink.warn(FilePlace::line(line), Some(line), ImportWarningKind::UncertaintyNotUsed { expanded });
         }
     }
 
@@ -146,13 +146,15 @@ impl Characteristic {
         sink: &mut Sink<'_>,
     ) -> Result<(Option<Callout>, Limits), NoLimits> {
         match &self.what {
-            What::Size => {}
-            What::Quantity(quantity) => {
+            CharacteristicKind::Size => {}
+            CharacteristicKind::Quantity(quantity) => {
                 return Err(NoLimits::Unjudged(WhyUnjudged::Quantity { quantity: *quantity }));
             }
-            What::Other(what) => return Err(NoLimits::Unjudged(WhyUnjudged::NotASize { what: what.clone() })),
+            CharacteristicKind::Other(what) => {
+                return Err(NoLimits::Unjudged(WhyUnjudged::NotASize { what: what.clone() }));
+            }
         }
-        let mut warn = |kind| sink.warn(Place::line(line), Some(line), kind);
+        let mut warn = |kind| sink.warn(FilePlace::line(line), Some(line), kind);
         let callout = self.callout();
         let of_class = callout.map(|callout| context.sources.limits(&callout, self.feature));
         let (minimum, maximum) = match (self.minimum, self.maximum) {

@@ -46,11 +46,11 @@ const AGAINST: [char; 8] = ['✗', '✘', '✕', '❌', '☒', '≠', '!', '?'];
 pub struct Claim {
     /// As the file says it.
     said: String,
-    what: What,
+    what: ClaimContent,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum What {
+enum ClaimContent {
     /// The verdicts that agree with it.
     Status(&'static [Status]),
     /// A status that is not known.
@@ -76,13 +76,13 @@ enum What {
 
 /// The answer that a claim is compared with.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Answer {
+pub(super) struct ClaimAnswer {
     pub(super) bounds: Bounds,
     pub(super) measured: Length,
     pub(super) status: Status,
 }
 
-impl Answer {
+impl ClaimAnswer {
     /// The answer that a record gives.
     pub(super) fn of(record: &Record) -> Self {
         let measured = record.measurement.diameter;
@@ -133,7 +133,7 @@ fn rounded_by(unit: Unit, decimals: usize) -> Length {
 }
 
 impl Claim {
-    const fn new(said: String, what: What) -> Self {
+    const fn new(said: String, what: ClaimContent) -> Self {
         Self { said, what }
     }
 
@@ -144,70 +144,70 @@ impl Claim {
             Status::Scrap => &[Status::Scrap],
             Status::ReMeasure => &[Status::ReMeasure],
         };
-        Self::new(shorten(said), What::Status(agrees))
+        Self::new(shorten(said), ClaimContent::Status(agrees))
     }
 
     /// That a value is out of its limits, or that something else is wrong with it.
     pub(super) fn out(said: &str) -> Self {
         // Whoever knows no rework calls it so as well.
-        Self::new(shorten(said), What::Status(&[Status::Rework, Status::Scrap]))
+        Self::new(shorten(said), ClaimContent::Status(&[Status::Rework, Status::Scrap]))
     }
 
     /// A claim that no verdict agrees with.
     pub(super) fn unknown(said: &str) -> Self {
-        Self::new(shorten(said), What::Status(&[]))
+        Self::new(shorten(said), ClaimContent::Status(&[]))
     }
 
     /// An upper limit, which may be a size or a deviation.
     pub(super) fn upper(said: &str, figure: Figure) -> Self {
-        Self::new(shorten(said), What::Upper(figure))
+        Self::new(shorten(said), ClaimContent::Upper(figure))
     }
 
     /// A lower limit, which may stand without its sign as a deviation.
     pub(super) fn lower(said: &str, figure: Figure) -> Self {
-        Self::new(shorten(said), What::Lower(figure))
+        Self::new(shorten(said), ClaimContent::Lower(figure))
     }
 
     /// The same of a limit that may be the largest or the smallest of several readings as well.
     #[must_use]
     pub(super) fn or_reading(self) -> Self {
         let what = match self.what {
-            What::Upper(figure) => What::Largest(figure),
-            What::Lower(figure) => What::Smallest(figure),
+            ClaimContent::Upper(figure) => ClaimContent::Largest(figure),
+            ClaimContent::Lower(figure) => ClaimContent::Smallest(figure),
             other => other,
         };
         Self { what, ..self }
     }
 
     pub(super) fn deviation(said: &str, figure: Figure) -> Self {
-        Self::new(shorten(said), What::Deviation(figure))
+        Self::new(shorten(said), ClaimContent::Deviation(figure))
     }
 
     /// A hole or a shaft.
     pub(super) fn feature(said: &str, feature: Feature) -> Self {
-        Self::new(shorten(said), What::Feature(feature))
+        Self::new(shorten(said), ClaimContent::Feature(feature))
     }
 
     /// How warm the part was.
     pub(super) fn warm(said: &str, warm: Temperature) -> Self {
-        Self::new(shorten(said), What::Warm { said: warm, counted: Temperature::REFERENCE })
+        Self::new(shorten(said), ClaimContent::Warm { said: warm, counted: Temperature::REFERENCE })
     }
 
     /// Whether it says how warm the part was.
     pub(super) const fn is_of_temperature(&self) -> bool {
-        matches!(self.what, What::Warm { .. })
+        matches!(self.what, ClaimContent::Warm { .. })
     }
 
     /// Whether it says 20 °C.
     pub(super) fn is_of_reference(&self) -> bool {
-        matches!(self.what, What::Warm { said, .. } if said == Temperature::REFERENCE)
+        matches!(self.what, ClaimContent::Warm { said, .. } if said == Temperature::REFERENCE)
     }
 
     /// The same beside values that are brought to 20 °C from this temperature.
     #[must_use]
     pub(super) fn from(self, counted: Temperature) -> Self {
         let what = match self.what {
-            What::Warm { said, .. } => What::Warm { said, counted },
+            ClaimContent::Warm { said, .. } => ClaimContent::Warm { said, counted },
             other => other,
         };
         Self { what, ..self }
@@ -215,23 +215,23 @@ impl Claim {
 
     /// That a value is in another unit.
     pub(super) fn of_unit(said: &str) -> Self {
-        Self::new(shorten(said), What::Unit)
+        Self::new(shorten(said), ClaimContent::Unit)
     }
 
     /// That nobody measured a value.
     pub(super) fn simulated(said: &str) -> Self {
-        Self::new(shorten(said), What::Simulated)
+        Self::new(shorten(said), ClaimContent::Simulated)
     }
 
     /// A name that is none of a size of one part.
     pub(super) fn no_size(said: &str) -> Self {
-        Self::new(shorten(said), What::NoSize)
+        Self::new(shorten(said), ClaimContent::NoSize)
     }
 
     /// What a cell of a table says of the status; `None` where it says nothing of a verdict.
     pub(super) fn of_cell(text: &str) -> Option<Self> {
         let is_said = text.contains(|c: char| c.is_alphanumeric() || MARKS.contains(c)) && !says_nothing(text);
-        is_said.then(|| Self::of_word(text).unwrap_or_else(|| Self::new(shorten(text), What::Unknown)))
+        is_said.then(|| Self::of_word(text).unwrap_or_else(|| Self::new(shorten(text), ClaimContent::Unknown)))
     }
 
     /// What a word says of the status; `None` for one that is not known.
@@ -245,7 +245,7 @@ impl Claim {
             return Some(Self::out(word));
         }
         if word.contains(AGAINST) {
-            return Some(Self::new(shorten(word), What::Unknown));
+            return Some(Self::new(shorten(word), ClaimContent::Unknown));
         }
         if is(GOOD) {
             return Some(Self::of(word, Status::Good));
@@ -257,18 +257,18 @@ impl Claim {
         // "OK (Ausschuss)"
         let words = rest.split([' ', '(', ')', ',', ';', '/']).filter(|word| !word.is_empty());
         let is_against = words.filter_map(Self::of_word).any(|more| more.is_rejection() != claim.is_rejection());
-        let what = if is_against { What::Unknown } else { claim.what };
+        let what = if is_against { ClaimContent::Unknown } else { claim.what };
         Some(Self::new(shorten(word), what))
     }
 
     /// Whether it says something that can be compared.
     pub(super) const fn is_known(&self) -> bool {
-        !matches!(self.what, What::Unknown)
+        !matches!(self.what, ClaimContent::Unknown)
     }
 
     /// Whether it says that the value is not good.
     pub(super) fn is_rejection(&self) -> bool {
-        matches!(self.what, What::Status(agrees) if !agrees.contains(&Status::Good))
+        matches!(self.what, ClaimContent::Status(agrees) if !agrees.contains(&Status::Good))
     }
 
     /// As the file says it.
@@ -278,42 +278,48 @@ impl Claim {
 
     /// Whether it says that a value is of a hole or a shaft.
     pub(super) const fn is_of_feature(&self) -> bool {
-        matches!(self.what, What::Feature(_))
+        matches!(self.what, ClaimContent::Feature(_))
     }
 
     /// What is to be told beside an answer: that the file says another one, or something that is not known.
-    pub(super) fn tells(&self, answer: &Answer) -> Option<ImportWarningKind> {
-        let Answer { bounds, measured, status } = answer;
+    pub(super) fn tells(&self, answer: &ClaimAnswer) -> Option<ImportWarningKind> {
+        let ClaimAnswer { bounds, measured, status } = answer;
         let nominal = bounds.nominal;
         let given = self.said.clone();
         let above = |by: Length| nominal.checked_add(by);
         let is_so = match &self.what {
-            What::Status(_) => return self.differs(*status),
-            What::Warm { said, counted } if !is_felt(*said, *counted, bounds) => return None,
-            What::Warm { counted, .. } => {
+            ClaimContent::Status(_) => return self.differs(*status),
+            ClaimContent::Warm { said, counted } if !is_felt(*said, *counted, bounds) => return None,
+            ClaimContent::Warm { counted, .. } => {
                 return Some(ImportWarningKind::TemperatureDiffers { given, counted: counted.to_string() });
             }
-            What::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
-            What::Unit => return Some(ImportWarningKind::SpeaksOfUnit { text: given }),
-            What::Simulated => return Some(ImportWarningKind::SpeaksOfSimulation { text: given }),
-            What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
-            What::Largest(figure) if figure.is_within(*measured, bounds.maximum()) => true,
-            What::Smallest(figure) if figure.is_within(bounds.minimum(), *measured) => true,
-            What::Upper(figure) | What::Largest(figure) => {
+            ClaimContent::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
+            ClaimContent::Unit => return Some(ImportWarningKind::SpeaksOfUnit { text: given }),
+            ClaimContent::Simulated => return Some(ImportWarningKind::SpeaksOfSimulation { text: given }),
+            ClaimContent::Unknown => {
+                return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() });
+            }
+            ClaimContent::Largest(figure) if figure.is_within(*measured, bounds.maximum()) => true,
+            ClaimContent::Smallest(figure) if figure.is_within(bounds.minimum(), *measured) => true,
+            ClaimContent::Upper(figure) | ClaimContent::Largest(figure) => {
                 figure.is(bounds.maximum(), |number| [Some(number), above(number), None])
             }
             // A lower deviation may stand without its sign.
-            What::Lower(figure) | What::Smallest(figure) => {
+            ClaimContent::Lower(figure) | ClaimContent::Smallest(figure) => {
                 figure.is(bounds.minimum(), |number| [Some(number), above(number), nominal.checked_sub(number)])
             }
-            What::Deviation(figure) => figure.is(*measured, |by| [above(by), bounds.middle().checked_add(by), None]),
-            What::Feature(feature) if *feature == bounds.feature => true,
-            What::Feature(_) => return Some(ImportWarningKind::FeatureDiffers { given, feature: bounds.feature }),
+            ClaimContent::Deviation(figure) => {
+                figure.is(*measured, |by| [above(by), bounds.middle().checked_add(by), None])
+            }
+            ClaimContent::Feature(feature) if *feature == bounds.feature => true,
+            ClaimContent::Feature(_) => {
+                return Some(ImportWarningKind::FeatureDiffers { given, feature: bounds.feature });
+            }
         };
         let minimum = bounds.minimum();
         let maximum = bounds.maximum();
         let differs = match self.what {
-            What::Deviation(_) => ImportWarningKind::DeviationDiffers { given, measured: *measured, nominal },
+            ClaimContent::Deviation(_) => ImportWarningKind::DeviationDiffers { given, measured: *measured, nominal },
             _ => ImportWarningKind::LimitDiffers { given, minimum, maximum },
         };
         (!is_so).then_some(differs)
@@ -321,7 +327,7 @@ impl Claim {
 
     /// The warning where a verdict is another one.
     pub(super) fn differs(&self, status: Status) -> Option<ImportWarningKind> {
-        let What::Status(agrees) = self.what else { return None };
+        let ClaimContent::Status(agrees) = self.what else { return None };
         let warning =
             || ImportWarningKind::StatusDiffers { given: self.said.clone(), status: status.word().to_owned() };
         (!agrees.contains(&status)).then(warning)

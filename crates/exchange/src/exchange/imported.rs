@@ -1,9 +1,9 @@
 //! What was read from a file: records, and everything that did not become one.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Located, Place, Say};
+use fitcheck_core::message::{FilePlace, Located, Say};
 use fitcheck_core::part::NotFound;
-use fitcheck_core::probing::cycle::FoundName;
+use fitcheck_core::probing::cycle::ResultName;
 use fitcheck_core::probing::{Contact, Origin};
 use fitcheck_core::tolerance::Limits;
 use fitcheck_core::tolerance::fit::thermal::Correction;
@@ -108,7 +108,7 @@ impl Labels {
 
 /// What a file says that a value should be, as far as it says it. Lengths are sizes or coordinates, not deviations.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Asked {
+pub struct StatedLimits {
     /// The nominal size.
     pub nominal: Option<Length>,
     /// The smallest permitted value.
@@ -135,7 +135,7 @@ pub struct Unjudged {
     /// The centre's position, where the control monitored it.
     pub position: Option<PositionVerdict>,
     /// What it should be, as far as the file says so besides the reason.
-    pub asked: Asked,
+    pub asked: StatedLimits,
     /// How it was brought to 20 °C already, where it was.
     pub correction: Option<Correction>,
     /// Why it makes no record.
@@ -144,12 +144,12 @@ pub struct Unjudged {
 
 impl Unjudged {
     /// What it should be, as far as the file says so.
-    pub fn asked(&self) -> Asked {
+    pub fn asked(&self) -> StatedLimits {
         match &self.why {
             WhyUnjudged::Coordinate(own) | WhyUnjudged::Point(own) | WhyUnjudged::Size { judged: own, .. } => {
-                Asked { nominal: own.nominal, minimum: Some(own.minimum), maximum: Some(own.maximum) }
+                StatedLimits { nominal: own.nominal, minimum: Some(own.minimum), maximum: Some(own.maximum) }
             }
-            WhyUnjudged::NoLimits { nominal } => Asked { nominal: Some(*nominal), ..self.asked },
+            WhyUnjudged::NoLimits { nominal } => StatedLimits { nominal: Some(*nominal), ..self.asked },
             _ => self.asked,
         }
     }
@@ -183,7 +183,7 @@ pub enum WhyUnjudged {
     #[say(args(cycle = judged.cycle))]
     Size {
         /// What was measured.
-        what: FoundName,
+        what: ResultName,
         /// Its limits, and its status by them.
         #[say(skip)]
         judged: Coordinate,
@@ -191,7 +191,7 @@ pub enum WhyUnjudged {
     /// A width or side whose limits are both 0: the control did not monitor it.
     SizeWithoutLimits {
         /// What was measured.
-        what: FoundName,
+        what: ResultName,
     },
     /// A point on a surface that was probed in 3-D: the measured value is its deviation along the normal, nominal 0.
     #[say(args(cycle = field_0.cycle))]
@@ -377,7 +377,7 @@ impl<'a> Sink<'a> {
     pub(super) fn is_full(&mut self, line: usize) -> bool {
         let is_full = self.most <= self.rows;
         if is_full {
-            self.refuse(Place::line(line), ImportErrorKind::TooManyRows { most: self.most }, String::new());
+            self.refuse(FilePlace::line(line), ImportErrorKind::TooManyRows { most: self.most }, String::new());
         }
         is_full
     }
@@ -400,7 +400,7 @@ impl<'a> Sink<'a> {
 
     /// A file that could not be used at all.
     pub(super) fn fail(&mut self, kind: ImportErrorKind) {
-        self.refuse(Place::line(1), kind, String::new());
+        self.refuse(FilePlace::line(1), kind, String::new());
     }
 
     pub(super) fn keep(&mut self, line: usize, record: Record, labels: Labels) {
@@ -411,7 +411,7 @@ impl<'a> Sink<'a> {
         self.row(Item::Unjudged(Box::new(unjudged)));
     }
 
-    pub(super) fn refuse(&mut self, place: Place, kind: ImportErrorKind, given: String) {
+    pub(super) fn refuse(&mut self, place: FilePlace, kind: ImportErrorKind, given: String) {
         self.row(Item::Error(Box::new(Located { what: ImportError { kind, given }, place })));
     }
 
@@ -420,7 +420,7 @@ impl<'a> Sink<'a> {
     }
 
     /// `row` is the line of the record or unjudged measurement that it belongs to.
-    pub(super) fn warn(&mut self, place: Place, row: Option<usize>, kind: ImportWarningKind) {
+    pub(super) fn warn(&mut self, place: FilePlace, row: Option<usize>, kind: ImportWarningKind) {
         (self.take)(Item::Warning(Located { what: ImportWarning { row, kind }, place }));
     }
 }

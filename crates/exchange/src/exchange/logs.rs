@@ -7,8 +7,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use fitcheck_core::length::{Length, LengthError};
-use fitcheck_core::message::Place;
-use fitcheck_core::probing::cycle::{Axis, Cycle, FigureKind, FoundName, Meaning, TextLog};
+use fitcheck_core::message::FilePlace;
+use fitcheck_core::probing::cycle::{Axis, Cycle, FigureKind, Meaning, ResultName, TextLog};
 use fitcheck_core::probing::cycles::cycle;
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::text;
@@ -18,7 +18,7 @@ use fitcheck_nc::control::log::{self, Figure, LimitPair, Log, LogError, Logs, la
 use jiff::civil::DateTime;
 
 use super::error::{ImportErrorKind, ImportWarningKind};
-use super::imported::{Asked, Coordinate, Sink, Unjudged, WhyUnjudged};
+use super::imported::{Coordinate, Sink, StatedLimits, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::{Format, Labels};
 use crate::journal::Record;
@@ -90,7 +90,7 @@ fn add(sink: &mut Sink<'_>, log: Log, source: &Context<'_>) {
     // The reader knows the cycle of every log that it has read.
     let Some((cycle, layout)) = cycle(log.cycle).zip(layout(log.cycle)) else { return };
     let file = Arc::clone(&source.file);
-    let read = Read {
+    let read = LogFacts {
         cycle,
         line: log.line,
         time: log.date_time().unwrap_or(source.now),
@@ -118,7 +118,7 @@ fn add(sink: &mut Sink<'_>, log: Log, source: &Context<'_>) {
 }
 
 /// What all sizes of a log share.
-struct Read {
+struct LogFacts {
     cycle: &'static Cycle,
     line: usize,
     time: DateTime,
@@ -130,14 +130,14 @@ struct Read {
 }
 
 /// What a size of a log becomes.
-enum Made {
+enum LogSize {
     Record(Box<Record>),
     Unjudged { measured: Length, why: WhyUnjudged },
     Refused { reason: ImportErrorKind, given: String },
 }
 
-impl Made {
-    fn add(self, sink: &mut Sink<'_>, read: &Read, side: Option<usize>, position: Option<PositionVerdict>) {
+impl LogSize {
+    fn add(self, sink: &mut Sink<'_>, read: &LogFacts, side: Option<usize>, position: Option<PositionVerdict>) {
         let line = read.line;
         let time = read.time;
         let id = read.id.clone();
@@ -147,43 +147,43 @@ impl Made {
             Self::Unjudged { measured, why } => {
                 let measured = Some(measured);
                 let origin = read.origin.clone();
-                let asked = Asked::default();
+                let asked = StatedLimits::default();
                 let correction = None;
                 sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
             }
-            Self::Refused { reason, given } => sink.refuse(Place::line(line), reason, given),
+            Self::Refused { reason, given } => sink.refuse(FilePlace::line(line), reason, given),
         }
     }
 }
 
-impl Read {
+impl LogFacts {
     /// A diameter makes a record, with the centre's position.
-    fn diameter(&self, figure: &Figure, source: &Context<'_>) -> Made {
+    fn diameter(&self, figure: &Figure, source: &Context<'_>) -> LogSize {
         let measured = figure.actual;
         // Limits of a log without a nominal size count from 0.
         let nominal = figure.nominal.unwrap_or(Length::ZERO);
         let Some(pair) = figure.limits else {
-            return Made::Unjudged { measured, why: WhyUnjudged::NoLimits { nominal } };
+            return LogSize::Unjudged { measured, why: WhyUnjudged::NoLimits { nominal } };
         };
         let feature = self.cycle.shape().feature();
         let Some(limits) = limits(feature, nominal, pair, &source.file) else {
             let reason =
                 ImportErrorKind::Limits(fitcheck_core::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
-            return Made::Refused { reason, given: pair.maximum.to_string() };
+            return LogSize::Refused { reason, given: pair.maximum.to_string() };
         };
         if let Err(error) = source.sources.proportionate(&limits.bounds()) {
-            return Made::Refused {
+            return LogSize::Refused {
                 reason: ImportErrorKind::Limits(error),
                 given: format!("{}/{}", pair.maximum, pair.minimum),
             };
         }
         let measurement = Measurement::of_diameter(measured, self.origin.clone());
         let measurement = Measurement { centre: self.centre, ..measurement };
-        Made::Record(Box::new(Record::judged(self.time, self.id.clone(), None, limits, measurement, self.position)))
+        LogSize::Record(Box::new(Record::judged(self.time, self.id.clone(), None, limits, measurement, self.position)))
     }
 
     /// Any other size, or a coordinate: its status, and no record.
-    fn size(&self, what: FoundName, kind: FigureKind, figure: &Figure, source: &Context<'_>) -> Made {
+    fn size(&self, what: ResultName, kind: FigureKind, figure: &Figure, source: &Context<'_>) -> LogSize {
         let measured = figure.actual;
         let is_coordinate = kind == FigureKind::Coordinate;
         let Some(pair) = figure.limits else {
@@ -193,12 +193,12 @@ impl Read {
             } else {
                 WhyUnjudged::SizeWithoutLimits { what }
             };
-            return Made::Unjudged { measured, why };
+            return LogSize::Unjudged { measured, why };
         };
         let feature = self.cycle.shape().feature();
         let Some(limits) = limits(feature, pair.minimum, pair, &source.file) else {
             let given = pair.maximum.to_string();
-            return Made::Refused {
+            return LogSize::Refused {
                 reason: ImportErrorKind::Measured(LengthError::TooLarge { text: given.clone() }),
                 given,
             };
@@ -209,14 +209,14 @@ impl Read {
             source.sources.proportionate(&limits.bounds())
         };
         if let Err(error) = in_proportion {
-            return Made::Refused {
+            return LogSize::Refused {
                 reason: ImportErrorKind::Limits(error),
                 given: format!("{}/{}", pair.maximum, pair.minimum),
             };
         }
         let judged = Coordinate::judged(self.cycle.code, figure.nominal, &limits, measured);
         let why = if is_coordinate { WhyUnjudged::Coordinate(judged) } else { WhyUnjudged::Size { what, judged } };
-        Made::Unjudged { measured, why }
+        LogSize::Unjudged { measured, why }
     }
 }
 

@@ -152,7 +152,9 @@ use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::Sources;
 use fitcheck_nc::control::mask::Mask;
 use imported::Sink;
-pub use imported::{Asked, Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged, part_and_feature};
+pub use imported::{
+    Coordinate, Imported, Item, Labels, MOST_ROWS, StatedLimits, Unjudged, WhyUnjudged, part_and_feature,
+};
 pub use mapping::{
     Choice, ColumnUnit, DecimalSign, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, Separator,
 };
@@ -162,7 +164,7 @@ pub use role::Role;
 pub use size::Size;
 pub use sizes::{Sizes, SizesWarning, sizes, sizes_from};
 use source::{Beginning, Source};
-pub use source::{Body, Given, WHOLE};
+pub use source::{Body, ImportInputs, WHOLE};
 
 /// A format that measurements are read from.
 #[derive(Debug, Clone, Copy)]
@@ -252,24 +254,24 @@ display!(Format);
 /// assert_eq!(error.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
 /// ```
 pub fn import(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime) -> Imported {
-    import_given(file_name, &mut std::io::Cursor::new(bytes), Given::new(sources, now))
+    import_given(file_name, &mut std::io::Cursor::new(bytes), ImportInputs::new(sources, now))
 }
 
 /// The same of a file that may have another one beside it.
-pub fn import_given(file_name: &str, body: &mut dyn Body, given: Given<'_>) -> Imported {
+pub fn import_given(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>) -> Imported {
     let mut imported = Imported::default();
-    let given = Given { most_rows: MOST_ROWS, ..given };
+    let given = ImportInputs { most_rows: MOST_ROWS, ..given };
     import_from(file_name, body, given, &mut |item| imported.keep(item));
     imported
 }
 
 /// The same one by one, in the order of the file: memory stays the same however many rows there are.
 pub fn import_each(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime, take: &mut dyn FnMut(Item)) {
-    import_from(file_name, &mut std::io::Cursor::new(bytes), Given::new(sources, now), take);
+    import_from(file_name, &mut std::io::Cursor::new(bytes), ImportInputs::new(sources, now), take);
 }
 
 /// The same from a file that is read piece by piece, where its format allows it.
-pub fn import_from(file_name: &str, body: &mut dyn Body, given: Given<'_>, take: &mut dyn FnMut(Item)) {
+pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>, take: &mut dyn FnMut(Item)) {
     let now = given.now;
     let mut take = |mut item: Item| {
         match &mut item {
@@ -306,7 +308,7 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: Given<'_>, take:
 pub fn sheet_rows(bytes: &[u8]) -> Result<Vec<(usize, Vec<String>)>, ImportErrorKind> {
     let mut body = std::io::Cursor::new(bytes);
     let sources = Sources::default();
-    xlsx::sheet_rows(&mut Source::new("", &mut body, Given::new(&sources, DateTime::MIN))?)
+    xlsx::sheet_rows(&mut Source::new("", &mut body, ImportInputs::new(&sources, DateTime::MIN))?)
 }
 
 fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
@@ -320,12 +322,12 @@ fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), Imp
         measured: None,
         origin: Origin::Contacts { file: Arc::clone(&source.context.file) },
         position: None,
-        asked: Asked::default(),
+        asked: StatedLimits::default(),
         correction: None,
         why: WhyUnjudged::Contacts { count: read.contacts.len() },
     });
     if let Some(told) = read.told_of_temperature(source.context.counted) {
-        sink.warn(fitcheck_core::message::Place::default(), None, told);
+        sink.warn(fitcheck_core::message::FilePlace::default(), None, told);
     }
     sink.contacts(read.contacts);
     Ok(())

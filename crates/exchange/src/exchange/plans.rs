@@ -6,25 +6,25 @@
 use std::io::Cursor;
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Located, Place, Say as _};
-use fitcheck_core::part::{Column, Document, HeadField, PlanError, PlanFault, PlanRemark, Row};
+use fitcheck_core::message::{FilePlace, Located, Say as _};
+use fitcheck_core::part::{Column, Document, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark};
 use fitcheck_core::tolerance::Sources;
 
-use super::characteristic::{Characteristic, What};
+use super::characteristic::{Characteristic, CharacteristicKind};
 use super::error::ImportErrorKind;
 use super::imported::WhyUnjudged;
-use super::source::{Given, Source};
+use super::source::{ImportInputs, Source};
 use super::{FORMATS, sheet_rows};
 
 /// Reads a part plan of any known form: Fitcheck's own TOML or CSV, a workbook with the same columns, or the characteristics that a file of
 /// AQDEF, QIF or CALYPSO declares. `given` hands over the file beside it where a format is two files.
 ///
 /// ```
-/// use fitcheck_exchange::exchange::{Given, read_plan};
+/// use fitcheck_exchange::exchange::{ImportInputs, read_plan};
 /// use fitcheck_core::tolerance::Sources;
 ///
 /// let sources = Sources::default();
-/// let given = Given::new(&sources, jiff::civil::DateTime::default());
+/// let given = ImportInputs::new(&sources, jiff::civil::DateTime::default());
 /// let document = read_plan("plan.csv", b"name;callout\nA1;25 H7\n", given)?;
 /// assert_eq!(document.draft.rows.len(), 1);
 /// # Ok::<(), fitcheck_core::part::PlanError>(())
@@ -32,9 +32,11 @@ use super::{FORMATS, sheet_rows};
 ///
 /// # Errors
 /// [`PlanError`] where nothing of it can be read.
-pub fn read_plan(file_name: &str, bytes: &[u8], given: Given<'_>) -> Result<Document, PlanError> {
-    let refused =
-        |kind: ImportErrorKind| Located { what: PlanFault::File { reason: kind.message() }, place: Place::default() };
+pub fn read_plan(file_name: &str, bytes: &[u8], given: ImportInputs<'_>) -> Result<Document, PlanError> {
+    let refused = |kind: ImportErrorKind| Located {
+        what: PlanFault::File { reason: kind.message() },
+        place: FilePlace::default(),
+    };
     if Document::is_own(bytes) {
         return Document::read(bytes);
     }
@@ -65,19 +67,19 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
     document.draft.set(HeadField::Part, part.map_or_else(String::new, str::to_owned));
     let mut has_told_axes = false;
     for (line, characteristic) in declared {
-        let mut remark = |what| document.remarks.push(Located { what, place: Place::line(line) });
+        let mut remark = |what| document.remarks.push(Located { what, place: FilePlace::line(line) });
         let left = match &characteristic.what {
-            What::Size => {
+            CharacteristicKind::Size => {
                 let row = row(&characteristic, line, sources, &mut remark);
                 document.draft.rows.push(row);
                 let labels = &characteristic.labels;
                 if labels.is_axis_assumed && labels.place != [None; 3] && !std::mem::replace(&mut has_told_axes, true) {
-                    document.remarks.push(Located { what: PlanRemark::AxesAssumed, place: Place::line(line) });
+                    document.remarks.push(Located { what: PlanRemark::AxesAssumed, place: FilePlace::line(line) });
                 }
                 continue;
             }
-            What::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
-            What::Other(what) => WhyUnjudged::NotASize { what: what.clone() },
+            CharacteristicKind::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
+            CharacteristicKind::Other(what) => WhyUnjudged::NotASize { what: what.clone() },
         };
         remark(PlanRemark::Left { name: characteristic.id(), why: left.message() });
     }
@@ -85,9 +87,15 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
 }
 
 /// The feature of a characteristic. A class counts where its limits are those of the file; otherwise the file's limits do.
-fn row(characteristic: &Characteristic, line: usize, sources: &Sources, remark: &mut dyn FnMut(PlanRemark)) -> Row {
-    let mut row = Row::at(Place::line(line));
-    let mut set = |column, text: String| row.put(column, fitcheck_core::part::Cell::at(text, Place::line(line)));
+fn row(
+    characteristic: &Characteristic,
+    line: usize,
+    sources: &Sources,
+    remark: &mut dyn FnMut(PlanRemark),
+) -> DraftFeature {
+    let mut row = DraftFeature::at(FilePlace::line(line));
+    let mut set =
+        |column, text: String| row.put(column, fitcheck_core::part::DraftCell::at(text, FilePlace::line(line)));
     set(Column::Number, characteristic.labels.number.clone());
     set(Column::Name, characteristic.id());
     let deviations = characteristic.nominal.zip(characteristic.minimum.zip(characteristic.maximum));

@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Place;
+use fitcheck_core::message::FilePlace;
 use fitcheck_core::probing::Origin;
 use fitcheck_core::probing::cycle::Log;
 use fitcheck_core::probing::cycles::CYCLES;
@@ -14,7 +14,7 @@ use fitcheck_core::tolerance::{Deviations, Feature, Limits, LimitsError, Source 
 use fitcheck_nc::control::point_log::{self, Band, PointLog};
 
 use super::error::ImportErrorKind;
-use super::imported::{Asked, Coordinate, Sink, Unjudged, WhyUnjudged};
+use super::imported::{Coordinate, Sink, StatedLimits, Unjudged, WhyUnjudged};
 use super::source::{Context, Source};
 use super::{Format, Labels};
 
@@ -55,7 +55,7 @@ fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Context<'_>) {
         Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
         Some(None) => {
             let reason = ImportErrorKind::Limits(LimitsError::TooLarge { nominal: Length::ZERO });
-            return sink.refuse(Place::line(line), reason, log.tolerance.clone());
+            return sink.refuse(FilePlace::line(line), reason, log.tolerance.clone());
         }
     };
     let file = Arc::clone(&source.file);
@@ -67,7 +67,7 @@ fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Context<'_>) {
         measured: Some(log.deviation),
         origin: if log.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } },
         position: None,
-        asked: Asked::default(),
+        asked: StatedLimits::default(),
         correction: None,
         why,
     });

@@ -10,7 +10,7 @@ use fitcheck_core::text::Within as _;
 
 /// A row within a text.
 #[derive(Debug, Clone, Copy)]
-pub struct Row<'a> {
+pub struct TextRow<'a> {
     pub(super) text: &'a [u8],
     pub(super) start: usize,
     /// Where its last cell ends.
@@ -19,7 +19,7 @@ pub struct Row<'a> {
     ends: &'a [u32],
 }
 
-impl<'a> Row<'a> {
+impl<'a> TextRow<'a> {
     /// The row that begins at a place of a text, with the ends of its cells.
     #[inline]
     pub(super) fn new(text: &'a [u8], start: usize, ends: &'a [u32]) -> Self {
@@ -100,7 +100,7 @@ impl<'a> Row<'a> {
 pub fn cells_of(text: &str, separator: u8) -> Option<StringRecord> {
     let mut index = Index::default();
     index.quoted_row(text.as_bytes(), 0, separator, true).ok()?;
-    index.rows().next().map(|ends| Row::new(text.as_bytes(), 0, ends).record())
+    index.rows().next().map(|ends| TextRow::new(text.as_bytes(), 0, ends).record())
 }
 
 /// A part of a text. What stands around it is at hand, because eight bytes at a time are read faster than two.

@@ -13,19 +13,19 @@ use super::columns::Columns;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence;
 use super::given::{shorten, shorten_cell};
-use super::imported::{Asked, WhyUnjudged};
+use super::imported::{StatedLimits, WhyUnjudged};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
 use super::refused::{Cell, Refused};
 use crate::exchange::cell::Cells as _;
 
 /// What a row says.
-pub(super) struct Found {
+pub(super) struct RowMeasurement {
     pub(super) measured: Length,
     /// The callout and its limits; `None` where the row has no callout.
     pub(super) asked: Option<(Callout, Limits)>,
     /// What a row without a callout says that its value should be.
-    pub(super) said: Asked,
+    pub(super) said: StatedLimits,
     /// Whether it says that nobody measured.
     pub(super) is_simulated: bool,
     /// What it says was measured.
@@ -46,7 +46,7 @@ pub(super) struct Rules<'a> {
 
 impl Rules<'_> {
     /// What a row says, or the first cell that cannot be used.
-    pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<Found, Refused<'c>> {
+    pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<RowMeasurement, Refused<'c>> {
         let quantity = self.quantity(cells);
         if quantity.as_ref().is_some_and(|quantity| !quantity.is_size()) {
             return self.other_quantity(cells, quantity);
@@ -58,7 +58,13 @@ impl Rules<'_> {
             // A plan may judge it: what a file of Fitcheck says against it counts all the same.
             self.columns.own.decided_by_size(cells)?;
             let said = self.said(cells)?;
-            return Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity });
+            return Ok(RowMeasurement {
+                measured,
+                asked: None,
+                said,
+                is_simulated: self.is_simulated(cells)?,
+                quantity,
+            });
         };
         let limits = match self.lookup {
             Some(lookup) => lookup.limits(&callout, self.sources),
@@ -67,7 +73,13 @@ impl Rules<'_> {
         let limits = limits.map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let is_simulated = self.is_simulated(cells)?;
         self.columns.own.decided_by_size(cells)?;
-        Ok(Found { measured, asked: Some((callout, limits)), said: Asked::default(), is_simulated, quantity })
+        Ok(RowMeasurement {
+            measured,
+            asked: Some((callout, limits)),
+            said: StatedLimits::default(),
+            is_simulated,
+            quantity,
+        })
     }
 
     /// What a row says was measured.
@@ -82,20 +94,24 @@ impl Rules<'_> {
     }
 
     /// A row of another quantity than a size: its callout, if it has one, is not that of its value.
-    fn other_quantity<'c>(&self, cells: &'c StringRecord, quantity: Option<Quantity>) -> Result<Found, Refused<'c>> {
+    fn other_quantity<'c>(
+        &self,
+        cells: &'c StringRecord,
+        quantity: Option<Quantity>,
+    ) -> Result<RowMeasurement, Refused<'c>> {
         self.right_length(cells, None)?;
         let measured = self.any_measured(cells)?;
         // Nothing is judged by it, so what cannot be read refuses nothing.
-        let said = self.said(cells).unwrap_or_else(|_unreadable| Asked::default());
-        Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity })
+        let said = self.said(cells).unwrap_or_else(|_unreadable| StatedLimits::default());
+        Ok(RowMeasurement { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity })
     }
 
     /// What a row without a callout says that its value should be.
-    fn said<'c>(&self, cells: &'c StringRecord) -> Result<Asked, Refused<'c>> {
+    fn said<'c>(&self, cells: &'c StringRecord) -> Result<StatedLimits, Refused<'c>> {
         let nominal = self.columns.nominal.filter(|column| !is_blank(cells, column.at));
         let nominal = nominal.map(|column| self.length(cells, column, ImportErrorKind::Nominal)).transpose()?;
         let [minimum, maximum] = self.columns.own.limits(cells);
-        Ok(Asked { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
+        Ok(StatedLimits { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
     }
 
     /// That the end of the file may have cut off a last row that has no line end: its measured value, if that has fewer decimals than the
@@ -121,7 +137,7 @@ impl Rules<'_> {
 
     /// The measured size of a row, or the first cell that cannot be used. Of a callout only the side counts: a row of the
     /// other one is refused.
-    pub(super) fn size<'c>(&self, cells: &'c StringRecord, feature: Feature) -> Result<Found, Refused<'c>> {
+    pub(super) fn size<'c>(&self, cells: &'c StringRecord, feature: Feature) -> Result<RowMeasurement, Refused<'c>> {
         self.right_length(cells, None)?;
         if let Some(cell) = self.other_than_size(cells) {
             let what = WhyUnjudged::NotASize { what: shorten(cell.text) }.message();
@@ -143,7 +159,7 @@ impl Rules<'_> {
         }
         let is_simulated = self.is_simulated(cells)?;
         let quantity = None;
-        Ok(Found { measured, asked: None, said: Asked::default(), is_simulated, quantity })
+        Ok(RowMeasurement { measured, asked: None, said: StatedLimits::default(), is_simulated, quantity })
     }
 
     /// Whether a comment would be a row with a size, were it none.

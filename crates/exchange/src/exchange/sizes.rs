@@ -6,14 +6,14 @@ use std::collections::HashMap;
 use std::io::Cursor;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Located, Place, Say};
+use fitcheck_core::message::{FilePlace, Located, Say};
 use fitcheck_core::tolerance::{Feature, Sources};
 use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning};
 use super::imported::{Item, MOST_ROWS, Sink, Unjudged, WhyUnjudged};
 use super::size::{Size, SizesOf};
-use super::source::{Body, Given, Source};
+use super::source::{Body, ImportInputs, Source};
 use super::{FORMATS, measurements, xlsx};
 
 /// The sizes of a file, and what did not become one.
@@ -82,7 +82,7 @@ fn read_sizes(
 ) -> Result<(), ImportErrorKind> {
     let sources = Sources::default();
     // No record comes of it, so nobody sees the time.
-    let mut source = Source::new(file_name, body, Given::new(&sources, DateTime::MIN))?;
+    let mut source = Source::new(file_name, body, ImportInputs::new(&sources, DateTime::MIN))?;
     if source.is_blank() {
         return Err(ImportErrorKind::Empty);
     }
@@ -139,7 +139,7 @@ impl Sizes {
     }
 
     fn refuse(&mut self, line: usize, kind: ImportErrorKind) {
-        self.errors.push(Located { what: ImportError { kind, given: String::new() }, place: Place::line(line) });
+        self.errors.push(Located { what: ImportError { kind, given: String::new() }, place: FilePlace::line(line) });
     }
 
     /// What a log says of a size.

@@ -28,7 +28,7 @@ impl<T: Read + Seek> Body for T {}
 
 /// What is needed to read a file, besides the file.
 #[derive(Clone, Copy)]
-pub struct Given<'a> {
+pub struct ImportInputs<'a> {
     /// Where limits are looked up.
     pub sources: &'a Sources,
     /// The time of measurements whose file has none.
@@ -49,7 +49,7 @@ pub struct Given<'a> {
     pub units: &'a dyn Fn(usize, usize),
 }
 
-impl<'a> Given<'a> {
+impl<'a> ImportInputs<'a> {
     /// No file beside it, and as many rows as it has.
     pub fn new(sources: &'a Sources, now: DateTime) -> Self {
         Self {
@@ -66,7 +66,7 @@ impl<'a> Given<'a> {
     }
 }
 
-impl std::fmt::Debug for Given<'_> {
+impl std::fmt::Debug for ImportInputs<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Given").field("sources", self.sources).field("now", &self.now).finish_non_exhaustive()
     }
@@ -123,7 +123,7 @@ pub(super) struct Source<'a> {
     /// How many bytes it has.
     length: u64,
     body: &'a mut dyn Body,
-    pub(super) given: Given<'a>,
+    pub(super) given: ImportInputs<'a>,
 }
 
 impl<'a> Source<'a> {
@@ -131,7 +131,11 @@ impl<'a> Source<'a> {
     ///
     /// # Errors
     /// [`ImportErrorKind::Read`] with what the system says.
-    pub(super) fn new(file_name: &str, body: &'a mut dyn Body, given: Given<'a>) -> Result<Self, ImportErrorKind> {
+    pub(super) fn new(
+        file_name: &str,
+        body: &'a mut dyn Body,
+        given: ImportInputs<'a>,
+    ) -> Result<Self, ImportErrorKind> {
         let mut head = Vec::new();
         let mut begin = |head: &mut Vec<u8>| {
             let length = body.seek(SeekFrom::End(0))?;

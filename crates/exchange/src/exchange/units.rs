@@ -17,7 +17,7 @@ const BRACKETS: [(char, char); 4] = [('[', ']'), ('(', ')'), ('{', '}'), ('<', '
 
 /// A name of a column, taken apart.
 #[derive(Debug, Default)]
-pub(super) struct Parts {
+pub(super) struct ColumnNameParts {
     /// Its words in small letters, without the unit and without what stands in brackets.
     pub(super) name: Vec<String>,
     /// What may be its units, each with what it means.
@@ -33,7 +33,7 @@ pub(super) struct Parts {
 /// # Errors
 /// What may be a unit and is not read.
 pub(super) fn unit(header: &str) -> Result<Option<Unit>, String> {
-    let Parts { units, .. } = split(header);
+    let ColumnNameParts { units, .. } = split(header);
     if let Some((unknown, _)) = units.iter().find(|(_, unit)| unit.is_none()) {
         return Err(unknown.clone());
     }
@@ -46,8 +46,8 @@ pub(super) fn unit(header: &str) -> Result<Option<Unit>, String> {
 }
 
 /// Takes a name apart.
-pub(super) fn split(header: &str) -> Parts {
-    let mut parts = Parts::default();
+pub(super) fn split(header: &str) -> ColumnNameParts {
+    let mut parts = ColumnNameParts::default();
     let mut rest = header.trim();
     let mut outside = String::new();
     let mut brackets = 0;
@@ -68,7 +68,7 @@ pub(super) fn split(header: &str) -> Parts {
     parts
 }
 
-impl Parts {
+impl ColumnNameParts {
     /// What stands between brackets: a unit, words that are none, or something that may be one.
     fn bracket(&mut self, text: &str) {
         let before = self.units.len();

@@ -4,7 +4,7 @@
 //! Tests: `tests/core/beside.rs`, `column_mapping.rs`.
 
 use super::role::Role;
-use super::units::{self, Parts};
+use super::units::{self, ColumnNameParts};
 use super::vocabulary::{KNOWN, Rank, WITHIN};
 
 /// Names of a column that says where a value comes from.
@@ -104,7 +104,7 @@ pub(super) fn may_be_before(header: &str) -> bool {
 
 /// What a column with this name holds.
 pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
-    let Parts { mut name, inside, is_remark, .. } = units::split(header);
+    let ColumnNameParts { mut name, inside, is_remark, .. } = units::split(header);
     let is_strange = |words: &[String]| words.iter().any(|word| KNOWN.strange.contains(word.as_str()));
     // A remark in brackets is no part of a name, but it may say that a size is another one.
     let is_size = |role: Role| matches!(role, Role::Measured | Role::Nominal | Role::Tolerance);

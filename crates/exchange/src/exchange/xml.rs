@@ -8,7 +8,7 @@ use std::io::{self, BufRead, BufReader, Read};
 
 use encoding_rs::Encoding;
 use encoding_rs_io::{DecodeReaderBytes, DecodeReaderBytesBuilder};
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
@@ -97,7 +97,7 @@ const MOST_KEPT: usize = 10_000;
 
 /// A file of XML, read from its beginning to its end.
 pub(super) struct Xml<'b> {
-    reader: Reader<Counted<'b>>,
+    reader: Reader<CountedText<'b>>,
     buffer: Vec<u8>,
     /// The attributes that are kept.
     attributes: &'static [&'static str],
@@ -130,8 +130,12 @@ impl<'b> Xml<'b> {
         let is_decoded = encoding != encoding_rs::UTF_8;
         let mut decoder = DecodeReaderBytesBuilder::new();
         decoder.utf8_passthru(true).strip_bom(true).bom_override(true).encoding(is_decoded.then_some(encoding));
-        let input =
-            Counted { inner: BufReader::with_capacity(PIECE, decoder.build(body)), line: 1, column: 1, left: LONGEST };
+        let input = CountedText {
+            inner: BufReader::with_capacity(PIECE, decoder.build(body)),
+            line: 1,
+            column: 1,
+            left: LONGEST,
+        };
         let mut reader = Reader::from_reader(input);
         reader.config_mut().expand_empty_elements = true;
         Ok(Self { reader, buffer: Vec::new(), attributes, depth: 0, is_decoded, is_before_text: false })
@@ -340,7 +344,7 @@ impl<'b> Xml<'b> {
 
 /// What is wrong at a line and column.
 pub(super) fn fault((line, column): (usize, usize), what: ImportErrorKind) -> Fault {
-    Fault(Box::new(Located { what, place: Place::in_line(line, column) }))
+    Fault(Box::new(Located { what, place: FilePlace::in_line(line, column) }))
 }
 
 /// One of the five entities that XML has by itself.
@@ -427,7 +431,7 @@ pub(super) fn text_of(head: &[u8]) -> Cow<'_, str> {
 }
 
 /// Bytes that count lines and columns as they are used.
-struct Counted<'b> {
+struct CountedText<'b> {
     inner: BufReader<DecodeReaderBytes<&'b mut dyn Read, Vec<u8>>>,
     line: usize,
     column: usize,
@@ -435,13 +439,13 @@ struct Counted<'b> {
     left: usize,
 }
 
-impl Counted<'_> {
+impl CountedText<'_> {
     const fn at(&self) -> (usize, usize) {
         (self.line, self.column)
     }
 }
 
-impl Read for Counted<'_> {
+impl Read for CountedText<'_> {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
         let mut piece = self.fill_buf()?;
         let read = piece.read(into)?;
@@ -450,7 +454,7 @@ impl Read for Counted<'_> {
     }
 }
 
-impl BufRead for Counted<'_> {
+impl BufRead for CountedText<'_> {
     fn fill_buf(&mut self) -> io::Result<&[u8]> {
         if self.left == 0 {
             return Err(io::Error::other("too long"));

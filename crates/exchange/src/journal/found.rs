@@ -10,7 +10,7 @@ use unicode_normalization::char::is_combining_mark;
 
 /// Which entries are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum FoundEntryKind {
     Check,
     /// A check is taken back.
     Withdrawal,
@@ -18,8 +18,8 @@ pub enum Kind {
 
 /// What an entry is found by, as it was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Found<'a> {
-    pub kind: Kind,
+pub struct FoundEntry<'a> {
+    pub kind: FoundEntryKind,
     /// When it was written, milliseconds since 1970 in UTC.
     pub at_ms: i64,
     /// The verdict.
@@ -34,26 +34,26 @@ pub struct Found<'a> {
     pub station: Cow<'a, str>,
     pub remark: Cow<'a, str>,
     /// What was asked for; `None` for a cycle and a withdrawal.
-    pub asked: Option<Asked<'a>>,
+    pub asked: Option<EntryCallout<'a>>,
     /// The number of the entry that it corrects.
     pub corrects: Option<u64>,
 }
 
 /// What a size was asked for.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Asked<'a> {
+pub struct EntryCallout<'a> {
     /// The callout; `None` where limits came from a log, which holds none.
     pub callout: Option<Cow<'a, str>>,
     /// The nominal size in nanometres.
     pub nominal_nm: i64,
 }
 
-impl Found<'_> {
+impl FoundEntry<'_> {
     /// The callout as it is listed, since `25 H7` is another one than `25 h7`; empty where there is none.
     pub fn callout(&self) -> Cow<'_, str> {
         match &self.asked {
-            Some(Asked { callout: Some(callout), .. }) => Cow::Borrowed(callout),
-            Some(Asked { callout: None, nominal_nm }) => {
+            Some(EntryCallout { callout: Some(callout), .. }) => Cow::Borrowed(callout),
+            Some(EntryCallout { callout: None, nominal_nm }) => {
                 let nominal = Length::from_nanometres(*nominal_nm);
                 nominal.map_or_else(|_too_large| String::new(), |nominal| format!("Ø {nominal}")).into()
             }

@@ -16,7 +16,7 @@ const FEW: usize = 64;
 #[derive(Debug, Default)]
 pub struct Memory {
     /// In the order in which they were added: by number.
-    rows: Vec<Row>,
+    rows: Vec<SearchableRecord>,
     /// The number of the next record.
     next: u64,
     query: Query,
@@ -27,7 +27,7 @@ pub struct Memory {
 
 /// A record with what it is searched by.
 #[derive(Debug)]
-struct Row {
+struct SearchableRecord {
     id: RecordId,
     record: Arc<Record>,
     texts: Searched,
@@ -35,7 +35,7 @@ struct Row {
 
 /// Records that were taken out, and can be put back.
 #[derive(Debug)]
-pub struct Removed(Vec<Row>);
+pub struct Removed(Vec<SearchableRecord>);
 
 impl Removed {
     /// How many records.
@@ -65,7 +65,7 @@ impl Memory {
         let few = records.len() <= FEW;
         for record in records {
             let texts = Searched::of(&record);
-            self.rows.push(Row { id: RecordId(self.next), record, texts });
+            self.rows.push(SearchableRecord { id: RecordId(self.next), record, texts });
             self.next += 1;
         }
         if few {
@@ -91,7 +91,7 @@ impl Memory {
         let count = long(records.len() - skipped);
         let ids: Vec<RecordId> = (first.saturating_sub(count)..first).map(RecordId).collect();
         let rows = records.into_iter().skip(skipped).zip(&ids);
-        let rows = rows.map(|(record, id)| Row { id: *id, texts: Searched::of(&record), record });
+        let rows = rows.map(|(record, id)| SearchableRecord { id: *id, texts: Searched::of(&record), record });
         self.rows.splice(0..0, rows);
         self.arrange();
         ids
@@ -142,9 +142,9 @@ impl Memory {
     }
 
     /// How many rows of the order have a smaller key.
-    fn before(&self, row: &Row) -> usize {
+    fn before(&self, row: &SearchableRecord) -> usize {
         let key = self.query.key(row.id, &row.record);
-        let is_smaller = |other: &Row| self.query.key(other.id, &other.record) < key;
+        let is_smaller = |other: &SearchableRecord| self.query.key(other.id, &other.record) < key;
         self.order.partition_point(|place| self.rows.get(*place).is_some_and(is_smaller))
     }
 
@@ -158,7 +158,7 @@ impl Memory {
         self.counts = counts;
     }
 
-    fn row(&self, id: RecordId) -> Option<(usize, &Row)> {
+    fn row(&self, id: RecordId) -> Option<(usize, &SearchableRecord)> {
         let place = self.rows.binary_search_by_key(&id, |row| row.id).ok()?;
         Some((place, self.rows.get(place)?))
     }
@@ -170,7 +170,7 @@ impl Memory {
 }
 
 /// The number of a row's status among all.
-fn number_of(row: &Row) -> usize {
+fn number_of(row: &SearchableRecord) -> usize {
     row.record.verdict.status().at()
 }
 

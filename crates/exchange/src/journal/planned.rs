@@ -8,20 +8,20 @@ use std::sync::Arc;
 
 use fitcheck_core::budget::{AssessmentError, Budget};
 use fitcheck_core::message::{Message, Say};
-use fitcheck_core::part::{Kind, Material, PlanFeature, Size};
+use fitcheck_core::part::{FeatureKind, Material, PlanFeature, Size};
 use fitcheck_core::tolerance::fit::thermal::{Correction, Warm};
 use fitcheck_core::verdict::Rule;
-use fitcheck_core::verdict::rules::{Given, RuleError, RuleName, Uncertainty};
+use fitcheck_core::verdict::rules::{RuleError, RuleInputs, RuleName, Uncertainty};
 
 use super::Record;
 
 /// What is given for judging besides the plan: by options, or on the check page.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Beside<'a> {
+pub struct JudgingOptions<'a> {
     /// The rule, where one was chosen.
     pub rule: Option<RuleName>,
     /// What goes with it; the uncertainty is that of every value.
-    pub given: Given,
+    pub given: RuleInputs,
     /// A budget, which gives each value an uncertainty of its own.
     pub budget: Option<&'a Budget>,
     /// The part and the scales that it was measured with, where a temperature is given.
@@ -96,7 +96,7 @@ pub struct Planned {
 ///
 /// # Errors
 /// [`PlannedError`] where it cannot be judged as the plan and what is given say: it is never judged by less.
-pub fn judge(size: &Size<'_>, record: Record, beside: &Beside<'_>) -> Result<Planned, PlannedError> {
+pub fn judge(size: &Size<'_>, record: Record, beside: &JudgingOptions<'_>) -> Result<Planned, PlannedError> {
     let mut said = Vec::new();
     let record = match beside.warm {
         Some(warm) => corrected(size.feature, record, warm, &mut said)?,
@@ -112,7 +112,7 @@ fn corrected(
     (part, scale): (Warm, Option<Warm>),
     said: &mut Vec<PlannedRemark>,
 ) -> Result<Record, PlannedError> {
-    if matches!(feature.kind, Kind::Face(..) | Kind::Point(..)) {
+    if matches!(feature.kind, FeatureKind::Face(..) | FeatureKind::Point(..)) {
         said.push(PlannedRemark::NotCorrected);
         return Ok(record);
     }
@@ -138,7 +138,7 @@ fn corrected(
 fn by_rule(
     feature: &PlanFeature,
     record: Record,
-    beside: &Beside<'_>,
+    beside: &JudgingOptions<'_>,
     said: &mut Vec<PlannedRemark>,
 ) -> Result<Record, PlannedError> {
     let own_uncertainty = feature.rule.and_then(|rule| rule.uncertainty());
@@ -147,7 +147,7 @@ fn by_rule(
         Some(rule) => (rule.name(), *rule.given()),
         None => (beside.rule.unwrap_or(RuleName::Simple), beside.given),
     };
-    let by = |uncertainty| Rule::new(name, Given { uncertainty, ..given });
+    let by = |uncertainty| Rule::new(name, RuleInputs { uncertainty, ..given });
     let record = match (own_uncertainty, beside.budget) {
         (Some(_), _) => record.by(by(own_uncertainty)?),
         (None, None) => record.by(by(beside.given.uncertainty)?),
@@ -156,7 +156,7 @@ fn by_rule(
             record.by_budget(by(Some(uncertainty))?, Arc::new(found.provenance()))
         }
     };
-    let chosen = |given: &Given| Given { uncertainty: None, ..*given };
+    let chosen = |given: &RuleInputs| RuleInputs { uncertainty: None, ..*given };
     let is_other = |rule: RuleName| rule != name || chosen(&beside.given) != chosen(&given);
     if let Some(other) = beside.rule.filter(|rule| own_rule.is_some() && is_other(*rule)) {
         said.push(PlannedRemark::Rule { rule: record.verdict.rule, given: other.word() });

@@ -87,7 +87,7 @@ pub struct Sort {
 
 /// A word of a filter: a record must have it somewhere.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Wanted {
+pub struct FilterWord {
     /// As it was typed.
     given: String,
     /// As it is looked for.
@@ -100,7 +100,7 @@ pub struct Wanted {
     pub typed: bool,
 }
 
-impl Wanted {
+impl FilterWord {
     /// A word that is looked for in parts, callouts, values, dates and file names.
     pub fn new(word: &str) -> Self {
         Self { given: word.to_owned(), folded: folded(word), ..Self::default() }
@@ -157,7 +157,7 @@ pub fn callout(record: &Record) -> String {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Query {
     /// Words that a record must have, all of them.
-    pub words: Vec<Wanted>,
+    pub words: Vec<FilterWord>,
     /// Whether good ones are left out.
     pub only_bad: bool,
     /// The order; `None` is the order in which records were added, the newest first.
@@ -169,7 +169,7 @@ impl Query {
     pub fn finds(&self, record: &Record, texts: &Searched) -> bool {
         let status = record.verdict.status();
         let origin = &record.measurement.origin;
-        let has = |wanted: &Wanted| {
+        let has = |wanted: &FilterWord| {
             texts.text.contains(&wanted.folded)
                 || wanted.is_in_callout(&texts.callout)
                 || wanted.statuses.contains(&status)

@@ -125,10 +125,10 @@ impl Band {
     /// use fitcheck_exchange::report::band::{Band, GuardBand, Guarded};
     /// use fitcheck_core::tolerance::Sources;
     /// use fitcheck_core::verdict::Rule;
-    /// use fitcheck_core::verdict::rules::{Given, RuleName};
+    /// use fitcheck_core::verdict::rules::{RuleInputs, RuleName};
     ///
     /// let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
-    /// let rule = Rule::new(RuleName::Fixed, Given { width: Some("0.002".parse()?), ..Given::default() })?;
+    /// let rule = Rule::new(RuleName::Fixed, RuleInputs { width: Some("0.002".parse()?), ..RuleInputs::default() })?;
     /// let guard = Band::by(&rule, &limits, None).guard.unwrap();
     /// assert_eq!((guard.accepted, guard.rejected), (Some([2.0, 19.0]), Some([-2.0, 23.0])));
     /// let undecided = |from_um, to_um| GuardBand { from_um, to_um, guarded: Guarded::Undecided };
@@ -245,7 +245,7 @@ fn ticks(min: f64, max: f64) -> Vec<f64> {
 mod tests {
     use super::*;
     use fitcheck_core::tolerance::Sources;
-    use fitcheck_core::verdict::rules::{Given, Prover, RuleName, Uncertainty};
+    use fitcheck_core::verdict::rules::{Prover, RuleInputs, RuleName, Uncertainty};
 
     #[test]
     fn ticks_are_round() {
@@ -253,13 +253,13 @@ mod tests {
         assert_eq!(ticks(-23.0, 33.0), [-20.0, -10.0, 0.0, 10.0, 20.0, 30.0]);
         assert_eq!(ticks(-0.001, 0.003), [-0.001, 0.0, 0.001, 0.002, 0.003]);
     }
-    fn guard(name: RuleName, given: Given) -> Option<Guard> {
+    fn guard(name: RuleName, given: RuleInputs) -> Option<Guard> {
         let limits = Sources::default().limits(&"25 H7".parse().unwrap(), None).unwrap();
         Band::by(&Rule::new(name, given).unwrap(), &limits, Some("25.012".parse().unwrap())).guard
     }
 
-    fn u(um: &str) -> Given {
-        Given { uncertainty: Some(Uncertainty::standard(um).unwrap()), ..Given::default() }
+    fn u(um: &str) -> RuleInputs {
+        RuleInputs { uncertainty: Some(Uncertainty::standard(um).unwrap()), ..RuleInputs::default() }
     }
 
     const fn band(from_um: f64, to_um: f64, guarded: Guarded) -> GuardBand {
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn where_the_limits_decide_there_is_no_guard_band() {
-        assert_eq!(guard(RuleName::Simple, Given::default()), None);
+        assert_eq!(guard(RuleName::Simple, RuleInputs::default()), None);
         assert_eq!(guard(RuleName::Simple, u("1")), None);
         assert_eq!(guard(RuleName::AsmeSimple, u("1")), None);
     }
@@ -288,7 +288,7 @@ mod tests {
         assert_eq!((relaxed.accepted, relaxed.rejected), (Some([-3.0, 24.0]), Some([-3.0, 24.0])));
         let beyond = [band(-3.0, 0.0, Guarded::AcceptedBeyond), band(21.0, 24.0, Guarded::AcceptedBeyond)];
         assert_eq!(relaxed.bands, beyond);
-        let customer = guard(RuleName::IlacG8, Given { prover: Prover::Customer, ..u("1.5") }).unwrap();
+        let customer = guard(RuleName::IlacG8, RuleInputs { prover: Prover::Customer, ..u("1.5") }).unwrap();
         assert_eq!(customer.bands, beyond);
     }
 

@@ -19,7 +19,7 @@ use fitcheck_core::words::Words;
 
 use super::columns::{Cell as _, Column, cells, names};
 use super::part::PartSheet;
-use super::row::Row;
+use super::row::ReportRow;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
 
@@ -32,7 +32,7 @@ fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Re
     let name = picture.as_ref().map(|_| PICTURE);
     line(names(&COLUMNS).into_iter().chain(more.names()).chain(name), out)?;
     report.checks.each(&mut |record| {
-        let row = Row::of(record);
+        let row = ReportRow::of(record);
         line(cells(&COLUMNS, &row).chain(more.of_row(&row)).chain(picture.clone()), out)
     })
 }
@@ -42,12 +42,12 @@ const PICTURE: &str = "picture";
 
 /// The records as CSV, with a header, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(Row::of), More::of(records))
+    render_rows(records.iter().map(ReportRow::of), More::of(records))
 }
 
 /// The same with an empty feature: the callouts do not say hole or shaft, and it did not matter.
 pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }), More::of(records))
+    render_rows(records.iter().map(|record| ReportRow { feature: "", ..ReportRow::of(record) }), More::of(records))
 }
 
 /// Which columns a file has besides those of every file: only those that a check of it has.
@@ -55,7 +55,7 @@ pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError
 pub struct More(u8);
 
 /// Columns, and which checks have them.
-type Optional = (&'static [Column<Row>], fn(&Record) -> bool);
+type Optional = (&'static [Column<ReportRow>], fn(&Record) -> bool);
 
 /// Columns that a file may have, in their order.
 const MORE: [Optional; 4] = [
@@ -96,7 +96,7 @@ impl More {
     }
 
     /// The columns, in their order.
-    fn columns(self) -> impl Iterator<Item = &'static Column<Row>> {
+    fn columns(self) -> impl Iterator<Item = &'static Column<ReportRow>> {
         let wanted = MORE.iter().enumerate().filter(move |(bit, _)| self.0 & (1 << bit) != 0);
         wanted.flat_map(|(_, (columns, _))| columns.iter())
     }
@@ -108,17 +108,17 @@ impl More {
 
     /// The cells of a record in these columns.
     pub fn cells(self, record: &Record) -> Vec<String> {
-        let row = Row::of(record);
+        let row = ReportRow::of(record);
         self.of_row(&row).collect()
     }
 
-    fn of_row(self, row: &Row) -> impl Iterator<Item = String> {
+    fn of_row(self, row: &ReportRow) -> impl Iterator<Item = String> {
         // What a row does not have is an empty cell.
         self.columns().map(|(_, cell)| cell(row).unwrap_or_default())
     }
 }
 
-fn render_rows(mut rows: impl Iterator<Item = Row>, more: More) -> Result<Vec<u8>, RenderError> {
+fn render_rows(mut rows: impl Iterator<Item = ReportRow>, more: More) -> Result<Vec<u8>, RenderError> {
     let mut bytes = Vec::new();
     let written = header(more, &mut bytes).and_then(|()| rows.try_for_each(|row| check(&row, more, &mut bytes)));
     written.map(|()| bytes).map_err(|error| RenderError::writer("csv", &error))
@@ -129,7 +129,7 @@ fn header(more: More, out: &mut dyn Write) -> io::Result<()> {
     line(names(&COLUMNS).into_iter().chain(more.names()), out)
 }
 
-fn check(row: &Row, more: More, out: &mut dyn Write) -> io::Result<()> {
+fn check(row: &ReportRow, more: More, out: &mut dyn Write) -> io::Result<()> {
     line(cells(&COLUMNS, row).chain(more.of_row(row)), out)
 }
 
@@ -206,7 +206,7 @@ impl CsvLine {
 }
 
 /// Millimetres have at least three decimals, except in the nominal size.
-pub(super) const COLUMNS: [Column<Row>; 21] = [
+pub(super) const COLUMNS: [Column<ReportRow>; 21] = [
     ("time", |row| row.time.cell()),
     ("id", |row| harmless(&row.id).cell()),
     ("callout", |row| row.callout.cell()),
@@ -231,7 +231,7 @@ pub(super) const COLUMNS: [Column<Row>; 21] = [
 ];
 
 /// What a correction to 20 °C adds; without one a file has none of these columns.
-const CORRECTED: [Column<Row>; 6] = [
+const CORRECTED: [Column<ReportRow>; 6] = [
     ("as_measured_mm", |row| row.corrected.as_ref()?.as_measured_mm.text(3).cell()),
     ("correction_um", |row| row.corrected.as_ref()?.correction_um.text().cell()),
     ("temperature_c", |row| Some(row.corrected.as_ref()?.temperature_c.to_string())),
@@ -241,7 +241,7 @@ const CORRECTED: [Column<Row>; 6] = [
 ];
 
 /// What a decision rule adds; without one a file has none of these columns.
-const GUARDED: [Column<Row>; 7] = [
+const GUARDED: [Column<ReportRow>; 7] = [
     ("rule_name", |row| row.guarded.as_ref()?.rule_name.cell()),
     ("u_um", |row| Some(row.guarded.as_ref()?.u_um?.to_string())),
     ("k", |row| Some(row.guarded.as_ref()?.k?.to_string())),
@@ -252,7 +252,7 @@ const GUARDED: [Column<Row>; 7] = [
 ];
 
 /// What a budget adds.
-const BUDGETED: [Column<Row>; 4] = [
+const BUDGETED: [Column<ReportRow>; 4] = [
     ("budget", |row| harmless(&row.budgeted.as_ref()?.budget).cell()),
     ("budget_date", |row| row.budgeted.as_ref()?.budget_date.cell()),
     ("budget_valid_until", |row| row.budgeted.as_ref()?.budget_valid_until.cell()),
@@ -260,9 +260,9 @@ const BUDGETED: [Column<Row>; 4] = [
 ];
 
 /// What contacts that the uncertainty does not count for add.
-const UNDECIDED: [Column<Row>; 1] = [("remeasure_reason", |row| row.undecided.as_ref()?.remeasure_reason.cell())];
+const UNDECIDED: [Column<ReportRow>; 1] = [("remeasure_reason", |row| row.undecided.as_ref()?.remeasure_reason.cell())];
 
-fn contacts(row: &Row) -> Option<String> {
+fn contacts(row: &ReportRow) -> Option<String> {
     let all: serde_json::Value = row.contacts.iter().map(|contact| contact.to_vec()).collect();
     (!row.contacts.is_empty()).then(|| all.to_string())
 }

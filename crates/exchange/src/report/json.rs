@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use super::csv::More;
 use super::part::PartSheet;
-use super::row::Row;
+use super::row::ReportRow;
 use super::{Checks, RenderError, Rendering, Report};
 use crate::journal::Record;
 
@@ -104,7 +104,7 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
 
 /// One record as an object with the CSV's names; missing values are left out.
 pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Value>, RenderError> {
-    let value = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
+    let value = serde_json::to_value(ReportRow::of(record)).map_err(|error| RenderError::writer("json", &error))?;
     let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
     // Leave out missing values: nulls, and the empty contacts and name of a typed value.
     object.retain(|_, value| {
@@ -117,7 +117,7 @@ pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Val
 
 /// What a record has under the names of some columns; null where it has nothing.
 pub fn more(record: &Record, more: More) -> Result<Vec<(&'static str, serde_json::Value)>, RenderError> {
-    let row = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
+    let row = serde_json::to_value(ReportRow::of(record)).map_err(|error| RenderError::writer("json", &error))?;
     Ok(more.names().map(|name| (name, row.get(name).map_or(serde_json::Value::Null, Clone::clone))).collect())
 }
 
@@ -129,7 +129,7 @@ fn write(head: Option<Head<'_>>, checks: &dyn Checks, out: &mut dyn Write) -> io
     checks.each(&mut |record| {
         let comma = if std::mem::take(&mut is_first) { "" } else { "," };
         // A text has its own line ends escaped.
-        let check = serde_json::to_string_pretty(&Row::of(record))?.replace('\n', "\n    ");
+        let check = serde_json::to_string_pretty(&ReportRow::of(record))?.replace('\n', "\n    ");
         write!(out, "{comma}\n    {check}")
     })?;
     out.write_all(if is_first { b"]\n}\n" } else { b"\n  ]\n}\n" })

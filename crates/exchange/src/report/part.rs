@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
-use fitcheck_core::part::{FeatureStanding, Plan, Repeats, Standing, Step, Taken, Walk, standings};
+use fitcheck_core::part::{FeatureStanding, PartStanding, Plan, Repeats, SizeValue, Step, Walk, standings};
 use fitcheck_core::verdict::Status;
 use jiff::civil::DateTime;
 
@@ -17,7 +17,7 @@ pub struct PartSheet {
     pub plan: Arc<Plan>,
     walk: Walk,
     /// The values of every size, as [`Plan::sizes`] has them: with their places those of which one may count.
-    values: Vec<Vec<(usize, Taken, Arc<Record>)>>,
+    values: Vec<Vec<(usize, SizeValue, Arc<Record>)>>,
     /// Its picture, or why there is none; `None` where the plan names none.
     pub picture: Option<Result<Image, Message>>,
 }
@@ -50,11 +50,11 @@ impl PartSheet {
         let status = record.verdict.status();
         let is_simulated = record.measurement.origin.is_simulated();
         let place = self.walk.steps().get(at).map_or(0, |step| step.taken.len());
-        let taken = Taken { status, is_simulated, when, is_settled: false };
+        let taken = SizeValue { status, is_simulated, when, is_settled: false };
         self.walk.take(at, taken);
         if let Some(values) = self.values.get_mut(at) {
             // Of values with the same verdict only the last one counts, and the latest.
-            let is_of_kind = |other: &Taken| (other.status, other.is_simulated) == (status, is_simulated);
+            let is_of_kind = |other: &SizeValue| (other.status, other.is_simulated) == (status, is_simulated);
             let of_kind = values.iter().filter(|(_, other, _)| is_of_kind(other));
             let latest = of_kind.max_by_key(|(place, other, _)| (other.when, *place)).map(|(place, ..)| *place);
             values.retain(|(place, other, _)| !is_of_kind(other) || Some(*place) == latest);
@@ -78,7 +78,7 @@ impl PartSheet {
     }
 
     /// What its values make of it.
-    pub fn standing(&self) -> Standing {
+    pub fn standing(&self) -> PartStanding {
         self.walk.standing()
     }
 

@@ -13,7 +13,7 @@ use crate::journal::{Decision, Record};
 
 /// One record. The fields' order is the order of the columns.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Row {
+pub(super) struct ReportRow {
     pub time: String,
     pub id: String,
     pub callout: Option<String>,
@@ -178,7 +178,7 @@ impl Micrometres {
     }
 }
 
-impl Row {
+impl ReportRow {
     pub fn of(record: &Record) -> Self {
         let Record { limits, measurement, verdict, .. } = record;
         let [centre_x_mm, centre_y_mm] =

@@ -8,7 +8,7 @@
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Say;
-use fitcheck_core::probing::cycle::{self, Axis, Cycle, CycleResult, FigureKind, FoundName, Meaning, Value};
+use fitcheck_core::probing::cycle::{self, Axis, Cycle, CycleResult, FigureKind, Meaning, ResultName, Value};
 use fitcheck_core::probing::cycles::cycle as cycle_of;
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::verdict::{Status, classify};
@@ -132,7 +132,7 @@ impl CycleLog {
 }
 
 /// A figure of the log; `None` if the result is of another cycle.
-fn figure(cycle: &Cycle, result: &CycleResult, what: FoundName, kind: FigureKind) -> Option<Figure> {
+fn figure(cycle: &Cycle, result: &CycleResult, what: ResultName, kind: FigureKind) -> Option<Figure> {
     let actual = result.length(what)?;
     let of = |meaning| cycle.length_of(&result.inputs, meaning);
     let against = |nominal: Length, limits| {
@@ -153,7 +153,7 @@ fn figure(cycle: &Cycle, result: &CycleResult, what: FoundName, kind: FigureKind
 }
 
 /// The limits that the cycle compared a value with.
-fn compared(result: &CycleResult, what: FoundName) -> Option<LimitPair> {
+fn compared(result: &CycleResult, what: ResultName) -> Option<LimitPair> {
     let check = result.checks.iter().find(|check| check.what == what)?;
     Some(LimitPair { maximum: check.maximum, minimum: check.minimum })
 }
@@ -161,12 +161,12 @@ fn compared(result: &CycleResult, what: FoundName) -> Option<LimitPair> {
 const AXES: [Axis; 3] = [Axis::First, Axis::Second, Axis::Third];
 
 fn point(cycle: &Cycle, result: &CycleResult, heading: &Heading) -> Option<PointLog> {
-    let found = |names: [FoundName; 3]| all(names.map(|name| result.length(name)));
+    let found = |names: [ResultName; 3]| all(names.map(|name| result.length(name)));
     let normal = |axis| match cycle.value_of(&result.inputs, Meaning::Normal(axis)) {
         Some(Value::Number(number)) => Some(*number),
         _ => None,
     };
-    let deviation = result.length(FoundName::DEVIATION_ALONG)?;
+    let deviation = result.length(ResultName::DEVIATION_ALONG)?;
     let tolerance = cycle.value_of(&result.inputs, Meaning::Band);
     let band = match tolerance {
         Some(Value::Band(Some(band))) => Some(Band { upper: band.upper(), lower: band.lower() }),
@@ -179,8 +179,8 @@ fn point(cycle: &Cycle, result: &CycleResult, heading: &Heading) -> Option<Point
         unit: heading.unit,
         nominal: all(AXES.map(|axis| cycle.length_of(&result.inputs, Meaning::Point(axis))))?,
         normal: all(AXES.map(normal))?,
-        measured: found([FoundName::POSITION_1, FoundName::POSITION_2, FoundName::POSITION_3])?,
-        deviations: found([FoundName::DEVIATION_1, FoundName::DEVIATION_2, FoundName::DEVIATION_3])?,
+        measured: found([ResultName::POSITION_1, ResultName::POSITION_2, ResultName::POSITION_3])?,
+        deviations: found([ResultName::DEVIATION_1, ResultName::DEVIATION_2, ResultName::DEVIATION_3])?,
         deviation,
         tolerance: tolerance.map_or_else(String::new, ToString::to_string),
         band,

@@ -4,7 +4,7 @@
 //! QS3 the status word, Q33 and Q23 the limits, Q153 the measured diameter. Other cycles declare masks of their own,
 //! drawn from the parameters and results of the cycle.
 
-use fitcheck_core::probing::cycle::{self, Check, Cycle, CycleResult, FoundName, Key, Meaning, Window};
+use fitcheck_core::probing::cycle::{self, Check, Cycle, CycleResult, Key, Meaning, ResultName, Window};
 use fitcheck_core::words::Dialogue;
 use jiff::civil::DateTime;
 
@@ -36,7 +36,7 @@ pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) 
         variables.set(Parameter::qs(3), Value::Text(status_word(status, language).to_owned()));
     }
     variables.set(Parameter::qs(2), Value::Text(checked(cycle, result)));
-    if let Some(check) = result.checks.iter().find(|check| check.what == FoundName::DIAMETER) {
+    if let Some(check) = result.checks.iter().find(|check| check.what == ResultName::DIAMETER) {
         set_diameter(cycle, result, check, &mut variables);
     }
     variables

@@ -10,7 +10,7 @@ use fitcheck_core::message::{Located, Say};
 use fitcheck_core::probing::cycle::Control;
 use fitcheck_core::text::cut;
 
-use super::around::{Around, Kept, Made, machining, reset_datum};
+use super::around::{Around, CarriedState, ChangingBlock, machining, reset_datum};
 use super::tool_call::Named;
 use crate::control::probe_block::ProbeBlock;
 use crate::program::{Block, Body, Course, MachineFunction, Operand, PassedOver, Program, Unread};
@@ -78,7 +78,7 @@ pub fn alone(text: &str, block: &ProbeBlock) -> Vec<Located<Alone>> {
         let at = program.block_at(line + added)?;
         let block = program.blocks().get(at)?;
         let is_found = matches!(block.body, Body::Probe(_)) && block.lines.start == line + added;
-        is_found.then(|| Told { program: &program, block: at, added, said: Vec::new() }.all())
+        is_found.then(|| BlockReasons { program: &program, block: at, added, said: Vec::new() }.all())
     };
     read("").or_else(|| read(ISO_HEAD)).unwrap_or_else(|| not_read(text, line))
 }
@@ -90,7 +90,7 @@ fn not_read(text: &str, line: usize) -> Vec<Located<Alone>> {
         let first = |(at, text)| Located::in_line(at, Alone::NotUnderstood { text: shown(text) });
         return before.map(first).into_iter().collect();
     };
-    let mut told = Told { program: &program, block: 0, added: 0, said: Vec::new() };
+    let mut told = BlockReasons { program: &program, block: 0, added: 0, said: Vec::new() };
     let says = |block: &Block| !matches!(block.body, Body::Begin { .. } | Body::Nothing | Body::Heading { .. });
     if let Some(first) = program.blocks().iter().position(says).filter(|first| told.line(*first) <= line) {
         told.say(first, |text| Alone::NotUnderstood { text });
@@ -108,7 +108,7 @@ fn shown(text: &str) -> String {
 }
 
 /// What is said of a block.
-struct Told<'a> {
+struct BlockReasons<'a> {
     program: &'a Program,
     block: usize,
     /// How many lines stand before the text that is none of its own.
@@ -116,7 +116,7 @@ struct Told<'a> {
     said: Vec<Located<Alone>>,
 }
 
-impl Told<'_> {
+impl BlockReasons<'_> {
     /// The line of a block, from 1.
     fn line(&self, block: usize) -> usize {
         (self.program.blocks().get(block).map_or(0, |block| block.lines.start) + 1).saturating_sub(self.added)
@@ -147,7 +147,7 @@ impl Told<'_> {
     fn before(&mut self, course: &Course) {
         let program = self.program;
         let mut around = Around::new(program.notation());
-        let mut kept: BTreeMap<Kept, usize> = BTreeMap::new();
+        let mut kept: BTreeMap<CarriedState, usize> = BTreeMap::new();
         let mut called = None;
         let mut unread = None;
         // A reset counts where nothing goes past it.
@@ -162,7 +162,7 @@ impl Told<'_> {
                 Before::Called => _ = called.get_or_insert(at),
                 Before::NotUnderstood => _ = unread.get_or_insert(at),
             }
-            let in_force: Vec<Kept> = around.kept().collect();
+            let in_force: Vec<CarriedState> = around.kept().collect();
             is_certain &= !(block.may_be_skipped && kept.keys().any(|kept| !in_force.contains(kept)));
             if is_certain {
                 kept.retain(|kept, _| in_force.contains(kept));
@@ -202,7 +202,7 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
             Operand::Parameter { .. } => f64::NAN,
         })
     };
-    let made = || Made { line: block.lines.start + 1, text: String::new() };
+    let made = || ChangingBlock { line: block.lines.start + 1, text: String::new() };
     match &block.body {
         Body::CallLabel { .. } | Body::CallProgram(_) | Body::CallSelectedProgram => return Before::Called,
         Body::Frame(frame) => {
@@ -265,7 +265,7 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
 }
 
 /// M functions that change the datum.
-fn machine_functions(around: &mut Around, functions: &[MachineFunction], made: impl FnOnce() -> Made) {
+fn machine_functions(around: &mut Around, functions: &[MachineFunction], made: impl FnOnce() -> ChangingBlock) {
     if reset_datum(functions) {
         around.lose_system(made);
     }

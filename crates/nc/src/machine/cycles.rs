@@ -6,7 +6,7 @@ use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleError, CycleResul
 use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::verdict::Status;
 
-use super::around::{Around, Global, INCH, Made, Moment};
+use super::around::{Around, ChangingBlock, Global, INCH, Moment};
 use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
@@ -62,7 +62,7 @@ pub(super) struct Cycles {
     runs: Vec<CycleRun>,
     most: usize,
     /// A measurement that was not run, where contacts were recorded: some of them may be of it.
-    lost: Option<Made>,
+    lost: Option<ChangingBlock>,
 }
 
 impl Cycles {
@@ -97,7 +97,7 @@ impl Cycles {
     }
 
     /// A measurement was not run: from here on it is not known which recorded contacts are of which cycle.
-    pub(super) fn lose(&mut self, by: impl FnOnce() -> Made) {
+    pub(super) fn lose(&mut self, by: impl FnOnce() -> ChangingBlock) {
         if self.probed.is_recorded() {
             self.lost.get_or_insert_with(by);
         }
@@ -142,11 +142,11 @@ impl Cycles {
     pub(super) fn measure(
         &mut self,
         cycle: &'static Cycle,
-        asked: &Asked<'_>,
+        asked: &CycleRequest<'_>,
         around: &Around,
         values: &Values,
     ) -> Result<(Vec<Move>, Result<CycleResult, FaultKind>), FaultKind> {
-        if let Some(Made { line, text }) = self.lost.clone() {
+        if let Some(ChangingBlock { line, text }) = self.lost.clone() {
             return Err(FaultKind::ContactsUnknown { line, text });
         }
         let mut inputs = Inputs::new().with_probe(self.probe);
@@ -176,7 +176,7 @@ impl Cycles {
 }
 
 /// What a block asks of a cycle.
-pub(super) struct Asked<'a> {
+pub(super) struct CycleRequest<'a> {
     pub block: &'a CycleBlock,
     /// The unit of its program.
     pub unit: Option<Unit>,
@@ -201,7 +201,7 @@ fn with_globals(mut inputs: Inputs, cycle: &'static Cycle, around: &Around) -> R
 fn with_lines(
     mut inputs: Inputs,
     cycle: &'static Cycle,
-    asked: &Asked<'_>,
+    asked: &CycleRequest<'_>,
     values: &Values,
 ) -> Result<Inputs, FaultKind> {
     for line in &asked.block.lines {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use fitcheck_core::text::cut;
 
-use super::around::Made;
+use super::around::ChangingBlock;
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, Counted, FaultKind};
 use super::path::NcPath;
@@ -92,10 +92,10 @@ impl Flow {
     }
 
     /// A block of the program that runs, as a later message names it.
-    pub(super) fn made(&self, at: usize) -> Made {
+    pub(super) fn made(&self, at: usize) -> ChangingBlock {
         let program = &self.frame.program;
         let line = program.blocks().get(at).map_or(0, |block| block.lines.start + 1);
-        Made { line, text: cut(program.first_line_of(at).trim(), LONGEST_TEXT) }
+        ChangingBlock { line, text: cut(program.first_line_of(at).trim(), LONGEST_TEXT) }
     }
 
     pub(super) fn calls(&self) -> &[Call] {

@@ -159,7 +159,7 @@ impl OpenTable {
 
 /// What FN 27 writes: a row, and the text of each column by its number.
 #[derive(Debug)]
-pub(super) struct Cells {
+pub(super) struct WrittenRow {
     row: usize,
     texts: Vec<(usize, String)>,
     /// What is worth knowing about the columns.
@@ -239,10 +239,10 @@ impl Tables {
         from: Parameter,
         unit: Option<Unit>,
         values: &Values,
-    ) -> Result<Cells, FaultKind> {
+    ) -> Result<WrittenRow, FaultKind> {
         let open = self.open_table()?;
         let row = values.whole(Counted::Row, row)?;
-        let mut cells = Cells { row, texts: Vec::new(), remarks: Vec::new() };
+        let mut cells = WrittenRow { row, texts: Vec::new(), remarks: Vec::new() };
         for (column, from) in names(columns, values)?.into_iter().zip(following(from)) {
             let (number, remarks) = open.column(column)?;
             open.check_row(row)?;
@@ -261,7 +261,7 @@ impl Tables {
     }
 
     /// FN 27: in memory; the file is written when the table is closed.
-    pub(super) fn write(&mut self, at: usize, cells: Cells, files: &mut Files) -> Result<(), FaultKind> {
+    pub(super) fn write(&mut self, at: usize, cells: WrittenRow, files: &mut Files) -> Result<(), FaultKind> {
         let changed = self.changed.len();
         let Some(open) = &mut self.open else { return Err(FaultKind::NoTable) };
         if open.changed_at.is_none() {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use fitcheck_core::message::Arg;
 use fitcheck_core::probing::cycle::{Cycle, CycleResult};
 
-use super::around::Made;
+use super::around::ChangingBlock;
 use super::fault::{BlockPlace, FaultKind};
 use super::remark::{Remark, Remarks};
 use super::values::Values;
@@ -29,7 +29,7 @@ pub(super) struct Tools {
     /// The row of the tool that was called last, until a cycle has asked for it.
     called: Option<usize>,
     /// A block that was not run may have changed the table.
-    lost: Option<Arc<Made>>,
+    lost: Option<Arc<ChangingBlock>>,
 }
 
 impl Tools {
@@ -46,7 +46,7 @@ impl Tools {
     }
 
     /// A block that was not run may have changed the table.
-    pub(super) fn lose(&mut self, by: impl FnOnce() -> Arc<Made>) {
+    pub(super) fn lose(&mut self, by: impl FnOnce() -> Arc<ChangingBlock>) {
         if self.table.is_some() {
             self.lost.get_or_insert_with(by);
         }
@@ -105,7 +105,7 @@ impl Tools {
         if let Some(lost) = &self.lost
             && table.clone().monitor(cycle, result)?.is_some()
         {
-            let Made { line, text } = lost.as_ref().clone();
+            let ChangingBlock { line, text } = lost.as_ref().clone();
             return Err(FaultKind::ToolsUnknown { line, text });
         }
         let Some(Monitored { change, same_name }) = table.monitor(cycle, result)? else { return Ok(()) };

@@ -5,13 +5,13 @@
 
 use fitcheck_core::text;
 
-use super::fault::{BlockFault, Wanted};
+use super::fault::{BlockFault, ExpectedWord};
 use super::notation::Notation;
 use super::operand::{Operand, TextOperand};
 use crate::control::variables::{Family, Parameter};
 
 /// What was read, or why reading stopped.
-pub(super) type Read<T> = Result<T, Stop>;
+pub(super) type Parsed<T> = Result<T, Stop>;
 
 /// Where reading stopped, as bytes from the beginning of the block's text, and why.
 #[derive(Debug)]
@@ -150,22 +150,22 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a sign or stops.
-    pub(super) fn expect(&mut self, sign: char, wanted: &'static str) -> Read<()> {
-        if self.take(sign) { Ok(()) } else { Err(self.stop(Wanted::Word(wanted))) }
+    pub(super) fn expect(&mut self, sign: char, wanted: &'static str) -> Parsed<()> {
+        if self.take(sign) { Ok(()) } else { Err(self.stop(ExpectedWord::Word(wanted))) }
     }
 
     /// Takes a word or stops.
-    pub(super) fn expect_word(&mut self, word: &'static str) -> Read<()> {
-        if self.take_word(word) { Ok(()) } else { Err(self.stop(Wanted::Word(word))) }
+    pub(super) fn expect_word(&mut self, word: &'static str) -> Parsed<()> {
+        if self.take_word(word) { Ok(()) } else { Err(self.stop(ExpectedWord::Word(word))) }
     }
 
     /// Stops if anything is left.
-    pub(super) fn end(&mut self) -> Read<()> {
+    pub(super) fn end(&mut self) -> Parsed<()> {
         if self.is_at_end() { Ok(()) } else { Err(self.fail(BlockFault::LeftOver { found: self.shown() })) }
     }
 
     /// The fault that something else is expected here.
-    pub(super) fn stop(&mut self, wanted: Wanted) -> Stop {
+    pub(super) fn stop(&mut self, wanted: ExpectedWord) -> Stop {
         let reason = if self.is_at_end() {
             BlockFault::Missing(wanted)
         } else {
@@ -206,7 +206,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a number without sign.
-    pub(super) fn number(&mut self) -> Read<Option<f64>> {
+    pub(super) fn number(&mut self) -> Parsed<Option<f64>> {
         self.blanks();
         let from = self.clone();
         let Some(text) = self.number_text() else { return Ok(None) };
@@ -218,15 +218,15 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a whole number without sign or stops.
-    pub(super) fn expect_whole(&mut self, most: u32) -> Read<u32> {
+    pub(super) fn expect_whole(&mut self, most: u32) -> Parsed<u32> {
         match self.whole(most)? {
             Some(number) => Ok(number),
-            None => Err(self.stop(Wanted::Number)),
+            None => Err(self.stop(ExpectedWord::Number)),
         }
     }
 
     /// Takes a whole number without sign.
-    pub(super) fn whole(&mut self, most: u32) -> Read<Option<u32>> {
+    pub(super) fn whole(&mut self, most: u32) -> Parsed<Option<u32>> {
         self.blanks();
         let from = self.clone();
         let digits = self.take_while(|c| c.is_ascii_digit());
@@ -240,7 +240,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a parameter.
-    pub(super) fn parameter(&mut self) -> Read<Option<Parameter>> {
+    pub(super) fn parameter(&mut self) -> Parsed<Option<Parameter>> {
         self.blanks();
         let mut ahead = self.clone();
         // The shortest last: `QS5` begins with the letter of `Q5`.
@@ -266,21 +266,21 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a parameter of any family or stops.
-    pub(super) fn any_parameter(&mut self) -> Read<Parameter> {
-        self.parameter_of(Wanted::Parameter, |_family| true)
+    pub(super) fn any_parameter(&mut self) -> Parsed<Parameter> {
+        self.parameter_of(ExpectedWord::Parameter, |_family| true)
     }
 
     /// Takes a number parameter or stops.
-    pub(super) fn number_parameter(&mut self) -> Read<Parameter> {
-        self.parameter_of(Wanted::NumberParameter, |family| !family.is_text())
+    pub(super) fn number_parameter(&mut self) -> Parsed<Parameter> {
+        self.parameter_of(ExpectedWord::NumberParameter, |family| !family.is_text())
     }
 
     /// Takes a QS parameter or stops.
-    pub(super) fn text_parameter(&mut self, wanted: Wanted) -> Read<Parameter> {
+    pub(super) fn text_parameter(&mut self, wanted: ExpectedWord) -> Parsed<Parameter> {
         self.parameter_of(wanted, Family::is_text)
     }
 
-    fn parameter_of(&mut self, wanted: Wanted, test: impl Fn(Family) -> bool) -> Read<Parameter> {
+    fn parameter_of(&mut self, wanted: ExpectedWord, test: impl Fn(Family) -> bool) -> Parsed<Parameter> {
         let mut from = self.clone();
         match self.parameter()? {
             Some(parameter) if test(parameter.family) => Ok(parameter),
@@ -298,7 +298,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a number or a Q, QL or QR parameter, with or without sign.
-    pub(super) fn operand(&mut self) -> Read<Operand> {
+    pub(super) fn operand(&mut self) -> Parsed<Operand> {
         self.blanks();
         let from = self.clone();
         let is_negative = self.minus();
@@ -307,7 +307,7 @@ impl<'a> Cursor<'a> {
         }
         match self.parameter()? {
             Some(parameter) if !parameter.family.is_text() => Ok(Operand::Parameter { parameter, is_negative }),
-            _ => Err(from.clone().stop(Wanted::Value)),
+            _ => Err(from.clone().stop(ExpectedWord::Value)),
         }
     }
 
@@ -321,7 +321,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes a path or the like up to a sign or the end: quoted, a QS parameter, or as written.
-    pub(super) fn path(&mut self, until: Option<char>) -> Read<TextOperand> {
+    pub(super) fn path(&mut self, until: Option<char>) -> Parsed<TextOperand> {
         if let Some(text) = self.quoted() {
             return Ok(TextOperand::Text(text.to_owned()));
         }
@@ -329,7 +329,7 @@ impl<'a> Cursor<'a> {
         let from = self.clone();
         let text = self.take_while(|c| Some(c) != until && c != '"').trim();
         if text.is_empty() {
-            return Err(from.clone().stop(Wanted::Path));
+            return Err(from.clone().stop(ExpectedWord::Path));
         }
         let name = text.strip_prefix(":'").and_then(|text| text.strip_suffix('\'')).unwrap_or(text);
         let mut name = Cursor::new(name);

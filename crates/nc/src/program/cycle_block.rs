@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::operand::{Operand, TextOperand};
-use super::place::Place;
+use super::place::TextPlace;
 use crate::control::variables::Parameter;
 
 /// A cycle with its lines, in the order of the program.
@@ -48,7 +48,7 @@ pub struct CycleLine {
     pub parameter: CycleName,
     pub value: CycleValue,
     /// The place of the parameter.
-    pub place: Place,
+    pub place: TextPlace,
     /// The comment after it, which names the parameter in the language of the control.
     pub comment: String,
 }

@@ -9,11 +9,11 @@ use crate::control::variables::Parameter;
 #[say(prefix = "program", error)]
 pub enum BlockFault {
     /// The block ends too early.
-    Missing(#[say(name = "wanted")] Wanted),
+    Missing(#[say(name = "wanted")] ExpectedWord),
     /// Something else was found.
     Unexpected {
         /// What is allowed.
-        wanted: Wanted,
+        wanted: ExpectedWord,
         found: String,
     },
     /// The block is complete, but text follows.
@@ -109,7 +109,7 @@ pub enum BlockFault {
 /// What is allowed at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "program-wanted")]
-pub enum Wanted {
+pub enum ExpectedWord {
     /// A word or sign of the language.
     Word(#[say(name = "word")] &'static str),
     Number,

@@ -2,9 +2,9 @@
 //!
 //! A sign binds like a function. Operations of the same rank go from left to right, powers too.
 
-use super::cursor::{Cursor, Read, shown};
+use super::cursor::{Cursor, Parsed, shown};
 use super::expression::{Expression, NumberFunction, Operation};
-use super::fault::{BlockFault, Wanted};
+use super::fault::{BlockFault, ExpectedWord};
 use super::operand::Operand;
 use super::words::{FUNCTIONS, LATHE_FUNCTIONS, meaning};
 use crate::control::variables::Parameter;
@@ -15,7 +15,7 @@ pub(super) const MOST_DEPTH: usize = 64;
 pub(super) const MOST_OPERANDS: usize = 500;
 
 /// Reads a formula as far as it goes.
-pub(super) fn expression(cursor: &mut Cursor<'_>) -> Read<Expression> {
+pub(super) fn expression(cursor: &mut Cursor<'_>) -> Parsed<Expression> {
     Formula { cursor, depth: 0, operands: 0 }.sum()
 }
 
@@ -31,7 +31,7 @@ struct Formula<'c, 'a> {
 }
 
 impl Formula<'_, '_> {
-    fn sum(&mut self) -> Read<Expression> {
+    fn sum(&mut self) -> Parsed<Expression> {
         let mut left = self.product()?;
         loop {
             let operation = if self.cursor.take('+') {
@@ -45,7 +45,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    fn product(&mut self) -> Read<Expression> {
+    fn product(&mut self) -> Parsed<Expression> {
         let mut left = self.power()?;
         loop {
             let operation = if self.cursor.take('*') {
@@ -61,7 +61,7 @@ impl Formula<'_, '_> {
         }
     }
 
-    fn power(&mut self) -> Read<Expression> {
+    fn power(&mut self) -> Parsed<Expression> {
         let mut left = self.operand()?;
         while !self.cursor.is_of_lathes() && self.cursor.take('^') {
             left = binary(Operation::Power, left, self.operand()?);
@@ -70,7 +70,7 @@ impl Formula<'_, '_> {
     }
 
     /// An operand with everything before it.
-    fn operand(&mut self) -> Read<Expression> {
+    fn operand(&mut self) -> Parsed<Expression> {
         if self.depth == MOST_DEPTH {
             return Err(self.cursor.fail(BlockFault::TooDeep { most: MOST_DEPTH }));
         }
@@ -80,7 +80,7 @@ impl Formula<'_, '_> {
         operand
     }
 
-    fn signed(&mut self) -> Read<Expression> {
+    fn signed(&mut self) -> Parsed<Expression> {
         if self.cursor.take('+') {
             return self.operand();
         }
@@ -96,7 +96,7 @@ impl Formula<'_, '_> {
     }
 
     /// A number, a parameter, PI, or a function with its operand.
-    fn plain(&mut self) -> Read<Expression> {
+    fn plain(&mut self) -> Parsed<Expression> {
         self.operands += 1;
         if MOST_OPERANDS < self.operands {
             return Err(self.cursor.fail(BlockFault::TooManyOperands { most: MOST_OPERANDS }));
@@ -107,13 +107,13 @@ impl Formula<'_, '_> {
         let from = self.cursor.clone();
         if let Some(parameter) = self.cursor.parameter()? {
             if parameter.family.is_text() {
-                return Err(from.clone().stop(Wanted::Value));
+                return Err(from.clone().stop(ExpectedWord::Value));
             }
             return Ok(Expression::Value(Operand::Parameter { parameter, is_negative: false }));
         }
         let word = self.cursor.letters();
         if word.is_empty() {
-            return Err(self.cursor.stop(Wanted::Value));
+            return Err(self.cursor.stop(ExpectedWord::Value));
         }
         self.cursor.take_prefix(word);
         if self.cursor.is_of_lathes() {
@@ -132,12 +132,12 @@ impl Formula<'_, '_> {
     }
 
     /// A function of lathe controls: its operand stands in brackets.
-    fn lathe_function(&mut self, word: &str, from: &Cursor<'_>) -> Read<Expression> {
+    fn lathe_function(&mut self, word: &str, from: &Cursor<'_>) -> Parsed<Expression> {
         let Some(function) = meaning(&LATHE_FUNCTIONS, word) else {
             return Err(from.fail(BlockFault::UnknownFunction { found: shown(word) }));
         };
         if self.cursor.next() != Some('(') {
-            return Err(self.cursor.stop(Wanted::Word("(")));
+            return Err(self.cursor.stop(ExpectedWord::Word("(")));
         }
         Ok(Expression::Function(function, Box::new(self.operand()?)))
     }
@@ -155,7 +155,7 @@ fn negative(operand: Expression) -> Expression {
 }
 
 /// The functions that turn a text into a number; the word has already been taken.
-fn text_function(cursor: &mut Cursor<'_>, word: &str) -> Read<Option<Expression>> {
+fn text_function(cursor: &mut Cursor<'_>, word: &str) -> Parsed<Option<Expression>> {
     let is = |name: &str| word.eq_ignore_ascii_case(name);
     if !["TONUMB", "INSTR", "STRLEN", "STRCOMP"].into_iter().any(is) {
         return Ok(None);
@@ -180,17 +180,17 @@ fn text_function(cursor: &mut Cursor<'_>, word: &str) -> Read<Option<Expression>
 }
 
 /// `SRC_QS10`.
-pub(super) fn text_word(cursor: &mut Cursor<'_>, word: &'static str) -> Read<Parameter> {
+pub(super) fn text_word(cursor: &mut Cursor<'_>, word: &'static str) -> Parsed<Parameter> {
     if !cursor.take_prefix(word) {
-        return Err(cursor.stop(Wanted::Word(word)));
+        return Err(cursor.stop(ExpectedWord::Word(word)));
     }
-    cursor.text_parameter(Wanted::TextParameter)
+    cursor.text_parameter(ExpectedWord::TextParameter)
 }
 
 /// `BEG2`, `BEG+Q5`.
-pub(super) fn value_word(cursor: &mut Cursor<'_>, word: &'static str) -> Read<Operand> {
+pub(super) fn value_word(cursor: &mut Cursor<'_>, word: &'static str) -> Parsed<Operand> {
     if !cursor.take_prefix(word) {
-        return Err(cursor.stop(Wanted::Word(word)));
+        return Err(cursor.stop(ExpectedWord::Word(word)));
     }
     cursor.operand()
 }

@@ -7,10 +7,10 @@ use super::error::LabelFault;
 
 /// Labels by number and by name; `LBL 0` does not count.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Labels(HashMap<Target, Found>);
+pub(super) struct Labels(HashMap<Target, LabelPlace>);
 
 #[derive(Debug, Clone, Copy)]
-struct Found {
+struct LabelPlace {
     block: usize,
     line: usize,
     /// The line where it is defined again.
@@ -18,7 +18,7 @@ struct Found {
 }
 
 /// A label that is defined again, and its first place.
-pub(super) struct Again<'a> {
+pub(super) struct RepeatedLabel<'a> {
     pub label: &'a Target,
     pub line: usize,
     pub first: usize,
@@ -26,7 +26,7 @@ pub(super) struct Again<'a> {
 
 impl Labels {
     /// Finds the labels of blocks, and those defined more than once. Lines count from 1.
-    pub(super) fn of(blocks: &[Block]) -> (Self, Vec<Again<'_>>) {
+    pub(super) fn of(blocks: &[Block]) -> (Self, Vec<RepeatedLabel<'_>>) {
         let mut labels = Self::default();
         let mut twice = Vec::new();
         for (block, of) in blocks.iter().enumerate() {
@@ -43,10 +43,10 @@ impl Labels {
             match labels.0.get_mut(label) {
                 Some(found) => {
                     found.again.get_or_insert(line);
-                    twice.push(Again { label, line, first: found.line });
+                    twice.push(RepeatedLabel { label, line, first: found.line });
                 }
                 None => {
-                    labels.0.insert(label.clone(), Found { block, line, again: None });
+                    labels.0.insert(label.clone(), LabelPlace { block, line, again: None });
                 }
             }
         }
@@ -61,7 +61,7 @@ impl Labels {
         }
         match self.0.get(label) {
             None => Err(LabelFault::Missing { label: label.clone() }),
-            Some(Found { line, again: Some(second), .. }) => {
+            Some(LabelPlace { line, again: Some(second), .. }) => {
                 Err(LabelFault::Twice { label: label.clone(), first: *line, second: *second })
             }
             Some(found) => Ok(found.block),

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fitcheck_core::text::behind;
 
-use super::place::Place;
+use super::place::TextPlace;
 
 /// Where lines begin and end in a text: LF, CRLF, CR or byte 0 ends one (as in [`fitcheck_core::text::lines`]).
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -39,9 +39,9 @@ impl Lines {
     }
 
     /// A place in a line: bytes turned into characters.
-    pub(super) fn place(&self, text: &str, line: usize, at: usize) -> Place {
+    pub(super) fn place(&self, text: &str, line: usize, at: usize) -> TextPlace {
         let before = self.line(text, line).get(..at).map_or(0, |before| before.chars().count());
-        Place { line: line + 1, column: before + 1 }
+        TextPlace { line: line + 1, column: before + 1 }
     }
 
     /// A line of the text; empty beyond the last.

@@ -80,11 +80,11 @@ pub use course::Course;
 pub use cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, Relation, Test, TextExpression};
-pub use fault::{BlockFault, Wanted};
+pub use fault::{BlockFault, ExpectedWord};
 pub use movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
 pub use notation::Notation;
 pub use operand::{Operand, TextOperand};
-pub use place::Place;
+pub use place::TextPlace;
 pub use unread::Unread;
 
 use fitcheck_core::text;

@@ -4,7 +4,7 @@ use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
 use super::labels::Labels;
 use super::lines::Lines;
 use super::notation::Notation;
-use super::place::Place;
+use super::place::TextPlace;
 use super::source::Source;
 use super::warnings::Warnings;
 use super::{Encoding, Program, din_plus, iso, klartext};
@@ -52,7 +52,7 @@ impl Program {
         }
         let (labels, twice) = Labels::of(&blocks);
         for again in twice {
-            let place = Place { line: again.line, column: 1 };
+            let place = TextPlace { line: again.line, column: 1 };
             warnings.add(place, || ProgramWarningKind::LabelAgain { label: again.label.clone(), first: again.first });
         }
         let program = Self { text, encoding, lines, notation, blocks, labels, has_unit };

@@ -2,7 +2,7 @@
 
 use super::error::ProgramWarningKind;
 use super::lines::Lines;
-use super::place::Place;
+use super::place::TextPlace;
 use super::warnings::Warnings;
 
 /// The lines of a program, and what is odd about them.
@@ -33,7 +33,7 @@ impl<'a> Source<'a> {
     }
 
     /// A place in a line: bytes turned into characters.
-    pub(super) fn place(&self, line: usize, at: usize) -> Place {
+    pub(super) fn place(&self, line: usize, at: usize) -> TextPlace {
         self.lines.place(self.text, line, at)
     }
 

@@ -1,14 +1,14 @@
 //! Formulas for texts: items with `||` between them.
 
-use super::cursor::{Cursor, Read, shown};
+use super::cursor::{Cursor, Parsed, shown};
 use super::expression::TextExpression;
-use super::fault::{BlockFault, Wanted};
+use super::fault::{BlockFault, ExpectedWord};
 use super::formula::{MOST_OPERANDS, text_word, value_word};
 use super::operand::TextOperand;
 use crate::control::variables::Family;
 
 /// Reads a text formula as far as it goes.
-pub(super) fn text_expression(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
+pub(super) fn text_expression(cursor: &mut Cursor<'_>) -> Parsed<TextExpression> {
     let first = item(cursor)?;
     let mut items = Vec::new();
     while cursor.take_prefix("||") {
@@ -24,20 +24,20 @@ pub(super) fn text_expression(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
     Ok(TextExpression::Join(items))
 }
 
-fn item(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
+fn item(cursor: &mut Cursor<'_>) -> Parsed<TextExpression> {
     if let Some(text) = cursor.quoted() {
         return Ok(TextExpression::Value(TextOperand::Text(text.to_owned())));
     }
     let from = cursor.clone();
     if let Some(parameter) = cursor.parameter()? {
         if parameter.family != Family::Qs {
-            return Err(from.clone().stop(Wanted::Text));
+            return Err(from.clone().stop(ExpectedWord::Text));
         }
         return Ok(TextExpression::Value(TextOperand::Parameter(parameter)));
     }
     let word = cursor.letters();
     if word.is_empty() {
-        return Err(cursor.stop(Wanted::Text));
+        return Err(cursor.stop(ExpectedWord::Text));
     }
     let is = |name: &str| word.eq_ignore_ascii_case(name);
     if !["TOCHAR", "SUBSTR", "SYSSTR"].into_iter().any(is) {

@@ -3,7 +3,7 @@
 use super::cursor::Stop;
 use super::error::{ProgramWarning, ProgramWarningKind};
 use super::lines::Piece;
-use super::place::Place;
+use super::place::TextPlace;
 
 /// How many warnings are listed one by one.
 const MOST_WARNINGS: usize = 500;
@@ -35,12 +35,12 @@ impl Odd {
 /// Warnings, of which only the first are kept.
 #[derive(Debug, Default)]
 pub(super) struct Warnings {
-    kept: Vec<(Place, ProgramWarningKind)>,
+    kept: Vec<(TextPlace, ProgramWarningKind)>,
     dropped: usize,
 }
 
 impl Warnings {
-    pub(super) fn add(&mut self, place: Place, what: impl FnOnce() -> ProgramWarningKind) {
+    pub(super) fn add(&mut self, place: TextPlace, what: impl FnOnce() -> ProgramWarningKind) {
         if self.kept.len() < MOST_WARNINGS {
             self.kept.push((place, what()));
         } else {

@@ -16,7 +16,7 @@
 //! | Q23, Q33, Q62 | maximum, minimum, and the nominal size moved between them; of a pocket or boss along Y |
 //! | Q73, Q83, Q72 | those of a pocket or boss along X |
 
-use fitcheck_core::part::Kind;
+use fitcheck_core::part::FeatureKind;
 use fitcheck_core::probing::cycle::{Axis, Cycle, Key, Meaning};
 use fitcheck_core::probing::cycle::{Control as CycleControl, Parameter};
 use fitcheck_core::probing::cycles::cycles_of;
@@ -59,13 +59,13 @@ impl Called {
     pub(super) const ALL: [Self; 5] = [Self::Diameter, Self::Width, Self::Face, Self::Rectangle, Self::Point];
 
     /// The program of a kind.
-    pub(super) const fn of(kind: &Kind) -> Self {
+    pub(super) const fn of(kind: &FeatureKind) -> Self {
         match kind {
-            Kind::Diameter(_) => Self::Diameter,
-            Kind::Width(..) => Self::Width,
-            Kind::Face(..) => Self::Face,
-            Kind::Pocket(_) | Kind::Boss(_) => Self::Rectangle,
-            Kind::Point(..) => Self::Point,
+            FeatureKind::Diameter(_) => Self::Diameter,
+            FeatureKind::Width(..) => Self::Width,
+            FeatureKind::Face(..) => Self::Face,
+            FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Self::Rectangle,
+            FeatureKind::Point(..) => Self::Point,
         }
     }
 

@@ -1,6 +1,6 @@
 //! Which features of a plan a control can measure.
 
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::part::{Plan, PlanFeature};
 use fitcheck_core::tolerance::Tolerance;
 use fitcheck_core::verdict::rules::RuleName;
@@ -20,7 +20,7 @@ pub(super) fn planned(plan: &Plan, control: Control) -> Result<Vec<Planned<'_>>,
         let before = errors.len();
         errors.extend(faults(feature, control).into_iter().map(|what| {
             let line = feature.line;
-            Located { what, place: Place { line, ..Place::default() } }
+            Located { what, place: FilePlace { line, ..FilePlace::default() } }
         }));
         if let Some(place) = feature.place.filter(|_place| errors.len() == before) {
             all.push(Planned { feature, place, limits: &feature.limits });

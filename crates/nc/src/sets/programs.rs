@@ -1,7 +1,7 @@
 //! The main program of a set, and what its programs share: all are made from the built-in ones, block by block.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::part::{self, Kind};
+use fitcheck_core::part::{self, FeatureKind};
 use fitcheck_core::probing::cycle::{Axis, Key, Meaning};
 use fitcheck_core::tolerance::Callout;
 use fitcheck_core::words::Dialogue;
@@ -85,7 +85,7 @@ fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Plan
             11 => one(*to, x.to_mm_f64()),
             21 => one(*to, y.to_mm_f64()),
             31 => one(*to, z.to_mm_f64()),
-            41 if matches!(feature.kind, Kind::Diameter(_)) => one(*to, feature.angle.to_degrees_f64()),
+            41 if matches!(feature.kind, FeatureKind::Diameter(_)) => one(*to, feature.angle.to_degrees_f64()),
             41 => direction_blocks(*to, names, &feature.kind),
             51 => one(*to, feature.clearance.to_mm_f64()),
             _ => one(*to, feature.clearance_height.to_mm_f64()),
@@ -113,14 +113,14 @@ fn text(to: Parameter, value: String, comment: String) -> (Body, String) {
 }
 
 /// The class; of a pocket or boss also nominal size and class of the second side, of a point the band.
-fn class_blocks(names: &Names<'_>, kind: &Kind, comment: String) -> Blocks {
+fn class_blocks(names: &Names<'_>, kind: &FeatureKind, comment: String) -> Blocks {
     let language = names.target.language;
     let class = |callout: &Callout| callout.class().map_or_else(String::new, |class| class.to_string());
     match kind {
-        Kind::Diameter(callout) | Kind::Width(callout, _) | Kind::Face(callout, _) => {
+        FeatureKind::Diameter(callout) | FeatureKind::Width(callout, _) | FeatureKind::Face(callout, _) => {
             vec![text(CLASS, class(callout), comment)]
         }
-        Kind::Pocket([first, second]) | Kind::Boss([first, second]) => {
+        FeatureKind::Pocket([first, second]) | FeatureKind::Boss([first, second]) => {
             let name = Called::Rectangle.name_of(&[Meaning::Side(Axis::Second)], language);
             vec![
                 text(CLASS, class(first), comment.clone()),
@@ -128,14 +128,14 @@ fn class_blocks(names: &Names<'_>, kind: &Kind, comment: String) -> Blocks {
                 text(Parameter::qs(6), class(second), comment),
             ]
         }
-        Kind::Point(band, _) => {
+        FeatureKind::Point(band, _) => {
             vec![text(CLASS, part::band_text(*band), Called::Point.name_of(&[Meaning::Band], language))]
         }
     }
 }
 
 /// In place of the angle: the measured axis, and for a face the direction; for a point the normal.
-fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &Kind) -> Blocks {
+fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &FeatureKind) -> Blocks {
     let called = Called::of(kind);
     let named = |meanings: &[Meaning]| called.name_of(meanings, names.target.language);
     let axis = |vector: [f64; 3]| {
@@ -143,13 +143,13 @@ fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &Kind) -> Blocks {
         number(to, x + 2.0 * y + 3.0 * z, named(&[Meaning::AxisOfPlane, Meaning::MeasuredAxis]))
     };
     match kind {
-        Kind::Diameter(_) | Kind::Pocket(_) | Kind::Boss(_) => Blocks::new(),
-        Kind::Width(_, across) => vec![axis(across.vector())],
-        Kind::Face(_, towards) => {
+        FeatureKind::Diameter(_) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Blocks::new(),
+        FeatureKind::Width(_, across) => vec![axis(across.vector())],
+        FeatureKind::Face(_, towards) => {
             let sign = if towards.is_plus { 1.0 } else { -1.0 };
             vec![axis(towards.vector()), number(Parameter::q(42), sign, named(&[Meaning::Direction]))]
         }
-        Kind::Point(_, direction) => {
+        FeatureKind::Point(_, direction) => {
             let axes = [(41, Axis::First), (42, Axis::Second), (43, Axis::Third)];
             let parts = direction.normal().into_iter().zip(axes);
             let part = |(part, (to, axis))| number(Parameter::q(to), part, named(&[Meaning::Normal(axis)]));

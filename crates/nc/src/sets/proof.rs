@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::part::Kind;
+use fitcheck_core::part::FeatureKind;
 use fitcheck_core::probing::Contact;
 use fitcheck_core::probing::cycle::Angle;
 use fitcheck_core::probing::vector::along;
@@ -65,24 +65,24 @@ fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
     let middle = |side: usize| planned.limits.get(side).map_or(0.0, |limits| limits.middle().to_mm_f64());
     let at = |direction: [f64; 3], distance: f64| Contact::at(along(place, direction, distance));
     match &feature.kind {
-        Kind::Diameter(_) => [0, 1, 2, 3]
+        FeatureKind::Diameter(_) => [0, 1, 2, 3]
             .map(|number| {
                 let [cos, sin] = feature.angle.stepped(Angle::from_degrees(90), number).direction();
                 at([cos, sin, 0.0], middle(0) / 2.0)
             })
             .to_vec(),
-        Kind::Width(_, axis) => [1.0, -1.0].map(|sign| at(axis.vector(), sign * middle(0) / 2.0)).to_vec(),
-        Kind::Pocket(_) | Kind::Boss(_) => {
+        FeatureKind::Width(_, axis) => [1.0, -1.0].map(|sign| at(axis.vector(), sign * middle(0) / 2.0)).to_vec(),
+        FeatureKind::Pocket(_) | FeatureKind::Boss(_) => {
             let ways = [([1.0, 0.0, 0.0], 0), ([0.0, 1.0, 0.0], 1), ([-1.0, 0.0, 0.0], 0), ([0.0, -1.0, 0.0], 1)];
             ways.map(|(way, side)| at(way, middle(side) / 2.0)).to_vec()
         }
-        Kind::Face(_, towards) => {
+        FeatureKind::Face(_, towards) => {
             let [x, y, z] = place;
             let [is_x, is_y, is_z] = towards.vector().map(|part| 0.0 < part.abs());
             let one = |is_measured, part| if is_measured { middle(0) } else { part };
             vec![Contact::at([one(is_x, x), one(is_y, y), one(is_z, z)])]
         }
-        Kind::Point(_, direction) => vec![at(direction.unit_normal(), middle(0))],
+        FeatureKind::Point(_, direction) => vec![at(direction.unit_normal(), middle(0))],
     }
 }
 

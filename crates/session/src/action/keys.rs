@@ -1,7 +1,7 @@
 //! The keys of actions: which are shown beside them, which are heard now, and which action takes them where two could.
 
 use super::window::WindowAction;
-use super::{Action, Key, Part, Place, Shortcut};
+use super::{Action, ActionScope, Key, Part, Shortcut};
 use crate::Session;
 use crate::page::Page;
 
@@ -13,7 +13,7 @@ impl Action {
 
     /// The keys that are shown beside it: in the file dialog its own, else those of the page.
     pub fn shortcut_shown(self, page: Page) -> Option<Shortcut> {
-        if self.place() == Place::Dialog { self.shortcuts().next() } else { self.shortcut_on(page) }
+        if self.place() == ActionScope::Dialog { self.shortcuts().next() } else { self.shortcut_on(page) }
     }
 
     /// The keys that are shown on a page; `None` where it has none, or where another action of the page takes them.
@@ -44,14 +44,15 @@ impl Session {
             || self.budget().is_asking()
             || self.parts().is_asking();
         let is_heard = |action: Action| match action.place() {
-            Place::Everywhere => true,
+            ActionScope::Everywhere => true,
             // The workpiece's window lies over the listing, and takes Escape.
-            Place::Page(Page::Program) if self.workpiece_is_open() => false,
-            Place::Dialog => false,
-            Place::Part(of) => part == Some(of) && of.page == self.page(),
+            ActionScope::Page(Page::Program) if self.workpiece_is_open() => false,
+            ActionScope::Dialog => false,
+            ActionScope::Part(of) => part == Some(of) && of.page == self.page(),
             place => place.is_on(self.page()),
         };
-        let is_of_cover = |action: Action| action == WindowAction::Close.into() || action.place() == Place::Dialog;
+        let is_of_cover =
+            |action: Action| action == WindowAction::Close.into() || action.place() == ActionScope::Dialog;
         let heard = Action::all().filter(|action| if is_covered { is_of_cover(*action) } else { is_heard(*action) });
         let mut keys: Vec<_> = heard
             .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))

@@ -33,7 +33,7 @@ mod shortcut;
 mod window;
 mod workpiece;
 
-pub use place::{Keeps, Part, Place};
+pub use place::{ActionScope, Keeps, Part};
 pub use shortcut::{Held, Key, Shortcut};
 pub use window::WindowAction;
 pub use workpiece::WorkpieceAction;
@@ -43,7 +43,7 @@ use std::sync::LazyLock;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
-use self::row::{Actions, Row};
+use self::row::{ActionRow, Actions};
 use super::budget::BudgetCommand;
 use super::columns::ColumnsCommand;
 use super::cycles::CyclesCommand;
@@ -107,7 +107,7 @@ from_variants!(Action: Window(WindowAction), Files(FilesAction), Workpiece(Workp
 static PARTS: LazyLock<Vec<Part>> = LazyLock::new(|| {
     let mut parts = Vec::new();
     for action in Action::all() {
-        if let Place::Part(part) = action.place()
+        if let ActionScope::Part(part) = action.place()
             && !parts.contains(&part)
         {
             parts.push(part);
@@ -124,12 +124,12 @@ impl Part {
 }
 
 impl Action {
-    fn row(self) -> Row {
+    fn row(self) -> ActionRow {
         self.list().row()
     }
 
     /// Where it applies.
-    pub fn place(self) -> Place {
+    pub fn place(self) -> ActionScope {
         self.row().place
     }
 

@@ -4,7 +4,7 @@ use crate::page::Page;
 
 /// Where an action applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Place {
+pub enum ActionScope {
     /// On every page.
     Everywhere,
     /// On the pages that measure the simulated workpiece.
@@ -55,7 +55,7 @@ impl Part {
     }
 }
 
-impl Place {
+impl ActionScope {
     pub fn is_on(self, page: Page) -> bool {
         match self {
             Self::Everywhere => true,

@@ -2,7 +2,7 @@
 
 use fitcheck_core::words::Words;
 
-use super::{Held, Key, Part, Place, Shortcut};
+use super::{ActionScope, Held, Key, Part, Shortcut};
 use crate::Session;
 use crate::command::Command;
 use crate::field::Field;
@@ -12,7 +12,7 @@ use crate::step::Step;
 /// The actions of a page, or of what lies over every page.
 pub(crate) trait Actions {
     /// What is to be known of an action: menus, buttons, tooltips and keys are made from it.
-    fn row(&self) -> Row;
+    fn row(&self) -> ActionRow;
 
     /// Its name, where that depends on the state or on a list; otherwise that of its row.
     fn name(&self, _session: &Session, _words: &Words) -> Option<String> {
@@ -72,12 +72,12 @@ macro_rules! actions {
 pub(crate) use actions;
 
 /// What is to be known of an action.
-pub(crate) struct Row {
+pub(crate) struct ActionRow {
     /// The id of its text.
     pub text: &'static str,
     /// The id of a further explanation.
     pub hint: Option<&'static str>,
-    pub place: Place,
+    pub place: ActionScope,
     pub keys: [Option<Shortcut>; 2],
     pub possible: fn(&Session) -> bool,
     pub sends: Sends,
@@ -99,8 +99,8 @@ impl Sends {
     }
 }
 
-impl Row {
-    pub fn new(place: Place, text: &'static str, sends: Sends) -> Self {
+impl ActionRow {
+    pub fn new(place: ActionScope, text: &'static str, sends: Sends) -> Self {
         Self { text, hint: None, place, keys: [None; 2], possible: |_| true, sends }
     }
 
@@ -121,17 +121,17 @@ impl Row {
     }
 }
 
-pub(crate) fn everywhere(text: &'static str, command: Command) -> Row {
-    Row::new(Place::Everywhere, text, Sends::Always(command))
+pub(crate) fn everywhere(text: &'static str, command: Command) -> ActionRow {
+    ActionRow::new(ActionScope::Everywhere, text, Sends::Always(command))
 }
 
-pub(crate) fn on(page: Page, text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Page(page), text, Sends::Always(command.into()))
+pub(crate) fn on(page: Page, text: &'static str, command: impl Into<Command>) -> ActionRow {
+    ActionRow::new(ActionScope::Page(page), text, Sends::Always(command.into()))
 }
 
 /// In a part that has the focus as a whole.
-pub(crate) fn within(part: Part, text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Part(part), text, Sends::Always(command.into()))
+pub(crate) fn within(part: Part, text: &'static str, command: impl Into<Command>) -> ActionRow {
+    ActionRow::new(ActionScope::Part(part), text, Sends::Always(command.into()))
 }
 
 /// The keys of a step.

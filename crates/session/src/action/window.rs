@@ -10,8 +10,8 @@ use super::possible::{
     can_export, has_bad, has_history, has_status, is_of_1988, rounds_js, shows_columns, tells_of_file, told_columns,
 };
 use crate::Session;
-use crate::action::row::{Actions, Row, Sends, actions, everywhere};
-use crate::action::{Held, Key, Place, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, everywhere};
+use crate::action::{ActionScope, Held, Key, Shortcut};
 use crate::check::CheckCommand;
 use crate::columns::ColumnsCommand;
 use crate::command::Command;
@@ -85,7 +85,7 @@ actions! {
 
 impl Actions for WindowAction {
     #[expect(clippy::too_many_lines, reason = "one row for everything that can be done")]
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::Open(page) => {
                 let row = everywhere(page.name(), Command::OpenPage(page));
@@ -98,7 +98,7 @@ impl Actions for WindowAction {
             Self::ImportColumns => everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History)))
                 .hint("columns-page-hint"),
             Self::TakeColumns => {
-                Row::new(Place::Dialog, "columns-page-take", Sends::Always(ColumnsCommand::Take.into()))
+                ActionRow::new(ActionScope::Dialog, "columns-page-take", Sends::Always(ColumnsCommand::Take.into()))
                     .key(Shortcut { held: Held::Ctrl, key: Key::Enter })
                     .when(|session| shows_columns(session).is_some_and(|open| open.refusal().is_none()))
             }
@@ -205,6 +205,6 @@ const fn open(purpose: Purpose) -> Command {
     Command::OpenDialog(purpose)
 }
 
-fn switch(text: &'static str, command: fn(&Session) -> Command) -> Row {
-    Row::new(Place::Everywhere, text, Sends::FromState(command))
+fn switch(text: &'static str, command: fn(&Session) -> Command) -> ActionRow {
+    ActionRow::new(ActionScope::Everywhere, text, Sends::FromState(command))
 }

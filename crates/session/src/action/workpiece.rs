@@ -1,7 +1,7 @@
 //! What can be done with the simulated workpiece, recorded contacts and the tool table, on the pages that measure with them.
 
-use crate::action::Place;
-use crate::action::row::{Actions, Row, Sends, actions};
+use crate::action::ActionScope;
+use crate::action::row::{ActionRow, Actions, Sends, actions};
 use crate::command::Command;
 use crate::purpose::{CycleFile, Purpose};
 use crate::tools::ToolsCommand;
@@ -30,7 +30,7 @@ actions! {
 }
 
 impl Actions for WorkpieceAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::EditWorkpiece => of_workpiece("cycles-workpiece", WorkpieceCommand::Show(true)),
             Self::SuitWorkpiece => of_workpiece("cycles-suit", WorkpieceCommand::Suit),
@@ -57,6 +57,6 @@ const fn open(purpose: Purpose) -> Command {
     Command::OpenDialog(purpose)
 }
 
-fn of_workpiece(text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Workpiece, text, Sends::Always(command.into()))
+fn of_workpiece(text: &'static str, command: impl Into<Command>) -> ActionRow {
+    ActionRow::new(ActionScope::Workpiece, text, Sends::Always(command.into()))
 }

@@ -7,8 +7,8 @@ use fitcheck_exchange::journal::Record;
 use super::{BudgetCommand, UseOf};
 use crate::Session;
 use crate::action::possible::has_history;
-use crate::action::row::{Actions, Row, Sends, actions, on};
-use crate::action::{Place, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, on};
+use crate::action::{ActionScope, Shortcut};
 use crate::command::Command;
 use crate::page::Page;
 use crate::purpose::Purpose;
@@ -42,7 +42,7 @@ actions! {
 }
 
 impl Actions for BudgetAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::NewBudget => of_page("budget-page-new", BudgetCommand::New).key(Shortcut::ctrl('N')),
             Self::OpenBudget => opening("budget-page-open", Purpose::OpenBudget).key(Shortcut::ctrl('O')),
@@ -53,10 +53,12 @@ impl Actions for BudgetAction {
             Self::LeaveBudget => {
                 of_page("budget-page-leave", BudgetCommand::Leave).when(|session| session.used_budget().is_some())
             }
-            Self::ContactsOfCheck => {
-                Row::new(Place::Page(Page::Budget), "budget-page-take-check", Sends::FromState(contacts_taken))
-                    .when(|session| checked_contacts(session).is_some())
-            }
+            Self::ContactsOfCheck => ActionRow::new(
+                ActionScope::Page(Page::Budget),
+                "budget-page-take-check",
+                Sends::FromState(contacts_taken),
+            )
+            .when(|session| checked_contacts(session).is_some()),
             Self::ContactsRecorded => of_page("budget-page-take-recorded", BudgetCommand::TakeRecorded)
                 .when(|session| session.recorded().is_some()),
             Self::OwnContacts => of_page("budget-page-own-contacts", BudgetCommand::OwnContacts)
@@ -71,11 +73,11 @@ impl Actions for BudgetAction {
     }
 }
 
-fn of_page(text: &'static str, command: BudgetCommand) -> Row {
+fn of_page(text: &'static str, command: BudgetCommand) -> ActionRow {
     on(Page::Budget, text, command)
 }
 
-fn opening(text: &'static str, purpose: Purpose) -> Row {
+fn opening(text: &'static str, purpose: Purpose) -> ActionRow {
     on(Page::Budget, text, Command::OpenDialog(purpose))
 }
 

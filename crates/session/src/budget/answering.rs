@@ -1,7 +1,7 @@
 //! From text and fields to the answer. Everything is read anew at every change: no answer stays beside a text, a field or
 //! a day that it was not made with.
 
-use fitcheck_core::budget::{Assessment, Basis, Budget, Conditions, Geometry, GeometryError, Kind};
+use fitcheck_core::budget::{Assessment, Basis, Budget, Conditions, ContributionKind, Geometry, GeometryError};
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use jiff::civil::Date;
@@ -112,7 +112,7 @@ fn asks(budget: &Budget) -> Asks {
         Basis::Calibrated(_) => Asks { readings: true, ..Asks::default() },
         Basis::Contributions(contributions) => Asks {
             size: contributions.iter().any(|one| one.kind.grows_with_size()),
-            contacts: contributions.iter().any(|one| matches!(one.kind, Kind::Scatter(_))),
+            contacts: contributions.iter().any(|one| matches!(one.kind, ContributionKind::Scatter(_))),
             readings: false,
         },
     }

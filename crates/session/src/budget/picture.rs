@@ -1,6 +1,6 @@
 //! The shares of a budget as bars, and what would help most.
 
-use fitcheck_core::budget::{Answer, Assessment, Evaluation, Help, Kind, Repeated};
+use fitcheck_core::budget::{Answer, Assessment, ContributionKind, Evaluation, Help, Repeated};
 use fitcheck_core::message::{Message, message};
 
 /// A bar of the picture.
@@ -56,9 +56,11 @@ pub fn advice(evaluation: &Evaluation) -> Vec<Message> {
         let um = |u: f64| format!("{u:.3}");
         match *help {
             Help::Halved { u } => Message::new(match kind {
-                Some(Kind::PartTemperature(_)) => "budget-page-help-part-temperature",
-                Some(Kind::ScaleTemperature(_)) => "budget-page-help-scale-temperature",
-                Some(Kind::PartExpansion(_) | Kind::ScaleExpansion(_)) => "budget-page-help-expansion",
+                Some(ContributionKind::PartTemperature(_)) => "budget-page-help-part-temperature",
+                Some(ContributionKind::ScaleTemperature(_)) => "budget-page-help-scale-temperature",
+                Some(ContributionKind::PartExpansion(_) | ContributionKind::ScaleExpansion(_)) => {
+                    "budget-page-help-expansion"
+                }
                 _ => "budget-page-help-halved",
             })
             .number("u", um(u)),

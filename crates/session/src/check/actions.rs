@@ -8,8 +8,8 @@ use fitcheck_exchange::journal::query::Column;
 use super::{CheckCommand, CheckField, Lot, MeasureBy};
 use crate::Session;
 use crate::action::possible::{has_history, has_status};
-use crate::action::row::{Actions, Row, Sends, actions, keys, on, within};
-use crate::action::{Held, Key, Part, Place, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
+use crate::action::{ActionScope, Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::history::ListCommand;
@@ -78,7 +78,7 @@ actions! {
 
 impl Actions for CheckAction {
     #[expect(clippy::too_many_lines, reason = "one row for everything that can be done")]
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::Measure => on(Page::Check, "measure", CheckCommand::Measure),
             Self::JudgeAnyway => on(Page::Check, "judge-anyway", CheckCommand::Measure)
@@ -111,8 +111,8 @@ impl Actions for CheckAction {
             Self::FindInHistory => on(Page::Check, "history-filter", Command::GoTo(CheckField::HistoryFilter.into()))
                 .key(Shortcut::ctrl('F'))
                 .when(has_history),
-            Self::OnlyBad => Row::new(
-                Place::Page(Page::Check),
+            Self::OnlyBad => ActionRow::new(
+                ActionScope::Page(Page::Check),
                 "history-only-bad",
                 Sends::FromState(|session| ListCommand::OnlyBad(!session.history().listed().query().only_bad).into()),
             )
@@ -132,15 +132,15 @@ impl Actions for CheckAction {
             Self::MoveCheck(step) => {
                 within(HISTORY, "history-move", ListCommand::Move(step)).key(keys(step)).when(has_listed)
             }
-            Self::ShowCheck => Row::new(
-                Place::Part(HISTORY),
+            Self::ShowCheck => ActionRow::new(
+                ActionScope::Part(HISTORY),
                 "history-show",
                 Sends::FromState(|session| CheckCommand::Show(session.history().cursor().unwrap_or_default()).into()),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
-            Self::ChooseCheck => Row::new(
-                Place::Part(HISTORY),
+            Self::ChooseCheck => ActionRow::new(
+                ActionScope::Part(HISTORY),
                 "history-choose",
                 Sends::FromState(|session| {
                     let id = session.history().cursor().unwrap_or_default();
@@ -168,8 +168,8 @@ impl Actions for CheckAction {
                 .hint("rows-close-hint")
                 .when(|session| session.check().rows().is_some()),
             Self::MoveRow(step) => within(ROWS, "rows-move", RowsCommand::Move(step)).key(keys(step)).when(has_rows),
-            Self::ShowRow => Row::new(
-                Place::Part(ROWS),
+            Self::ShowRow => ActionRow::new(
+                ActionScope::Part(ROWS),
                 "rows-show",
                 Sends::FromState(|session| {
                     RowsCommand::Check(session.check().rows().and_then(Rows::cursor).unwrap_or_default()).into()

@@ -15,8 +15,8 @@ use fitcheck_exchange::journal::{Record, status_window};
 use jiff::civil::DateTime;
 
 use super::{
-    Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
-    class_text, measuring, nominal_text, worth,
+    CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, MeasureBy, Question, RuleChoice, RuleFields,
+    ShownCheck, UncertaintyFrom, class_text, measuring, nominal_text, worth,
 };
 use crate::effect::Effect;
 use crate::page::Page;
@@ -61,9 +61,9 @@ impl PageState for CheckPage {
                 self.by = by;
                 self.edited(&shared.sources);
             }
-            CheckCommand::UseRule(rule) => self.judge_by(Judging { rule, ..self.judging }, &shared.sources),
-            CheckCommand::LetProve(prover) => self.judge_by(Judging { prover, ..self.judging }, &shared.sources),
-            CheckCommand::TellUncertainty(from) => self.judge_by(Judging { from, ..self.judging }, &shared.sources),
+            CheckCommand::UseRule(rule) => self.judge_by(RuleChoice { rule, ..self.judging }, &shared.sources),
+            CheckCommand::LetProve(prover) => self.judge_by(RuleChoice { prover, ..self.judging }, &shared.sources),
+            CheckCommand::TellUncertainty(from) => self.judge_by(RuleChoice { from, ..self.judging }, &shared.sources),
             CheckCommand::ChooseExpansion(field, expansion) => {
                 let sign = shared.language.decimal_sign().to_string();
                 self.type_text(field, expansion.to_string().replace('.', &sign), &shared.sources);
@@ -200,7 +200,7 @@ impl CheckPage {
 
     /// Judges the next part in another way. What stands in the fields of the rule is what is meant, even where a shown
     /// record lent it.
-    fn judge_by(&mut self, judging: Judging, sources: &Sources) {
+    fn judge_by(&mut self, judging: RuleChoice, sources: &Sources) {
         self.judging = judging;
         self.keep_rule();
         self.edited(sources);
@@ -243,7 +243,7 @@ impl CheckPage {
 
     /// Reads the fields anew. The limits are those of the record that lends them.
     fn read(&mut self, sources: &Sources) {
-        self.asked = Asked::read(&self.texts, self.feature(), self.judging, sources, &self.meant);
+        self.asked = CheckInputs::read(&self.texts, self.feature(), self.judging, sources, &self.meant);
         if let Some(record) = &self.lent {
             self.asked.show_limits(record.limits.clone(), record.callout);
         }
@@ -351,7 +351,7 @@ impl CheckPage {
 
     /// What is highlighted beside a doubted text: what it probably means. Without that it stays as it is, and is asked about.
     fn take_text(&mut self, shared: &mut Shared, now: DateTime) {
-        let Some(Doubted { field, meant: Some(meant), .. }) = self.doubted().cloned() else { return };
+        let Some(DoubtedText { field, meant: Some(meant), .. }) = self.doubted().cloned() else { return };
         let sign = shared.language.decimal_sign().to_string();
         // The same hole or shaft in the unit that was meant.
         let feature = self.feature().filter(|_| field == CheckField::Callout);
@@ -456,7 +456,7 @@ impl CheckPage {
     fn show_inputs(&mut self, id: Option<RecordId>, record: &Record, shared: &Shared) {
         let budget = shared.budget.as_deref();
         self.take_back_own();
-        let worth = Worth::read(&self.texts, self.judging, &mut |_, _| {});
+        let worth = RuleFields::read(&self.texts, self.judging, &mut |_, _| {});
         let mut inputs = self.inputs.of(id, record);
         if let Some(named) = id.and_then(|id| shared.recording.named_of(id)) {
             inputs.push((CheckField::Serial, named.serial.clone()));
@@ -490,6 +490,6 @@ impl CheckPage {
     fn draw(&mut self, record: Arc<Record>, id: Option<RecordId>, shared: &Shared) {
         let (language, mask) = shared.drawn_with();
         let window = status_window(&record, language, mask).map_err(|error| error.message());
-        self.shown = Some(Shown { record, id, window });
+        self.shown = Some(ShownCheck { record, id, window });
     }
 }

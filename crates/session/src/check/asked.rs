@@ -11,14 +11,14 @@ use fitcheck_core::tolerance::callout::halves;
 use fitcheck_core::tolerance::{Callout, Feature, Limits, LimitsError, Sources};
 
 use super::CheckField;
-use super::Judging;
-use super::doubted::{Doubted, Meant};
-use super::worth::Worth;
+use super::RuleChoice;
+use super::doubted::{DoubtedText, Meant};
+use super::worth::RuleFields;
 use crate::texts::{Range, Texts, whole};
 
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone, Default)]
-pub struct Asked {
+pub struct CheckInputs {
     callout: Option<Callout>,
     /// Where in the callout's text an error shows, in characters.
     culprit: Option<ops::Range<usize>>,
@@ -30,9 +30,9 @@ pub struct Asked {
     pub(super) seed: Option<u64>,
     /// The number of lobes of the simulated workpiece.
     pub(super) lobes: Option<u32>,
-    worth: Worth,
+    worth: RuleFields,
     /// What is asked about first.
-    doubted: Option<Doubted>,
+    doubted: Option<DoubtedText>,
     errors: BTreeMap<CheckField, Message>,
 }
 
@@ -68,20 +68,20 @@ pub(crate) fn class_text(callout: &str) -> &str {
     halves(callout).1
 }
 
-impl Asked {
+impl CheckInputs {
     /// Reads the fields. Empty optional fields are not an error; a number that cannot be used is one.
     pub(super) fn read(
         texts: &Texts<CheckField>,
         feature: Option<Feature>,
-        judging: Judging,
+        judging: RuleChoice,
         sources: &Sources,
         meant: &Meant,
     ) -> Self {
         let mut asked = Self::default();
         asked.read_callout(texts.text(CheckField::Callout), feature, sources, meant);
-        asked.worth = Worth::read(texts, judging, &mut |field, problem| _ = asked.errors.insert(field, problem));
+        asked.worth = RuleFields::read(texts, judging, &mut |field, problem| _ = asked.errors.insert(field, problem));
         asked.worth.look_at(asked.limits.as_ref());
-        if let Some(doubted) = Doubted::temperature(texts, meant) {
+        if let Some(doubted) = DoubtedText::temperature(texts, meant) {
             asked.errors.insert(doubted.field, doubted.why.clone());
             asked.worth.doubt_temperature(doubted.field, doubted.why.clone());
             asked.doubted.get_or_insert(doubted);
@@ -110,7 +110,7 @@ impl Asked {
                     Ok(limits) => return self.limits = Some(limits),
                     Err(error) => {
                         if let LimitsError::Zone(doubt) = &error {
-                            self.doubted = Some(Doubted::zone(&callout, doubt));
+                            self.doubted = Some(DoubtedText::zone(&callout, doubt));
                         }
                         error.message()
                     }
@@ -118,7 +118,7 @@ impl Asked {
             }
             Err(error) => {
                 self.culprit = error.span();
-                self.doubted = Doubted::callout(text, &error);
+                self.doubted = DoubtedText::callout(text, &error);
                 error.message()
             }
         };
@@ -177,12 +177,12 @@ impl Asked {
     }
 
     /// What a measured value is worth: rule, uncertainty, temperature.
-    pub const fn worth(&self) -> &Worth {
+    pub const fn worth(&self) -> &RuleFields {
         &self.worth
     }
 
     /// The first text that may not mean what it says.
-    pub const fn doubted(&self) -> Option<&Doubted> {
+    pub const fn doubted(&self) -> Option<&DoubtedText> {
         self.doubted.as_ref()
     }
 

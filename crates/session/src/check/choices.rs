@@ -34,7 +34,7 @@ impl UncertaintyFrom {
 /// What is chosen, besides the fields.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Judging {
+pub struct RuleChoice {
     pub rule: RuleName,
     /// Who has to prove.
     pub prover: Prover,

@@ -12,7 +12,7 @@ use crate::texts::Texts;
 
 /// A text that is asked about.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Doubted {
+pub struct DoubtedText {
     pub field: CheckField,
     /// The text, as it was understood.
     pub text: String,
@@ -24,7 +24,7 @@ pub struct Doubted {
     pub can_stay: bool,
 }
 
-impl Doubted {
+impl DoubtedText {
     /// A callout with a zone out of all proportion.
     pub(super) fn zone(callout: &Callout, doubt: &ZoneDoubt) -> Self {
         let (text, meant) = (callout.to_string(), doubt.meant().map(ToString::to_string));
@@ -60,7 +60,7 @@ impl Meant {
     }
 
     /// Takes a text as it stands from now on.
-    pub(super) fn add(&mut self, doubted: &Doubted) {
+    pub(super) fn add(&mut self, doubted: &DoubtedText) {
         self.0.insert((doubted.field, doubted.text.clone()));
     }
 }

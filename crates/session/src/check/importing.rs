@@ -13,7 +13,7 @@ use fitcheck_exchange::journal::entry::FileRole;
 use jiff::civil::DateTime;
 
 use super::measuring::{length, record};
-use super::worth::Worth;
+use super::worth::RuleFields;
 use super::{CheckField, CheckPage, Lot};
 use crate::budget::OpenBudget;
 use crate::recording::used;
@@ -23,12 +23,12 @@ use crate::state::PageState as _;
 
 impl CheckPage {
     /// What the user's own fields say, whatever a shown record lent them: it judges what a file holds.
-    pub(crate) fn own_worth(&self) -> Worth {
+    pub(crate) fn own_worth(&self) -> RuleFields {
         let mut texts = self.texts.clone();
         for (field, text) in &self.own {
             texts.set(*field, text.clone());
         }
-        Worth::read(&texts, self.own_judging(), &mut |_, _| {})
+        RuleFields::read(&texts, self.own_judging(), &mut |_, _| {})
     }
 
     /// Takes what a file holds into the history; contacts are judged by the limits on screen.
@@ -149,7 +149,7 @@ fn judge_contacts(
 /// measured is not known.
 fn judge_imported(
     imported: &mut Imported,
-    worth: &Worth,
+    worth: &RuleFields,
     budget: Option<&OpenBudget>,
 ) -> Result<Vec<Message>, Message> {
     let mut said = Vec::new();

@@ -11,7 +11,7 @@ use fitcheck_exchange::journal::Record;
 use jiff::civil::DateTime;
 
 use super::inputs::SIMULATION;
-use super::{Asked, CheckField, CheckPage, MeasureBy};
+use super::{CheckField, CheckInputs, CheckPage, MeasureBy};
 use crate::budget::OpenBudget;
 use crate::state::PageState as _;
 use crate::texts::KeptField as _;
@@ -41,7 +41,7 @@ pub(super) fn measure(page: &CheckPage, budget: Option<&OpenBudget>, now: DateTi
 /// The record of a measurement that was brought to 20 °C where a temperature is given.
 pub(super) fn record(
     part: &str,
-    asked: &Asked,
+    asked: &CheckInputs,
     limits: &Limits,
     (measurement, position): (Measurement, Option<PositionVerdict>),
     now: DateTime,
@@ -55,21 +55,21 @@ pub(super) fn record(
     }
 }
 
-fn typed(asked: &Asked) -> Result<Measurement, Refusal> {
+fn typed(asked: &CheckInputs) -> Result<Measurement, Refusal> {
     Ok(Measurement::of_diameter(length(asked, CheckField::Measured)?, Origin::Typed))
 }
 
 /// The value of a field that must hold one.
-fn needed<T>(asked: &Asked, field: CheckField, value: Option<T>) -> Result<T, Refusal> {
+fn needed<T>(asked: &CheckInputs, field: CheckField, value: Option<T>) -> Result<T, Refusal> {
     let problem = || asked.error(field).cloned().unwrap_or_else(|| LengthError::Empty.message());
     value.ok_or_else(|| (field, problem()))
 }
 
-pub(super) fn length(asked: &Asked, field: CheckField) -> Result<Length, Refusal> {
+pub(super) fn length(asked: &CheckInputs, field: CheckField) -> Result<Length, Refusal> {
     needed(asked, field, asked.length(field))
 }
 
-fn simulated(asked: &Asked, limits: &Limits) -> Result<(Measurement, Option<PositionVerdict>), Refusal> {
+fn simulated(asked: &CheckInputs, limits: &Limits) -> Result<(Measurement, Option<PositionVerdict>), Refusal> {
     let position = probe_position(asked)?;
     let seed = needed(asked, CheckField::Seed, asked.seed)?;
     let (workpiece, probe) = workpiece(asked, limits, &position)?;
@@ -102,12 +102,13 @@ fn culprit(page: &CheckPage, limits: &Limits) -> CheckField {
     let is_it = |field: &&CheckField| {
         let mut texts = page.texts.clone();
         texts.set(**field, field.declared().1);
-        simulated(&Asked::read(&texts, page.feature(), page.judging, &Sources::default(), &page.meant), limits).is_ok()
+        simulated(&CheckInputs::read(&texts, page.feature(), page.judging, &Sources::default(), &page.meant), limits)
+            .is_ok()
     };
     changed.iter().find(is_it).or(changed.first()).copied().unwrap_or(CheckField::TrueDiameter)
 }
 
-fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
+fn probe_position(asked: &CheckInputs) -> Result<ProbePosition, Refusal> {
     Ok(ProbePosition {
         centre: [length(asked, CheckField::CentreX)?, length(asked, CheckField::CentreY)?],
         height: length(asked, CheckField::Height)?,
@@ -117,7 +118,7 @@ fn probe_position(asked: &Asked) -> Result<ProbePosition, Refusal> {
     })
 }
 
-fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result<(Workpiece, Probe), Refusal> {
+fn workpiece(asked: &CheckInputs, limits: &Limits, position: &ProbePosition) -> Result<(Workpiece, Probe), Refusal> {
     let mm = |field| length(asked, field).map(Length::to_mm_f64);
     let diameter = match asked.error(CheckField::TrueDiameter) {
         Some(problem) => return Err((CheckField::TrueDiameter, problem.clone())),

@@ -40,14 +40,14 @@ use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
 
 pub use actions::CheckAction;
-pub use asked::Asked;
+pub use asked::CheckInputs;
 pub(super) use asked::{class_text, nominal_text};
-pub use choices::{Judging, MeasureBy, UncertaintyFrom};
+pub use choices::{MeasureBy, RuleChoice, UncertaintyFrom};
 pub use command::CheckCommand;
-pub use doubted::Doubted;
+pub use doubted::DoubtedText;
 pub use field::CheckField;
 pub use lot::Lot;
-pub use worth::Worth;
+pub use worth::RuleFields;
 
 use self::doubted::Meant;
 use self::inputs::Inputs;
@@ -61,7 +61,7 @@ use crate::state::PageState as _;
 
 /// A record that is shown, and what the mask makes of it.
 #[derive(Debug, Clone)]
-pub struct Shown {
+pub struct ShownCheck {
     pub record: Arc<Record>,
     /// Its number in the history; `None` where it is not in it.
     pub id: Option<RecordId>,
@@ -86,11 +86,11 @@ pub struct CheckPage {
     by: MeasureBy,
     /// Hole or shaft, and the callout that was meant: another one is asked about anew. Without one it is that of the first callout.
     feature: Option<(Option<Callout>, Feature)>,
-    judging: Judging,
+    judging: RuleChoice,
     /// How the user wants the next part to be judged, while a shown record's own stands in its place.
-    own_judging: Option<Judging>,
-    asked: Asked,
-    shown: Option<Shown>,
+    own_judging: Option<RuleChoice>,
+    asked: CheckInputs,
+    shown: Option<ShownCheck>,
     /// The record whose limits are on screen: it may come from tables that are no longer used, or from a log without a
     /// callout. Limits of the latter stay after its verdict is gone.
     lent: Option<Arc<Record>>,
@@ -126,7 +126,7 @@ impl CheckPage {
     pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
         let (texts, by) = (Texts::restored(&saved.texts), saved.by);
         let judging = saved.judging;
-        let asked = Asked::read(&texts, None, judging, sources, &Meant::default());
+        let asked = CheckInputs::read(&texts, None, judging, sources, &Meant::default());
         Self {
             texts,
             by,
@@ -178,12 +178,12 @@ impl CheckPage {
     }
 
     /// How the next part is judged, for the state file.
-    pub(super) fn own_judging(&self) -> Judging {
+    pub(super) fn own_judging(&self) -> RuleChoice {
         self.own_judging.unwrap_or(self.judging)
     }
 
     /// What the fields mean.
-    pub const fn asked(&self) -> &Asked {
+    pub const fn asked(&self) -> &CheckInputs {
         &self.asked
     }
 
@@ -213,7 +213,7 @@ impl CheckPage {
     }
 
     /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
-    pub const fn shown(&self) -> Option<&Shown> {
+    pub const fn shown(&self) -> Option<&ShownCheck> {
         self.shown.as_ref()
     }
 
@@ -228,7 +228,7 @@ impl CheckPage {
     }
 
     /// The text that is asked about before anything is judged.
-    pub fn doubted(&self) -> Option<&Doubted> {
+    pub fn doubted(&self) -> Option<&DoubtedText> {
         self.asked.doubted().filter(|_| self.asks)
     }
 

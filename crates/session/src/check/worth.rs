@@ -10,12 +10,12 @@ use fitcheck_core::tolerance::Limits;
 use fitcheck_core::tolerance::fit::thermal::{Correction, Temperature, ThermalError, Warm};
 use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::{
-    Acceptance, Given, Prior, Prover, Risks, RuleError, RuleName, Uncertainty, multiple, thousandths,
+    Acceptance, Prior, Prover, Risks, RuleError, RuleInputs, RuleName, Uncertainty, multiple, thousandths,
 };
 use fitcheck_exchange::journal::Record;
-use fitcheck_exchange::journal::planned::Beside;
+use fitcheck_exchange::journal::planned::JudgingOptions;
 
-use super::{CheckField, Judging, UncertaintyFrom};
+use super::{CheckField, RuleChoice, UncertaintyFrom};
 use crate::budget::OpenBudget;
 use crate::texts::{KeptField as _, Range, Texts};
 
@@ -42,9 +42,9 @@ pub(super) fn is_of_temperature(field: CheckField) -> bool {
 
 /// What the fields mean.
 #[derive(Debug, Clone, Default)]
-pub struct Worth {
-    judging: Judging,
-    given: Given,
+pub struct RuleFields {
+    judging: RuleChoice,
+    given: RuleInputs,
     /// Why there is no rule.
     no_rule: Option<Refusal>,
     /// Why a value cannot be brought to 20 °C.
@@ -57,11 +57,11 @@ pub struct Worth {
     risks: Option<Risks>,
 }
 
-impl Worth {
+impl RuleFields {
     /// Reads the fields; errors are given to `refuse`.
     pub(super) fn read(
         texts: &Texts<CheckField>,
-        judging: Judging,
+        judging: RuleChoice,
         refuse: &mut dyn FnMut(CheckField, Message),
     ) -> Self {
         let mut worth = Self { judging, ..Self::default() };
@@ -86,8 +86,8 @@ impl Worth {
         worth
     }
 
-    fn read_rule(&self, texts: &Texts<CheckField>) -> Result<Given, Refusal> {
-        let Judging { rule, prover, from } = self.judging;
+    fn read_rule(&self, texts: &Texts<CheckField>) -> Result<RuleInputs, Refusal> {
+        let RuleChoice { rule, prover, from } = self.judging;
         let text = |field: CheckField| texts.text(field).trim();
         let has_uncertainty = !text(CheckField::Uncertainty).is_empty();
         let uncertainty = match from {
@@ -118,7 +118,7 @@ impl Worth {
             None
         };
         let prover = if rule.takes_prover() { prover } else { Prover::Supplier };
-        let given = Given { uncertainty, factor, width, prover };
+        let given = RuleInputs { uncertainty, factor, width, prover };
         if from != UncertaintyFrom::Budget {
             made(rule, given)?;
         }
@@ -126,7 +126,7 @@ impl Worth {
     }
 
     /// What is chosen.
-    pub const fn judging(&self) -> Judging {
+    pub const fn judging(&self) -> RuleChoice {
         self.judging
     }
 
@@ -146,7 +146,7 @@ impl Worth {
         let (size, feature) = (Some(limits.middle()), Some(limits.feature));
         let conditions = Conditions { size, feature, ..Conditions::default() };
         let assessment = Assessment::of(budget?.budget.clone(), &conditions, None, date).ok()?;
-        made(self.judging.rule, Given { uncertainty: Some(assessment.uncertainty().ok()?), ..self.given }).ok()
+        made(self.judging.rule, RuleInputs { uncertainty: Some(assessment.uncertainty().ok()?), ..self.given }).ok()
     }
 
     /// Whether the process is given, and the risks cannot be told for want of one uncertainty of all values.
@@ -168,7 +168,7 @@ impl Worth {
         &self,
         feature: &PlanFeature,
         budget: Option<&'a OpenBudget>,
-    ) -> Result<Beside<'a>, Message> {
+    ) -> Result<JudgingOptions<'a>, Message> {
         // A value that cannot be brought to 20 °C is not judged.
         if let Some((_, problem)) = &self.no_correction {
             return Err(problem.clone());
@@ -176,10 +176,10 @@ impl Worth {
         let warm = self.warm;
         match &self.no_rule {
             None => {}
-            Some(_) if feature.has_own_rule => return Ok(Beside { warm, ..Beside::default() }),
+            Some(_) if feature.has_own_rule => return Ok(JudgingOptions { warm, ..JudgingOptions::default() }),
             Some((_, problem)) => return Err(problem.clone()),
         }
-        let Judging { rule, from, .. } = self.judging;
+        let RuleChoice { rule, from, .. } = self.judging;
         let is_sure = feature.has_own_rule || feature.rule.is_some_and(|rule| rule.uncertainty().is_some());
         let budget = match (from, budget) {
             (UncertaintyFrom::Budget, Some(open)) => Some(&open.budget),
@@ -187,7 +187,7 @@ impl Worth {
             _ => None,
         };
         let rule = Some(rule).filter(|rule| *rule != RuleName::default());
-        Ok(Beside { rule, given: self.given, budget, warm })
+        Ok(JudgingOptions { rule, given: self.given, budget, warm })
     }
 
     /// Judges a record by the rule; a budget gives the uncertainty of its value and its contacts.
@@ -196,7 +196,7 @@ impl Worth {
         if let Some(refusal) = self.no_rule.as_ref().or(self.no_correction.as_ref()) {
             return Err(refusal.clone());
         }
-        let Judging { rule, from, .. } = self.judging;
+        let RuleChoice { rule, from, .. } = self.judging;
         if from != UncertaintyFrom::Budget {
             return Ok(record.by(made(rule, self.given)?));
         }
@@ -204,7 +204,7 @@ impl Worth {
         let open = budget.ok_or_else(|| refused(message!("budget-not-in-use")))?;
         let assessed = record.assess(open.budget.clone());
         let (assessment, uncertainty) = assessed.map_err(|error| refused(error.message()))?;
-        let given = Given { uncertainty: Some(uncertainty), ..self.given };
+        let given = RuleInputs { uncertainty: Some(uncertainty), ..self.given };
         let budget = Arc::new(assessment.provenance());
         Ok(record.by_budget(made(rule, given)?, budget))
     }
@@ -263,7 +263,7 @@ impl Worth {
     }
 }
 
-fn made(rule: RuleName, given: Given) -> Result<Rule, Refusal> {
+fn made(rule: RuleName, given: RuleInputs) -> Result<Rule, Refusal> {
     Rule::new(rule, given).map_err(|error| {
         let field = match error {
             RuleError::NoWidth { .. } | RuleError::WidthMissing { .. } => CheckField::GuardWidth,
@@ -313,9 +313,9 @@ fn process(texts: &Texts<CheckField>) -> Result<Option<(Option<Length>, f64)>, R
 }
 
 /// What a record was judged by, as it stands in the fields: the choices and the texts.
-pub(super) fn of_record(record: &Record) -> (Judging, Vec<(CheckField, String)>) {
+pub(super) fn of_record(record: &Record) -> (RuleChoice, Vec<(CheckField, String)>) {
     let rule = record.verdict.rule;
-    let Given { uncertainty, factor, width, prover } = *rule.given();
+    let RuleInputs { uncertainty, factor, width, prover } = *rule.given();
     let from = if record.budget.is_some() { UncertaintyFrom::Budget } else { UncertaintyFrom::Standard };
     let first = |field: CheckField| field.declared().1.to_owned();
     let texts = vec![
@@ -324,7 +324,7 @@ pub(super) fn of_record(record: &Record) -> (Judging, Vec<(CheckField, String)>)
         (CheckField::GuardFactor, factor.map_or_else(|| first(CheckField::GuardFactor), thousandths)),
         (CheckField::GuardWidth, width.map(|width| width.exact(Unit::Micrometre, 0)).unwrap_or_default()),
     ];
-    (Judging { rule: rule.name(), prover, from }, texts)
+    (RuleChoice { rule: rule.name(), prover, from }, texts)
 }
 
 /// The temperatures of a record, as they stand in the fields.

@@ -6,7 +6,7 @@ use fitcheck_core::message::message;
 use fitcheck_core::part::Plan;
 use jiff::civil::DateTime;
 
-use super::{Asked, ColumnsCommand, OpenColumns};
+use super::{ColumnsCommand, ColumnsRequest, OpenColumns};
 use crate::Session;
 use crate::effect::Effect;
 use crate::purpose::{ImportInto, Purpose};
@@ -61,7 +61,7 @@ impl Session {
         }
     }
 
-    fn ask_for_columns(&mut self, asked: Asked, now: DateTime) {
+    fn ask_for_columns(&mut self, asked: ColumnsRequest, now: DateTime) {
         let Some(asked) = self.shared.file_answered(Ok(asked)) else { return };
         let plan = self.plan_for(asked.into);
         if matches!(asked.into, ImportInto::Part(_)) && plan.is_none() {

@@ -1,12 +1,12 @@
 //! What can be done with the columns of a file.
 
-use super::{Asked, ColumnChoice, UsedColumns};
+use super::{ColumnChoice, ColumnsRequest, UsedColumns};
 
 /// Something about the columns of a file.
 #[derive(Debug, Clone)]
 pub enum ColumnsCommand {
     /// A file was looked at, and its columns are asked about.
-    Ask(Box<Asked>),
+    Ask(Box<ColumnsRequest>),
     /// What the columns of the file were taken for whose content comes next.
     Used(Box<UsedColumns>),
     /// Chooses something for the file that is shown.

@@ -21,7 +21,7 @@ use fitcheck_core::length::Unit;
 use fitcheck_exchange::exchange::{ColumnUnit, Remembered, Role};
 
 pub use command::ColumnsCommand;
-pub use open::{Asked, ColumnChoice, OpenColumns, UsedColumns, refusal};
+pub use open::{ColumnChoice, ColumnsRequest, OpenColumns, UsedColumns, refusal};
 
 use super::purpose::ImportInto;
 

@@ -6,7 +6,7 @@ use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::tolerance::Sources;
 use fitcheck_exchange::exchange::{
-    ByPlan, Choice, ColumnUnit, DecimalSign, Detected, FirstRows, Given, Item, Kept, Mapping, Role, Separator,
+    ByPlan, Choice, ColumnUnit, DecimalSign, Detected, FirstRows, ImportInputs, Item, Kept, Mapping, Role, Separator,
 };
 use jiff::civil::DateTime;
 
@@ -29,7 +29,7 @@ pub struct UsedColumns {
 
 /// A file whose columns are asked about.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Asked {
+pub struct ColumnsRequest {
     /// Its name without the folder.
     pub name: String,
     /// The file.
@@ -66,7 +66,7 @@ pub enum ColumnChoice {
 /// A file whose columns are being looked at.
 #[derive(Debug, Clone)]
 pub struct OpenColumns {
-    asked: Asked,
+    asked: ColumnsRequest,
     choice: Choice,
     rows: Vec<(usize, Vec<String>)>,
     width: usize,
@@ -83,7 +83,7 @@ pub struct OpenColumns {
 }
 
 impl OpenColumns {
-    pub(super) fn new(asked: Asked, sources: &Sources, plan: Option<&Plan>, now: DateTime) -> Self {
+    pub(super) fn new(asked: ColumnsRequest, sources: &Sources, plan: Option<&Plan>, now: DateTime) -> Self {
         let choice = asked.first.guess(&asked.mapping);
         let mut open = Self {
             asked,
@@ -149,7 +149,7 @@ impl OpenColumns {
                 self.refusal = Some(chosen.unwrap_or_else(|| error.message()));
             }
         }
-        let given = Given { has_plan: plan.is_some(), ..Given::new(sources, now) };
+        let given = ImportInputs { has_plan: plan.is_some(), ..ImportInputs::new(sources, now) };
         let Ok(items) = self.asked.first.items(&mapping, given) else { return };
         let by_plan = plan.map(ByPlan::new);
         for item in items {
@@ -166,7 +166,7 @@ impl OpenColumns {
     }
 
     /// The file, where its values go, and whether the user asked to see its columns.
-    pub const fn asked(&self) -> &Asked {
+    pub const fn asked(&self) -> &ColumnsRequest {
         &self.asked
     }
 

@@ -2,7 +2,7 @@
 
 use super::CyclesCommand;
 use crate::Session;
-use crate::action::row::{Actions, Row, actions, keys, on};
+use crate::action::row::{ActionRow, Actions, actions, keys, on};
 use crate::action::{Held, Key, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
@@ -38,7 +38,7 @@ actions! {
 }
 
 impl Actions for CyclesAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::RunCycle => on(Page::Cycles, "cycles-run", CyclesCommand::Run).key(Shortcut::plain(Key::Function(5))),
             Self::ClearCycle => on(Page::Cycles, "clear", CyclesCommand::Clear),

@@ -58,7 +58,7 @@ impl ContactsFrom {
 
 /// Where the value of a parameter comes from.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Standing {
+pub enum ValueOrigin {
     /// It was typed.
     Given,
     /// Nothing was typed, and this counts.
@@ -128,17 +128,17 @@ impl CyclesPage {
     }
 
     /// Where the value of a parameter comes from.
-    pub fn standing(&self, parameter: &Parameter) -> Standing {
+    pub fn standing(&self, parameter: &Parameter) -> ValueOrigin {
         let is_given = !self.text(CycleField::Parameter(parameter.key)).trim().is_empty();
-        if is_given { Standing::Given } else { self.unset(parameter) }
+        if is_given { ValueOrigin::Given } else { self.unset(parameter) }
     }
 
     /// What counts for a parameter while nothing is typed.
-    pub fn unset(&self, parameter: &Parameter) -> Standing {
+    pub fn unset(&self, parameter: &Parameter) -> ValueOrigin {
         match (parameter.default_with(&self.inputs), parameter.unset) {
-            (None, Unset::Refused) => Standing::Required,
-            (None | Some(Value::Band(None)), _) => Standing::Optional,
-            (Some(value), _) => Standing::Default(value),
+            (None, Unset::Refused) => ValueOrigin::Required,
+            (None | Some(Value::Band(None)), _) => ValueOrigin::Optional,
+            (Some(value), _) => ValueOrigin::Default(value),
         }
     }
 

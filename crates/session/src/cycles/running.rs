@@ -240,7 +240,7 @@ impl CyclesPage {
 
     pub(super) fn results_text(&self) -> Option<String> {
         let result = self.run.as_ref()?.found()?;
-        let line = |found: &fitcheck_core::probing::cycle::Found| {
+        let line = |found: &fitcheck_core::probing::cycle::ResultParameter| {
             // Without a parameter its name says what it is.
             let name = if found.key.is_some() { found.called() } else { found.name.to_string() };
             format!("{name} = {}\n", found.value.with_unit())

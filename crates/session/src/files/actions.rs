@@ -3,8 +3,8 @@
 use super::FilesCommand;
 use crate::Session;
 use crate::action::possible::{asks_to_replace, free_dialog};
-use crate::action::row::{Actions, Row, Sends, actions, keys};
-use crate::action::{Held, Key, Place, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, keys};
+use crate::action::{ActionScope, Held, Key, Shortcut};
 use crate::command::Command;
 use crate::step::Step;
 
@@ -29,7 +29,7 @@ actions! {
 }
 
 impl Actions for FilesAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::Browse => in_dialog("dialog-browse", Command::Browse).hint("dialog-browse-hint"),
             Self::FolderUp => in_dialog("dialog-up", FilesCommand::Up)
@@ -38,8 +38,8 @@ impl Actions for FilesAction {
             Self::HomeFolder => in_dialog("dialog-home", FilesCommand::Home)
                 .key(Shortcut { held: Held::Alt, key: Key::Home })
                 .when(|session| free_dialog(session).is_some() && session.home().is_some()),
-            Self::AllFiles => Row::new(
-                Place::Dialog,
+            Self::AllFiles => ActionRow::new(
+                ActionScope::Dialog,
                 "dialog-all-files",
                 Sends::FromState(|session| {
                     FilesCommand::ShowAll(!free_dialog(session).is_some_and(|dialog| dialog.list.shows_all())).into()
@@ -50,11 +50,11 @@ impl Actions for FilesAction {
                 .key(keys(step))
                 .when(|session| free_dialog(session).is_some_and(|dialog| !dialog.list.is_empty())),
             Self::ReplaceFile => {
-                Row::new(Place::Dialog, "dialog-replace", Sends::Always(FilesCommand::Replace(true).into()))
+                ActionRow::new(ActionScope::Dialog, "dialog-replace", Sends::Always(FilesCommand::Replace(true).into()))
                     .when(asks_to_replace)
             }
             Self::KeepFile => {
-                Row::new(Place::Dialog, "dialog-keep", Sends::Always(FilesCommand::Replace(false).into()))
+                ActionRow::new(ActionScope::Dialog, "dialog-keep", Sends::Always(FilesCommand::Replace(false).into()))
                     .when(asks_to_replace)
             }
         }
@@ -66,6 +66,7 @@ impl Actions for FilesAction {
 }
 
 /// While the dialog waits for nothing.
-fn in_dialog(text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Dialog, text, Sends::Always(command.into())).when(|session| free_dialog(session).is_some())
+fn in_dialog(text: &'static str, command: impl Into<Command>) -> ActionRow {
+    ActionRow::new(ActionScope::Dialog, text, Sends::Always(command.into()))
+        .when(|session| free_dialog(session).is_some())
 }

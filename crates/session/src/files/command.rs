@@ -49,7 +49,7 @@ pub enum FilesCommand {
         purpose: Purpose,
         path: PathBuf,
         /// How that went.
-        fate: Fate,
+        fate: ReadOutcome,
     },
     /// Opens the file of the oldest notice in its own program, or shows it in its folder.
     Launch(Launch),
@@ -63,7 +63,7 @@ pub enum FilesCommand {
 
 /// What came of reading a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
+pub enum ReadOutcome {
     Read,
     /// It is there, and could not be read or used.
     Refused,

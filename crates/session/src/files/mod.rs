@@ -34,7 +34,7 @@ use fitcheck_nc::control::mask::Mask;
 use jiff::civil::DateTime;
 
 pub use actions::FilesAction;
-pub use command::{Fate, FilesCommand, Launch};
+pub use command::{FilesCommand, Launch, ReadOutcome};
 pub use content::Content;
 pub use dialog::{Dialog, DialogId};
 pub use folder_list::FolderList;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::command::Fate;
+use super::command::ReadOutcome;
 use crate::purpose::Purpose;
 use crate::saved::{SavedFile, SavedFiles};
 
@@ -86,23 +86,23 @@ impl Places {
     }
 
     /// A file was looked for: it comes first among the recent ones, or is taken from them where it is gone.
-    pub fn seen(&mut self, purpose: Purpose, path: PathBuf, fate: Fate) {
+    pub fn seen(&mut self, purpose: Purpose, path: PathBuf, fate: ReadOutcome) {
         if purpose == Purpose::UseBudget {
             // It is read at every start: that says nothing of what the user does now.
             return;
         }
         if purpose.is_folder() {
             // A folder is no file, and that of tables is read at every start: that says nothing of what the user does now.
-            if fate == Fate::Read {
+            if fate == ReadOutcome::Read {
                 self.folders.insert(purpose.kind().to_owned(), path);
             }
             return;
         }
         let file = RecentFile { purpose, path };
-        if fate != Fate::Refused {
+        if fate != ReadOutcome::Refused {
             self.recent.retain(|known| *known != file);
         }
-        if fate == Fate::Read {
+        if fate == ReadOutcome::Read {
             self.used(purpose, &file.path);
             self.recent.insert(0, file);
             self.recent.truncate(MOST_RECENT);

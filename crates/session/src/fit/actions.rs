@@ -5,7 +5,7 @@ use fitcheck_core::tolerance::Feature;
 use super::FitCommand;
 use crate::Session;
 use crate::action::Part;
-use crate::action::row::{Actions, Row, actions, keys, on, within};
+use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
 use crate::page::Page;
 use crate::step::Step;
 
@@ -25,7 +25,7 @@ actions! {
 }
 
 impl Actions for FitAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::MoveClass(step) => within(CLASSES, "fit-move", FitCommand::Move(step)).key(keys(step)),
             Self::ShowClasses(feature) => {

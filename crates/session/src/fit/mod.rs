@@ -26,9 +26,9 @@ use std::sync::Arc;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::fit::equivalent::Difference;
-use fitcheck_core::tolerance::fit::search::{Found, Scope, Wanted};
+use fitcheck_core::tolerance::fit::search::{ClearanceRange, FitSearchResult, Scope};
 use fitcheck_core::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
-use fitcheck_core::tolerance::fit::{Fit, Kind};
+use fitcheck_core::tolerance::fit::{Fit, FitKind};
 use fitcheck_core::tolerance::{Feature, Sources, ToleranceClass};
 use fitcheck_core::verdict::fit::{Actual, Possible};
 use fitcheck_core::verdict::{Doubt, doubt};
@@ -54,7 +54,7 @@ pub struct Equivalent {
 
 /// What follows from the measured parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Parts {
+pub enum MeasuredParts {
     /// Both were measured.
     Both(Actual),
     /// One was measured.
@@ -79,7 +79,7 @@ pub struct WarmFit {
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Asking {
     nominal: Length,
-    wanted: Wanted,
+    wanted: ClearanceRange,
     scope: Scope,
     sources: Arc<Sources>,
 }
@@ -113,16 +113,16 @@ pub struct FitPage {
     expansions: BTreeMap<Feature, Expansion>,
     maps: Option<Maps>,
     asking: Option<Asking>,
-    found: Option<Result<Found, Message>>,
+    found: Option<Result<FitSearchResult, Message>>,
 }
 
 /// The names of the larger and of the smaller end of a range of clearance, with their amounts: a clearance below zero
 /// is called an interference.
 pub fn extremes(minimum: Length, maximum: Length) -> [(&'static str, Length); 2] {
-    match Kind::of(minimum, maximum) {
-        Kind::Clearance => [("fit-maximum-clearance", maximum), ("fit-minimum-clearance", minimum)],
-        Kind::Transition => [("fit-maximum-clearance", maximum), ("fit-maximum-interference", minimum.negated())],
-        Kind::Interference => {
+    match FitKind::of(minimum, maximum) {
+        FitKind::Clearance => [("fit-maximum-clearance", maximum), ("fit-minimum-clearance", minimum)],
+        FitKind::Transition => [("fit-maximum-clearance", maximum), ("fit-maximum-interference", minimum.negated())],
+        FitKind::Interference => {
             [("fit-minimum-interference", maximum.negated()), ("fit-maximum-interference", minimum.negated())]
         }
     }
@@ -168,12 +168,12 @@ impl FitPage {
     }
 
     /// What follows from the measured parts, when there is a fit and at least one of them was measured.
-    pub fn parts(&self) -> Option<Parts> {
+    pub fn parts(&self) -> Option<MeasuredParts> {
         let fit = self.fit.as_ref()?;
         match (self.length(FitField::HoleMeasured), self.length(FitField::ShaftMeasured)) {
-            (Some(hole), Some(shaft)) => Some(Parts::Both(Actual::of(fit, hole, shaft))),
-            (Some(hole), None) => Some(Parts::One(Possible::of(fit, Feature::Hole, hole))),
-            (None, Some(shaft)) => Some(Parts::One(Possible::of(fit, Feature::Shaft, shaft))),
+            (Some(hole), Some(shaft)) => Some(MeasuredParts::Both(Actual::of(fit, hole, shaft))),
+            (Some(hole), None) => Some(MeasuredParts::One(Possible::of(fit, Feature::Hole, hole))),
+            (None, Some(shaft)) => Some(MeasuredParts::One(Possible::of(fit, Feature::Shaft, shaft))),
             (None, None) => None,
         }
     }
@@ -191,8 +191,8 @@ impl FitPage {
     /// The clearance of both measured parts.
     fn actual_clearance(&self) -> Option<Length> {
         match self.parts()? {
-            Parts::Both(actual) => Some(actual.clearance),
-            Parts::One(_) => None,
+            MeasuredParts::Both(actual) => Some(actual.clearance),
+            MeasuredParts::One(_) => None,
         }
     }
 
@@ -243,7 +243,7 @@ impl FitPage {
     }
 
     /// What the search found; `None` while no search is asked for.
-    pub fn found(&self) -> Option<Result<&Found, &Message>> {
+    pub fn found(&self) -> Option<Result<&FitSearchResult, &Message>> {
         self.found.as_ref().map(Result::as_ref)
     }
 }

@@ -7,7 +7,7 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::fit::Fit;
 use fitcheck_core::tolerance::fit::equivalent::{self, Difference};
 use fitcheck_core::tolerance::fit::materials::Materials;
-use fitcheck_core::tolerance::fit::search::{Wanted, search_in};
+use fitcheck_core::tolerance::fit::search::{ClearanceRange, search_in};
 use fitcheck_core::tolerance::fit::thermal::{Expansion, ThermalDoubt, ThermalError};
 use fitcheck_core::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
 
@@ -146,7 +146,7 @@ impl FitPage {
         let (minimum, maximum) = (self.length(FitField::WantedMinimum), self.length(FitField::WantedMaximum));
         let asking = self.nominal.zip(minimum.zip(maximum)).map(|(nominal, (minimum, maximum))| Asking {
             nominal,
-            wanted: Wanted { minimum, maximum },
+            wanted: ClearanceRange { minimum, maximum },
             scope: self.scope,
             sources: Arc::clone(sources),
         });

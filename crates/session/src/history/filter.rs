@@ -4,7 +4,7 @@ use fitcheck_core::message::Say as _;
 use fitcheck_core::probing::Origin;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
-use fitcheck_exchange::journal::query::{Query, Records as _, Wanted};
+use fitcheck_exchange::journal::query::{FilterWord, Query, Records as _};
 
 use super::History;
 
@@ -15,7 +15,7 @@ impl History {
         let simulated = words.get("simulated");
         let statuses = Status::ALL.map(|status| (status, words.told(&status)));
         let wanted = |word: &str| {
-            let mut wanted = Wanted::new(word);
+            let mut wanted = FilterWord::new(word);
             let named = statuses.iter().filter(|(_, name)| wanted.is_in(name));
             wanted.statuses = named.map(|(status, _)| *status).collect();
             (wanted.simulated, wanted.typed) = (wanted.is_in(&simulated), wanted.is_in(&typed));

@@ -6,7 +6,7 @@ use fitcheck_exchange::report::pairing::FORMATS as PAIR_FORMATS;
 
 use super::PairingCommand;
 use crate::Session;
-use crate::action::row::{Actions, Row, actions, keys, on, within};
+use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
 use crate::action::{Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::page::Page;
@@ -33,7 +33,7 @@ actions! {
 }
 
 impl Actions for PairingAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::OpenParts(feature) => {
                 let open = Command::OpenDialog(Purpose::OpenParts(feature));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::pairing::{Asked, Parts};
+use fitcheck_exchange::report::pairing::{PairingParts, PairingRequest};
 use jiff::civil::DateTime;
 
 use super::{Paired, PairingCommand, PairingField, PairingPage};
@@ -114,7 +114,13 @@ impl PairingPage {
     }
 
     /// Takes the parts of a file, unless another file or the history was taken since it was asked for.
-    fn take_file(&mut self, feature: Feature, path: &Path, result: Result<Arc<Parts>, Message>, shared: &mut Shared) {
+    fn take_file(
+        &mut self,
+        feature: Feature,
+        path: &Path,
+        result: Result<Arc<PairingParts>, Message>,
+        shared: &mut Shared,
+    ) {
         let side = self.side_mut(feature);
         let Some(at) = side.awaited.iter().position(|awaited| awaited == path) else { return };
         side.awaited.remove(at);
@@ -124,7 +130,7 @@ impl PairingPage {
     }
 
     fn take_history(&mut self, feature: Feature, shared: &mut Shared) {
-        let parts = Parts::of_records(shared.history.for_report().map(Arc::as_ref), feature);
+        let parts = PairingParts::of_records(shared.history.for_report().map(Arc::as_ref), feature);
         if parts.sizes.is_empty() {
             let are_chosen = 0 < shared.history.chosen_count();
             let id = if are_chosen { "pairing-page-none-chosen" } else { "pairing-page-none-in-history" };
@@ -135,7 +141,7 @@ impl PairingPage {
         self.take(feature, Arc::new(parts));
     }
 
-    fn take(&mut self, feature: Feature, parts: Arc<Parts>) {
+    fn take(&mut self, feature: Feature, parts: Arc<PairingParts>) {
         self.side_mut(feature).parts = Some(parts);
         self.ask();
     }
@@ -159,7 +165,7 @@ impl PairingPage {
         }
     }
 
-    fn send(&mut self, asked: Option<Asked>) {
+    fn send(&mut self, asked: Option<PairingRequest>) {
         if let Some(asked) = asked {
             self.at_work = Some(self.run);
             self.errands.push(Effect::Pair { run: self.run, asked: Box::new(asked) });
@@ -182,12 +188,12 @@ impl PairingPage {
     }
 
     /// What the page asks now; `None` where something is missing.
-    fn asked(&self) -> Option<Asked> {
+    fn asked(&self) -> Option<PairingRequest> {
         let wanted = self.wanted.clone()?;
         if self.errors.contains_key(&PairingField::Groups) {
             return None;
         }
-        Some(Asked {
+        Some(PairingRequest {
             holes: Arc::clone(self.parts(Feature::Hole)?),
             shafts: Arc::clone(self.parts(Feature::Shaft)?),
             wanted: wanted.wanted,
@@ -214,7 +220,7 @@ impl PairingPage {
 ///
 /// # Errors
 /// The first reason, and how many rows were refused.
-pub fn usable(name: &str, parts: Parts) -> Result<Arc<Parts>, Message> {
+pub fn usable(name: &str, parts: PairingParts) -> Result<Arc<PairingParts>, Message> {
     let first = parts.errors.first().filter(|_| parts.sizes.is_empty());
     match first {
         Some(first) => Err(message!("pairing-page-nothing-read")

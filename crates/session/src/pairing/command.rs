@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::Feature;
-use fitcheck_exchange::report::pairing::Parts;
+use fitcheck_exchange::report::pairing::PairingParts;
 
 use super::{Paired, PairingField};
 use crate::Step;
@@ -22,7 +22,7 @@ pub enum PairingCommand {
         /// The file.
         path: PathBuf,
         /// Its parts, or why there are none.
-        result: Result<Arc<Parts>, Message>,
+        result: Result<Arc<PairingParts>, Message>,
     },
     /// Takes the holes or the shafts among the checks of the history: the chosen checks, or all where none is chosen.
     TakeHistory(Feature),

@@ -26,14 +26,14 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::tolerance::Feature;
-use fitcheck_exchange::report::pairing::Parts;
+use fitcheck_exchange::report::pairing::PairingParts;
 
 pub use actions::PairingAction;
 pub use apply::usable;
 pub use command::PairingCommand;
 pub use field::PairingField;
 pub use paired::{FromMiddle, PairRow, Paired};
-pub use picture::{Bin, Marks, PairsPicture, Sight};
+pub use picture::{Bin, Marks, PairingView, PairsPicture};
 
 use self::reading::WantedOf;
 use super::effect::Effect;
@@ -65,7 +65,7 @@ pub struct PairingPage {
 /// Holes or shafts.
 #[derive(Debug, Default)]
 struct Side {
-    parts: Option<Arc<Parts>>,
+    parts: Option<Arc<PairingParts>>,
     /// The file that is being read, as often as it was asked for.
     awaited: Vec<PathBuf>,
 }
@@ -92,7 +92,7 @@ impl PairingPage {
     }
 
     /// The measured holes or shafts.
-    pub const fn parts(&self, feature: Feature) -> Option<&Arc<Parts>> {
+    pub const fn parts(&self, feature: Feature) -> Option<&Arc<PairingParts>> {
         self.side(feature).parts.as_ref()
     }
 

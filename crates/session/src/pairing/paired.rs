@@ -2,18 +2,18 @@
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Message;
-use fitcheck_core::pairing::{Pair, Wanted};
+use fitcheck_core::pairing::{Pair, PairClearances};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::Size;
 use fitcheck_exchange::report::csv::harmless;
-use fitcheck_exchange::report::pairing::{Answer, Asked, Parts, PartsFrom};
+use fitcheck_exchange::report::pairing::{PairingAnswer, PairingParts, PairingRequest, PartsFrom};
 
 use super::picture::PairsPicture;
 
 /// An answer with its picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paired {
-    pub answer: Answer,
+    pub answer: PairingAnswer,
     pub picture: PairsPicture,
     /// How many pairs have a part that nobody measured.
     pub simulated: usize,
@@ -74,7 +74,7 @@ pub struct FromMiddle {
 }
 
 impl FromMiddle {
-    fn of(wanted: Wanted, clearance: Length) -> Self {
+    fn of(wanted: PairClearances, clearance: Length) -> Self {
         let (below, above) = (clearance.saturating_sub(wanted.minimum()), wanted.maximum().saturating_sub(clearance));
         Self { twice: below.saturating_sub(above) }
     }
@@ -97,7 +97,7 @@ impl FromMiddle {
 }
 
 /// The middle of the wanted clearances in micrometres with a sign, for machines; exact also on a half nanometre.
-pub(super) fn middle_um(wanted: Wanted) -> String {
+pub(super) fn middle_um(wanted: PairClearances) -> String {
     // As far from zero as zero is from it.
     let twice = wanted.minimum().saturating_sub(wanted.maximum().negated());
     FromMiddle { twice }.signed_um()
@@ -105,9 +105,9 @@ pub(super) fn middle_um(wanted: Wanted) -> String {
 
 impl Paired {
     /// Pairs and sorts, and prepares the picture: what takes longer than a frame.
-    pub fn of(asked: Asked) -> Self {
+    pub fn of(asked: PairingRequest) -> Self {
         let answer = asked.answer();
-        let is_simulated = |parts: &Parts, at: usize| parts.sizes.get(at).is_some_and(|part| part.is_simulated);
+        let is_simulated = |parts: &PairingParts, at: usize| parts.sizes.get(at).is_some_and(|part| part.is_simulated);
         let asked = &answer.asked;
         let simulated = answer.pairing.pairs.iter();
         let simulated = simulated
@@ -142,7 +142,7 @@ impl Paired {
     }
 
     fn row_of(&self, pair: &Pair) -> Option<PairRow<'_>> {
-        let Asked { holes, shafts, wanted, .. } = &self.answer.asked;
+        let PairingRequest { holes, shafts, wanted, .. } = &self.answer.asked;
         Some(PairRow {
             hole: holes.sizes.get(pair.hole)?,
             shaft: shafts.sizes.get(pair.shaft)?,
@@ -227,7 +227,7 @@ impl PairRow<'_> {
 }
 
 /// The name of a part, or its line or check where it has none.
-fn name(parts: &Parts, part: &Size, words: &Words) -> String {
+fn name(parts: &PairingParts, part: &Size, words: &Words) -> String {
     if !part.id.is_empty() {
         return part.id.replace(char::is_control, "\u{fffd}");
     }

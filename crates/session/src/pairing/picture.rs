@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use fitcheck_core::length::Length;
-use fitcheck_exchange::report::pairing::Answer;
+use fitcheck_exchange::report::pairing::PairingAnswer;
 
 /// The most pairs and leftovers that are in sight all at once; of more, those around the selected pair are.
 const MOST_AT_ONCE: usize = 48;
@@ -48,7 +48,7 @@ pub struct Bin {
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sight {
+pub struct PairingView {
     /// The lower end of the axis.
     pub low: f64,
     /// The upper end, always above the lower one.
@@ -83,7 +83,7 @@ impl Marks {
 }
 
 impl PairsPicture {
-    pub(super) fn of(answer: &Answer) -> Self {
+    pub(super) fn of(answer: &PairingAnswer) -> Self {
         let (holes, shafts, wanted) =
             (&answer.asked.holes.measured, &answer.asked.shafts.measured, answer.asked.wanted);
         let zero = holes.iter().min().or_else(|| shafts.iter().min()).copied().unwrap_or_default();
@@ -151,7 +151,7 @@ impl PairsPicture {
     }
 
     /// What is in sight while a pair is selected, or none: all, or what lies around it.
-    pub fn sight(&self, selected: Option<usize>) -> Sight {
+    pub fn sight(&self, selected: Option<usize>) -> PairingView {
         let count = self.pairs.len() + self.holes.len() + self.shafts.len();
         let here = selected.unwrap_or_default();
         let around = self.pairs.get(here.saturating_sub(AROUND)..(here + AROUND + 1).min(self.pairs.len()));
@@ -159,7 +159,7 @@ impl PairsPicture {
             let all = |places: &[f64]| Marks::of(0..places.len());
             let (holes, shafts) = (all(&self.holes), all(&self.shafts));
             let pairs = Marks::of(0..self.pairs.len());
-            return Sight { low: self.low, high: self.high, pairs, holes, shafts, is_all: true };
+            return PairingView { low: self.low, high: self.high, pairs, holes, shafts, is_all: true };
         };
         let places = || around.iter().flatten().copied();
         let (low, high) = (places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max));
@@ -171,7 +171,7 @@ impl PairsPicture {
         let end = self.pairs.partition_point(|[hole, shaft]| hole.min(*shaft) <= high);
         let (holes, shafts) = (within(&self.holes), within(&self.shafts));
         let (low, high) = widened(low, high);
-        Sight { low, high, pairs: Marks::of(first..end), holes, shafts, is_all: false }
+        PairingView { low, high, pairs: Marks::of(first..end), holes, shafts, is_all: false }
     }
 }
 
@@ -194,7 +194,7 @@ fn widened(low: f64, high: f64) -> (f64, f64) {
     (low - room, high + room)
 }
 
-impl Sight {
+impl PairingView {
     /// Where a place is in sight, from 0 at the lower end to 1 at the upper one; outside it is beyond these.
     pub fn fraction(&self, um: f64) -> f64 {
         (um - self.low) / (self.high - self.low)

@@ -1,7 +1,7 @@
 //! What the fields of the pairing page mean.
 
 use fitcheck_core::message::{Message, Say as _, message};
-use fitcheck_core::pairing::{MOST_GROUPS, PairingError, Wanted};
+use fitcheck_core::pairing::{MOST_GROUPS, PairClearances, PairingError};
 use fitcheck_core::tolerance::fit::Fit;
 use fitcheck_core::tolerance::{Callout, Sources};
 
@@ -13,7 +13,7 @@ use crate::texts::whole;
 /// What the wanted clearances are, and the fit that they are of.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct WantedOf {
-    pub wanted: Wanted,
+    pub wanted: PairClearances,
     pub fit: Option<(Callout, Fit)>,
 }
 
@@ -61,7 +61,7 @@ fn wanted(text: &str, sources: &Sources) -> Option<Result<WantedOf, Message>> {
         return None;
     }
     if text.contains("..") {
-        let wanted = text.parse::<Wanted>().map_err(|error| error.message());
+        let wanted = text.parse::<PairClearances>().map_err(|error| error.message());
         return Some(wanted.map(|wanted| WantedOf { wanted, fit: None }));
     }
     Some(of_fit(text, sources).map_err(|reason| message!("pairing-page-wanted-refused").message("reason", reason)))
@@ -70,7 +70,8 @@ fn wanted(text: &str, sources: &Sources) -> Option<Result<WantedOf, Message>> {
 fn of_fit(text: &str, sources: &Sources) -> Result<WantedOf, Message> {
     let callout: Callout = text.parse().map_err(|error: fitcheck_core::tolerance::CalloutError| error.message())?;
     let fit = Fit::of_callout(&callout, sources).map_err(|error| error.message())?;
-    let wanted = Wanted::new(fit.minimum_clearance(), fit.maximum_clearance()).map_err(|error| error.message())?;
+    let wanted =
+        PairClearances::new(fit.minimum_clearance(), fit.maximum_clearance()).map_err(|error| error.message())?;
     Ok(WantedOf { wanted, fit: Some((callout, fit)) })
 }
 

@@ -7,8 +7,8 @@ use fitcheck_exchange::report::RENDERINGS;
 
 use super::{PartsCommand, PartsField, PartsView, PlanCommand, PlanField, WalkCommand, WalkField};
 use crate::Session;
-use crate::action::row::{Actions, Row, Sends, actions, keys, on, within};
-use crate::action::{Held, Key, Part, Place, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
+use crate::action::{ActionScope, Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
@@ -110,7 +110,7 @@ actions! {
 
 impl Actions for PartsAction {
     #[expect(clippy::too_many_lines, reason = "one row for everything that can be done")]
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::ShowParts(view) => {
                 let text = match view {
@@ -169,8 +169,8 @@ impl Actions for PartsAction {
             Self::RenumberPlan => {
                 of_table("parts-page-renumber", PlanCommand::Renumber).hint("parts-page-renumber-hint")
             }
-            Self::ShowAllColumns => Row::new(
-                Place::Page(Page::Parts),
+            Self::ShowAllColumns => ActionRow::new(
+                ActionScope::Page(Page::Parts),
                 "parts-page-all-columns",
                 Sends::FromState(|session| {
                     PartsCommand::Plan(PlanCommand::ShowAll(!session.parts().sheet().shows_all())).into()
@@ -216,7 +216,8 @@ impl Actions for PartsAction {
                 .when(is_asked),
             Self::SkipFor => {
                 let reason = |session: &Session| WalkCommand::Skip(session.text(WalkField::Reason).to_owned()).into();
-                Row::new(Place::Page(Page::Parts), "walk-page-skip-for", Sends::FromState(reason)).when(is_skipping)
+                ActionRow::new(ActionScope::Page(Page::Parts), "walk-page-skip-for", Sends::FromState(reason))
+                    .when(is_skipping)
             }
             Self::LeaveSkip => of_walk("walk-page-skip-not", WalkCommand::AskSkip(false)).when(is_skipping),
             Self::NextPart => of_walk("walk-page-next", WalkCommand::Next).key(Shortcut::plain(Key::Function(8))),
@@ -226,13 +227,14 @@ impl Actions for PartsAction {
             Self::ImportValues => {
                 let open =
                     |session: &Session| Command::OpenDialog(Purpose::ImportValues(session.parts().walking().run()));
-                Row::new(Place::Page(Page::Parts), "walk-page-import", Sends::FromState(open)).when(is_measured)
+                ActionRow::new(ActionScope::Page(Page::Parts), "walk-page-import", Sends::FromState(open))
+                    .when(is_measured)
             }
             Self::ImportValuesColumns => {
                 let open = |session: &Session| {
                     Command::OpenDialog(Purpose::AskColumns(ImportInto::Part(session.parts().walking().run())))
                 };
-                let row = Row::new(Place::Page(Page::Parts), "columns-page-import", Sends::FromState(open));
+                let row = ActionRow::new(ActionScope::Page(Page::Parts), "columns-page-import", Sends::FromState(open));
                 row.hint("columns-page-hint").when(is_measured)
             }
             Self::WatchFolder => {
@@ -284,7 +286,7 @@ impl Actions for PartsAction {
     }
 }
 
-fn of_page(text: &'static str, command: PartsCommand) -> Row {
+fn of_page(text: &'static str, command: PartsCommand) -> ActionRow {
     on(Page::Parts, text, command)
 }
 
@@ -303,17 +305,17 @@ fn has_findings(session: &Session) -> bool {
 }
 
 /// Its keys are heard while the table has the focus, and not in a field of the part.
-fn in_table(text: &'static str, command: PlanCommand) -> Row {
+fn in_table(text: &'static str, command: PlanCommand) -> ActionRow {
     within(PLAN, text, PartsCommand::Plan(command)).when(has_table)
 }
 
 /// Its keys are heard wherever the table is in sight.
-fn of_table(text: &'static str, command: PlanCommand) -> Row {
+fn of_table(text: &'static str, command: PlanCommand) -> ActionRow {
     of_page(text, PartsCommand::Plan(command)).when(has_table)
 }
 
 /// On the walk through a part, in its view.
-fn of_walk(text: &'static str, command: impl Into<Command>) -> Row {
+fn of_walk(text: &'static str, command: impl Into<Command>) -> ActionRow {
     on(Page::Parts, text, command).when(is_measured)
 }
 

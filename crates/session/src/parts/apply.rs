@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
-use fitcheck_core::part::{Document, Draft, Row};
+use fitcheck_core::part::{Document, Draft, DraftFeature};
 use jiff::civil::DateTime;
 
 use super::document::PlanDocument;
-use super::picture::Shown;
+use super::picture::PlanPicture;
 use super::sheet::Sheet;
 use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving, serials};
 use crate::effect::Effect;
@@ -137,7 +137,7 @@ impl PartsPage {
         let sources = Arc::clone(&shared.sources);
         match command {
             PlanCommand::New => {
-                let draft = Draft::of(vec![Row::default()]);
+                let draft = Draft::of(vec![DraftFeature::default()]);
                 self.open_or_ask(PlanDocument::new(draft, &sources), shared);
             }
             PlanCommand::Read { path, result } => self.plan_read(path, result, shared),
@@ -183,7 +183,7 @@ impl PartsPage {
             self.view = PartsView::Plan;
         }
         self.sheet = Sheet::of(&self.document);
-        self.shown = Shown::default();
+        self.shown = PlanPicture::default();
         self.opened += 1;
         self.ask_for_keys();
     }

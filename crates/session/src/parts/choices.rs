@@ -1,6 +1,6 @@
 //! The words that a cell of a plan may have, where it may have only a few.
 
-use fitcheck_core::part::{Column, Kind};
+use fitcheck_core::part::{Column, FeatureKind};
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::verdict::rules::RuleName;
 
@@ -22,7 +22,7 @@ impl PartsPage {
 
 fn words(column: Column) -> Vec<&'static str> {
     match column {
-        Column::Kind => Kind::WORDS.to_vec(),
+        Column::Kind => FeatureKind::WORDS.to_vec(),
         Column::Feature => [Feature::Hole, Feature::Shaft].map(Feature::word).to_vec(),
         Column::Rule => RuleName::ALL.into_iter().map(RuleName::word).collect(),
         _ => Vec::new(),

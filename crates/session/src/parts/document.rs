@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::part::{
-    Column, Document, Draft, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Row, Spot,
+    Column, Document, Draft, DraftFeature, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Spot,
 };
 use fitcheck_core::tolerance::Sources;
 
@@ -165,7 +165,7 @@ impl PlanDocument {
         self.path.is_none()
             && self.before.is_empty()
             && !self.draft.rows.is_empty()
-            && *self.draft == Draft::of(vec![Row::default(); self.draft.rows.len()])
+            && *self.draft == Draft::of(vec![DraftFeature::default(); self.draft.rows.len()])
     }
 
     /// Whether there are changes that no file holds.

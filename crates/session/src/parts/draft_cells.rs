@@ -1,16 +1,16 @@
 //! Cells of a draft: written, selected, placed on the picture.
 
-use fitcheck_core::part::{Column, Draft, Row};
+use fitcheck_core::part::{Column, Draft, DraftFeature};
 
 /// Writes a cell, unless that is what it has: a text that a file has stays where it is.
-pub(super) fn write(row: &mut Row, column: Column, text: &str) {
+pub(super) fn write(row: &mut DraftFeature, column: Column, text: &str) {
     if row.cell(column).text != text {
         row.set(column, text.to_owned());
     }
 }
 
 /// The selected features.
-pub(super) fn selected<'a>(draft: &'a mut Draft, rows: &std::ops::RangeInclusive<usize>) -> &'a mut [Row] {
+pub(super) fn selected<'a>(draft: &'a mut Draft, rows: &std::ops::RangeInclusive<usize>) -> &'a mut [DraftFeature] {
     let rows = clamped(rows, draft.rows.len());
     draft.rows.get_mut(rows).unwrap_or_default()
 }

@@ -15,12 +15,12 @@ pub enum Headline<'a> {
     /// Sizes are open: the size that the page is about, where it has a value.
     Size(Option<(usize, &'a Value)>),
     /// Every size has a value or a reason: the part.
-    Part(Whole),
+    Part(FinishedPart),
 }
 
 /// A part of which nothing is open.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Whole {
+pub struct FinishedPart {
     /// Its verdict; `None` where it has none.
     pub status: Option<Status>,
     /// Whether nobody measured what decides it.
@@ -48,7 +48,7 @@ impl Walking {
         status.is_some() && !self.walk().steps().iter().any(decides)
     }
 
-    fn whole(&self) -> Whole {
+    fn whole(&self) -> FinishedPart {
         let (status, standing) = (self.status(), self.standing());
         let mut reasons = Vec::new();
         if let Some(status) = status.filter(|status| *status != Status::Good) {
@@ -66,7 +66,7 @@ impl Walking {
         if 0 < standing.simulated {
             reasons.push(message!("walk-page-simulated").count("count", standing.simulated));
         }
-        Whole { status, is_simulated: self.is_decided_by_simulation(), reasons }
+        FinishedPart { status, is_simulated: self.is_decided_by_simulation(), reasons }
     }
 
     /// That values of sizes contradict each other.

@@ -53,8 +53,8 @@ pub use actions::PartsAction;
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
 pub use document::PlanDocument;
 pub use field::{PartsField, PlanField, WalkField};
-pub use headline::{Headline, Whole};
-pub use picture::{Balloon, PartPicture, Sight};
+pub use headline::{FinishedPart, Headline};
+pub use picture::{Balloon, PartPicture, PictureState};
 pub use sheet::Sheet;
 pub use walking::{Value, WalkRow, Walking};
 pub use watch_news::{WatchNews, WatchedFile};
@@ -89,7 +89,7 @@ pub struct PartsPage {
     errors: BTreeMap<WalkField, Message>,
     document: PlanDocument,
     sheet: Sheet,
-    shown: picture::Shown,
+    shown: picture::PlanPicture,
     /// How many plans were opened.
     opened: u64,
     walk_picture: Option<picture::WalkPicture>,

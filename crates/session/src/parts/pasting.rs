@@ -1,7 +1,7 @@
 //! Cells on their way between the table of a plan and a spreadsheet.
 
 use fitcheck_core::message::{Message, message, shortened};
-use fitcheck_core::part::{Column, MOST_FEATURES, Row};
+use fitcheck_core::part::{Column, DraftFeature, MOST_FEATURES};
 use fitcheck_core::tolerance::Sources;
 
 use super::PartsPage;
@@ -61,7 +61,7 @@ impl PartsPage {
         let block = (rows.len(), wide.min(columns.len()));
         self.document.change(sources, |draft| {
             while draft.rows.len() < row + rows.len() {
-                draft.rows.push(Row::default());
+                draft.rows.push(DraftFeature::default());
             }
             for (row, cells) in draft.rows.iter_mut().skip(row).zip(rows) {
                 for (column, text) in columns.iter().zip(cells) {

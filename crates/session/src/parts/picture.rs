@@ -34,7 +34,7 @@ impl fmt::Debug for PartPicture {
 
 /// What became of the file that a plan names.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Sight {
+pub enum PictureState {
     /// It is being read.
     Awaited,
     Seen(Arc<PartPicture>),
@@ -44,9 +44,9 @@ pub enum Sight {
 
 /// The picture that the plan asks for.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Shown {
+pub(super) struct PlanPicture {
     /// Its file, and what became of it.
-    asked: Option<(PathBuf, Sight)>,
+    asked: Option<(PathBuf, PictureState)>,
     /// The name cannot be that of a file beside the plan.
     refused: Option<Message>,
     /// The folder of a picture that was chosen before the plan had a file.
@@ -57,14 +57,14 @@ pub(super) struct Shown {
 #[derive(Debug, Clone)]
 pub(super) struct WalkPicture {
     plan: Arc<Plan>,
-    shown: Shown,
+    shown: PlanPicture,
     /// How many plans had been opened.
     opened: u64,
 }
 
-impl Shown {
-    fn sight(&self) -> Option<Sight> {
-        let refused = self.refused.clone().map(Sight::Refused);
+impl PlanPicture {
+    fn sight(&self) -> Option<PictureState> {
+        let refused = self.refused.clone().map(PictureState::Refused);
         refused.or_else(|| self.asked.as_ref().map(|(_, sight)| sight.clone()))
     }
 
@@ -72,7 +72,7 @@ impl Shown {
         if let Some((asked, sight)) = &mut self.asked
             && asked == path
         {
-            *sight = result.clone().map_or_else(Sight::Refused, Sight::Seen);
+            *sight = result.clone().map_or_else(PictureState::Refused, PictureState::Seen);
         }
     }
 }
@@ -102,12 +102,12 @@ pub struct Balloon {
 
 impl PartsPage {
     /// What became of the picture of the plan that is edited; `None` where it names none.
-    pub fn sight(&self) -> Option<Sight> {
+    pub fn sight(&self) -> Option<PictureState> {
         self.shown.sight()
     }
 
     /// What became of the picture of the part that is measured; `None` where its plan names none.
-    pub fn walk_sight(&self) -> Option<Sight> {
+    pub fn walk_sight(&self) -> Option<PictureState> {
         self.walk_picture.as_ref()?.shown.sight()
     }
 
@@ -142,7 +142,7 @@ impl PartsPage {
         if self.shown.asked.as_ref().map(|(path, _)| path) == wanted.as_ref() {
             return None;
         }
-        self.shown.asked = wanted.clone().map(|path| (path, Sight::Awaited));
+        self.shown.asked = wanted.clone().map(|path| (path, PictureState::Awaited));
         wanted
     }
 
@@ -175,7 +175,7 @@ impl PartsPage {
         let is_its = self.walk_picture.as_ref().is_some_and(|kept| kept.opened == self.opened);
         let steps = if is_its { self.steps_by_name() } else { Vec::new() };
         let features = self.walking.plan().map(|plan| plan.features()).unwrap_or_default();
-        let steps: BTreeMap<&str, (&Known, &PlanFeature)> =
+        let steps: BTreeMap<&str, (&KnownFeature, &PlanFeature)> =
             steps.iter().zip(features).map(|(step, feature)| (step.name.as_str(), (step, feature))).collect();
         let rows = self.document.draft().rows.iter().enumerate();
         rows.map(|(row, cells)| {
@@ -208,7 +208,7 @@ impl PartsPage {
     }
 
     /// What is known of every feature of the part that is measured, in the order of its plan.
-    fn steps_by_name(&self) -> Vec<Known> {
+    fn steps_by_name(&self) -> Vec<KnownFeature> {
         self.walking.plan().map_or_else(Vec::new, |plan| known(plan, self.walking.walk().steps(), self.walking.at()))
     }
 }
@@ -219,13 +219,13 @@ fn is_same(one: &PlanFeature, other: &PlanFeature) -> bool {
 }
 
 /// What the walk knows of a feature.
-struct Known {
+struct KnownFeature {
     name: String,
     standing: FeatureStanding,
     is_next: bool,
 }
 
-impl Known {
+impl KnownFeature {
     fn balloon(&self, row: usize, label: &str) -> Balloon {
         Balloon {
             status: self.standing.status,
@@ -258,11 +258,11 @@ impl Balloon {
     }
 }
 
-fn known(plan: &Plan, steps: &[SizeStep], next: Option<usize>) -> Vec<Known> {
+fn known(plan: &Plan, steps: &[SizeStep], next: Option<usize>) -> Vec<KnownFeature> {
     let features = plan.features().iter().zip(standings(plan, steps));
     let known = features.map(|(feature, standing)| {
         let places = standing.first..standing.first + feature.limits.len();
-        Known { name: feature.name.clone(), standing, is_next: next.is_some_and(|next| places.contains(&next)) }
+        KnownFeature { name: feature.name.clone(), standing, is_next: next.is_some_and(|next| places.contains(&next)) }
     });
     known.collect()
 }

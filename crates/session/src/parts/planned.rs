@@ -32,10 +32,10 @@ impl Planned {
 }
 
 /// The sizes of a plan by their names.
-pub(super) struct Sizes<'a>(BTreeMap<String, Place<'a>>);
+pub(super) struct Sizes<'a>(BTreeMap<String, SizePlace<'a>>);
 
 /// A size, its place, and whether it is called by its place alone: then a row above it gives its name to another one.
-struct Place<'a> {
+struct SizePlace<'a> {
     at: usize,
     size: Size<'a>,
     has_name: bool,
@@ -55,12 +55,12 @@ impl<'a> Sizes<'a> {
             let has_name = feature.name != format!("F{}", row + 1);
             feature.sizes().map(move |size| (size, has_name))
         });
-        Self((0..).zip(sizes).map(|(at, (size, has_name))| (size.name(), Place { at, size, has_name })).collect())
+        Self((0..).zip(sizes).map(|(at, (size, has_name))| (size.name(), SizePlace { at, size, has_name })).collect())
     }
 
     /// The place of the size that a value is of; `is_before` is whether it was recorded before the plan was changed.
     pub fn place(&self, name: &str, record: &Record, is_before: bool) -> Result<usize, Away> {
-        let Place { at, size, has_name } = self.0.get(name).ok_or(Away::Gone)?;
+        let SizePlace { at, size, has_name } = self.0.get(name).ok_or(Away::Gone)?;
         let limits = |record: &Record| (record.limits.feature, record.limits.minimum(), record.limits.maximum());
         let is_same = record.callout == size.callout
             && record.limits.nominal == size.limits.nominal

@@ -9,7 +9,7 @@ use fitcheck_exchange::report::image::Image;
 use fitcheck_exchange::report::part::PartSheet;
 use jiff::civil::DateTime;
 
-use super::{PartsPage, Sight};
+use super::{PartsPage, PictureState};
 
 impl PartsPage {
     /// The report; `None` before a part is begun.
@@ -27,9 +27,9 @@ impl PartsPage {
     /// The picture that the plan had when the part was begun, or why it is not at hand.
     fn image(&self) -> Result<Image, Message> {
         match self.walk_sight() {
-            Some(Sight::Seen(picture)) => Ok(picture.file.clone()),
-            Some(Sight::Refused(why)) => Err(why),
-            Some(Sight::Awaited) => Err(message!("parts-page-picture-awaited")),
+            Some(PictureState::Seen(picture)) => Ok(picture.file.clone()),
+            Some(PictureState::Refused(why)) => Err(why),
+            Some(PictureState::Awaited) => Err(message!("parts-page-picture-awaited")),
             None => Err(message!("parts-page-picture-none")),
         }
     }

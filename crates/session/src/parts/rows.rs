@@ -3,7 +3,7 @@
 //! A feature without a name is called by its place, and values are known by the names of their features. So names are written before
 //! a row gets another place.
 
-use fitcheck_core::part::{Column, Draft, MOST_FEATURES, Row};
+use fitcheck_core::part::{Column, Draft, DraftFeature, MOST_FEATURES};
 use fitcheck_core::tolerance::Sources;
 
 use super::document::Typing;
@@ -70,7 +70,7 @@ impl PartsPage {
     }
 
     pub(super) fn sort(&mut self, column: Column, sources: &Sources) {
-        let text = |row: &Row| row.cell(column).text.clone();
+        let text = |row: &DraftFeature| row.cell(column).text.clone();
         let is_sorted = self
             .document
             .draft()
@@ -120,12 +120,12 @@ fn write_names(draft: &mut Draft) {
 }
 
 /// A new row: it has a name where another feature is called by its place.
-pub(super) fn fresh(draft: &Draft, at: usize) -> Row {
+pub(super) fn fresh(draft: &Draft, at: usize) -> DraftFeature {
     let is_taken = |name: &str| {
         let names = draft.rows.iter().filter_map(|row| row.text(Column::Name));
         names.into_iter().any(|taken| taken.eq_ignore_ascii_case(name))
     };
-    let mut row = Row::default();
+    let mut row = DraftFeature::default();
     if is_taken(&name_of_place(at)) {
         // Of one more names than there are rows, one is free.
         let count = draft.rows.len();

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Message;
-use fitcheck_core::part::{Plan, Size, Standing, Step, Taken, Walk};
+use fitcheck_core::part::{PartStanding, Plan, Size, SizeValue, Step, Walk};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::verdict::Status;
 use fitcheck_exchange::journal::Record;
@@ -142,7 +142,7 @@ impl Walking {
     }
 
     /// What its values make of the part.
-    pub fn standing(&self) -> Standing {
+    pub fn standing(&self) -> PartStanding {
         self.walk.standing()
     }
 
@@ -276,7 +276,7 @@ impl Walking {
         let status = value.record.verdict.status();
         let is_simulated = value.record.measurement.origin.is_simulated();
         let (when, is_settled) = (value.when, value.is_settled);
-        self.walk.take(at, Taken { status, is_simulated, when, is_settled });
+        self.walk.take(at, SizeValue { status, is_simulated, when, is_settled });
         if value.record.measurement.origin == Origin::Typed {
             // Who types a value of a size that has a typed one has gone back to it.
             self.settle(at, |_, before| before.record.measurement.origin == Origin::Typed);
@@ -435,13 +435,14 @@ impl Walking {
 
     /// Whether a size is a diameter: half of what is removed is on each side.
     pub fn is_round(&self, at: usize) -> bool {
-        let is_round = |row: WalkRow<'_>| matches!(row.size.feature.kind, fitcheck_core::part::Kind::Diameter(_));
+        let is_round =
+            |row: WalkRow<'_>| matches!(row.size.feature.kind, fitcheck_core::part::FeatureKind::Diameter(_));
         self.with_row(at, is_round).unwrap_or(false)
     }
 
     /// What a value may be besides its verdict: below zero only where it is no size.
     pub(super) fn may_be_any(&self) -> bool {
-        use fitcheck_core::part::Kind::{Face, Point};
+        use fitcheck_core::part::FeatureKind::{Face, Point};
         self.asked().is_some_and(|size| matches!(size.feature.kind, Face(..) | Point(..)))
     }
 

@@ -2,7 +2,7 @@
 
 use super::{ProgramCommand, ProgramField, Run, Switch};
 use crate::Session;
-use crate::action::row::{Actions, Row, actions, keys, on, within};
+use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
 use crate::action::{Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
@@ -42,7 +42,7 @@ actions! {
 }
 
 impl Actions for ProgramAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::OpenProgram => on(Page::Program, "program-page-open", Command::OpenDialog(Purpose::OpenProgram))
                 .key(Shortcut::ctrl('O')),
@@ -98,7 +98,7 @@ impl Actions for ProgramAction {
     }
 }
 
-fn of_page(text: &'static str, command: ProgramCommand) -> Row {
+fn of_page(text: &'static str, command: ProgramCommand) -> ActionRow {
     on(Page::Program, text, command)
 }
 

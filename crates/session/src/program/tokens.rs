@@ -64,7 +64,7 @@ const LATHE_KEYWORDS: [&str; 22] = [
 /// Splits a line into parts; every byte belongs to exactly one. `begins` is whether a block begins in the line: only
 /// there can a block number be.
 pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
-    let mut found = Found::default();
+    let mut found = TokenRanges::default();
     let front = if begins { front(line) } else { 0 };
     found.add(front, Token::Number);
     let rest = line.get(front..).unwrap_or_default();
@@ -89,7 +89,7 @@ pub fn tokens_of(notation: Notation, line: &str, begins: bool) -> Vec<(Range<usi
 
 /// The parts of a line of DIN PLUS: `N5 #l1=40 [nominal size]`.
 fn lathe_tokens(line: &str) -> Vec<(Range<usize>, Token)> {
-    let mut found = Found::default();
+    let mut found = TokenRanges::default();
     let blanks = line.len() - line.trim_start().len();
     let number = line.trim_start().strip_prefix(['N', 'n']).map_or(0, |rest| rest.len() - digits_behind(rest));
     found.add(if 0 < number { blanks + 1 + number } else { 0 }, Token::Number);
@@ -135,12 +135,12 @@ fn first_of_lathe(text: &str) -> (usize, Token) {
 
 /// The parts so far; equal neighbours are merged.
 #[derive(Debug, Default)]
-struct Found {
+struct TokenRanges {
     parts: Vec<(Range<usize>, Token)>,
     end: usize,
 }
 
-impl Found {
+impl TokenRanges {
     fn add(&mut self, end: usize, token: Token) {
         if end <= self.end {
             return;

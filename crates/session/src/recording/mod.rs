@@ -74,11 +74,11 @@ struct Known {
 struct Batch {
     /// Until they are on disk.
     entries: Vec<Entry>,
-    fate: Fate,
+    fate: RecordingState,
 }
 
 #[derive(Debug)]
-enum Fate {
+enum RecordingState {
     Waiting,
     /// The number of the first one.
     Kept(u64),
@@ -179,14 +179,14 @@ impl Recording {
         self.sent += 1;
         let run = self.sent;
         self.errands.push(Effect::Keep { run, entries: entries.clone() });
-        self.batches.insert(run, Batch { entries, fate: Fate::Waiting });
+        self.batches.insert(run, Batch { entries, fate: RecordingState::Waiting });
         Some(run)
     }
 
     /// What cannot be an entry of a journal is told at once, and not tried again; returns its number.
     fn refuse(&mut self, problem: Message) -> u64 {
         self.sent += 1;
-        self.batches.insert(self.sent, Batch { entries: Vec::new(), fate: Fate::Refused(problem) });
+        self.batches.insert(self.sent, Batch { entries: Vec::new(), fate: RecordingState::Refused(problem) });
         self.sent
     }
 
@@ -199,13 +199,13 @@ impl Recording {
                     journal.head = *head;
                 }
                 self.newest = heads.last().map_or(self.newest, |head| self.newest.max(head.number));
-                batch.fate = Fate::Kept(heads.first().map_or(0, |head| head.number));
+                batch.fate = RecordingState::Kept(heads.first().map_or(0, |head| head.number));
                 batch.entries = Vec::new();
                 self.wake_sender();
                 false
             }
             Err(problem) => {
-                batch.fate = Fate::Failed(problem);
+                batch.fate = RecordingState::Failed(problem);
                 true
             }
         }
@@ -217,8 +217,8 @@ impl Recording {
             self.open();
         }
         for (run, batch) in &mut self.batches {
-            if matches!(batch.fate, Fate::Failed(_)) {
-                batch.fate = Fate::Waiting;
+            if matches!(batch.fate, RecordingState::Failed(_)) {
+                batch.fate = RecordingState::Waiting;
                 self.errands.push(Effect::Keep { run: *run, entries: batch.entries.clone() });
             }
         }
@@ -301,9 +301,9 @@ impl Recording {
     /// What has become of something that was sent.
     pub fn of_slip(&self, (run, at): (u64, u64)) -> Option<Recorded<'_>> {
         Some(match &self.batches.get(&run)?.fate {
-            Fate::Waiting => Recorded::Waiting,
-            Fate::Kept(first) => Recorded::Kept(first.saturating_add(at)),
-            Fate::Failed(problem) | Fate::Refused(problem) => Recorded::Failed(problem),
+            RecordingState::Waiting => Recorded::Waiting,
+            RecordingState::Kept(first) => Recorded::Kept(first.saturating_add(at)),
+            RecordingState::Failed(problem) | RecordingState::Refused(problem) => Recorded::Failed(problem),
         })
     }
 
@@ -345,7 +345,7 @@ impl Recording {
 
     /// How many checks could not be written.
     pub fn failed(&self) -> usize {
-        let failed = self.batches.values().filter(|batch| matches!(batch.fate, Fate::Failed(_)));
+        let failed = self.batches.values().filter(|batch| matches!(batch.fate, RecordingState::Failed(_)));
         failed.map(|batch| batch.entries.len()).sum()
     }
 

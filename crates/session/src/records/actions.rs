@@ -5,8 +5,8 @@ use fitcheck_exchange::report::RENDERINGS;
 
 use super::{RecordsCommand, RecordsField, Shorthand, Walk};
 use crate::Session;
-use crate::action::row::{Actions, Row, Sends, actions, keys, on, within};
-use crate::action::{Key, Part, Place, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
+use crate::action::{ActionScope, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
@@ -65,7 +65,7 @@ actions! {
 
 impl Actions for RecordsAction {
     #[expect(clippy::too_many_lines, reason = "one row for everything that can be done")]
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::AskRecords(shorthand) => {
                 let text = match shorthand {
@@ -84,15 +84,15 @@ impl Actions for RecordsAction {
             Self::MoveRecord(step) => {
                 within(RECORDS, "records-page-move", RecordsCommand::Move(step)).when(has_records).key(keys(step))
             }
-            Self::OpenRecord => Row::new(
-                Place::Part(RECORDS),
+            Self::OpenRecord => ActionRow::new(
+                ActionScope::Part(RECORDS),
                 "records-page-open",
                 Sends::FromState(|session| RecordsCommand::Open(session.records().cursor().unwrap_or_default()).into()),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
-            Self::ChooseRecord => Row::new(
-                Place::Part(RECORDS),
+            Self::ChooseRecord => ActionRow::new(
+                ActionScope::Part(RECORDS),
                 "records-page-choose",
                 Sends::FromState(|session| {
                     let number = session.records().cursor().unwrap_or_default();
@@ -102,8 +102,8 @@ impl Actions for RecordsAction {
             .key(Shortcut::plain(Key::Space))
             .when(has_cursor),
             Self::ChooseNoRecords => on(Page::Records, "choose-none", RecordsCommand::ChooseNone).when(has_chosen),
-            Self::WithSimulated => Row::new(
-                Place::Page(Page::Records),
+            Self::WithSimulated => ActionRow::new(
+                ActionScope::Page(Page::Records),
                 "records-page-with-simulated",
                 Sends::FromState(|session| RecordsCommand::WithSimulated(!session.records().with_simulated()).into()),
             )
@@ -128,8 +128,8 @@ impl Actions for RecordsAction {
                 .when(|session| session.records().correcting().is_some_and(|form| form.run.is_none())),
             Self::LeaveCorrection => on(Page::Records, "records-page-leave-correction", RecordsCommand::Correct(false))
                 .when(|session| session.records().correcting().is_some()),
-            Self::WithdrawRecord => Row::new(
-                Place::Page(Page::Records),
+            Self::WithdrawRecord => ActionRow::new(
+                ActionScope::Page(Page::Records),
                 "records-page-withdraw",
                 Sends::FromState(|session| {
                     RecordsCommand::Withdraw(!session.records().correcting().is_some_and(|form| form.withdraws)).into()
@@ -143,8 +143,8 @@ impl Actions for RecordsAction {
             Self::CancelVerify => {
                 on(Page::Records, "records-page-verify-cancel", RecordsCommand::CancelVerify).when(is_walking)
             }
-            Self::AskForServer => Row::new(
-                Place::Page(Page::Records),
+            Self::AskForServer => ActionRow::new(
+                ActionScope::Page(Page::Records),
                 "records-page-server",
                 Sends::FromState(|session| RecordsCommand::AskForServer(!session.recording().asks_for_server()).into()),
             )

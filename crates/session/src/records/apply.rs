@@ -167,7 +167,7 @@ impl RecordsPage {
         self.correction_kept(run, shared);
     }
 
-    fn found(&mut self, run: u64, result: Result<super::Found, Message>) {
+    fn found(&mut self, run: u64, result: Result<super::FoundNumbers, Message>) {
         if run != self.asks {
             return;
         }

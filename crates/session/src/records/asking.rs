@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use fitcheck_core::message::Say as _;
-use fitcheck_exchange::journal::ask::{Here, Question};
+use fitcheck_exchange::journal::ask::{LocalNow, Question};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
@@ -80,7 +80,7 @@ impl RecordsPage {
         }
         let zone = self.zone.clone().unwrap_or(TimeZone::UTC);
         let now = self.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
-        match Question::read(self.text(RecordsField::Question), &Here { now, zone }) {
+        match Question::read(self.text(RecordsField::Question), &LocalNow { now, zone }) {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;

@@ -9,7 +9,7 @@ use fitcheck_exchange::journal::chain::{Hash, Head};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 
-use super::{Found, RecordRow, RecordsField, Shorthand, Verified};
+use super::{FoundNumbers, RecordRow, RecordsField, Shorthand, Verified};
 use crate::recording::OpenJournal;
 use crate::step::Step;
 
@@ -79,7 +79,7 @@ pub enum RecordsCommand {
         /// Which question.
         run: u64,
         /// What it has found since it last said something.
-        result: Result<Found, Message>,
+        result: Result<FoundNumbers, Message>,
     },
     /// Rows were read, or cannot be.
     Read {

@@ -36,7 +36,7 @@ impl Default for Numbers {
 
 /// What a reader has found since it last said something.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Found {
+pub struct FoundNumbers {
     /// The next numbers.
     pub numbers: Numbers,
     /// Whether these are the last.
@@ -68,7 +68,7 @@ impl Listing {
     }
 
     /// Takes an answer.
-    pub(super) fn take(&mut self, found: Found) {
+    pub(super) fn take(&mut self, found: FoundNumbers) {
         if std::mem::take(&mut self.is_stale) {
             self.numbers = Numbers::default();
             self.seen = 0;

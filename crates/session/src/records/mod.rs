@@ -41,7 +41,7 @@ use fitcheck_exchange::journal::query::TIME;
 use jiff::Timestamp;
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
-pub use listing::{Found, Listing, Numbers, PAGE};
+pub use listing::{FoundNumbers, Listing, Numbers, PAGE};
 
 use super::effect::Effect;
 

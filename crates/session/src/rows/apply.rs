@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _};
 use fitcheck_core::tolerance::Sources;
-use fitcheck_exchange::exchange::batch::{FATES, Fate, Part, Picked};
+use fitcheck_exchange::exchange::batch::{FATES, Part, Picked, RowFate};
 use jiff::civil::DateTime;
 
 use super::{End, Large, News, Rows, ShownRow};
@@ -70,7 +70,7 @@ impl Rows {
     }
 
     /// Lists rows of a fate, or no longer.
-    pub(crate) fn toggle_fate(&mut self, fate: Fate) {
+    pub(crate) fn toggle_fate(&mut self, fate: RowFate) {
         if !self.filter.fates.remove(&fate) {
             self.filter.fates.insert(fate);
         }

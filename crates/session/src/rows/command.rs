@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::ToleranceClass;
-use fitcheck_exchange::exchange::batch::{Fate, Layout, Part, Picked, Tally};
+use fitcheck_exchange::exchange::batch::{Layout, Part, Picked, RowFate, Tally};
 use fitcheck_exchange::journal::chain::Hash;
 
 use crate::Step;
@@ -36,7 +36,7 @@ pub enum RowsCommand {
     /// Shows the rows, or the history in their place.
     Show(bool),
     /// Lists rows of this fate, or no longer; where none is chosen, all are listed.
-    Fate(Fate),
+    Fate(RowFate),
     /// Lists rows of this class, or no longer; 0 is none.
     Class(usize),
     /// Lists the rows of all classes.

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::ToleranceClass;
 use fitcheck_exchange::exchange::Labels;
-use fitcheck_exchange::exchange::batch::{FATES, Fate, Filter, Layout, Part, Picked, Sieve, Tally};
+use fitcheck_exchange::exchange::batch::{FATES, Filter, Layout, Part, Picked, RowFate, Sieve, Tally};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::Hash;
 
@@ -88,7 +88,7 @@ pub struct Listed<'a> {
     /// Its number among all rows, from 0.
     pub number: u64,
     /// What became of it.
-    pub fate: Fate,
+    pub fate: RowFate,
     /// Its class, if its callout has one.
     pub class: Option<ToleranceClass>,
     /// The row itself, once it is read again.
@@ -167,16 +167,16 @@ impl Rows {
     }
 
     /// How many rows have each fate so far.
-    pub fn fates(&self) -> [(Fate, u64); FATES] {
+    pub fn fates(&self) -> [(RowFate, u64); FATES] {
         let mut all = [0; FATES];
         for counts in &self.counts {
             all.iter_mut().zip(counts).for_each(|(all, count)| *all += count);
         }
-        let mut fates = Fate::ALL.into_iter().zip(all);
-        std::array::from_fn(|_| fates.next().unwrap_or((Fate::NotJudged, 0)))
+        let mut fates = RowFate::ALL.into_iter().zip(all);
+        std::array::from_fn(|_| fates.next().unwrap_or((RowFate::NotJudged, 0)))
     }
 
-    /// The classes that occur so far, each with its number for the filter and its counts in the order of [`Fate::ALL`];
+    /// The classes that occur so far, each with its number for the filter and its counts in the order of [`RowFate::ALL`];
     /// rows without a class come last.
     pub fn classes(&self) -> impl Iterator<Item = (usize, Option<ToleranceClass>, &[u64; FATES])> {
         let named = self.classes.iter().copied().map(Some).zip(1..);

@@ -7,7 +7,7 @@ use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
 
 use super::{Document, TablesCommand, TablesField};
 use crate::Session;
-use crate::action::row::{Actions, Row, actions, keys, on, within};
+use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
 use crate::action::{Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
@@ -56,7 +56,7 @@ actions! {
 }
 
 impl Actions for TablesAction {
-    fn row(&self) -> Row {
+    fn row(&self) -> ActionRow {
         match *self {
             Self::OpenTable => on(Page::Tables, "tables-open", open(Purpose::OpenTable)).key(Shortcut::ctrl('O')),
             Self::SaveTable(number) => {

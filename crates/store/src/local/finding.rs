@@ -2,14 +2,14 @@
 
 use fitcheck_core::verdict::Status;
 use fitcheck_exchange::journal::ask::Question;
-use fitcheck_exchange::journal::found::{Found, Kind, folded};
+use fitcheck_exchange::journal::found::{FoundEntry, FoundEntryKind, folded};
 use rusqlite::types::Value;
 use rusqlite::{Connection, Row, params};
 
 use super::number::integer;
 
 /// Adds the row of an entry.
-pub(super) fn add(connection: &Connection, number: i64, found: &Found<'_>) -> rusqlite::Result<()> {
+pub(super) fn add(connection: &Connection, number: i64, found: &FoundEntry<'_>) -> rusqlite::Result<()> {
     let mut insert = connection.prepare_cached(
         "INSERT INTO find(number, at, kind, status, simulated, part, serial, feature, callout, class, who, station, corrects) \
          VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)",
@@ -37,7 +37,7 @@ pub(super) const ROWS: &str = "SELECT number, at, kind, status, simulated, part,
                                FROM find ORDER BY number";
 
 /// Whether a row finds an entry by what that says. `class` is the entry's.
-pub(super) fn is_of(row: &Row<'_>, found: &Found<'_>, class: &str) -> rusqlite::Result<bool> {
+pub(super) fn is_of(row: &Row<'_>, found: &FoundEntry<'_>, class: &str) -> rusqlite::Result<bool> {
     let text = |column: usize, expected: &str| -> rusqlite::Result<bool> {
         Ok(row.get_ref(column)?.as_str().is_ok_and(|there| there == expected))
     };
@@ -58,10 +58,10 @@ pub(super) fn is_of(row: &Row<'_>, found: &Found<'_>, class: &str) -> rusqlite::
         && number(12, found.corrects.map(integer))?)
 }
 
-const fn kind(kind: Kind) -> i64 {
+const fn kind(kind: FoundEntryKind) -> i64 {
     match kind {
-        Kind::Check => 1,
-        Kind::Withdrawal => 2,
+        FoundEntryKind::Check => 1,
+        FoundEntryKind::Withdrawal => 2,
     }
 }
 

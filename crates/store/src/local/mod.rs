@@ -44,7 +44,7 @@ use rusqlite::{Connection, OptionalExtension as _, params};
 
 pub use self::anchor::{Anchor, Anchors};
 pub use self::backup::backup;
-pub use self::reader::{Interrupt, Reader, Row};
+pub use self::reader::{Interrupt, ListedEntry, Reader};
 use self::turn::Turn;
 pub use self::verify::{Finding, Verified, verify};
 use super::error::{StoreError, StoreRemark};

@@ -43,7 +43,7 @@ impl std::fmt::Debug for Interrupt {
 
 /// An entry of a list.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ListedEntry {
     pub kept: Kept,
     /// What it says.
     pub entry: Result<Entry, BodyError>,
@@ -161,8 +161,8 @@ impl Reader {
     ///
     /// # Errors
     /// [`StoreError::Hidden`] where one before the last is not found, and as for [`Self::head`].
-    pub fn rows(&self, numbers: &[u64]) -> Result<Vec<Row>, StoreError> {
-        let read = || -> rusqlite::Result<Result<Vec<Row>, u64>> {
+    pub fn rows(&self, numbers: &[u64]) -> Result<Vec<ListedEntry>, StoreError> {
+        let read = || -> rusqlite::Result<Result<Vec<ListedEntry>, u64>> {
             let transaction = self.connection.unchecked_transaction()?;
             let mut entries = transaction.prepare_cached("SELECT number, body, hash FROM entry WHERE number = ?1")?;
             let last = head_of(&transaction)?.number;
@@ -177,7 +177,7 @@ impl Reader {
                     continue;
                 };
                 let corrected_by = corrections.newest(*number)?;
-                rows.push(Row { entry: body::read(&kept.body), kept, corrected_by });
+                rows.push(ListedEntry { entry: body::read(&kept.body), kept, corrected_by });
             }
             Ok(Ok(rows))
         };

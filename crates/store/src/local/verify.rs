@@ -16,7 +16,7 @@ use fitcheck_core::message::Say;
 use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck_exchange::journal::entry::{Content, Kept};
-use fitcheck_exchange::journal::found::Found;
+use fitcheck_exchange::journal::found::FoundEntry;
 use fitcheck_exchange::journal::inspection::{Inspected, Inspection};
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _};
 
@@ -227,7 +227,7 @@ impl Classes {
     /// So many are remembered.
     const MOST: usize = 1_000;
 
-    fn of(&mut self, found: &Found<'_>) -> &str {
+    fn of(&mut self, found: &FoundEntry<'_>) -> &str {
         let callout = found.callout();
         if !self.0.contains_key(callout.as_ref()) {
             if Self::MOST <= self.0.len() {

@@ -132,15 +132,15 @@ impl Store for Folders {
 struct Search<'a> {
     names: &'a mut Names,
     /// What was found under a name in a folder.
-    found: HashMap<PathBuf, Found>,
+    found: HashMap<PathBuf, FolderLookup>,
 }
 
 /// An entry of a folder, or the names of several that a control would take for one.
-type Found = Result<Option<PathBuf>, String>;
+type FolderLookup = Result<Option<PathBuf>, String>;
 
 impl Search<'_> {
     /// The entry below a folder, with the same name or one that differs only by case; links are not followed yet.
-    fn find(&mut self, folder: &Path, parts: &[&str]) -> Found {
+    fn find(&mut self, folder: &Path, parts: &[&str]) -> FolderLookup {
         let mut at = folder.to_owned();
         for part in parts {
             let Some(entry) = self.entry(&at, part)? else { return Ok(None) };
@@ -150,7 +150,7 @@ impl Search<'_> {
     }
 
     /// An entry of a folder: the exact name first, so that what the run itself has just written is found.
-    fn entry(&mut self, folder: &Path, name: &str) -> Found {
+    fn entry(&mut self, folder: &Path, name: &str) -> FolderLookup {
         let exact = folder.join(name);
         if let Some(found) = self.found.get(&exact) {
             return found.clone();

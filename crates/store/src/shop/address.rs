@@ -63,7 +63,7 @@ impl ShopAddress {
     pub fn read(text: &str) -> Result<(Self, Option<Password>), AddressError> {
         let text = text.trim();
         let rest = SCHEMES.iter().find_map(|scheme| text.strip_prefix(scheme)).ok_or(AddressError::Scheme)?;
-        let parts = Parts::of(rest)?;
+        let parts = AddressParts::of(rest)?;
         let shown = format!("postgres://{}", parts.text(|_key| true));
         let known = |key: &str| !["sslmode", "sslrootcert"].contains(&key);
         let unreadable = |error: tokio_postgres::Error| AddressError::Unreadable { reason: reason(&error) };
@@ -175,7 +175,7 @@ fn reason(error: &tokio_postgres::Error) -> String {
 }
 
 /// An address without its scheme, cut into its parts and not yet decoded.
-struct Parts<'a> {
+struct AddressParts<'a> {
     user: Option<&'a str>,
     password: Option<&'a str>,
     /// Hosts and ports.
@@ -185,7 +185,7 @@ struct Parts<'a> {
     options: Vec<(&'a str, &'a str)>,
 }
 
-impl<'a> Parts<'a> {
+impl<'a> AddressParts<'a> {
     fn of(rest: &'a str) -> Result<Self, AddressError> {
         let (place, options) = rest.split_once('?').unwrap_or((rest, ""));
         let (authority, path) = place.find('/').and_then(|at| place.split_at_checked(at)).unwrap_or((place, ""));

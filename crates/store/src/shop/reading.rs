@@ -11,14 +11,14 @@ use super::error::{ShopError, chain_of, hash_of};
 use super::schema::{self, value};
 use super::send::{count, integer, natural};
 use super::server::{Patience, Server, Stop};
-use crate::local::Row;
+use crate::local::ListedEntry;
 
 /// How many entries are fetched at once.
 const PAGE: i64 = 1_000;
 
 /// A place in the list: behind the entry of which it tells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct ListPlace {
     /// When the server got the entry, microseconds since 1970 in UTC.
     pub received_us: i64,
     pub chain: ChainId,
@@ -29,11 +29,11 @@ pub struct Place {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShopRow {
     /// Where it is in the list.
-    pub place: Place,
+    pub place: ListPlace,
     /// The station that sent it.
     pub station: String,
     /// The entry.
-    pub row: Row,
+    pub row: ListedEntry,
 }
 
 /// A part of the list.
@@ -42,7 +42,7 @@ pub struct Page {
     /// Checks and withdrawals that the question asks for.
     pub rows: Vec<ShopRow>,
     /// Where the list goes on; `None` at its end.
-    pub next: Option<Place>,
+    pub next: Option<ListPlace>,
     /// How many entries were passed over because this version cannot read them.
     pub unread: u64,
 }
@@ -73,7 +73,7 @@ impl ShopReader {
     ///
     /// # Errors
     /// [`ShopError`] where the server cannot be asked.
-    pub fn page(&self, question: &Question, after: Option<Place>, most: usize) -> Result<Page, ShopError> {
+    pub fn page(&self, question: &Question, after: Option<ListPlace>, most: usize) -> Result<Page, ShopError> {
         let mut page = Page { rows: Vec::new(), next: after, unread: 0 };
         loop {
             let fetched = self.fetch(question, page.next)?;
@@ -100,7 +100,7 @@ impl ShopReader {
     }
 
     /// Entries behind a place in the list that may fit: what the server says of texts and times is only used to leave out many.
-    fn fetch(&self, question: &Question, after: Option<Place>) -> Result<Vec<Fetched>, ShopError> {
+    fn fetch(&self, question: &Question, after: Option<ListPlace>) -> Result<Vec<Fetched>, ShopError> {
         let sql = "SELECT chain, number, hash, body, station, (extract(epoch FROM received) * 1000000)::bigint, \
              fitcheck.corrected_by(chain, number) \
              FROM fitcheck.entry AS entry \
@@ -123,7 +123,7 @@ impl ShopReader {
 
 /// An entry that is not read yet.
 struct Fetched {
-    place: Place,
+    place: ListPlace,
     station: String,
     kept: Kept,
     corrected_by: Option<u64>,
@@ -136,7 +136,7 @@ impl Fetched {
         let head = Head { number, hash: hash_of(value(row, 2)?)? };
         let corrected_by: Option<i64> = value(row, 6)?;
         Ok(Self {
-            place: Place { received_us: value(row, 5)?, chain, number },
+            place: ListPlace { received_us: value(row, 5)?, chain, number },
             station: value(row, 4)?,
             kept: Kept { head, body: value::<&str>(row, 3)?.as_bytes().into() },
             corrected_by: corrected_by.map(natural),
@@ -145,7 +145,7 @@ impl Fetched {
 
     fn read(self) -> ShopRow {
         let Self { place, station, kept, corrected_by } = self;
-        ShopRow { place, station, row: Row { entry: body::read(&kept.body), kept, corrected_by } }
+        ShopRow { place, station, row: ListedEntry { entry: body::read(&kept.body), kept, corrected_by } }
     }
 }
 

@@ -25,7 +25,7 @@ const OLDEST_SERVER: i32 = 13;
 /// What `init` did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "shop-made")]
-pub enum Made {
+pub enum SchemaInit {
     /// There was none.
     New { version: i32 },
     /// There was an older one.
@@ -49,7 +49,7 @@ impl Schema {
 ///
 /// # Errors
 /// [`ShopError`] where the server cannot be asked, the user may not, or something else is there; then nothing was changed.
-pub fn init(access: &Access, patience: Patience) -> Result<Made, ShopError> {
+pub fn init(access: &Access, patience: Patience) -> Result<SchemaInit, ShopError> {
     init_as(access, patience, SCHEMA)
 }
 
@@ -57,7 +57,7 @@ pub fn init(access: &Access, patience: Patience) -> Result<Made, ShopError> {
 ///
 /// # Errors
 /// As for [`init`].
-pub fn init_as(access: &Access, patience: Patience, schema: Schema) -> Result<Made, ShopError> {
+pub fn init_as(access: &Access, patience: Patience, schema: Schema) -> Result<SchemaInit, ShopError> {
     let server = Server::connect(access, patience, &Stop::default())?;
     let setting = |name: &'static str| {
         let row = server.ask(server.client.query_one("SELECT pg_catalog.current_setting($1)", &[&name]))?;
@@ -74,22 +74,22 @@ pub fn init_as(access: &Access, patience: Patience, schema: Schema) -> Result<Ma
     }
     server.run("BEGIN; SELECT pg_catalog.pg_advisory_xact_lock(7309453412)")?;
     let made = match there(&server)? {
-        There::Foreign => return Err(ShopError::Foreign),
-        There::Version(version) if schema.version() < version => {
+        SchemaState::Foreign => return Err(ShopError::Foreign),
+        SchemaState::Version(version) if schema.version() < version => {
             return Err(ShopError::Newer { version, known: schema.version() });
         }
-        There::Version(version) if version == schema.version() => Made::Already { version },
-        There::Version(from) => Made::Upgraded { from, version: schema.version() },
-        There::Nothing => Made::New { version: schema.version() },
+        SchemaState::Version(version) if version == schema.version() => SchemaInit::Already { version },
+        SchemaState::Version(from) => SchemaInit::Upgraded { from, version: schema.version() },
+        SchemaState::Nothing => SchemaInit::New { version: schema.version() },
     };
     server.run(include_str!("roles.sql"))?;
     let done = match made {
-        Made::New { .. } => {
+        SchemaInit::New { .. } => {
             server.run("CREATE SCHEMA fitcheck AUTHORIZATION fitcheck_owner")?;
             0
         }
-        Made::Upgraded { from, .. } => from,
-        Made::Already { version } => version,
+        SchemaInit::Upgraded { from, .. } => from,
+        SchemaInit::Already { version } => version,
     };
     server.run("SET LOCAL ROLE fitcheck_owner")?;
     for step in schema.steps.iter().skip(usize::try_from(done).unwrap_or(0)) {
@@ -104,22 +104,22 @@ pub fn init_as(access: &Access, patience: Patience, schema: Schema) -> Result<Ma
     Ok(made)
 }
 
-enum There {
+enum SchemaState {
     Nothing,
     Foreign,
     Version(i32),
 }
 
 /// What is in the database under our name.
-fn there(server: &Server) -> Result<There, ShopError> {
+fn there(server: &Server) -> Result<SchemaState, ShopError> {
     let sql = "SELECT pg_catalog.pg_get_userbyid(nspowner) = 'fitcheck_owner' AND EXISTS (SELECT FROM pg_catalog.pg_class \
                WHERE relnamespace = pg_namespace.oid AND relname = 'meta') \
                FROM pg_catalog.pg_namespace WHERE nspname = 'fitcheck'";
-    let Some(row) = server.ask(server.client.query_opt(sql, &[]))? else { return Ok(There::Nothing) };
+    let Some(row) = server.ask(server.client.query_opt(sql, &[]))? else { return Ok(SchemaState::Nothing) };
     if !value::<bool>(&row, 0)? {
-        return Ok(There::Foreign);
+        return Ok(SchemaState::Foreign);
     }
-    version(server).map(There::Version)
+    version(server).map(SchemaState::Version)
 }
 
 /// The version of the schema that is there.

@@ -23,12 +23,12 @@ const LONG: Duration = Duration::from_secs(10);
 /// What shows that a file was changed, or the file that is read together with it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct Stamp {
-    own: Sight,
-    beside: Sight,
+    own: FileFingerprint,
+    beside: FileFingerprint,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-struct Sight {
+struct FileFingerprint {
     length: u64,
     changed: Option<SystemTime>,
     /// Its device and its number there; zeros where it has none.
@@ -37,7 +37,7 @@ struct Sight {
     touched: (i64, i64),
 }
 
-impl Sight {
+impl FileFingerprint {
     #[cfg(unix)]
     fn of(about: &Metadata) -> Self {
         use std::os::unix::fs::MetadataExt as _;
@@ -59,7 +59,7 @@ impl Sight {
 
 /// What is to be done with a file; the machine is drawn in `mod.rs`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum State {
+pub(super) enum FileState {
     /// There may be something to take.
     #[default]
     Open,
@@ -72,18 +72,18 @@ pub(super) enum State {
 
 /// What is known of a file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-struct Seen {
+struct KnownFile {
     stamp: Stamp,
     /// When it was seen with this stamp first.
     since: Duration,
-    state: State,
+    state: FileState,
     was_done: bool,
     writer: Writer,
 }
 
 /// A file as it was found.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Found {
+pub(super) struct FoundFile {
     pub(super) path: PathBuf,
     /// Without the folder; bytes of it that are no text are written as such.
     pub(super) name: String,
@@ -91,13 +91,13 @@ pub(super) struct Found {
     pub(super) quiet: Duration,
     /// Whether all of it was taken already, before it was changed.
     pub(super) was_done: bool,
-    seen: Seen,
+    seen: KnownFile,
 }
 
 #[derive(Debug)]
 pub(super) struct Folder {
     path: PathBuf,
-    seen: BTreeMap<PathBuf, Seen>,
+    seen: BTreeMap<PathBuf, KnownFile>,
     ear: Ear,
     /// Names of files that are left alone, and the files that are, by device and number.
     left_names: BTreeSet<OsString>,
@@ -117,7 +117,8 @@ impl Folder {
         let is_inside = whole(folder_of(path)).is_some_and(|folder| whole(&self.path) == Some(folder));
         self.left_names.extend(path.file_name().filter(|_| is_inside).map(OsStr::to_owned));
         let about = std::fs::metadata(path).ok().filter(Metadata::is_file);
-        self.left_files.extend(about.map(|about| Sight::of(&about).number).filter(|number| *number != (0, 0)));
+        self.left_files
+            .extend(about.map(|about| FileFingerprint::of(&about).number).filter(|number| *number != (0, 0)));
     }
 
     fn is_left(&self, path: &Path, stamp: &Stamp) -> bool {
@@ -131,7 +132,7 @@ impl Folder {
         &mut self,
         clock: Duration,
         renamed: &mut dyn FnMut(&str, &str),
-    ) -> Result<Vec<Found>, FileError> {
+    ) -> Result<Vec<FoundFile>, FileError> {
         let failed = |error: std::io::Error| system(&self.path, &error);
         let mut there = BTreeSet::new();
         let mut found = Vec::new();
@@ -147,10 +148,10 @@ impl Folder {
             if !about.is_file() || is_passing(&name) || self.is_left(&path, &stamp) {
                 continue;
             }
-            let new = Seen { stamp, since: clock, ..Seen::default() };
+            let new = KnownFile { stamp, since: clock, ..KnownFile::default() };
             let seen = self.seen.entry(path.clone()).or_insert_with(|| new.clone());
             let is_heard = written.contains(&path);
-            let is_done = seen.state == State::Done;
+            let is_done = seen.state == FileState::Done;
             // A file that is written within the same moment keeps its stamp.
             if seen.stamp != stamp || is_heard && is_done {
                 let is_own = stamp.own.is_written(&seen.stamp.own);
@@ -159,19 +160,19 @@ impl Folder {
                     self.ear.writers.remove(&path);
                 }
                 let is_written = is_heard || is_own || stamp.beside.is_written(&seen.stamp.beside);
-                *seen = Seen { was_done: is_written && (is_done || seen.was_done), ..new };
+                *seen = KnownFile { was_done: is_written && (is_done || seen.was_done), ..new };
             }
             let writer = self.ear.writer(&path);
             // What was left of it while somebody wrote it is taken when it is closed.
-            if seen.state == State::Done && seen.writer == Writer::Writes && writer != Writer::Writes {
-                seen.state = State::Open;
+            if seen.state == FileState::Done && seen.writer == Writer::Writes && writer != Writer::Writes {
+                seen.state = FileState::Open;
             }
             seen.writer = writer;
-            if seen.state != State::Done {
+            if seen.state != FileState::Done {
                 let quiet = clock.saturating_sub(seen.since);
                 let was_done = seen.was_done;
                 let seen = seen.clone();
-                found.push(Found { path, name, quiet, was_done, seen });
+                found.push(FoundFile { path, name, quiet, was_done, seen });
             }
         }
         self.seen.retain(|path, _| there.contains(path));
@@ -181,7 +182,7 @@ impl Folder {
     }
 
     /// Sets the state of a file, unless it was changed since it was found.
-    pub(super) fn set(&mut self, found: &Found, state: State) {
+    pub(super) fn set(&mut self, found: &FoundFile, state: FileState) {
         if let Some(seen) = self.seen.get_mut(&found.path).filter(|seen| seen.stamp == found.seen.stamp) {
             seen.state = state;
         }
@@ -199,7 +200,7 @@ pub(super) enum Stage {
     Final,
 }
 
-impl Found {
+impl FoundFile {
     /// How much of it counts.
     pub(super) fn stage(&self) -> Stage {
         match self.seen.writer {
@@ -218,8 +219,8 @@ impl Found {
     }
 
     /// The state of a file of which nothing could be taken.
-    pub(super) fn waits(&self) -> State {
-        State::Waits(self.stage(), [self.is_told(), PATIENCE <= self.quiet])
+    pub(super) fn waits(&self) -> FileState {
+        FileState::Waits(self.stage(), [self.is_told(), PATIENCE <= self.quiet])
     }
 
     /// Whether nothing of it could be taken, and nothing has changed since.
@@ -247,7 +248,10 @@ fn stamp(path: &Path, about: &Metadata) -> Stamp {
     // The values of an AQDEF file are read with their description, which may come later than they do.
     let is_dfx = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dfx"));
     let beside = is_dfx.then(|| beside_path(path, "dfd").metadata()).and_then(Result::ok);
-    Stamp { own: Sight::of(about), beside: beside.as_ref().map_or_else(Sight::default, Sight::of) }
+    Stamp {
+        own: FileFingerprint::of(about),
+        beside: beside.as_ref().map_or_else(FileFingerprint::default, FileFingerprint::of),
+    }
 }
 
 /// A file's name as text; bytes that are none are written as such, so that no two names are the same.

@@ -12,7 +12,7 @@ use fitcheck_core::text::Within as _;
 
 /// The hashes of what was taken, and the names that the files had then.
 #[derive(Debug, Clone, Default)]
-pub struct Known {
+pub struct TakenFiles {
     hashes: HashMap<Hash, Vec<String>>,
     /// By name.
     files: HashMap<String, Past>,
@@ -40,7 +40,7 @@ pub(super) struct TakenLines {
 
 /// How a file stands to what was taken before from files of its name.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) enum Standing {
+pub(super) enum FileStanding {
     /// Nothing was taken, or the format has no lines.
     #[default]
     New,
@@ -70,7 +70,7 @@ pub(super) struct Extent {
     pub(super) part: Option<Mark>,
     /// Its beginning that was taken before from a file of its name.
     pub(super) known: Mark,
-    pub(super) standing: Standing,
+    pub(super) standing: FileStanding,
     /// The other name under which its beginning was taken, and how many lines that are.
     pub(super) begins_as: Option<(String, usize)>,
     /// How many lines at its beginning are those that were taken last from a file of its name.
@@ -99,7 +99,7 @@ impl Extent {
     }
 }
 
-impl Known {
+impl TakenFiles {
     /// Remembers what was taken.
     pub fn add(&mut self, hash: Hash, name: &str) {
         self.past(name).last = Some(hash);
@@ -199,20 +199,20 @@ impl Known {
         // A last line without an end may have become longer: the file is still the same then.
         let is_replaced = *same_lines + usize::from(taken.is_open) < taken.marks.len();
         extent.standing = match (self.name_of(&whole.hash, name), past) {
-            (Some(known), _) => Standing::Known(known.to_owned()),
-            _ if is_cut && whole.lines <= *same_lines => Standing::Cut,
-            _ if is_cut => Standing::CutWithinLine,
-            _ if is_replaced => Standing::Replaced,
-            (_, Some(Past { last: Some(_), lines: None, .. })) if known.lines == 0 => Standing::Another,
-            (_, Some(Past { last: Some(last), lines: None, .. })) if *last != known.hash => Standing::Older,
-            (_, Some(Past { last: Some(_), .. })) => Standing::Grown,
-            _ => Standing::New,
+            (Some(known), _) => FileStanding::Known(known.to_owned()),
+            _ if is_cut && whole.lines <= *same_lines => FileStanding::Cut,
+            _ if is_cut => FileStanding::CutWithinLine,
+            _ if is_replaced => FileStanding::Replaced,
+            (_, Some(Past { last: Some(_), lines: None, .. })) if known.lines == 0 => FileStanding::Another,
+            (_, Some(Past { last: Some(last), lines: None, .. })) if *last != known.hash => FileStanding::Older,
+            (_, Some(Past { last: Some(_), .. })) => FileStanding::Grown,
+            _ => FileStanding::New,
         };
         let seen = match &extent.standing {
-            Standing::Known(known) if known == name => Some(extent.whole),
-            Standing::Grown => Some(extent.known),
+            FileStanding::Known(known) if known == name => Some(extent.whole),
+            FileStanding::Grown => Some(extent.known),
             // Its first lines may be the same as before, but they are other measurements.
-            Standing::Cut | Standing::CutWithinLine | Standing::Replaced => {
+            FileStanding::Cut | FileStanding::CutWithinLine | FileStanding::Replaced => {
                 extent.known = Mark::default();
                 extent.part = None;
                 None
@@ -233,15 +233,15 @@ mod tests {
     use super::super::lines::until;
     use super::*;
 
-    fn extent(known: &Known, name: &str, text: &str) -> Extent {
+    fn extent(known: &TakenFiles, name: &str, text: &str) -> Extent {
         known.clone().extent(name, &mut Cursor::new(text), b"\n\r", 2).unwrap()
     }
 
     #[test]
     fn a_file_that_has_grown_is_known_up_to_the_lines_that_were_taken() {
-        let mut known = Known::default();
+        let mut known = TakenFiles::default();
         known.add(Hash::of_file(b"a\nb\n"), "a.csv");
-        assert_eq!(extent(&known, "a.csv", "a\nb\n").standing, Standing::Known("a.csv".to_owned()));
+        assert_eq!(extent(&known, "a.csv", "a\nb\n").standing, FileStanding::Known("a.csv".to_owned()));
         let grown = extent(&known, "a.csv", "a\nb\nc\nd");
         assert_eq!((grown.known.lines, grown.known.end), (2, 4));
         assert_eq!(grown.lines, Mark { end: 6, lines: 3, hash: Hash::of_file(b"a\nb\nc\n") });
@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn a_last_line_that_was_taken_without_its_end_is_known_with_any_end() {
-        let mut known = Known::default();
+        let mut known = TakenFiles::default();
         known.add(Hash::of_file(b"a\nb"), "a.csv");
         for grown in ["a\nb\nc\n", "a\nb\r\nc\n", "a\nb\rc\n"] {
             assert_eq!(extent(&known, "a.csv", grown).known.lines, 2, "{grown:?}");
@@ -266,22 +266,22 @@ mod tests {
 
     #[test]
     fn a_file_that_is_written_anew_from_its_beginning_is_seen_to_be_cut() {
-        let mut known = Known::default();
+        let mut known = TakenFiles::default();
         let all = extent(&known, "a.csv", "a\nb\nc\n");
         known.add(all.whole.hash, "a.csv");
         known.past("a.csv").lines = Some(all.taken_lines(&all.whole));
         for cut in ["a\nb\n", "a\nb"] {
-            assert_eq!(extent(&known, "a.csv", cut).standing, Standing::Cut, "{cut:?}");
+            assert_eq!(extent(&known, "a.csv", cut).standing, FileStanding::Cut, "{cut:?}");
         }
-        assert_eq!(extent(&known, "a.csv", "a\nb\nC").standing, Standing::CutWithinLine);
+        assert_eq!(extent(&known, "a.csv", "a\nb\nC").standing, FileStanding::CutWithinLine);
         let other = extent(&known, "a.csv", "a\nB\n");
-        assert_eq!((other.standing, other.same_lines), (Standing::Replaced, 1));
-        assert_eq!(extent(&known, "b.csv", "a\nb\n").standing, Standing::New);
+        assert_eq!((other.standing, other.same_lines), (FileStanding::Replaced, 1));
+        assert_eq!(extent(&known, "b.csv", "a\nb\n").standing, FileStanding::New);
     }
 
     #[test]
     fn a_part_ends_with_a_line() {
-        let mut known = Known::default();
+        let mut known = TakenFiles::default();
         assert_eq!(extent(&known, "a.csv", "a\nb\n").part, None);
         let part = Some(Mark { end: 4, lines: 2, hash: Hash::of_file(b"a\nb\n") });
         assert_eq!(extent(&known, "a.csv", "a\nb\nc\n").part, part);
@@ -293,7 +293,7 @@ mod tests {
 
     #[test]
     fn names_are_read_from_a_journal_as_they_were() {
-        let mut known = Known::default();
+        let mut known = TakenFiles::default();
         let hash = Hash::of_file(b"a");
         let name = "a\"b\\c\u{fc}.csv";
         let text = serde_json::to_string(name).unwrap();

@@ -13,7 +13,7 @@
 //! remembered by the SHA-256 of its bytes, which the journal keeps with every entry, so that a restart needs no other memory and a renamed
 //! file is not taken twice.
 //!
-//! Each file is in one of three states (`folder::State`):
+//! Each file is in one of three states (`folder::FileState`):
 //!
 //! ```text
 //!                    nothing of it is complete
@@ -30,12 +30,12 @@
 //! ```
 //!
 //! A file that is open and unchanged for `QUIET` is read. What of it is taken depends on how it stands to what was taken from files of its
-//! name (`known::Standing`), by the hash of all that comes before each line end:
+//! name (`known::FileStanding`), by the hash of all that comes before each line end:
 //!
 //! | it | then |
 //! |---|---|
 //! | is `New`, or `Another` than what was taken before this program began | all of it is taken |
-//! | is `Known` | nothing is taken; it is done |
+//! | is `TakenFiles` | nothing is taken; it is done |
 //! | has `Grown`, or has an `Older` beginning | the lines behind that are taken |
 //! | was `Replaced` | all of it is taken; it is said how many of its first lines were there before |
 //! | was `Cut`: only the first of its lines are left | its writer may not be done; after [`PATIENCE`] nothing is taken, and it is done |
@@ -71,8 +71,8 @@ use fitcheck_exchange::exchange::{Item, Remembered};
 use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_files::{self as files, FileError};
 use fitcheck_nc::control::mask::Mask;
-use folder::{Folder, Found, State};
-pub use known::Known;
+use folder::{FileState, Folder, FoundFile};
+pub use known::TakenFiles;
 use known::TakenLines;
 pub use note::{NOTE_ENDING, note_of};
 use reading::Nothing;
@@ -93,7 +93,7 @@ const MOST_FILES: usize = 100;
 
 /// What a file's values are judged with.
 #[derive(Debug, Clone, Copy)]
-pub struct Judging<'a> {
+pub struct FileJudging<'a> {
     /// The plan; without one the files' own callouts and limits count.
     pub plan: Option<&'a Plan>,
     /// Where limits are looked up.
@@ -124,7 +124,7 @@ pub struct Batch {
     /// What else is to be said: values that were taken before from another file, or from the same one before it was replaced.
     pub remarks: Vec<Message>,
     /// How it was when it was read.
-    found: Found,
+    found: FoundFile,
     /// Whether there is, or may be, more of it.
     is_open: bool,
     /// The lines that are known once it is taken.
@@ -160,7 +160,7 @@ pub enum Waiting {
 
 /// What one look at the folder has found.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Look {
+pub struct FolderScan {
     /// Files to be recorded, in the order in which they were written.
     pub ready: Vec<Batch>,
     /// Files that are not ready yet, by name.
@@ -170,7 +170,7 @@ pub struct Look {
     pub same: Vec<(String, String)>,
 }
 
-impl Look {
+impl FolderScan {
     /// Whether nothing is left to do.
     pub fn is_idle(&self) -> bool {
         self.ready.is_empty() && self.waiting.iter().all(|(_, why)| matches!(why, Waiting::Refused { .. }))
@@ -181,7 +181,7 @@ impl Look {
 #[derive(Debug)]
 pub struct Watcher {
     folder: Folder,
-    known: Known,
+    known: TakenFiles,
     /// What notes are to say now; nothing where one goes.
     notes: Vec<(PathBuf, Vec<Message>)>,
     /// The files whose note says that they cannot be read.
@@ -192,7 +192,7 @@ pub struct Watcher {
 
 impl Watcher {
     /// A folder, and what was taken from it or elsewhere before.
-    pub fn new(folder: &Path, known: Known) -> Self {
+    pub fn new(folder: &Path, known: TakenFiles) -> Self {
         let notes = Vec::new();
         let refused = BTreeSet::new();
         Self { folder: Folder::new(folder), known, notes, refused, begun: None }
@@ -214,8 +214,8 @@ impl Watcher {
     ///
     /// # Errors
     /// [`FileError`] where the folder cannot be read: a share may be gone for a while, and the next look tries again.
-    pub fn look(&mut self, judging: Judging<'_>, clock: Duration) -> Result<Look, FileError> {
-        let mut look = Look::default();
+    pub fn look(&mut self, judging: FileJudging<'_>, clock: Duration) -> Result<FolderScan, FileError> {
+        let mut look = FolderScan::default();
         let is_young = clock.saturating_sub(*self.begun.get_or_insert(clock)) < PATIENCE;
         let known = &mut self.known;
         for found in self.folder.look(clock, &mut |before, now| known.rename(before, now))? {
@@ -237,7 +237,7 @@ impl Watcher {
                     continue;
                 }
                 Err(Nothing::Left { same, note }) => {
-                    self.folder.set(&found, State::Done);
+                    self.folder.set(&found, FileState::Done);
                     self.notes.extend(note.map(|note| (found.path, note)));
                     look.same.extend(same.map(|same| (found.name, same)));
                     continue;
@@ -286,7 +286,7 @@ impl Watcher {
             self.known.add(batch.sha256, &batch.name);
         }
         if !batch.is_open {
-            self.folder.set(&batch.found, State::Done);
+            self.folder.set(&batch.found, FileState::Done);
         }
         note::write(&batch.path, &batch.problems, words)
     }

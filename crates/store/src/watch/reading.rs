@@ -10,14 +10,16 @@ use std::fs::File;
 use std::io::{self, Read as _, Seek as _, Take};
 
 use fitcheck_core::message::{Message, message};
-use fitcheck_exchange::exchange::{ByPlan, FirstRows, Given, Item, MOST_ROWS, Mapping, WHOLE, import_from, recognised};
+use fitcheck_exchange::exchange::{
+    ByPlan, FirstRows, ImportInputs, Item, MOST_ROWS, Mapping, WHOLE, import_from, recognised,
+};
 use fitcheck_files::{self as files, FileError};
 
-use super::folder::{Found, Stage};
-use super::known::{Extent, Known, Standing, TakenLines};
+use super::folder::{FoundFile, Stage};
+use super::known::{Extent, FileStanding, TakenFiles, TakenLines};
 use super::lines::{Mark, until};
 use super::units::{Units, is_value};
-use super::{Batch, Judging, PATIENCE, Waiting, note};
+use super::{Batch, FileJudging, PATIENCE, Waiting, note};
 
 /// The most lines of a growing file that are taken at once: a look keeps them in memory.
 const MOST_LINES: usize = 50_000;
@@ -50,8 +52,8 @@ impl From<io::Error> for Nothing {
 /// A file that is looked into.
 struct Reading<'a> {
     file: &'a File,
-    found: &'a Found,
-    judging: Judging<'a>,
+    found: &'a FoundFile,
+    judging: FileJudging<'a>,
     line_ends: &'static [u8],
     /// Whether a value that is cut off cannot be read: then each one that can be read is complete.
     shows_end: bool,
@@ -61,7 +63,12 @@ struct Reading<'a> {
 }
 
 /// Looks into a file: what is ready of it.
-pub(super) fn read(found: &Found, judging: Judging<'_>, known: &mut Known, is_young: bool) -> Result<Batch, Nothing> {
+pub(super) fn read(
+    found: &FoundFile,
+    judging: FileJudging<'_>,
+    known: &mut TakenFiles,
+    is_young: bool,
+) -> Result<Batch, Nothing> {
     let file = match files::open(&found.path) {
         Ok((file, _)) => file,
         Err(FileError::Missing { .. }) => return Err(Nothing::Left { same: None, note: None }),
@@ -71,7 +78,7 @@ pub(super) fn read(found: &Found, judging: Judging<'_>, known: &mut Known, is_yo
     let format = recognised(&found.name, &mut body, judging.masks)?;
     let shows_end = format.is_none_or(|format| format.shows_end);
     let line_ends = format.map_or(b"".as_slice(), |format| format.line_ends);
-    let judging = Judging { masks: format.map_or(&[], |format| format.masks_of(judging.masks)), ..judging };
+    let judging = FileJudging { masks: format.map_or(&[], |format| format.masks_of(judging.masks)), ..judging };
     if bytes(&file, VERDICTS.len().try_into().unwrap_or(u64::MAX))? == VERDICTS {
         return Err(Nothing::Left { same: None, note: Some(vec![message!("watch-verdicts")]) });
     }
@@ -84,16 +91,16 @@ pub(super) fn read(found: &Found, judging: Judging<'_>, known: &mut Known, is_yo
     let reading = Reading { file: &file, found, judging, line_ends, shows_end, extent, late };
     let is_quiet = PATIENCE <= found.quiet;
     match &reading.extent.standing {
-        Standing::Known(name) if !name.is_empty() && *name != found.name => {
+        FileStanding::Known(name) if !name.is_empty() && *name != found.name => {
             let note = vec![message!("watch-copy").text("known", name)];
             Err(Nothing::Left { same: Some(name.clone()), note: Some(note) })
         }
-        Standing::Known(_) => Err(reading.same(found.was_done)?),
+        FileStanding::Known(_) => Err(reading.same(found.was_done)?),
         // A program that writes a file anew has not come to its new lines yet; and one that did before this began is not known.
-        Standing::Cut | Standing::CutWithinLine if !is_quiet => Err(WAIT),
-        Standing::Another if is_young && !is_quiet => Err(WAIT),
-        Standing::Cut => Err(reading.same(true)?),
-        Standing::CutWithinLine if found.stage() < Stage::Final => Err(WAIT),
+        FileStanding::Cut | FileStanding::CutWithinLine if !is_quiet => Err(WAIT),
+        FileStanding::Another if is_young && !is_quiet => Err(WAIT),
+        FileStanding::Cut => Err(reading.same(true)?),
+        FileStanding::CutWithinLine if found.stage() < Stage::Final => Err(WAIT),
         _ => {
             let batch = reading.batch()?;
             // What changed while it was read may be half old and half new.
@@ -192,14 +199,14 @@ impl Reading<'_> {
         let says = |id: &'static str, says: bool| says.then(|| Message::new(id));
         let counted = |message: Message, count: usize| (0 < count).then(|| message.count("count", count));
         let again = if known_lines == 0 { new.count(*same_lines) } else { 0 };
-        let older = if *standing == Standing::Older { before } else { 0 };
+        let older = if *standing == FileStanding::Older { before } else { 0 };
         let as_other = begins_as
             .as_ref()
             .and_then(|(known, lines)| counted(message!("watch-begins-as").text("known", known), new.count(*lines)));
         let is_within_line = !self.line_ends.is_empty() && self.extent.is_within_line(&mark);
         let remarks = [
             counted(message!("watch-again"), again),
-            says("watch-other", *standing == Standing::Another && new.items.iter().any(is_value)),
+            says("watch-other", *standing == FileStanding::Another && new.items.iter().any(is_value)),
             counted(message!("watch-older"), older),
             as_other,
             new_late,
@@ -221,7 +228,7 @@ impl Reading<'_> {
 
     /// What the file holds up to a place, judged by the plan.
     fn read_to(&self, end: Mark) -> io::Result<Units> {
-        let Judging { plan, sources, masks, now, temperature, .. } = self.judging;
+        let FileJudging { plan, sources, masks, now, temperature, .. } = self.judging;
         let beside = |ending: &str| files::beside(&self.found.path, ending);
         let mapping = self.remembered(end)?;
         let has_plan = plan.is_some();
@@ -230,7 +237,7 @@ impl Reading<'_> {
         let units = |first: usize, last: usize| {
             lasts.borrow_mut().insert(first, last);
         };
-        let given = Given {
+        let given = ImportInputs {
             beside: &beside,
             masks,
             mapping,
@@ -238,7 +245,7 @@ impl Reading<'_> {
             has_plan,
             units: &units,
             temperature,
-            ..Given::new(sources, now)
+            ..ImportInputs::new(sources, now)
         };
         let mut items = Vec::new();
         let by_plan = plan.map(ByPlan::new);

@@ -4,7 +4,7 @@ use super::Searched;
 use crate::cli::Figure;
 use crate::length::Length;
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
-use crate::tolerance::fit::search::{Candidate, Miss};
+use crate::tolerance::fit::search::{Candidate, NearestMiss};
 use crate::tolerance::fit::{Basis, basis};
 
 object! {
@@ -21,7 +21,7 @@ object! {
         nearest: Option<MissFigures> = Some(MissFigures::of(searched.size, searched.found.nearest.as_ref()?)),
     }
 
-    struct MissFigures of(size: Length, miss: &Miss) {
+    struct MissFigures of(size: Length, miss: &NearestMiss) {
         candidate: CandidateFigures = CandidateFigures::of(size, &miss.candidate),
         below_um: Figure = Figure::um(miss.below),
         above_um: Figure = Figure::um(miss.above),

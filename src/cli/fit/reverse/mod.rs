@@ -11,11 +11,11 @@ use crate::cli::args::one_of;
 use crate::cli::people::{negative, range};
 use crate::cli::rows::csv;
 use crate::cli::said::about;
-use crate::cli::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, What};
+use crate::cli::{CliError, CliRemark, ErrorSubject, Figure, Format, IntoCliError as _, Io, Outcome};
 use crate::length::Length;
 use crate::tolerance::fit::Fit;
 use crate::tolerance::fit::preferred::Function;
-use crate::tolerance::fit::search::{self, Candidate, Found, Miss, Scope, Wanted};
+use crate::tolerance::fit::search::{self, Candidate, ClearanceRange, FitSearchResult, NearestMiss, Scope};
 use crate::tolerance::{Callout, Sources};
 
 /// A wanted clearance or a function.
@@ -100,9 +100,9 @@ impl ReverseArgs {
         let (Some(minimum), Some(maximum)) = (&self.min_clearance, &self.max_clearance) else {
             return Err(CliError::SearchWithoutClearance);
         };
-        let wanted = Wanted {
-            minimum: minimum.parse().about(&What::SmallestClearance)?,
-            maximum: maximum.parse().about(&What::LargestClearance)?,
+        let wanted = ClearanceRange {
+            minimum: minimum.parse().about(&ErrorSubject::SmallestClearance)?,
+            maximum: maximum.parse().about(&ErrorSubject::LargestClearance)?,
         };
         let scope = self.scope.unwrap_or(ScopeChoice::All);
         let found = search::search_in(size, wanted, sources, scope.scope(), self.limit.unwrap_or(SHOWN));
@@ -115,7 +115,7 @@ impl ReverseArgs {
 fn nominal_size(text: &str) -> Result<Length, CliError> {
     let shown = printable(text.trim());
     let bare = text.trim().trim_start_matches(['Ø', 'ø', '⌀']);
-    bare.parse().about(&What::NominalSize { text: &shown })
+    bare.parse().about(&ErrorSubject::NominalSize { text: &shown })
 }
 
 /// The pairs of a function, hole basis first; one that is not defined at this size is refused by name.
@@ -139,7 +139,7 @@ fn of_function(
             Err(error) => refused.push(about(&callout.to_string(), &error)),
         }
     }
-    let found = Found { total: candidates.len(), candidates, nearest: None };
+    let found = FitSearchResult { total: candidates.len(), candidates, nearest: None };
     print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io);
     io.data().flush();
     for refusal in &refused {
@@ -151,9 +151,9 @@ fn of_function(
 /// What was asked and what was found.
 struct Searched<'a> {
     size: Length,
-    wanted: Option<(Wanted, ScopeChoice)>,
+    wanted: Option<(ClearanceRange, ScopeChoice)>,
     function: Option<Function>,
-    found: &'a Found,
+    found: &'a FitSearchResult,
 }
 
 fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) {
@@ -170,7 +170,7 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) {
 }
 
 fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
-    let Found { candidates, total, nearest: miss } = searched.found;
+    let FitSearchResult { candidates, total, nearest: miss } = searched.found;
     let size = searched.size;
     match (&searched.wanted, searched.function) {
         (Some((wanted, _)), _) => {
@@ -196,7 +196,7 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
 }
 
 /// `H7/g6 with +7 … +41 µm, 1 µm below`
-fn nearest(miss: &Miss) -> String {
+fn nearest(miss: &NearestMiss) -> String {
     let Candidate { hole, shaft, minimum, maximum, .. } = miss.candidate;
     let beyond = [(miss.below, "below"), (miss.above, "above")];
     let beyond: Vec<String> = beyond

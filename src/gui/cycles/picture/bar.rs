@@ -9,7 +9,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::{Length, Unit};
 use crate::message::message;
-use crate::probing::cycle::{CycleResult, FoundName, Value};
+use crate::probing::cycle::{CycleResult, ResultName, Value};
 use crate::words::Words;
 
 /// How high the drawing is, in steps.
@@ -27,7 +27,7 @@ pub(super) fn ui(ui: &mut Ui, view: &View<'_>, result: &CycleResult) {
     if !result.checks.is_empty() {
         return;
     }
-    let deviation = result.results.iter().find(|found| found.name == FoundName::DEVIATION_ALONG);
+    let deviation = result.results.iter().find(|found| found.name == ResultName::DEVIATION_ALONG);
     match deviation.map(|found| &found.value) {
         Some(Value::Length(deviation)) => {
             let said = message!("cycle-picture-deviation").number("deviation", *deviation);

@@ -14,7 +14,7 @@ use crate::gui::view::View;
 use crate::message::message;
 use crate::probing::Contact;
 use crate::probing::circle::{Circle, Evaluation};
-use crate::probing::cycle::{CircleFound, CycleResult, FoundName, Value};
+use crate::probing::cycle::{CircleFound, CycleResult, ResultName, Value};
 use crate::words::Words;
 
 /// How far the largest deviation reaches, as a share of the radius.
@@ -77,7 +77,7 @@ pub(in crate::gui) fn contacts_factor(
 /// The nominal diameter in millimetres: the measured one minus its deviation, where the cycle gives it.
 fn nominal(result: &CycleResult) -> Option<f64> {
     let diameter = result.circle.as_ref()?.diameter;
-    let deviation = result.results.iter().find(|found| found.name == FoundName::DIAMETER_DEVIATION)?;
+    let deviation = result.results.iter().find(|found| found.name == ResultName::DIAMETER_DEVIATION)?;
     let Value::Length(deviation) = deviation.value else { return None };
     Some(diameter.saturating_sub(deviation).to_mm_f64())
 }

@@ -65,7 +65,7 @@ struct Widths {
 impl Widths {
     /// As wide as they are; where the room is too narrow for that, heads become as narrow as their values, and names get
     /// what is left.
-    fn of(ui: &Ui, words: &Words, rows: &[Row], (size, gap): (f32, f32)) -> Self {
+    fn of(ui: &Ui, words: &Words, rows: &[CriterionRow], (size, gap): (f32, f32)) -> Self {
         let width = |text: &str, font: FontId| {
             ui.painter().layout_no_wrap(text.to_owned(), font, palette(ui.ctx()).text.0).size().x.ceil()
         };
@@ -96,13 +96,13 @@ fn pair(one: &[f32; 4], other: &[f32; 4], column: usize) -> f32 {
 
 /// One criterion.
 #[derive(Debug, Clone, PartialEq)]
-struct Row {
+struct CriterionRow {
     name: String,
     /// Centre in both axes, diameter, form; a dash where a criterion has none. Or else why there is no circle.
     cells: Result<[String; 4], String>,
 }
 
-impl Row {
+impl CriterionRow {
     fn ui(self, ui: &mut Ui, words: &Words, (size, width): (f32, f32)) {
         of_width(ui, width, |ui| ui.label(RichText::new(&self.name).font(theme::bold(size))));
         match self.cells {
@@ -128,8 +128,8 @@ impl Row {
     }
 }
 
-fn rows(words: &Words, evaluation: &Evaluation) -> Vec<Row> {
-    let named = |id: &str, cells| Row { name: words.get(id), cells };
+fn rows(words: &Words, evaluation: &Evaluation) -> Vec<CriterionRow> {
+    let named = |id: &str, cells| CriterionRow { name: words.get(id), cells };
     let circle = |circle: &Circle, form: Option<f64>| {
         let form = form.map_or_else(|| words.get("cycle-picture-none"), |form| um(words, form));
         [mm(words, circle.x), mm(words, circle.y), mm(words, circle.diameter), form]
@@ -156,16 +156,16 @@ fn rows(words: &Words, evaluation: &Evaluation) -> Vec<Row> {
     rows
 }
 
-fn two_point(words: &Words, sizes: &[TwoPoint]) -> Vec<Row> {
+fn two_point(words: &Words, sizes: &[TwoPoint]) -> Vec<CriterionRow> {
     if sizes.is_empty() {
         let name = words.get("cycle-picture-two-point");
-        return vec![Row { name, cells: Err(words.get("cycle-picture-no-opposed")) }];
+        return vec![CriterionRow { name, cells: Err(words.get("cycle-picture-no-opposed")) }];
     }
     let row = |id: &'static str, size: &TwoPoint| {
         let [first, second] = size.contacts;
         let name = words.say(&Message::new(id).text("first", first).text("second", second));
         let none = || words.get("cycle-picture-none");
-        Row { name, cells: Ok([none(), none(), mm(words, size.size), none()]) }
+        CriterionRow { name, cells: Ok([none(), none(), mm(words, size.size), none()]) }
     };
     if sizes.len() <= MOST_PAIRS {
         return sizes.iter().map(|size| row("cycle-picture-two-point-of", size)).collect();
@@ -234,8 +234,9 @@ mod tests {
 
     fn said(evaluation: &Evaluation) -> Vec<String> {
         let words = Words::new(Language::En);
-        let text =
-            |row: Row| format!("{}: {}", row.name, row.cells.map_or_else(|reason| reason, |cells| cells.join(" ")));
+        let text = |row: CriterionRow| {
+            format!("{}: {}", row.name, row.cells.map_or_else(|reason| reason, |cells| cells.join(" ")))
+        };
         rows(&words, evaluation).into_iter().map(text).collect()
     }
 

@@ -24,7 +24,7 @@ const MOST_NAMES: usize = 40;
 const USUAL_REACH: f32 = 14.0;
 
 /// A feature as it is seen.
-enum Seen {
+enum FeatureOutline {
     /// Along its axis.
     Circle(Pos2, f32),
     /// Along its axis.
@@ -78,38 +78,42 @@ const fn plane_of(eye: Eye) -> Plane {
     }
 }
 
-fn seen(scale: &Scale, feature: &PartFeature) -> Seen {
+fn seen(scale: &Scale, feature: &PartFeature) -> FeatureOutline {
     let PartFeature { surface, extent, .. } = feature;
     let (plane, eye) = (surface.plane(), scale.eye());
     let is_along = plane == plane_of(eye);
     let place = |[first, second]: [f64; 2]| scale.at(eye.see(plane.place([first, second, 0.0])));
     match surface.outline((extent.length / 2.0).min(scale.reach())) {
-        Outline::Circle { centre, radius } if is_along => Seen::Circle(place(centre), scale.length(radius)),
-        Outline::Walls(corners) if is_along => Seen::Corners(corners.map(place)),
+        Outline::Circle { centre, radius } if is_along => FeatureOutline::Circle(place(centre), scale.length(radius)),
+        Outline::Walls(corners) if is_along => FeatureOutline::Corners(corners.map(place)),
         Outline::Circle { .. } | Outline::Walls(_) => {
             let [low, high] = ends(feature).map(|end| scale.at(eye.see(end)));
-            Seen::Box(Rect::from_two_pos(low, high).intersect(scale.rect().expand(RIM)))
+            FeatureOutline::Box(Rect::from_two_pos(low, high).intersect(scale.rect().expand(RIM)))
         }
         Outline::Face { point, normal } => {
             let reach = extent.reach.is_finite().then(|| scale.length(extent.reach));
             let (point, [across, up]) = (scale.at(eye.see(point)), eye.see(normal));
             let largest = across.abs().max(up.abs());
             if largest < 1e-9 || largest.is_nan() {
-                return Seen::Disc(point, reach.or_else(|| (surface.shape() != Shape::Face).then_some(USUAL_REACH)));
+                return FeatureOutline::Disc(
+                    point,
+                    reach.or_else(|| (surface.shape() != Shape::Face).then_some(USUAL_REACH)),
+                );
             }
             let out = vec2(screen(across / largest), -screen(up / largest)).normalized();
             let endless = if surface.shape() == Shape::Face { scale.rect().size().length() } else { USUAL_REACH };
-            Seen::Line(point, out, reach.unwrap_or(endless))
+            FeatureOutline::Line(point, out, reach.unwrap_or(endless))
         }
     }
 }
 
 /// Draws the features: material first, then what is cut out of it, then faces and points, then names.
 pub(super) fn draw(canvas: &Canvas<'_>, scale: &Scale, features: &[PartFeature]) {
-    let seen: Vec<(&PartFeature, Seen)> = features.iter().map(|feature| (feature, seen(scale, feature))).collect();
+    let seen: Vec<(&PartFeature, FeatureOutline)> =
+        features.iter().map(|feature| (feature, seen(scale, feature))).collect();
     let is_body = |feature: &PartFeature| feature.surface.shape().is_outside();
     for (_, seen) in &seen {
-        if let Seen::Disc(at, reach) = seen {
+        if let FeatureOutline::Disc(at, reach) = seen {
             disc(canvas, scale, *at, *reach);
         }
     }
@@ -121,7 +125,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, scale: &Scale, features: &[PartFeature])
         seen.iter().filter(|(feature, _)| !is_body(feature)).for_each(|(_, seen)| step(canvas, seen));
     }
     for (_, seen) in &seen {
-        if let Seen::Line(at, out, half) = seen {
+        if let FeatureOutline::Line(at, out, half) = seen {
             line(canvas, *at, *out, *half);
         }
     }
@@ -132,37 +136,37 @@ pub(super) fn draw(canvas: &Canvas<'_>, scale: &Scale, features: &[PartFeature])
     }
 }
 
-fn body(canvas: &Canvas<'_>, seen: &Seen) {
+fn body(canvas: &Canvas<'_>, seen: &FeatureOutline) {
     let fill = canvas.palette.none.0;
     match seen {
-        Seen::Circle(at, radius) => canvas.circle(*at, *radius, fill, canvas.edge()),
-        Seen::Corners(corners) => polygon(canvas, corners, fill, canvas.edge()),
-        Seen::Box(rect) if rect.is_positive() => canvas.cut(*rect),
-        Seen::Box(_) | Seen::Disc(..) | Seen::Line(..) => {}
+        FeatureOutline::Circle(at, radius) => canvas.circle(*at, *radius, fill, canvas.edge()),
+        FeatureOutline::Corners(corners) => polygon(canvas, corners, fill, canvas.edge()),
+        FeatureOutline::Box(rect) if rect.is_positive() => canvas.cut(*rect),
+        FeatureOutline::Box(_) | FeatureOutline::Disc(..) | FeatureOutline::Line(..) => {}
     }
 }
 
 /// The material about a space.
-fn rim(canvas: &Canvas<'_>, seen: &Seen) {
+fn rim(canvas: &Canvas<'_>, seen: &FeatureOutline) {
     let material = canvas.palette.none.0;
     match seen {
-        Seen::Circle(at, radius) => canvas.circle(*at, *radius + RIM, material, Stroke::NONE),
+        FeatureOutline::Circle(at, radius) => canvas.circle(*at, *radius + RIM, material, Stroke::NONE),
         // Half of the line lies within the space, which covers it.
-        Seen::Corners(corners) => polygon(canvas, corners, material, Stroke::new(2.0 * RIM, material)),
-        Seen::Box(_) | Seen::Disc(..) | Seen::Line(..) => {}
+        FeatureOutline::Corners(corners) => polygon(canvas, corners, material, Stroke::new(2.0 * RIM, material)),
+        FeatureOutline::Box(_) | FeatureOutline::Disc(..) | FeatureOutline::Line(..) => {}
     }
 }
 
-fn space_of(canvas: &Canvas<'_>, seen: &Seen) {
+fn space_of(canvas: &Canvas<'_>, seen: &FeatureOutline) {
     let fill = canvas.palette.panel.0;
     match seen {
-        Seen::Circle(at, radius) => canvas.circle(*at, *radius, fill, canvas.edge()),
-        Seen::Corners(corners) => polygon(canvas, corners, fill, canvas.edge()),
-        Seen::Box(rect) if rect.is_positive() => {
+        FeatureOutline::Circle(at, radius) => canvas.circle(*at, *radius, fill, canvas.edge()),
+        FeatureOutline::Corners(corners) => polygon(canvas, corners, fill, canvas.edge()),
+        FeatureOutline::Box(rect) if rect.is_positive() => {
             let corners = [rect.left_top(), rect.left_bottom(), rect.right_bottom(), rect.right_top()];
             canvas.dashed(&corners, canvas.thin(), 4.0, 3.0);
         }
-        Seen::Box(_) | Seen::Disc(..) | Seen::Line(..) => {}
+        FeatureOutline::Box(_) | FeatureOutline::Disc(..) | FeatureOutline::Line(..) => {}
     }
 }
 
@@ -194,17 +198,17 @@ fn line(canvas: &Canvas<'_>, at: Pos2, out: Vec2, half: f32) {
 }
 
 /// The name above the outline.
-fn name(canvas: &Canvas<'_>, name: &str, seen: &Seen) {
+fn name(canvas: &Canvas<'_>, name: &str, seen: &FeatureOutline) {
     let at = match seen {
-        Seen::Circle(at, radius) => *at - vec2(0.0, radius + RIM),
-        Seen::Corners(corners) => {
+        FeatureOutline::Circle(at, radius) => *at - vec2(0.0, radius + RIM),
+        FeatureOutline::Corners(corners) => {
             let middle = corners.iter().fold(Vec2::ZERO, |sum, corner| sum + corner.to_vec2()) / 4.0;
             let top = corners.iter().map(|corner| corner.y).fold(f32::INFINITY, f32::min);
             Pos2::new(middle.x, top - RIM)
         }
-        Seen::Box(rect) => rect.center_top(),
-        Seen::Disc(at, reach) => *at - vec2(0.0, reach.unwrap_or(4.0)),
-        Seen::Line(at, out, _) => *at + *out * 6.0 - vec2(0.0, 4.0),
+        FeatureOutline::Box(rect) => rect.center_top(),
+        FeatureOutline::Disc(at, reach) => *at - vec2(0.0, reach.unwrap_or(4.0)),
+        FeatureOutline::Line(at, out, _) => *at + *out * 6.0 - vec2(0.0, 4.0),
     };
     canvas.note_on_ground(at, Align2::CENTER_BOTTOM, name);
 }

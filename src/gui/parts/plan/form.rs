@@ -3,7 +3,7 @@
 use eframe::egui::{Align, Layout, RichText, Ui, vec2};
 
 use super::head_id;
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::part::HeadField;
@@ -59,7 +59,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, field: HeadField, size: f32) {
     let hint = RichText::new(hint).color(palette(ui.ctx()).quiet.0);
     ui.horizontal(|ui| {
         let chooses = field == HeadField::Picture;
-        let look = Look { font: theme::font(sizes().body), hint, ..Look::large(size) };
+        let look = FieldStyle { font: theme::font(sizes().body), hint, ..FieldStyle::large(size) };
         let response = field_ui(ui, view, PlanField::Head(field), name.id, look);
         if response.lost_focus() {
             view.send(PartsCommand::Plan(PlanCommand::SettleHead));

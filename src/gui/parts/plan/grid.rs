@@ -32,13 +32,13 @@ pub(super) fn focus_next(ui: &Ui) {
 
 /// A column of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Shown {
+enum PlanColumn {
     Of(Column),
     /// What the callout gives; it cannot be edited.
     Limits,
 }
 
-impl Shown {
+impl PlanColumn {
     /// Its width, steps of space.
     const fn width(self) -> f32 {
         match self {
@@ -60,10 +60,10 @@ impl Shown {
 }
 
 /// The columns of the plan, each with what it gives behind it.
-fn columns(view: &View<'_>) -> Vec<Shown> {
+fn columns(view: &View<'_>) -> Vec<PlanColumn> {
     let of = |column: &Column| {
-        let limits = (*column == Column::Callout).then_some(Shown::Limits);
-        std::iter::once(Shown::Of(*column)).chain(limits)
+        let limits = (*column == Column::Callout).then_some(PlanColumn::Limits);
+        std::iter::once(PlanColumn::Of(*column)).chain(limits)
     };
     view.session.parts().sheet().columns().iter().flat_map(of).collect()
 }
@@ -133,18 +133,26 @@ fn typed(ui: &Ui, view: &mut View<'_>) {
 }
 
 /// Draws the cells in sight.
-fn body_ui(ui: &mut Ui, view: &mut View<'_>, columns: &[Shown], (grid, cells): (&Grid, &Cells<'_>), is_focused: bool) {
+fn body_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    columns: &[PlanColumn],
+    (grid, cells): (&Grid, &Cells<'_>),
+    is_focused: bool,
+) {
     for row in cells.rows() {
         for place in cells.columns() {
             match columns.get(place) {
-                Some(Shown::Of(column)) => cell_ui(ui, view, grid, cells.rect(row, place), (row, *column), is_focused),
-                Some(Shown::Limits) => limits_ui(ui, view, grid, cells.rect(row, place), row),
+                Some(PlanColumn::Of(column)) => {
+                    cell_ui(ui, view, grid, cells.rect(row, place), (row, *column), is_focused)
+                }
+                Some(PlanColumn::Limits) => limits_ui(ui, view, grid, cells.rect(row, place), row),
                 None => {}
             }
         }
     }
     let (row, column) = view.session.parts().sheet().at();
-    let Some(place) = columns.iter().position(|shown| *shown == Shown::Of(column)) else { return };
+    let Some(place) = columns.iter().position(|shown| *shown == PlanColumn::Of(column)) else { return };
     follow(ui, view, cells, (row, place));
     if view.session.parts().sheet().is_editing() {
         editor::editor_ui(ui, view, cells.rect(row, place));
@@ -169,7 +177,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column):
     let place = sheet.columns().iter().position(|of| *of == column).unwrap_or_default();
     let is_in = sheet.selected_rows().contains(&row) && sheet.selected_places().contains(&place);
     let is_at = sheet.at() == (row, column);
-    let look = paint::Look {
+    let look = paint::PlanCellView {
         palette: palette(ui.ctx()),
         text,
         is_wrong: finding.is_some(),
@@ -208,7 +216,7 @@ fn limits_ui(ui: &Ui, view: &View<'_>, grid: &Grid, rect: Rect, row: usize) {
     let feature = view.session.parts().document().feature(row);
     let text = feature.map(|feature| limits(view.words, feature)).unwrap_or_default();
     let palette = palette(ui.ctx());
-    let look = paint::Look {
+    let look = paint::PlanCellView {
         palette,
         text: &text,
         is_wrong: false,
@@ -233,7 +241,7 @@ fn limits(words: &Words, feature: &PlanFeature) -> String {
 }
 
 /// The heads above and on the left, moved along with the cells.
-fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[Shown], rect: Rect, cells: &Cells<'_>) {
+fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[PlanColumn], rect: Rect, cells: &Cells<'_>) {
     let palette = palette(ui.ctx());
     let mut rows = Vec::new();
     let parts = view.session.parts();
@@ -243,7 +251,7 @@ fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[Shown], rect: Rect, cells: &C
         rect,
         |painter, head, place| {
             if let Some(shown) = shown.get(place) {
-                paint::head(painter, head, palette, &shown.name(view), (*shown == Shown::Of(column), false));
+                paint::head(painter, head, palette, &shown.name(view), (*shown == PlanColumn::Of(column), false));
             }
         },
         |painter, head, at| {

@@ -8,7 +8,7 @@ use crate::gui::theme::{self, Palette, sizes, space};
 
 /// What is shown of a cell.
 #[expect(clippy::struct_excessive_bools, reason = "each may stand with each")]
-pub(super) struct Look<'a> {
+pub(super) struct PlanCellView<'a> {
     pub palette: &'a Palette,
     pub text: &'a str,
     pub is_wrong: bool,
@@ -21,7 +21,7 @@ pub(super) struct Look<'a> {
     pub cursor: Option<bool>,
 }
 
-pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
+pub(super) fn cell(painter: &Painter, rect: Rect, look: &PlanCellView<'_>) {
     let palette = look.palette;
     let fill = match (look.is_selected, look.is_fixed) {
         (true, _) => palette.selection,

@@ -5,7 +5,7 @@ use eframe::egui::{Button, Key, RichText, Ui, vec2};
 use super::asked_text;
 use super::skip_panel::skip_ui;
 use crate::gui::columns::{is_low, is_tiny};
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::over_page::just_opened;
 use crate::gui::theme::{self, control, sizes, space};
@@ -88,7 +88,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let name = heading(ui, view.text("walk-page-serial"));
     let width = ui.available_width();
-    field_ui(ui, view, WalkField::Serial, name.id, Look::large(width));
+    field_ui(ui, view, WalkField::Serial, name.id, FieldStyle::large(width));
     error_ui(ui, view, WalkField::Serial);
     quiet(ui, view.text("walk-page-serial-hint"));
     ui.horizontal_wrapped(|ui| {
@@ -207,7 +207,7 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
     let name = row.inner;
     let width = ui.available_width();
     ui.horizontal(|ui| {
-        field_ui(ui, view, WalkField::Value, name.id, Look::large(width - space(12.0)));
+        field_ui(ui, view, WalkField::Value, name.id, FieldStyle::large(width - space(12.0)));
         quiet(ui, "mm");
     });
     note_ui(ui, view);

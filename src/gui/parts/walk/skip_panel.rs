@@ -2,7 +2,7 @@
 
 use eframe::egui::{Button, Ui, vec2};
 
-use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::over_page::just_opened;
 use crate::gui::theme::{self, control, sizes};
 use crate::gui::view::{View, heading, steady};
@@ -29,7 +29,7 @@ pub(super) fn skip_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let name = ui.label(view.text("walk-page-reason"));
     let width = ui.available_width();
-    let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
+    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
     field_ui(ui, view, WalkField::Reason, name.id, look);
     error_ui(ui, view, WalkField::Reason);
     ui.horizontal_wrapped(|ui| {

@@ -53,7 +53,7 @@ pub use parameter::number;
 pub use parameter::{Parameter, Unset, UnsetWhere};
 pub use range::Range;
 pub use remark::Remark;
-pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Stop};
+pub use result::{Check, CircleFound, CycleResult, LogTarget, Plane, ResultName, ResultParameter, Stop};
 pub use shown::{FigureKind, Log, LogFigure, TextLog, Window};
 pub use texts::Texts;
 use texts::in_language;
@@ -112,7 +112,7 @@ pub struct Measured {
     pub(in crate::probing) circle: Option<CircleFound>,
     pub(in crate::probing) checks: Vec<Check>,
     pub(in crate::probing) status: Option<Status>,
-    pub(in crate::probing) results: Vec<Found>,
+    pub(in crate::probing) results: Vec<ResultParameter>,
     pub(in crate::probing) stop: Option<Stop>,
     pub(in crate::probing) remarks: Vec<Remark>,
 }

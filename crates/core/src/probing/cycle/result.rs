@@ -29,7 +29,7 @@ pub struct CycleResult {
     /// cycle has no limits at all, or has none in this run and reports so (Q183 = −1).
     pub status: Option<Status>,
     /// The result parameters as the control lists them.
-    pub results: Vec<Found>,
+    pub results: Vec<ResultParameter>,
     /// The program stop with an error message that Q309 asks for.
     pub stop: Option<Stop>,
     /// Where the control would put its log.
@@ -52,7 +52,7 @@ impl CycleResult {
     }
 
     /// A measured length by its name.
-    pub fn length(&self, name: FoundName) -> Option<Length> {
+    pub fn length(&self, name: ResultName) -> Option<Length> {
         let found = self.results.iter().find(|found| found.name == name)?;
         if let Value::Length(length) = found.value { Some(length) } else { None }
     }
@@ -71,7 +71,7 @@ impl CycleResult {
 
     /// What its contacts say against the limits of its diameter.
     pub(super) fn form(&self) -> Option<Caveat> {
-        let check = self.checks.iter().find(|check| check.what == FoundName::DIAMETER)?;
+        let check = self.checks.iter().find(|check| check.what == ResultName::DIAMETER)?;
         let found = self.circle.as_ref()?;
         Caveat::of_form(&self.plane_contacts(), &found.circle, check.measured, [check.minimum, check.maximum])
     }
@@ -149,22 +149,22 @@ impl Plane {
 
 /// A result parameter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct ResultParameter {
     /// What the control calls it; `None` where no manual names a parameter for it.
     pub key: Option<Key>,
     /// What it is.
-    pub name: FoundName,
+    pub name: ResultName,
     /// Its value.
     pub value: Value,
 }
 
-impl Found {
-    pub(in crate::probing) fn length(key: impl Into<Key>, name: FoundName, value: Length) -> Self {
+impl ResultParameter {
+    pub(in crate::probing) fn length(key: impl Into<Key>, name: ResultName, value: Length) -> Self {
         Self { key: Some(key.into()), name, value: Value::Length(value) }
     }
 
     /// A length without a parameter of the control.
-    pub(in crate::probing) const fn without_key(name: FoundName, value: Length) -> Self {
+    pub(in crate::probing) const fn without_key(name: ResultName, value: Length) -> Self {
         Self { key: None, name, value: Value::Length(value) }
     }
 
@@ -178,18 +178,18 @@ impl Found {
         let marker =
             |key, name, marked| Self { key: Some(Key::Q(key)), name, value: Value::Whole(i64::from(status == marked)) };
         [
-            marker(180, FoundName::GOOD, Status::Good),
-            marker(181, FoundName::REWORK, Status::Rework),
-            marker(182, FoundName::SCRAP, Status::Scrap),
+            marker(180, ResultName::GOOD, Status::Good),
+            marker(181, ResultName::REWORK, Status::Rework),
+            marker(182, ResultName::SCRAP, Status::Scrap),
         ]
     }
 }
 
 /// What a result parameter is: a name in English, and its text in the locale files. A cycle may define its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct FoundName(&'static str);
+pub struct ResultName(&'static str);
 
-impl FoundName {
+impl ResultName {
     /// Measured centre, first axis.
     pub const CENTRE_1: Self = Self::new("found-centre-1");
     /// Measured centre, second axis.
@@ -259,9 +259,9 @@ impl FoundName {
     }
 }
 
-display!(FoundName, Check, Stop);
+display!(ResultName, Check, Stop);
 
-impl Say for FoundName {
+impl Say for ResultName {
     fn message(&self) -> Message {
         Message::new(self.0)
     }
@@ -271,7 +271,7 @@ impl Say for FoundName {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Check {
     /// What was compared.
-    pub what: FoundName,
+    pub what: ResultName,
     /// The measured value.
     pub measured: Length,
     /// The smallest permitted value.

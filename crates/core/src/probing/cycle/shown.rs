@@ -1,7 +1,7 @@
 //! How a control shows and writes a result: its status window and its measuring log, as a cycle declares them.
 
 use super::meaning::{Axis, Meaning};
-use super::result::FoundName;
+use super::result::ResultName;
 
 /// The status window that a cycle's result is drawn in.
 #[derive(Debug, Clone, Copy)]
@@ -41,7 +41,7 @@ pub struct TextLog {
 #[derive(Debug, Clone, Copy)]
 pub struct LogFigure {
     /// The result that is its actual value.
-    pub what: FoundName,
+    pub what: ResultName,
     /// Its words in `assets/logs`: those of the value, its maximum and its minimum.
     pub word: &'static str,
     /// What is given besides the actual value.

@@ -17,8 +17,8 @@ use crate::probing::cycle::shared::{
     STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
-    Log, LogFigure, Meaning, Measured, Note, Parameter, Remark, TextLog, Window, limits, nearest,
+    Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Inputs, Key, Log, LogFigure,
+    Meaning, Measured, Note, Parameter, Remark, ResultName, ResultParameter, TextLog, Window, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
@@ -82,7 +82,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     window: Window::Own("427"),
     log: Log::Text(TextLog {
         file: "TCHPR427.TXT",
-        figures: &[LogFigure { what: FoundName::COORDINATE, word: "coordinate", kind: FigureKind::Coordinate }],
+        figures: &[LogFigure { what: ResultName::COORDINATE, word: "coordinate", kind: FigureKind::Coordinate }],
     }),
 };
 
@@ -156,7 +156,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         2 => contact.y,
         _ => contact.z,
     })?;
-    let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
+    let checks: Vec<_> = judged::size(ResultName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
     let programmed = programmed(inputs);
     let nominal = nominal(inputs);
     let mut remarks = Vec::new();
@@ -167,8 +167,8 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         remarks.extend([Remark::OutsideDimension, Remark::DeviationWithoutParameter]);
     }
     let results = vec![
-        Found::length(160, FoundName::COORDINATE, measured),
-        Found::without_key(FoundName::COORDINATE_DEVIATION, measured.saturating_sub(nominal)),
+        ResultParameter::length(160, ResultName::COORDINATE, measured),
+        ResultParameter::without_key(ResultName::COORDINATE_DEVIATION, measured.saturating_sub(nominal)),
     ];
     // The markers are set even without limits.
     Ok(Measured { remarks, ..judged::measured(inputs, vec![contact], checks, results) })

@@ -10,8 +10,8 @@ use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Note, Parameter,
-    Range, Remark, Stop, Value, Window, nearest,
+    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Note, Parameter, Range, Remark,
+    ResultName, ResultParameter, Stop, Value, Window, nearest,
 };
 use crate::probing::simulated::{FreePoint, Surface};
 use crate::probing::vector::{along, direction, dot};
@@ -110,7 +110,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let (results, deviation) = measured(&contact, point(inputs), normal)?;
     let limits = inputs.band(TOLERANCE).map(|band| (band.lower(), band.upper()));
     // Above the band there is material to remove, below it too much is gone.
-    let check = judged::size(FoundName::DEVIATION_ALONG, deviation, limits, Feature::Shaft);
+    let check = judged::size(ResultName::DEVIATION_ALONG, deviation, limits, Feature::Shaft);
     let checks: Vec<_> = check.into_iter().collect();
     // A typing mistake such as 0.1+0.2 for 0.1-0.2 must not switch off the monitoring unnoticed.
     let is_none = checks.is_empty() && inputs.is_given(TOLERANCE);
@@ -134,28 +134,32 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
 }
 
 /// Q151 to Q153 measured, Q161 to Q163 deviations, Q164 the deviation along the normal.
-fn measured(contact: &Contact, point: [f64; 3], normal: [f64; 3]) -> Result<([Found; 7], Length), CycleError> {
+fn measured(
+    contact: &Contact,
+    point: [f64; 3],
+    normal: [f64; 3],
+) -> Result<([ResultParameter; 7], Length), CycleError> {
     let deviation @ [off_x, off_y, off_z] = along(contact.place(), point, -1.0);
     let off = nearest(dot(deviation, normal))?;
     let found = [
-        Found::length(151, FoundName::POSITION_1, nearest(contact.x)?),
-        Found::length(152, FoundName::POSITION_2, nearest(contact.y)?),
-        Found::length(153, FoundName::POSITION_3, nearest(contact.z)?),
-        Found::length(161, FoundName::DEVIATION_1, nearest(off_x)?),
-        Found::length(162, FoundName::DEVIATION_2, nearest(off_y)?),
-        Found::length(163, FoundName::DEVIATION_3, nearest(off_z)?),
-        Found::length(164, FoundName::DEVIATION_ALONG, off),
+        ResultParameter::length(151, ResultName::POSITION_1, nearest(contact.x)?),
+        ResultParameter::length(152, ResultName::POSITION_2, nearest(contact.y)?),
+        ResultParameter::length(153, ResultName::POSITION_3, nearest(contact.z)?),
+        ResultParameter::length(161, ResultName::DEVIATION_1, nearest(off_x)?),
+        ResultParameter::length(162, ResultName::DEVIATION_2, nearest(off_y)?),
+        ResultParameter::length(163, ResultName::DEVIATION_3, nearest(off_z)?),
+        ResultParameter::length(164, ResultName::DEVIATION_ALONG, off),
     ];
     Ok((found, off))
 }
 
 /// Q183: −1 without a tolerance, 0 good, 1 rework, 2 scrap.
-fn status_result(status: Option<Status>) -> Found {
+fn status_result(status: Option<Status>) -> ResultParameter {
     let number = match status {
         Some(Status::Good) => 0,
         Some(Status::Rework) => 1,
         Some(Status::Scrap) => 2,
         None | Some(Status::ReMeasure) => -1,
     };
-    Found { key: Some(Key::Q(183)), name: FoundName::STATUS, value: Value::Whole(number) }
+    ResultParameter { key: Some(Key::Q(183)), name: ResultName::STATUS, value: Value::Whole(number) }
 }

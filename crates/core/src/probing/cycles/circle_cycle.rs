@@ -11,8 +11,8 @@ use crate::probing::cycle::shared::{
     MEASURING_LOG, MOVE_TO_CLEARANCE, REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Angle, Axis, CircleFound, Correction, Course, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
-    LogFigure, Meaning, Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
+    Angle, Axis, CircleFound, Correction, Course, CycleError, CycleResult, FigureKind, Inputs, Key, LogFigure, Meaning,
+    Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, ResultName, ResultParameter, Texts, limits,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
@@ -98,9 +98,9 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
 /// The figures of the log.
 pub(super) const fn figures(diameter: &'static str) -> [LogFigure; 3] {
     [
-        LogFigure { what: FoundName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
-        LogFigure { what: FoundName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
-        LogFigure { what: FoundName::DIAMETER, word: diameter, kind: FigureKind::Size(Meaning::Diameter) },
+        LogFigure { what: ResultName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
+        LogFigure { what: ResultName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
+        LogFigure { what: ResultName::DIAMETER, word: diameter, kind: FigureKind::Size(Meaning::Diameter) },
     ]
 }
 
@@ -126,7 +126,7 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     let centre = [inputs.length(273), inputs.length(274)];
     let tolerances = [inputs.length(279), inputs.length(280)];
     let (contacts, found) = round::found(contacts, side.feature, Plane::Xy, ball_radius, centre, tolerances)?;
-    let checks = judged::size(FoundName::DIAMETER, found.diameter, limits, side.feature)
+    let checks = judged::size(ResultName::DIAMETER, found.diameter, limits, side.feature)
         .into_iter()
         .chain(judged::centre(found.centre, centre, &found.position))
         .collect();
@@ -139,7 +139,7 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
 
 /// Q163 corrects the tool's radius.
 pub(super) fn corrects(side: &Side, result: &CycleResult) -> Option<Correction> {
-    Some(Correction::of_size(side.feature, result.length(FoundName::DIAMETER_DEVIATION)?))
+    Some(Correction::of_size(side.feature, result.length(ResultName::DIAMETER_DEVIATION)?))
 }
 
 /// The hole or shaft at its nominal size.
@@ -188,15 +188,15 @@ fn pre_position(inputs: &Inputs, touch: &Touch, is_first: bool, course: &mut Cou
 }
 
 /// Q151 to Q153 measured, Q161 to Q163 deviations.
-fn results(found: &CircleFound, deviation: Length) -> Vec<Found> {
+fn results(found: &CircleFound, deviation: Length) -> Vec<ResultParameter> {
     let [centre_1, centre_2] = found.centre;
     let [axis_1, axis_2] = found.position.axes;
     vec![
-        Found::length(151, FoundName::CENTRE_1, centre_1),
-        Found::length(152, FoundName::CENTRE_2, centre_2),
-        Found::length(153, FoundName::DIAMETER, found.diameter),
-        Found::length(161, FoundName::CENTRE_DEVIATION_1, axis_1.deviation),
-        Found::length(162, FoundName::CENTRE_DEVIATION_2, axis_2.deviation),
-        Found::length(163, FoundName::DIAMETER_DEVIATION, deviation),
+        ResultParameter::length(151, ResultName::CENTRE_1, centre_1),
+        ResultParameter::length(152, ResultName::CENTRE_2, centre_2),
+        ResultParameter::length(153, ResultName::DIAMETER, found.diameter),
+        ResultParameter::length(161, ResultName::CENTRE_DEVIATION_1, axis_1.deviation),
+        ResultParameter::length(162, ResultName::CENTRE_DEVIATION_2, axis_2.deviation),
+        ResultParameter::length(163, ResultName::DIAMETER_DEVIATION, deviation),
     ]
 }

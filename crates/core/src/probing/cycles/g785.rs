@@ -10,8 +10,8 @@ use super::round;
 use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::cycle::{
-    Angle, Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter,
-    ParameterName, Plane, Remark, Texts, Window, nearest,
+    Angle, Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, ParameterName,
+    Plane, Remark, ResultName, ResultParameter, Texts, Window, nearest,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::probing::vector::{along, norm};
@@ -191,9 +191,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         checks: Vec::new(),
         status: None,
         results: vec![
-            Found::length(Key::Word("#i99"), FoundName::DIAMETER, found.diameter),
-            Found::length(axis_1, FoundName::CENTRE_1, centre_1),
-            Found::length(axis_2, FoundName::CENTRE_2, centre_2),
+            ResultParameter::length(Key::Word("#i99"), ResultName::DIAMETER, found.diameter),
+            ResultParameter::length(axis_1, ResultName::CENTRE_1, centre_1),
+            ResultParameter::length(axis_2, ResultName::CENTRE_2, centre_2),
         ],
         circle: Some(found),
         stop: None,

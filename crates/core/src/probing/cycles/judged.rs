@@ -2,13 +2,13 @@
 
 use crate::length::Length;
 use crate::probing::contact::Contact;
-use crate::probing::cycle::{Check, CycleError, Found, FoundName, Inputs, Measured, Stop, nearest};
+use crate::probing::cycle::{Check, CycleError, Inputs, Measured, ResultName, ResultParameter, Stop, nearest};
 use crate::tolerance::Feature;
 use crate::verdict::{AxisPosition, PositionVerdict, Status, classify};
 
 /// A measured size or coordinate against its limits; nothing where it is not monitored.
 pub(super) fn size(
-    what: FoundName,
+    what: ResultName,
     measured: Length,
     limits: Option<(Length, Length)>,
     feature: Feature,
@@ -32,7 +32,7 @@ pub(super) fn position(centre: [Length; 2], nominal: [Length; 2], tolerances: [L
 /// Each axis of a centre that has a tolerance, as a check of its own: a wrong position cannot be machined away, so it
 /// is scrap.
 pub(super) fn centre(centre: [Length; 2], nominal: [Length; 2], position: &PositionVerdict) -> Vec<Check> {
-    let names = [FoundName::CENTRE_1, FoundName::CENTRE_2];
+    let names = [ResultName::CENTRE_1, ResultName::CENTRE_2];
     let axes = names.into_iter().zip(centre).zip(nominal.into_iter().zip(position.axes));
     let checks = axes.filter_map(|((what, measured), (nominal, axis))| {
         let tolerance = axis.tolerance?;
@@ -58,10 +58,10 @@ pub(super) fn measured(
     inputs: &Inputs,
     contacts: Vec<Contact>,
     checks: Vec<Check>,
-    mut results: Vec<Found>,
+    mut results: Vec<ResultParameter>,
 ) -> Measured {
     let status = worst(&checks);
-    results.extend(Found::markers(status));
+    results.extend(ResultParameter::markers(status));
     let stop = if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None };
     Measured { contacts, circle: None, checks, status: Some(status), results, stop, remarks: Vec::new() }
 }

@@ -16,8 +16,8 @@ use crate::probing::cycle::shared::{
     MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Axis, Correction, Course, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
-    Measured, Parameter, limits,
+    Axis, Correction, Course, CycleError, CycleResult, FigureKind, Inputs, Key, LogFigure, Meaning, Measured,
+    Parameter, ResultName, ResultParameter, limits,
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::probing::vector::along;
@@ -69,10 +69,10 @@ pub(super) const PARAMETERS: [Parameter; 17] = [
 
 /// The figures of the log; their order is our choice.
 pub(super) const FIGURES: &[LogFigure] = &[
-    LogFigure { what: FoundName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
-    LogFigure { what: FoundName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
-    LogFigure { what: FoundName::SIDE_1, word: "side-1", kind: FigureKind::Size(Meaning::Side(Axis::First)) },
-    LogFigure { what: FoundName::SIDE_2, word: "side-2", kind: FigureKind::Size(Meaning::Side(Axis::Second)) },
+    LogFigure { what: ResultName::CENTRE_1, word: "centre-1", kind: FigureKind::Centre(Axis::First) },
+    LogFigure { what: ResultName::CENTRE_2, word: "centre-2", kind: FigureKind::Centre(Axis::Second) },
+    LogFigure { what: ResultName::SIDE_1, word: "side-1", kind: FigureKind::Size(Meaning::Side(Axis::First)) },
+    LogFigure { what: ResultName::SIDE_2, word: "side-2", kind: FigureKind::Size(Meaning::Side(Axis::Second)) },
 ];
 
 /// The rectangle at its nominal size.
@@ -141,7 +141,7 @@ fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course:
 
 /// Q164 corrects the tool's radius: only the first side counts.
 pub(super) fn corrects(feature: Feature, result: &CycleResult) -> Option<Correction> {
-    Some(Correction::of_size(feature, result.length(FoundName::SIDE_DEVIATION_1)?))
+    Some(Correction::of_size(feature, result.length(ResultName::SIDE_DEVIATION_1)?))
 }
 
 /// The results of four contacts on the walls: Q151, Q152 centre, Q154, Q155 sides, Q161 to Q165 their deviations.
@@ -158,21 +158,21 @@ fn measured(
     let nominal = [inputs.length(273), inputs.length(274)];
     let position = judged::position(found, nominal, [inputs.length(279), inputs.length(280)]);
     let sides = [
-        judged::size(FoundName::SIDE_1, side_1, limits_1, feature),
-        judged::size(FoundName::SIDE_2, side_2, limits_2, feature),
+        judged::size(ResultName::SIDE_1, side_1, limits_1, feature),
+        judged::size(ResultName::SIDE_2, side_2, limits_2, feature),
     ];
     let centre = judged::centre(found, nominal, &position);
     let checks = sides.into_iter().flatten().chain(centre).collect();
     let [axis_1, axis_2] = position.axes;
     let results = vec![
-        Found::length(151, FoundName::CENTRE_1, centre_1),
-        Found::length(152, FoundName::CENTRE_2, centre_2),
-        Found::length(154, FoundName::SIDE_1, side_1),
-        Found::length(155, FoundName::SIDE_2, side_2),
-        Found::length(161, FoundName::CENTRE_DEVIATION_1, axis_1.deviation),
-        Found::length(162, FoundName::CENTRE_DEVIATION_2, axis_2.deviation),
-        Found::length(164, FoundName::SIDE_DEVIATION_1, side_1.saturating_sub(inputs.length(282))),
-        Found::length(165, FoundName::SIDE_DEVIATION_2, side_2.saturating_sub(inputs.length(283))),
+        ResultParameter::length(151, ResultName::CENTRE_1, centre_1),
+        ResultParameter::length(152, ResultName::CENTRE_2, centre_2),
+        ResultParameter::length(154, ResultName::SIDE_1, side_1),
+        ResultParameter::length(155, ResultName::SIDE_2, side_2),
+        ResultParameter::length(161, ResultName::CENTRE_DEVIATION_1, axis_1.deviation),
+        ResultParameter::length(162, ResultName::CENTRE_DEVIATION_2, axis_2.deviation),
+        ResultParameter::length(164, ResultName::SIDE_DEVIATION_1, side_1.saturating_sub(inputs.length(282))),
+        ResultParameter::length(165, ResultName::SIDE_DEVIATION_2, side_2.saturating_sub(inputs.length(283))),
     ];
     Ok(judged::measured(inputs, contacts, checks, results))
 }

@@ -8,8 +8,8 @@ use super::judged;
 use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::{
-    Axis, Correction, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured,
-    Parameter, Remark,
+    Axis, Correction, CycleError, CycleResult, FigureKind, Inputs, Key, LogFigure, Meaning, Measured, Parameter,
+    Remark, ResultName, ResultParameter,
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
@@ -40,8 +40,8 @@ pub(super) const MINIMUM: Parameter = Parameter::size(Key::Q(289), "MINIMUM LIMI
 
 /// The figures of the log; their order is our choice.
 pub(super) const FIGURES: &[LogFigure] = &[
-    LogFigure { what: FoundName::WIDTH, word: "width", kind: FigureKind::Size(Meaning::Width) },
-    LogFigure { what: FoundName::CENTRE_LINE, word: "centre-line", kind: FigureKind::Information },
+    LogFigure { what: ResultName::WIDTH, word: "width", kind: FigureKind::Size(Meaning::Width) },
+    LogFigure { what: ResultName::CENTRE_LINE, word: "centre-line", kind: FigureKind::Information },
 ];
 
 /// The measured axis.
@@ -67,7 +67,7 @@ pub(super) fn subject(inputs: &Inputs) -> String {
 
 /// Q166 corrects the tool's radius.
 pub(super) fn corrects(feature: Feature, result: &CycleResult) -> Option<Correction> {
-    Some(Correction::of_size(feature, result.length(FoundName::WIDTH_DEVIATION)?))
+    Some(Correction::of_size(feature, result.length(ResultName::WIDTH_DEVIATION)?))
 }
 
 /// The results of two contacts on the walls.
@@ -81,11 +81,11 @@ pub(super) fn measured(
     let [one, other] = contacts.each_ref().map(place);
     let (width, centre_line) = judged::between(one, other)?;
     let nominal = inputs.length(311);
-    let checks = judged::size(FoundName::WIDTH, width, limits, feature).into_iter().collect();
+    let checks = judged::size(ResultName::WIDTH, width, limits, feature).into_iter().collect();
     let results = vec![
-        Found::length(156, FoundName::WIDTH, width),
-        Found::length(157, FoundName::CENTRE_LINE, centre_line),
-        Found::length(166, FoundName::WIDTH_DEVIATION, width.saturating_sub(nominal)),
+        ResultParameter::length(156, ResultName::WIDTH, width),
+        ResultParameter::length(157, ResultName::CENTRE_LINE, centre_line),
+        ResultParameter::length(166, ResultName::WIDTH_DEVIATION, width.saturating_sub(nominal)),
     ];
     let is_outside = judged::is_outside(nominal, limits);
     let remarks = is_outside.then_some(Remark::NominalWidthOutsideLimits { nominal }).into_iter().collect();

@@ -3,7 +3,7 @@
 use super::error::{CalloutError, shorten};
 use super::kind::{CalloutErrorKind as Kind, Part};
 use super::reading::{Grammar, Number, Reader, Size};
-use super::scanner::{Place, is_figure, is_minus, is_sign};
+use super::scanner::{TextSpan, is_figure, is_minus, is_sign};
 use super::{Callout, signed};
 use crate::length::Length;
 use crate::tolerance::Deviations;
@@ -27,7 +27,7 @@ pub(super) struct Deviation<'a> {
     /// The value with its sign.
     pub(super) value: Length,
     number: Number<'a>,
-    place: Place,
+    place: TextSpan,
 }
 
 /// The deviations of a band as they were read.
@@ -73,12 +73,12 @@ impl<'a> Reader<'a> {
         let (one, other) = match self.pair()? {
             Pair::Around(one) => (one.value, one.value.negated()),
             Pair::One(only) if only.value == Length::ZERO => {
-                let end = Place { start: only.place.end, end: only.place.end };
+                let end = TextSpan { start: only.place.end, end: only.place.end };
                 return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
             }
             Pair::One(only) => (only.value, Length::ZERO),
             Pair::Two(first, second) if first.value < second.value => {
-                let place = Place { start: first.place.start, end: second.place.end };
+                let place = TextSpan { start: first.place.start, end: second.place.end };
                 let offer = format!("{} {}", signed(second.value), signed(first.value));
                 return Err(self.error(place, Kind::LoneOrder { offer }));
             }
@@ -142,9 +142,9 @@ impl<'a> Reader<'a> {
 
     /// One signed deviation, as in QS400 of cycle 444: the other one is zero.
     fn single(&self, size: Size, only: &Deviation<'_>) -> Result<Callout, CalloutError> {
-        let whole = Place { start: size.place.start, end: only.place.end };
+        let whole = TextSpan { start: size.place.start, end: only.place.end };
         if only.value == Length::ZERO {
-            let end = Place { start: only.place.end, end: only.place.end };
+            let end = TextSpan { start: only.place.end, end: only.place.end };
             return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
         }
         let as_deviation = self.with_deviations(size, only.place, only.value, Length::ZERO);
@@ -167,7 +167,7 @@ impl<'a> Reader<'a> {
 
     /// Upper and lower deviation. A callout must have the upper one first; cycle texts may have either order.
     fn both(&self, size: Size, first: &Deviation<'_>, second: &Deviation<'_>) -> Result<Callout, CalloutError> {
-        let place = Place { start: first.place.start, end: second.place.end };
+        let place = TextSpan { start: first.place.start, end: second.place.end };
         let callout = self.with_deviations(size, place, first.value, second.value)?;
         if first.value < second.value && self.grammar == Grammar::Callout {
             return Err(self.error(place, Kind::DeviationOrder { offer: callout }));
@@ -176,7 +176,13 @@ impl<'a> Reader<'a> {
     }
 
     /// A callout between two deviations in either order.
-    fn with_deviations(&self, size: Size, place: Place, one: Length, other: Length) -> Result<Callout, CalloutError> {
+    fn with_deviations(
+        &self,
+        size: Size,
+        place: TextSpan,
+        one: Length,
+        other: Length,
+    ) -> Result<Callout, CalloutError> {
         self.placed(place, Callout::with_deviations(size.value, Deviations::spanning(one, other)))
     }
 

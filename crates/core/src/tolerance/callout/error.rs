@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::kind::CalloutErrorKind;
-use super::scanner::Place;
+use super::scanner::TextSpan;
 use crate::length::LengthError;
 use crate::message::{Message, Say, display, message, shortened};
 use crate::tolerance::ClassError;
@@ -34,7 +34,7 @@ pub struct CalloutError {
 
 impl CalloutError {
     /// An error at a place in a text.
-    pub(super) fn at(text: &str, place: Place, kind: CalloutErrorKind) -> Self {
+    pub(super) fn at(text: &str, place: TextSpan, kind: CalloutErrorKind) -> Self {
         let count = |range: Range<usize>| text.get(range).map_or(0, |part| part.chars().count());
         let at = count(0..place.start) + 1;
         let length = count(place.start..place.end);
@@ -42,7 +42,7 @@ impl CalloutError {
     }
 
     /// The same error at a place in a text.
-    pub(super) fn placed(self, text: &str, place: Place) -> Self {
+    pub(super) fn placed(self, text: &str, place: TextSpan) -> Self {
         Self::at(text, place, self.kind)
     }
 

@@ -4,7 +4,7 @@ use super::band::{Deviation, Sign};
 use super::error::CalloutError;
 use super::kind::CalloutErrorKind;
 use super::reading::{Grammar, Reader};
-use super::scanner::Place;
+use super::scanner::TextSpan;
 use crate::length::Length;
 use crate::tolerance::Deviations;
 
@@ -30,7 +30,7 @@ const LONGEST: usize = 255;
 pub fn qs400(text: &str) -> Result<Option<Deviations>, CalloutError> {
     let mut reader = Reader::new(text, Grammar::Cycle);
     if let Some((start, _)) = text.char_indices().nth(LONGEST) {
-        let beyond = Place { start, end: text.len() };
+        let beyond = TextSpan { start, end: text.len() };
         return Err(reader.error(beyond, CalloutErrorKind::TooLong { most: LONGEST }));
     }
     reader.scanner.skip_blanks();

@@ -3,7 +3,7 @@
 use super::Callout;
 use super::error::{CalloutError, shorten, shorten_length};
 use super::kind::{CalloutErrorKind as Kind, Part};
-use super::scanner::{Place, Scanner, is_decimal_sign, is_figure, is_minus, is_sign};
+use super::scanner::{Scanner, TextSpan, is_decimal_sign, is_figure, is_minus, is_sign};
 use crate::length::{Length, LengthError};
 use crate::tolerance::{ClassError, GeneralClass, ToleranceClass};
 
@@ -35,7 +35,7 @@ pub(super) struct Number<'a> {
     /// The figures alone.
     pub(super) figures: &'a str,
     pub(super) unit: Option<&'static str>,
-    pub(super) place: Place,
+    pub(super) place: TextSpan,
 }
 
 /// The size at the beginning.
@@ -44,7 +44,7 @@ pub(super) struct Size {
     pub(super) value: Length,
     /// Whether it has a plus sign.
     plus: bool,
-    pub(super) place: Place,
+    pub(super) place: TextSpan,
 }
 
 /// Reads a callout.
@@ -84,19 +84,19 @@ impl<'a> Reader<'a> {
     }
 
     /// An error at a place.
-    pub(super) fn error(&self, place: Place, kind: Kind) -> CalloutError {
+    pub(super) fn error(&self, place: TextSpan, kind: Kind) -> CalloutError {
         CalloutError::at(self.scanner.text(), place, kind)
     }
 
     /// The same result, with its error at a place.
-    pub(super) fn placed<T>(&self, place: Place, result: Result<T, CalloutError>) -> Result<T, CalloutError> {
+    pub(super) fn placed<T>(&self, place: TextSpan, result: Result<T, CalloutError>) -> Result<T, CalloutError> {
         result.map_err(|error| error.placed(self.scanner.text(), place))
     }
 
     /// The place of the next character, or of the end.
-    fn here(&self) -> Place {
+    fn here(&self) -> TextSpan {
         let start = self.scanner.offset();
-        Place { start, end: start + self.scanner.peek().map_or(0, char::len_utf8) }
+        TextSpan { start, end: start + self.scanner.peek().map_or(0, char::len_utf8) }
     }
 
     /// The size at the beginning; its sign is read and judged later.
@@ -125,7 +125,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn no_nominal(&self, place: Place) -> CalloutError {
+    fn no_nominal(&self, place: TextSpan) -> CalloutError {
         self.error(place, Kind::NoNominal { text: shorten(self.scanner.text().trim()) })
     }
 
@@ -227,7 +227,7 @@ impl<'a> Reader<'a> {
         self.placed(place, Callout::fit(size.value, first, second))
     }
 
-    fn class(&self, token: &str, place: Place) -> Result<ToleranceClass, CalloutError> {
+    fn class(&self, token: &str, place: TextSpan) -> Result<ToleranceClass, CalloutError> {
         let malformed = || ClassError::Malformed { text: shorten(token) };
         let read = match token.parse::<ToleranceClass>() {
             // Cycles 14xx compute limits by ISO 286: they know no table, and so no column of one.
@@ -268,7 +268,7 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         let start = self.scanner.offset();
-        Err(self.error(Place { start, end: start + found.len() }, Kind::TooMuch { found: shorten(found) }))
+        Err(self.error(TextSpan { start, end: start + found.len() }, Kind::TooMuch { found: shorten(found) }))
     }
 }
 

@@ -2,7 +2,7 @@
 
 /// Where something is in a text, in bytes: from `start` up to before `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct TextSpan {
     pub(super) start: usize,
     pub(super) end: usize,
 }
@@ -35,8 +35,8 @@ impl<'a> Scanner<'a> {
     }
 
     /// From an earlier offset up to here.
-    pub(super) const fn place_from(&self, start: usize) -> Place {
-        Place { start, end: self.offset() }
+    pub(super) const fn place_from(&self, start: usize) -> TextSpan {
+        TextSpan { start, end: self.offset() }
     }
 
     /// What has been read since an earlier offset.
@@ -114,7 +114,7 @@ mod tests {
         scanner.skip_blanks();
         assert!(scanner.eat(is_minus) && !scanner.eat_word("mmm") && scanner.eat_word("mm"));
         assert_eq!((scanner.peek(), scanner.rest(), scanner.since(2)), (None, "", "25 \u{2013}mm"));
-        assert_eq!(scanner.place_from(2), Place { start: 2, end: 10 });
+        assert_eq!(scanner.place_from(2), TextSpan { start: 2, end: 10 });
         assert!(!scanner.eat(|_| true) && scanner.take_while(|_| true).is_empty());
     }
 }

@@ -14,7 +14,7 @@ use serde::de::{Deserializer, Visitor};
 use toml::Spanned;
 
 use super::thermal::{Expansion, Range, Temperature, ThermalError};
-use crate::message::{Located, Place, Say};
+use crate::message::{FilePlace, Located, Say};
 use crate::words::Language;
 
 /// The version of the file that this program reads.
@@ -145,7 +145,7 @@ impl Materials {
     /// # Errors
     /// [`MaterialsError`] with the line; for two equal names, the line of the second. A file is read whole or not.
     pub fn read(text: &str) -> Result<Self, Located<MaterialsError>> {
-        let of_file = |what| Located { what, place: Place::default() };
+        let of_file = |what| Located { what, place: FilePlace::default() };
         if LARGEST < text.len() {
             return Err(of_file(MaterialsError::TooLarge));
         }
@@ -261,17 +261,17 @@ fn is_name(name: &str) -> bool {
 }
 
 fn expansion<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Expansion, D::Error> {
-    deserializer.deserialize_any(Read("an expansion in millionths per kelvin, such as 11.5", PhantomData))
+    deserializer.deserialize_any(NumberOrText("an expansion in millionths per kelvin, such as 11.5", PhantomData))
 }
 
 fn temperature<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Temperature, D::Error> {
-    deserializer.deserialize_any(Read("a temperature in °C, such as 100", PhantomData))
+    deserializer.deserialize_any(NumberOrText("a temperature in °C, such as 100", PhantomData))
 }
 
 /// A number, or the number as a text. The shortest text of a float is the decimal that was written.
-struct Read<T>(&'static str, PhantomData<T>);
+struct NumberOrText<T>(&'static str, PhantomData<T>);
 
-impl<T: FromStr<Err = ThermalError>> Visitor<'_> for Read<T> {
+impl<T: FromStr<Err = ThermalError>> Visitor<'_> for NumberOrText<T> {
     type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -294,7 +294,7 @@ impl<T: FromStr<Err = ThermalError>> Visitor<'_> for Read<T> {
 fn toml_error(text: &str, error: &toml::de::Error) -> Located<MaterialsError> {
     let (line, column) = line_and_column(text, error.span().map_or(0, |span| span.start));
     let what = MaterialsError::Toml { reason: error.message().trim().replace('\n', ", ") };
-    Located { what, place: Place { column: Some(column), ..Place::line(line) } }
+    Located { what, place: FilePlace { column: Some(column), ..FilePlace::line(line) } }
 }
 
 /// The line and column of a byte, counted from 1.

@@ -43,7 +43,7 @@ pub struct Fit {
 /// clearance of zero is still a clearance fit, a largest clearance of zero is an interference fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Say)]
 #[say(prefix = "fit-kind")]
-pub enum Kind {
+pub enum FitKind {
     /// The smallest clearance is zero or more.
     Clearance,
     /// Clearance or interference, depending on the actual parts.
@@ -52,7 +52,7 @@ pub enum Kind {
     Interference,
 }
 
-impl Kind {
+impl FitKind {
     /// The kind of a fit with these clearances.
     pub fn of(minimum: Length, maximum: Length) -> Self {
         if Length::ZERO <= minimum {
@@ -98,10 +98,10 @@ impl Fit {
     ///
     /// ```
     /// use fitcheck_core::tolerance::Sources;
-    /// use fitcheck_core::tolerance::fit::{Fit, Kind};
+    /// use fitcheck_core::tolerance::fit::{Fit, FitKind};
     ///
     /// let fit = Fit::of_callout(&"50 H7/p6".parse()?, &Sources::default())?;
-    /// assert_eq!((fit.minimum_clearance().to_string(), fit.kind()), ("-0.042".into(), Kind::Interference));
+    /// assert_eq!((fit.minimum_clearance().to_string(), fit.kind()), ("-0.042".into(), FitKind::Interference));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -146,8 +146,8 @@ impl Fit {
     }
 
     /// Clearance, transition or interference, at this size.
-    pub fn kind(&self) -> Kind {
-        Kind::of(self.minimum_clearance(), self.maximum_clearance())
+    pub fn kind(&self) -> FitKind {
+        FitKind::of(self.minimum_clearance(), self.maximum_clearance())
     }
 
     /// Whether a clearance is in the range of this fit, both ends included.

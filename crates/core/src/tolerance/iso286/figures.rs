@@ -100,23 +100,23 @@ pub(super) enum Steps {
 }
 
 /// The fundamental deviations of a letter in micrometres: es of a to h, ei of k to zc.
-pub(super) struct Row {
+pub(super) struct LetterDeviations {
     pub steps: Steps,
     /// The number of the first step.
     pub first: usize,
     pub um: &'static [i16],
 }
 
-const fn main_steps(um: &'static [i16]) -> Row {
-    Row { steps: Steps::Main, first: 0, um }
+const fn main_steps(um: &'static [i16]) -> LetterDeviations {
+    LetterDeviations { steps: Steps::Main, first: 0, um }
 }
 
-const fn sub_steps(first: usize, um: &'static [i16]) -> Row {
-    Row { steps: Steps::Sub, first, um }
+const fn sub_steps(first: usize, um: &'static [i16]) -> LetterDeviations {
+    LetterDeviations { steps: Steps::Sub, first, um }
 }
 
 /// es of a.
-pub(super) const A: Row = sub_steps(
+pub(super) const A: LetterDeviations = sub_steps(
     0,
     &[
         -270, -270, -280, -290, -290, -300, -300, -310, -320, -340, -360, -380, -410, -460, -520, -580, -660, -740,
@@ -125,7 +125,7 @@ pub(super) const A: Row = sub_steps(
 );
 
 /// es of b.
-pub(super) const B: Row = sub_steps(
+pub(super) const B: LetterDeviations = sub_steps(
     0,
     &[
         -140, -140, -150, -150, -150, -160, -160, -170, -180, -190, -200, -220, -240, -260, -280, -310, -340, -380,
@@ -134,7 +134,7 @@ pub(super) const B: Row = sub_steps(
 );
 
 /// es of c.
-pub(super) const C: Row = sub_steps(
+pub(super) const C: LetterDeviations = sub_steps(
     0,
     &[
         -60, -70, -80, -95, -95, -110, -110, -120, -130, -140, -150, -170, -180, -200, -210, -230, -240, -260, -280,
@@ -143,56 +143,57 @@ pub(super) const C: Row = sub_steps(
 );
 
 /// es of cd.
-pub(super) const CD: Row = main_steps(&[-34, -46, -56, -70, -85, -100]);
+pub(super) const CD: LetterDeviations = main_steps(&[-34, -46, -56, -70, -85, -100]);
 
 /// es of d.
-pub(super) const D: Row = main_steps(&[
+pub(super) const D: LetterDeviations = main_steps(&[
     -20, -30, -40, -50, -65, -80, -100, -120, -145, -170, -190, -210, -230, -260, -290, -320, -350, -390, -430, -480,
     -520,
 ]);
 
 /// es of e.
-pub(super) const E: Row = main_steps(&[
+pub(super) const E: LetterDeviations = main_steps(&[
     -14, -20, -25, -32, -40, -50, -60, -72, -85, -100, -110, -125, -135, -145, -160, -170, -195, -220, -240, -260, -290,
 ]);
 
 /// es of ef.
-pub(super) const EF: Row = main_steps(&[-10, -14, -18, -23, -28, -35]);
+pub(super) const EF: LetterDeviations = main_steps(&[-10, -14, -18, -23, -28, -35]);
 
 /// es of f.
-pub(super) const F: Row = main_steps(&[
+pub(super) const F: LetterDeviations = main_steps(&[
     -6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68, -76, -80, -86, -98, -110, -120, -130, -145,
 ]);
 
 /// es of fg.
-pub(super) const FG: Row = main_steps(&[-4, -6, -8, -10, -12, -15]);
+pub(super) const FG: LetterDeviations = main_steps(&[-4, -6, -8, -10, -12, -15]);
 
 /// es of g.
-pub(super) const G: Row =
+pub(super) const G: LetterDeviations =
     main_steps(&[-2, -4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18, -20, -22, -24, -26, -28, -30, -32, -34, -38]);
 
 /// ei of j5 and j6, to 500 mm.
-pub(super) const J5_AND_6: Row = main_steps(&[-2, -2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18, -20]);
+pub(super) const J5_AND_6: LetterDeviations = main_steps(&[-2, -2, -2, -3, -4, -5, -7, -9, -11, -13, -16, -18, -20]);
 
 /// ei of j7, to 500 mm.
-pub(super) const J7: Row = main_steps(&[-4, -4, -5, -6, -8, -10, -12, -15, -18, -21, -26, -28, -32]);
+pub(super) const J7: LetterDeviations = main_steps(&[-4, -4, -5, -6, -8, -10, -12, -15, -18, -21, -26, -28, -32]);
 
 /// ei of k4 to k7, to 500 mm; 0 in every other grade and size.
-pub(super) const K: Row = main_steps(&[0, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 5]);
+pub(super) const K: LetterDeviations = main_steps(&[0, 1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4, 5]);
 
 /// ei of m.
-pub(super) const M: Row = main_steps(&[2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23, 26, 30, 34, 40, 48, 58, 68, 76]);
+pub(super) const M: LetterDeviations =
+    main_steps(&[2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23, 26, 30, 34, 40, 48, 58, 68, 76]);
 
 /// ei of n.
-pub(super) const N: Row =
+pub(super) const N: LetterDeviations =
     main_steps(&[4, 8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37, 40, 44, 50, 56, 66, 78, 92, 110, 135]);
 
 /// ei of p.
-pub(super) const P: Row =
+pub(super) const P: LetterDeviations =
     main_steps(&[6, 12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62, 68, 78, 88, 100, 120, 140, 170, 195, 240]);
 
 /// ei of r.
-pub(super) const R: Row = sub_steps(
+pub(super) const R: LetterDeviations = sub_steps(
     0,
     &[
         10, 15, 19, 23, 23, 28, 28, 34, 34, 41, 43, 51, 54, 63, 65, 68, 77, 80, 84, 94, 98, 108, 114, 126, 132, 150,
@@ -201,7 +202,7 @@ pub(super) const R: Row = sub_steps(
 );
 
 /// ei of s.
-pub(super) const S: Row = sub_steps(
+pub(super) const S: LetterDeviations = sub_steps(
     0,
     &[
         14, 19, 23, 28, 28, 35, 35, 43, 43, 53, 59, 71, 79, 92, 100, 108, 122, 130, 140, 158, 170, 190, 208, 232, 252,
@@ -210,7 +211,7 @@ pub(super) const S: Row = sub_steps(
 );
 
 /// ei of t.
-pub(super) const T: Row = sub_steps(
+pub(super) const T: LetterDeviations = sub_steps(
     6,
     &[
         41, 48, 54, 66, 75, 91, 104, 122, 134, 146, 166, 180, 196, 218, 240, 268, 294, 330, 360, 400, 450, 500, 560,
@@ -219,7 +220,7 @@ pub(super) const T: Row = sub_steps(
 );
 
 /// ei of u.
-pub(super) const U: Row = sub_steps(
+pub(super) const U: LetterDeviations = sub_steps(
     0,
     &[
         18, 23, 28, 33, 33, 41, 48, 60, 70, 87, 102, 124, 144, 170, 190, 210, 236, 258, 284, 315, 350, 390, 435, 490,
@@ -228,11 +229,11 @@ pub(super) const U: Row = sub_steps(
 );
 
 /// ei of v.
-pub(super) const V: Row =
+pub(super) const V: LetterDeviations =
     sub_steps(4, &[39, 47, 55, 68, 81, 102, 120, 146, 172, 202, 228, 252, 284, 310, 340, 385, 425, 475, 530, 595, 660]);
 
 /// ei of x.
-pub(super) const X: Row = sub_steps(
+pub(super) const X: LetterDeviations = sub_steps(
     0,
     &[
         20, 28, 34, 40, 45, 54, 64, 80, 97, 122, 146, 178, 210, 248, 280, 310, 350, 385, 425, 475, 525, 590, 660, 740,
@@ -241,11 +242,11 @@ pub(super) const X: Row = sub_steps(
 );
 
 /// ei of y.
-pub(super) const Y: Row =
+pub(super) const Y: LetterDeviations =
     sub_steps(5, &[63, 75, 94, 114, 144, 174, 214, 254, 300, 340, 380, 425, 470, 520, 580, 650, 730, 820, 920, 1000]);
 
 /// ei of z.
-pub(super) const Z: Row = sub_steps(
+pub(super) const Z: LetterDeviations = sub_steps(
     0,
     &[
         26, 35, 42, 50, 60, 73, 88, 112, 136, 172, 210, 258, 310, 365, 415, 465, 520, 575, 640, 710, 790, 900, 1000,
@@ -254,7 +255,7 @@ pub(super) const Z: Row = sub_steps(
 );
 
 /// ei of za.
-pub(super) const ZA: Row = sub_steps(
+pub(super) const ZA: LetterDeviations = sub_steps(
     0,
     &[
         32, 42, 52, 64, 77, 98, 118, 148, 180, 226, 274, 335, 400, 470, 535, 600, 670, 740, 820, 920, 1000, 1150, 1300,
@@ -263,7 +264,7 @@ pub(super) const ZA: Row = sub_steps(
 );
 
 /// ei of zb.
-pub(super) const ZB: Row = sub_steps(
+pub(super) const ZB: LetterDeviations = sub_steps(
     0,
     &[
         40, 50, 67, 90, 108, 136, 160, 200, 242, 300, 360, 445, 525, 620, 700, 780, 880, 960, 1050, 1200, 1300, 1500,
@@ -272,7 +273,7 @@ pub(super) const ZB: Row = sub_steps(
 );
 
 /// ei of zc.
-pub(super) const ZC: Row = sub_steps(
+pub(super) const ZC: LetterDeviations = sub_steps(
     0,
     &[
         60, 80, 97, 130, 150, 188, 218, 274, 325, 405, 480, 585, 690, 800, 900, 1000, 1150, 1250, 1350, 1550, 1700,
@@ -281,10 +282,10 @@ pub(super) const ZC: Row = sub_steps(
 );
 
 /// ei of j8, to 3 mm.
-pub(super) const J8: Row = main_steps(&[-6]);
+pub(super) const J8: LetterDeviations = main_steps(&[-6]);
 
 /// ES of J6, J7 and J8, to 500 mm.
-pub(super) const HOLE_J: [Row; 3] = [
+pub(super) const HOLE_J: [LetterDeviations; 3] = [
     main_steps(&[2, 5, 5, 6, 8, 10, 13, 16, 18, 22, 25, 29, 33]),
     main_steps(&[4, 6, 8, 10, 12, 14, 18, 22, 26, 30, 36, 39, 43]),
     main_steps(&[6, 10, 12, 15, 20, 24, 28, 34, 41, 47, 55, 60, 66]),

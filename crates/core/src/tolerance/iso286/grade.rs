@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::figures::{self, Row};
+use super::figures::{self, LetterDeviations};
 
 /// A standard tolerance grade: 01, 0, 1 to 18.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -101,8 +101,8 @@ macro_rules! letters {
             }
 
             /// The printed row of fundamental deviations; h, j, js and the zeros of k have none.
-            pub(super) fn row(self) -> Option<&'static Row> {
-                let row: &[&'static Row] = match self { $(Self::$name => &[$(&figures::$row)?]),* };
+            pub(super) fn row(self) -> Option<&'static LetterDeviations> {
+                let row: &[&'static LetterDeviations] = match self { $(Self::$name => &[$(&figures::$row)?]),* };
                 row.first().copied()
             }
         }

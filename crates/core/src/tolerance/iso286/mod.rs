@@ -23,7 +23,7 @@ pub use undefined::{Reason, Undefined, knows_letter};
 use serde::{Deserialize, Serialize};
 
 use self::figures::Steps;
-use self::zone::{Place, Zone};
+use self::zone::{SizeSteps, Zone};
 use super::class::{Feature, ToleranceClass};
 use super::deviations::Deviations;
 use crate::length::Length;
@@ -93,7 +93,7 @@ pub fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> R
     if nominal <= Length::ZERO {
         return Err(refused(Reason::NotPositive));
     }
-    let Some(place) = Place::of(nominal) else { return Err(refused(Reason::TooLarge)) };
+    let Some(place) = SizeSteps::of(nominal) else { return Err(refused(Reason::TooLarge)) };
     zone::zone(class.feature(), letter, grade, place, options)
         .and_then(|zone| cell(zone, place))
         .map(|cell| Cell { remark: remark::remark(letter, grade, nominal, cell.deviations, options), ..cell })
@@ -120,7 +120,7 @@ pub fn classes_at(
     options: Options,
 ) -> impl Iterator<Item = (ToleranceClass, Deviations)> {
     Letter::ALL.into_iter().flat_map(Grade::of_letter).filter_map(move |(letter, grade)| {
-        let place = Place::of(nominal).filter(|_| Length::ZERO < nominal)?;
+        let place = SizeSteps::of(nominal).filter(|_| Length::ZERO < nominal)?;
         let zone = zone::zone(feature, letter, grade, place, options)?;
         Some((class(feature, letter, grade), cell(zone, place)?.deviations))
     })
@@ -129,7 +129,7 @@ pub fn classes_at(
 /// Every class that is defined at some size, by letter and then by grade.
 pub fn classes(feature: Feature, options: Options) -> impl Iterator<Item = ToleranceClass> {
     Letter::ALL.into_iter().flat_map(Grade::of_letter).filter_map(move |(letter, grade)| {
-        let defined = |nominal| zone::zone(feature, letter, grade, Place::of(nominal)?, options);
+        let defined = |nominal| zone::zone(feature, letter, grade, SizeSteps::of(nominal)?, options);
         let somewhere = step_ends().any(|nominal| defined(nominal).is_some());
         somewhere.then(|| class(feature, letter, grade))
     })
@@ -170,12 +170,12 @@ pub(super) fn steps_within(over: Length, to: Length) -> impl Iterator<Item = Len
 
 /// The width of a standard tolerance at a size; `None` where the grade is not defined.
 pub fn standard_tolerance(grade: Grade, nominal: Length) -> Option<Length> {
-    let place = Place::of(nominal).filter(|_| Length::ZERO < nominal)?;
+    let place = SizeSteps::of(nominal).filter(|_| Length::ZERO < nominal)?;
     // An H zone begins at the nominal size.
     Length::from_nanometres(zone::zone(Feature::Hole, Letter::H, grade, place, Options::default())?.upper).ok()
 }
 
-fn cell(zone: Zone, place: Place) -> Option<Cell> {
+fn cell(zone: Zone, place: SizeSteps) -> Option<Cell> {
     let (ends, number): (&[i32], _) = match zone.steps {
         Steps::Main => (&figures::MAIN_ENDS, place.main),
         Steps::Sub => (&figures::SUB_ENDS, place.sub),

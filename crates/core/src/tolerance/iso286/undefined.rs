@@ -2,7 +2,7 @@
 
 use super::super::class::ToleranceClass;
 use super::super::ranges;
-use super::zone::{self, Place};
+use super::zone::{self, SizeSteps};
 use super::{Grade, Letter, Options, parts, step_ends};
 use crate::length::Length;
 use crate::message::{Message, Say, display, message};
@@ -41,7 +41,7 @@ impl Undefined {
     pub fn defined(&self) -> Vec<(Length, Length)> {
         let Some((letter, grade)) = parts(self.class) else { return Vec::new() };
         let feature = self.class.feature();
-        let zone = |size| zone::zone(feature, letter, grade, Place::of(size)?, self.options);
+        let zone = |size| zone::zone(feature, letter, grade, SizeSteps::of(size)?, self.options);
         ranges::where_defined(step_ends().map(|to| (to, zone(to).is_some())))
     }
 

@@ -2,7 +2,7 @@
 //!
 //! The rules are numbered as in `docs/SOURCES.md`, ISO 286. Sizes come in as steps; nothing here reads text.
 
-use super::figures::{self, FIRST_ABOVE_500, Row, STANDARD_TOLERANCES, Steps};
+use super::figures::{self, FIRST_ABOVE_500, LetterDeviations, STANDARD_TOLERANCES, Steps};
 use super::grade::{Grade, Letter};
 use super::{Edition, JsHalves, Options};
 use crate::length::Length;
@@ -10,7 +10,7 @@ use crate::tolerance::class::Feature;
 
 /// The steps that contain a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Place {
+pub(super) struct SizeSteps {
     /// The number of the main step.
     pub main: usize,
     /// The number of the sub-step.
@@ -29,7 +29,7 @@ pub(super) struct Zone {
     pub above_one: bool,
 }
 
-impl Place {
+impl SizeSteps {
     /// The steps of a size above 0, `None` above 3150 mm.
     pub fn of(nominal: Length) -> Option<Self> {
         let above = |end: &i32| Length::from_micrometres(end.saturating_mul(1000)) < nominal;
@@ -47,7 +47,7 @@ impl Place {
         self.main == 0
     }
 
-    fn row(self, row: &Row) -> Option<i64> {
+    fn row(self, row: &LetterDeviations) -> Option<i64> {
         let step = match row.steps {
             Steps::Main => self.main,
             Steps::Sub => self.sub,
@@ -57,7 +57,7 @@ impl Place {
 }
 
 /// The zone of a class, `None` where the class is not defined.
-pub(super) fn zone(feature: Feature, letter: Letter, grade: Grade, place: Place, options: Options) -> Option<Zone> {
+pub(super) fn zone(feature: Feature, letter: Letter, grade: Grade, place: SizeSteps, options: Options) -> Option<Zone> {
     let steps = letter.row().map_or(Steps::Main, |row| row.steps);
     let above_one = not_up_to_one(feature, letter, grade);
     if place.up_to_one && above_one {
@@ -93,7 +93,7 @@ const fn from_lower(lower: i64, width: i64) -> (i64, i64) {
 }
 
 /// Rule 2: the standard tolerance; IT01 and IT0 end at 500 mm.
-fn standard_tolerance(grade: Grade, place: Place) -> Option<i64> {
+fn standard_tolerance(grade: Grade, place: SizeSteps) -> Option<i64> {
     let tenths = STANDARD_TOLERANCES.get(grade.row())?.get(place.main)?;
     Some(i64::from(*tenths) * 100)
 }
@@ -112,7 +112,7 @@ const fn half(width: i64, grade: Grade, js: JsHalves) -> i64 {
 }
 
 /// es of a to h. Rule 8: cd, ef and fg end at 10 mm in the 1988 edition.
-fn clearance_deviation(letter: Letter, place: Place, options: Options) -> Option<i64> {
+fn clearance_deviation(letter: Letter, place: SizeSteps, options: Options) -> Option<i64> {
     let short = matches!(letter, Letter::Cd | Letter::Ef | Letter::Fg);
     if short && matches!(options.edition, Edition::Of1988) && 2 < place.main {
         return None;
@@ -124,7 +124,7 @@ fn clearance_deviation(letter: Letter, place: Place, options: Options) -> Option
 }
 
 /// Rule 8: j5, j6 and j7 to 500 mm, j8 to 3 mm, where its ei is −6 µm.
-fn shaft_j(grade: Grade, place: Place) -> Option<&'static Row> {
+fn shaft_j(grade: Grade, place: SizeSteps) -> Option<&'static LetterDeviations> {
     if grade == Grade::IT5 || grade == Grade::IT6 {
         Some(&figures::J5_AND_6)
     } else if grade == Grade::IT7 {
@@ -137,13 +137,13 @@ fn shaft_j(grade: Grade, place: Place) -> Option<&'static Row> {
 }
 
 /// Rule 8: J6, J7 and J8 to 500 mm.
-fn hole_j(grade: Grade) -> Option<&'static Row> {
+fn hole_j(grade: Grade) -> Option<&'static LetterDeviations> {
     let number = [Grade::IT6, Grade::IT7, Grade::IT8].iter().position(|&it| it == grade)?;
     figures::HOLE_J.get(number)
 }
 
 /// ei of k to zc.
-fn shaft_lower(letter: Letter, grade: Grade, place: Place) -> Option<i64> {
+fn shaft_lower(letter: Letter, grade: Grade, place: SizeSteps) -> Option<i64> {
     // Rule 7: k is above 0 only in IT4 to IT7 and up to 500 mm.
     if letter == Letter::K && (place.above_500() || !grade.at_least(4) || grade.at_least(8)) {
         return Some(0);
@@ -152,7 +152,7 @@ fn shaft_lower(letter: Letter, grade: Grade, place: Place) -> Option<i64> {
 }
 
 /// ES of K to ZC: rules 4, 6 and 7.
-fn hole_upper(letter: Letter, grade: Grade, place: Place) -> Option<i64> {
+fn hole_upper(letter: Letter, grade: Grade, place: SizeSteps) -> Option<i64> {
     let k_to_n = letter <= Letter::N;
     if letter == Letter::K && grade.at_least(9) && !place.up_to_3() {
         return None;
@@ -179,6 +179,6 @@ fn hole_upper(letter: Letter, grade: Grade, place: Place) -> Option<i64> {
 }
 
 /// Rule 6: Δ = IT(n) − IT(n − 1).
-fn delta(grade: Grade, place: Place) -> Option<i64> {
+fn delta(grade: Grade, place: SizeSteps) -> Option<i64> {
     Some(standard_tolerance(grade, place)? - standard_tolerance(grade.finer()?, place)?)
 }

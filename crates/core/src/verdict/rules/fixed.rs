@@ -1,6 +1,6 @@
 //! A guard band of a given width at both limits, whatever the uncertainty is.
 
-use super::{Bands, Declaration, Given, Use};
+use super::{Bands, Declaration, RuleInputs, Use};
 use crate::length::Length;
 use crate::tolerance::Bounds;
 
@@ -13,7 +13,7 @@ pub(super) const DECLARATION: Declaration = Declaration {
     bands: Some(bands),
 };
 
-fn bands(given: &Given, _bounds: &Bounds) -> Bands {
+fn bands(given: &RuleInputs, _bounds: &Bounds) -> Bands {
     let width = given.width.unwrap_or(Length::ZERO);
     Bands { conforming: Some(width), nonconforming: width }
 }

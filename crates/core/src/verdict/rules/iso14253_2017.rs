@@ -2,7 +2,7 @@
 //! less and the value lies beyond a limit: with an uncertainty much larger than the zone it is less everywhere. Both limits count, exactly
 //! (metrology.md, section 5: 1.645 u where the tolerance is six or more u wide).
 
-use super::{Bands, Conformity, Declaration, Given, Use};
+use super::{Bands, Conformity, Declaration, RuleInputs, Use};
 use crate::length::Length;
 use crate::tolerance::Bounds;
 
@@ -18,7 +18,7 @@ pub(super) const DECLARATION: Declaration = Declaration {
 /// The probability that is asked for.
 const PROOF: f64 = 0.95;
 
-fn bands(given: &Given, bounds: &Bounds) -> Bands {
+fn bands(given: &RuleInputs, bounds: &Bounds) -> Bands {
     let Some(uncertainty) = given.uncertainty else {
         return Bands { conforming: Some(Length::ZERO), nonconforming: Length::ZERO };
     };

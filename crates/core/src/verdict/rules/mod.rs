@@ -61,7 +61,7 @@ pub enum Prover {
 
 /// What a rule is given besides limits and a measured value.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
-pub struct Given {
+pub struct RuleInputs {
     /// The uncertainty of the measured value.
     pub uncertainty: Option<Uncertainty>,
     /// By what the expanded uncertainty is multiplied, in thousandths.
@@ -76,7 +76,7 @@ pub struct Given {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct Rule {
     name: RuleName,
-    given: Given,
+    given: RuleInputs,
 }
 
 /// Why there is no such rule.
@@ -143,7 +143,7 @@ struct Declaration {
     takes_factor: bool,
     takes_width: bool,
     /// `None` where the rule has no bands.
-    bands: Option<fn(&Given, &Bounds) -> Bands>,
+    bands: Option<fn(&RuleInputs, &Bounds) -> Bands>,
 }
 
 impl Declaration {
@@ -169,23 +169,23 @@ impl Rule {
     /// The control's own rule: no guard band, limits belong to the zone.
     pub const SIMPLE: Self = Self {
         name: RuleName::Simple,
-        given: Given { uncertainty: None, factor: None, width: None, prover: Prover::Supplier },
+        given: RuleInputs { uncertainty: None, factor: None, width: None, prover: Prover::Supplier },
     };
 
     /// A rule with what it needs.
     ///
     /// # Errors
     /// [`RuleError`] where something is missing, or given without effect.
-    pub fn new(name: RuleName, given: Given) -> Result<Self, RuleError> {
+    pub fn new(name: RuleName, given: RuleInputs) -> Result<Self, RuleError> {
         let Declaration { name: rule, how, takes_factor, takes_width, .. } = *name.declaration();
         match given {
-            Given { uncertainty: None, .. } if name.declaration().needs_uncertainty() => {
+            RuleInputs { uncertainty: None, .. } if name.declaration().needs_uncertainty() => {
                 Err(RuleError::NoUncertainty { rule })
             }
-            Given { factor: Some(_), .. } if !takes_factor => Err(RuleError::NoFactor { rule }),
-            Given { width: Some(_), .. } if !takes_width => Err(RuleError::NoWidth { rule }),
-            Given { prover: Prover::Customer, .. } if how != Use::Proof => Err(RuleError::NoProver { rule }),
-            Given { width, .. } if takes_width && width.is_none_or(|width| width <= Length::ZERO) => {
+            RuleInputs { factor: Some(_), .. } if !takes_factor => Err(RuleError::NoFactor { rule }),
+            RuleInputs { width: Some(_), .. } if !takes_width => Err(RuleError::NoWidth { rule }),
+            RuleInputs { prover: Prover::Customer, .. } if how != Use::Proof => Err(RuleError::NoProver { rule }),
+            RuleInputs { width, .. } if takes_width && width.is_none_or(|width| width <= Length::ZERO) => {
                 Err(RuleError::WidthMissing { rule })
             }
             _ => Ok(Self { name, given }),
@@ -198,7 +198,7 @@ impl Rule {
     }
 
     /// What it was given.
-    pub const fn given(&self) -> &Given {
+    pub const fn given(&self) -> &RuleInputs {
         &self.given
     }
 

@@ -1,6 +1,6 @@
 //! The uncertainty of a measured value.
 
-use super::{Bands, Given, thousandths};
+use super::{Bands, RuleInputs, thousandths};
 use crate::length::{Length, LengthError, Unit, without_zeros};
 use crate::message::{Message, Say, message};
 use crate::tolerance::Bounds;
@@ -125,7 +125,7 @@ impl Say for Uncertainty {
 
 impl Bands {
     /// A multiple of the expanded uncertainty, for conformity and nonconformity.
-    pub(super) fn expanded(given: &Given, _bounds: &Bounds) -> Self {
+    pub(super) fn expanded(given: &RuleInputs, _bounds: &Bounds) -> Self {
         let factor = i128::from(given.factor.unwrap_or(1_000));
         let expanded = given.uncertainty.map_or(0, Uncertainty::expanded_exactly);
         let width = Length::from_nanometres(rounded_up(expanded * factor, 1_000_000_000)).unwrap_or(Length::MAX);

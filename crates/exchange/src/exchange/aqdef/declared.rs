@@ -3,11 +3,11 @@
 use fitcheck_core::length::{Length, LengthError, Unit};
 use fitcheck_core::tolerance::Feature;
 
-use super::description::Asked;
+use super::description::CharacteristicEntries;
 use super::error::{AqdefFault, AqdefWarning};
 use super::keys::{Key, number};
 use crate::exchange::Labels;
-use crate::exchange::characteristic::{Characteristic, What};
+use crate::exchange::characteristic::{Characteristic, CharacteristicKind};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
 use crate::exchange::quantity::Quantity;
@@ -37,7 +37,7 @@ pub(super) struct Declared {
 
 /// Reads the entries of a characteristic.
 struct Reading<'a> {
-    asked: Asked<'a>,
+    asked: CharacteristicEntries<'a>,
     unit: Unit,
     is_unit_assumed: bool,
     fault: Option<usize>,
@@ -47,7 +47,7 @@ struct Reading<'a> {
 
 impl Declared {
     /// Reads the entries.
-    pub(super) fn read(asked: Asked<'_>) -> Self {
+    pub(super) fn read(asked: CharacteristicEntries<'_>) -> Self {
         let mut reading = Reading {
             asked,
             unit: Unit::Millimetre,
@@ -64,7 +64,9 @@ impl Declared {
         let kind = reading.whole(2004);
         let quantity = reading.whole(2009);
         let decimals = reading.whole(2022).and_then(|decimals| decimals.try_into().ok());
-        let what = quantity.filter(|&quantity| quantity != DIAMETER).map_or(What::Size, What::Quantity);
+        let what = quantity
+            .filter(|&quantity| quantity != DIAMETER)
+            .map_or(CharacteristicKind::Size, CharacteristicKind::Quantity);
         let unit = reading.read_unit();
         // Figures in a unit that is not known say nothing.
         let lengths = if let Ok(unit) = unit {
@@ -228,11 +230,11 @@ impl Reading<'_> {
 }
 
 /// The class of letters and grade, else the tolerance as a text.
-fn class(asked: &Asked<'_>) -> String {
+fn class(asked: &CharacteristicEntries<'_>) -> String {
     let class = format!("{}{}", asked.text(2103), asked.text(2104));
     if class.is_empty() { asked.text(2151).to_owned() } else { class }
 }
 
-fn first<'a>(asked: &Asked<'a>, keys: &[u16]) -> Option<&'a str> {
+fn first<'a>(asked: &CharacteristicEntries<'a>, keys: &[u16]) -> Option<&'a str> {
     keys.iter().find_map(|&key| asked.get(key)).map(|(_, text)| text)
 }

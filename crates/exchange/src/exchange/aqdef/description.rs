@@ -13,9 +13,9 @@ const MOST: usize = 64 << 20;
 const EACH: usize = 256;
 
 /// The text of an entry, and its line.
-pub(super) type Given = (usize, String);
+pub(super) type EntryText = (usize, String);
 
-pub(super) type Entries = BTreeMap<Key, Given>;
+pub(super) type Entries = BTreeMap<Key, EntryText>;
 
 /// Everything that was declared.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub(super) struct Description {
     /// How many characteristics are announced, and where.
     pub(super) announced: Option<(usize, u32)>,
     parts: BTreeMap<u32, Entries>,
-    characteristics: BTreeMap<u32, Declared>,
+    characteristics: BTreeMap<u32, CharacteristicDescription>,
     /// Entries with the number 0, for all parts and all characteristics.
     all_parts: Entries,
     all_characteristics: Entries,
@@ -31,12 +31,12 @@ pub(super) struct Description {
     part: Option<u32>,
     /// Entries of characteristics by which values are judged, and that stand twice with different texts: the line of the second one,
     /// and the first text.
-    twice: BTreeMap<(u32, Key), Given>,
+    twice: BTreeMap<(u32, Key), EntryText>,
     bytes: usize,
 }
 
 #[derive(Debug, Default)]
-struct Declared {
+struct CharacteristicDescription {
     part: u32,
     entries: Entries,
 }
@@ -63,7 +63,7 @@ impl Description {
                 &mut self
                     .characteristics
                     .entry(index)
-                    .or_insert_with(|| Declared { part, ..Declared::default() })
+                    .or_insert_with(|| CharacteristicDescription { part, ..CharacteristicDescription::default() })
                     .entries
             }
         };
@@ -99,22 +99,22 @@ impl Description {
     }
 
     /// The entries of a characteristic; `None` where it is not declared.
-    pub(super) fn of(&self, number: u32) -> Option<Asked<'_>> {
-        let Declared { part, entries } = self.characteristics.get(&number)?;
-        Some(Asked { number, entries, part: self.parts.get(part), all: self })
+    pub(super) fn of(&self, number: u32) -> Option<CharacteristicEntries<'_>> {
+        let CharacteristicDescription { part, entries } = self.characteristics.get(&number)?;
+        Some(CharacteristicEntries { number, entries, part: self.parts.get(part), all: self })
     }
 }
 
 /// The entries of a characteristic and of its part.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Asked<'a> {
+pub(super) struct CharacteristicEntries<'a> {
     pub(super) number: u32,
     entries: &'a Entries,
     part: Option<&'a Entries>,
     all: &'a Description,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> CharacteristicEntries<'a> {
     /// An entry of it, else that for all, with its line; `None` where it is missing or empty.
     pub(super) fn get(&self, key: u16) -> Option<(usize, &'a str)> {
         let (own, all) = match Key(key).level() {

@@ -207,14 +207,14 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exchange::source::Given;
+    use crate::exchange::source::ImportInputs;
     use fitcheck_core::tolerance::Sources;
 
     /// The lines, names, classes and limits of a file's plan, with this file beside it.
     fn planned(name: &str, bytes: &[u8], other: Option<&[u8]>) -> Result<Vec<String>, String> {
         let sources = Sources::default();
         let beside = |_ending: &str| other.map(<[u8]>::to_vec);
-        let given = Given { beside: &beside, ..Given::new(&sources, jiff::civil::DateTime::default()) };
+        let given = ImportInputs { beside: &beside, ..ImportInputs::new(&sources, jiff::civil::DateTime::default()) };
         let mut body = Cursor::new(bytes);
         let mut source = Source::new(name, &mut body, given).unwrap();
         let plan = FORMAT.plan.unwrap()(&mut source).map_err(|error| error.to_string())?;

@@ -9,8 +9,8 @@ use super::declared::Declared;
 use super::description::Description;
 use super::error::{AqdefFault, AqdefWarning};
 use super::keys::{BETWEEN_FIELDS, Entry, Key, Level, Line, line};
-use super::row::{self, Fields, Row};
-use super::told::Told;
+use super::row::{self, Fields, WaitingValues};
+use super::told::AqdefReporter;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::Sink;
@@ -20,7 +20,7 @@ use crate::exchange::source::Context;
 
 /// How many values of a characteristic were read, and the most decimals that one had.
 #[derive(Debug, Clone, Copy, Default)]
-struct Seen {
+struct ValueCount {
     values: u32,
     decimals: usize,
 }
@@ -38,13 +38,13 @@ pub(super) enum Half {
 /// Reads one file, or one after the other.
 pub(super) struct Reader<'a, 's> {
     pub(super) context: Context<'a>,
-    pub(super) told: Told<'s, 'a>,
+    pub(super) told: AqdefReporter<'s, 'a>,
     pub(super) description: Description,
     declared: BTreeMap<u32, Rc<Declared>>,
-    row: Row,
+    row: WaitingValues,
     /// How many values the row before had.
     before: usize,
-    seen: BTreeMap<u32, Seen>,
+    seen: BTreeMap<u32, ValueCount>,
     shortest_date: Option<usize>,
     pub(super) has_times: bool,
     pub(super) half: Half,
@@ -60,10 +60,10 @@ impl<'a, 's> Reader<'a, 's> {
     pub(super) fn new(context: Context<'a>, sink: &'a mut Sink<'s>) -> Self {
         Self {
             context,
-            told: Told::new(sink),
+            told: AqdefReporter::new(sink),
             description: Description::default(),
             declared: BTreeMap::new(),
-            row: Row::default(),
+            row: WaitingValues::default(),
             before: 0,
             seen: BTreeMap::new(),
             shortest_date: None,
@@ -256,7 +256,7 @@ impl<'a, 's> Reader<'a, 's> {
     /// An entry of all values of a row, after them or before them.
     fn value_of_all(&mut self, line: usize, entry: &Entry<'_>) {
         if let Some(number) = entry.value {
-            let is_now = |index| self.seen.get(index).is_some_and(|seen: &Seen| seen.values == number);
+            let is_now = |index| self.seen.get(index).is_some_and(|seen: &ValueCount| seen.values == number);
             if !self.row.values.keys().any(is_now) {
                 return self.told.warn(line, AqdefWarning::Late { key: entry.key.to_string() }.into());
             }

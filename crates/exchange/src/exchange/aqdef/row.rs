@@ -102,7 +102,7 @@ impl Fields {
 
 /// The values that wait, by the number of the characteristic.
 #[derive(Debug, Default)]
-pub(super) struct Row {
+pub(super) struct WaitingValues {
     /// What is said of all of them.
     pub(super) all: Fields,
     pub(super) values: BTreeMap<u32, Fields>,
@@ -112,7 +112,7 @@ pub(super) struct Row {
     mark_before: Option<String>,
 }
 
-impl Row {
+impl WaitingValues {
     /// Whether an entry begins another row.
     pub(super) fn is_closed_by(&self, key: Key, index: u32) -> bool {
         let fields = if index == 0 { Some(&self.all) } else { self.values.get(&index) };

@@ -1,6 +1,6 @@
 //! What is said of a file: of its lines, of the file beside it, and of all values together.
 
-use fitcheck_core::message::{Place, Say as _};
+use fitcheck_core::message::{FilePlace, Say as _};
 
 use super::error::{AqdefFault, AqdefWarning};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
@@ -11,7 +11,7 @@ use crate::exchange::imported::Sink;
 type Together = Option<(usize, usize)>;
 
 /// Says it.
-pub(super) struct Told<'s, 'a> {
+pub(super) struct AqdefReporter<'s, 'a> {
     pub(super) sink: &'a mut Sink<'s>,
     /// The file beside this one that has the characteristics.
     beside: Option<String>,
@@ -20,7 +20,7 @@ pub(super) struct Told<'s, 'a> {
     said_unit: bool,
 }
 
-impl<'s, 'a> Told<'s, 'a> {
+impl<'s, 'a> AqdefReporter<'s, 'a> {
     pub(super) const fn new(sink: &'a mut Sink<'s>) -> Self {
         Self { sink, beside: None, missing: None, rounded: None, said_unit: false }
     }
@@ -36,17 +36,17 @@ impl<'s, 'a> Told<'s, 'a> {
 
     /// An error of a line of values.
     pub(super) fn refuse(&mut self, line: usize, kind: ImportErrorKind, given: &str) {
-        self.sink.refuse(Place::line(line), kind, shorten(given));
+        self.sink.refuse(FilePlace::line(line), kind, shorten(given));
     }
 
     /// A warning that belongs to no row.
     pub(super) fn warn(&mut self, line: usize, kind: ImportWarningKind) {
-        self.sink.warn(Place::line(line), None, kind);
+        self.sink.warn(FilePlace::line(line), None, kind);
     }
 
     /// A warning about the value on a line.
     pub(super) fn warn_of(&mut self, line: usize, kind: ImportWarningKind) {
-        self.sink.warn(Place::line(line), Some(line), kind);
+        self.sink.warn(FilePlace::line(line), Some(line), kind);
     }
 
     /// An error of a line that declares something.

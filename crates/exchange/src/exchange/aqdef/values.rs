@@ -13,7 +13,7 @@ use super::keys::Key;
 use super::reader::Reader;
 use super::row::Fields;
 use crate::exchange::Labels;
-use crate::exchange::characteristic::{Value, What};
+use crate::exchange::characteristic::{CharacteristicKind, Value};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Unjudged, WhyUnjudged};
@@ -60,7 +60,7 @@ impl Reader<'_, '_> {
         }
         let unit = match (&declared.unit, &declared.characteristic.what) {
             (Ok(unit), _) => *unit,
-            (Err(_), What::Quantity(quantity)) => {
+            (Err(_), CharacteristicKind::Quantity(quantity)) => {
                 let why = WhyUnjudged::Quantity { quantity: *quantity };
                 return self.set_aside(&declared, fields, None, why);
             }

@@ -10,7 +10,7 @@ use super::layout::Layout;
 use super::typed::Typed;
 use crate::exchange::ImportErrorKind;
 use crate::exchange::parquet::{Chunks, Field, Group, added, put_text};
-use crate::exchange::row::{Row, unquoted};
+use crate::exchange::row::{TextRow, unquoted};
 
 /// The columns of the output: those of the input, as texts where they have no types, and those that are added.
 ///
@@ -126,7 +126,7 @@ impl Answers {
     }
 
     #[inline]
-    fn row(&mut self, row: &Row<'_>) {
+    fn row(&mut self, row: &TextRow<'_>) {
         self.rows += 1;
         for (at, texts) in self.cells.iter_mut().enumerate() {
             match row.cell(at).unwrap_or(b"") {
@@ -145,7 +145,7 @@ impl Answers {
 
 impl Take for Answers {
     #[inline]
-    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+    fn judged(&mut self, row: &TextRow<'_>, judged: &Judged) {
         self.row(row);
         self.minimum.push(judged.bounds.minimum().nanometres());
         self.maximum.push(judged.bounds.maximum().nanometres());
@@ -158,7 +158,7 @@ impl Take for Answers {
         self.error.push(b"");
     }
 
-    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+    fn refused(&mut self, row: &TextRow<'_>, reason: &str) {
         self.row(row);
         if self.cells.is_empty() {
             self.reason(reason);

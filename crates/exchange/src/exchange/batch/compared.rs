@@ -5,12 +5,12 @@ use fitcheck_core::message::Say as _;
 
 use super::judged::Judged;
 use super::layout::utf8;
-use super::tally::{Kind, Tally};
+use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
-use crate::exchange::claim::{Answer, Claim};
+use crate::exchange::claim::{Claim, ClaimAnswer};
 use crate::exchange::columns::Columns;
 use crate::exchange::remarks::{Heard, RemarkColumn, may_say};
-use crate::exchange::row::Row;
+use crate::exchange::row::TextRow;
 
 /// So many words of a status are remembered.
 const MOST_CLAIMS: usize = 15;
@@ -38,7 +38,7 @@ impl<'a> Compared<'a> {
 
     /// Compares an answer with what the file says beside the value.
     #[inline]
-    pub(super) fn compare(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally) {
+    pub(super) fn compare(&mut self, row: &TextRow<'_>, judged: &Judged, tally: &mut Tally) {
         if self.are_warm || !self.columns.beside.is_empty() {
             self.ask(row, judged, tally);
         }
@@ -51,7 +51,7 @@ impl<'a> Compared<'a> {
         }
     }
 
-    fn ask(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally) {
+    fn ask(&mut self, row: &TextRow<'_>, judged: &Judged, tally: &mut Tally) {
         let columns = self.columns;
         let mut has_figures = self.are_warm;
         for column in &columns.beside {
@@ -72,7 +72,7 @@ impl<'a> Compared<'a> {
     }
 
     /// Compares an answer with a remark, unless another one like it has said nothing.
-    fn hear(&mut self, row: &Row<'_>, (column, cell): (&RemarkColumn, &[u8]), judged: &Judged, tally: &mut Tally) {
+    fn hear(&mut self, row: &TextRow<'_>, (column, cell): (&RemarkColumn, &[u8]), judged: &Judged, tally: &mut Tally) {
         if !self.heard.says_nothing(column, unquoted(&utf8(cell))) {
             let claim = self.claim(column.at, cell, |text| column.claim(text, true));
             let said = said_against(claim, judged);
@@ -93,7 +93,7 @@ impl<'a> Compared<'a> {
     }
 
     /// Counts what a cell says against an answer; a temperature only where the value was not brought to 20 °C already.
-    fn tell(&self, row: &Row<'_>, said: Option<(bool, ImportWarningKind)>, tally: &mut Tally) {
+    fn tell(&self, row: &TextRow<'_>, said: Option<(bool, ImportWarningKind)>, tally: &mut Tally) {
         if let Some((is_of_temperature, warning)) = said
             && (!is_of_temperature || self.columns.asks_temperature(&row.record()))
         {
@@ -102,8 +102,8 @@ impl<'a> Compared<'a> {
     }
 }
 
-fn answer(judged: &Judged) -> Answer {
-    Answer { bounds: judged.bounds, measured: judged.measured, status: judged.status }
+fn answer(judged: &Judged) -> ClaimAnswer {
+    ClaimAnswer { bounds: judged.bounds, measured: judged.measured, status: judged.status }
 }
 
 /// What a claim says against an answer, and whether that is a temperature.
@@ -121,9 +121,9 @@ pub(super) fn told(warning: Option<ImportWarningKind>, tally: &mut Tally) {
     let Some(warning) = warning else { return };
     tally.against += 1;
     let kind = match warning {
-        ImportWarningKind::StatusDiffers { .. } => Kind::StatusDiffers,
-        ImportWarningKind::StatusUnknown { .. } => Kind::StatusUnknown,
-        _ => Kind::ClaimDiffers,
+        ImportWarningKind::StatusDiffers { .. } => RowNoteKind::StatusDiffers,
+        ImportWarningKind::StatusUnknown { .. } => RowNoteKind::StatusUnknown,
+        _ => RowNoteKind::ClaimDiffers,
     };
     tally.note(kind, None, || warning.message());
 }

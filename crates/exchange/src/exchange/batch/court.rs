@@ -8,7 +8,7 @@ use fitcheck_core::tolerance::Sources;
 
 /// What every worker needs to judge: the layout of the stream and where limits come from.
 #[derive(Debug)]
-pub struct Court<'a> {
+pub struct StreamJudging<'a> {
     pub(super) layout: &'a Layout,
     pub(super) sources: &'a Sources,
     pub(super) steps: Steps,
@@ -41,7 +41,7 @@ pub(super) struct Fast<'a> {
     pub(super) has_comments: bool,
 }
 
-impl<'a> Court<'a> {
+impl<'a> StreamJudging<'a> {
     /// For rows of a layout, with limits from these sources.
     pub fn new(layout: &'a Layout, sources: &'a Sources) -> Self {
         let columns = &layout.columns;

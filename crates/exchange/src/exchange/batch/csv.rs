@@ -10,7 +10,7 @@ use super::judged::Judged;
 use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::line_end;
-use crate::exchange::row::Row;
+use crate::exchange::row::TextRow;
 use fitcheck_core::text::Within as _;
 
 /// Room for the longest word of a status between two separators.
@@ -88,7 +88,7 @@ impl Csv {
 
     /// The cells of a row, as many as there are columns.
     #[inline]
-    fn cells(&mut self, row: &Row<'_>) {
+    fn cells(&mut self, row: &TextRow<'_>) {
         if row.len() == self.count {
             self.out.append_part(row.text, row.start, row.end);
         } else {
@@ -97,7 +97,7 @@ impl Csv {
         }
     }
 
-    fn end(&mut self, row: &Row<'_>) {
+    fn end(&mut self, row: &TextRow<'_>) {
         match row.line_end() {
             b"" => self.out.append(self.line_end),
             end => self.out.append(end),
@@ -113,7 +113,7 @@ impl Csv {
 
 impl Take for Csv {
     #[inline]
-    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+    fn judged(&mut self, row: &TextRow<'_>, judged: &Judged) {
         self.cells(row);
         let separator = self.separator;
         // Every status has a word.
@@ -133,7 +133,7 @@ impl Take for Csv {
         }
     }
 
-    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+    fn refused(&mut self, row: &TextRow<'_>, reason: &str) {
         self.cells(row);
         self.reason(&super::with_cells_beyond(row, self.count, reason));
         self.end(row);

@@ -7,7 +7,7 @@ use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
-use crate::exchange::row::{Row, unquoted};
+use crate::exchange::row::{TextRow, unquoted};
 
 /// Writes JSON lines.
 #[derive(Debug)]
@@ -35,7 +35,7 @@ impl JsonLines {
         Self { out: Line::default(), names: layout.names.iter().enumerate().map(name).collect(), added }
     }
 
-    fn cells(&mut self, row: &Row<'_>) {
+    fn cells(&mut self, row: &TextRow<'_>) {
         for (at, name) in self.names.iter().enumerate() {
             self.out.append(name);
             match row.cell(at) {
@@ -66,7 +66,7 @@ fn text(text: &str, out: &mut Line) {
 }
 
 impl Take for JsonLines {
-    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+    fn judged(&mut self, row: &TextRow<'_>, judged: &Judged) {
         self.cells(row);
         let out = &mut self.out;
         let [minimum, maximum, deviation, status, remove, error] = &self.added;
@@ -87,7 +87,7 @@ impl Take for JsonLines {
         out.append(b"null}\n");
     }
 
-    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+    fn refused(&mut self, row: &TextRow<'_>, reason: &str) {
         self.cells(row);
         let reason = super::with_cells_beyond(row, self.names.len(), reason);
         self.reason(Some(reason.as_ref()).filter(|reason| !reason.is_empty()));

@@ -1,12 +1,12 @@
 //! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
 
 use super::compared::{Compared, told};
-use super::court::Court;
+use super::court::StreamJudging;
 use super::cut::Block;
 use super::judged::Judged;
 use super::known::{Classes, Figures};
 use super::layout::{Layout, utf8};
-use super::tally::{Kind, Tally};
+use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
 use crate::exchange::error::ImportErrorKind;
@@ -15,8 +15,8 @@ use crate::exchange::given::shorten;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
 use crate::exchange::left_out;
-use crate::exchange::row::{Part, Row};
-use crate::exchange::rules::{Found, Rules};
+use crate::exchange::row::{Part, TextRow};
+use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::stated;
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Say;
@@ -36,9 +36,9 @@ pub trait Take {
     #[inline]
     fn class(&mut self, _class: Option<(usize, ToleranceClass)>) {}
     /// A row with its verdict. The text of rows is UTF-8.
-    fn judged(&mut self, row: &Row<'_>, judged: &Judged);
+    fn judged(&mut self, row: &TextRow<'_>, judged: &Judged);
     /// A row without a verdict, and why; nothing where there is nothing in its cells.
-    fn refused(&mut self, row: &Row<'_>, reason: &str);
+    fn refused(&mut self, row: &TextRow<'_>, reason: &str);
     /// A line that cannot be split into cells, or only its beginning, with the reason.
     fn broken(&mut self, line: &str, reason: &ImportErrorKind);
     /// A line that is no row: empty, or a comment. With its line end.
@@ -48,7 +48,7 @@ pub trait Take {
 /// Judges blocks of rows, and remembers the classes that it met.
 #[derive(Debug)]
 pub struct Judge<'a> {
-    court: &'a Court<'a>,
+    court: &'a StreamJudging<'a>,
     classes: Classes<'a>,
     /// The verdicts of each class, by its number.
     counts: Vec<Counts>,
@@ -63,7 +63,7 @@ pub struct Judge<'a> {
 pub type Counts = [u64; Status::ALL.len()];
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Met {
+pub struct JudgedCounts {
     /// The classes with their verdicts.
     pub by_class: Vec<(ToleranceClass, Counts)>,
     /// The verdicts of callouts without a class.
@@ -72,7 +72,7 @@ pub struct Met {
     pub figures: Figures,
 }
 
-impl Court<'_> {
+impl StreamJudging<'_> {
     /// A worker's own judge.
     pub fn judge(&self) -> Judge<'_> {
         Judge {
@@ -109,7 +109,7 @@ impl Judge<'_> {
         let is_utf8 = std::str::from_utf8(text).is_ok();
         let mut start = 0;
         for ends in block.index.as_ref().unwrap_or(&own).rows() {
-            let row = Row::new(text, start, ends);
+            let row = TextRow::new(text, start, ends);
             start = row.next();
             let lines = if block.index.is_some() && !self.court.layout.is_typed { row.lines() } else { 1 };
             if 1 < lines && self.hides_rows(&row) {
@@ -125,7 +125,7 @@ impl Judge<'_> {
                 self.other_text(&utf8(whole), &mut tally, take);
             }
             if 1 < lines {
-                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.message());
+                tally.note(RowNoteKind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.message());
             }
             tally.lines += lines;
         }
@@ -135,13 +135,13 @@ impl Judge<'_> {
 
     /// Whether lines within the quotation marks of a row look like rows.
     #[cold]
-    fn hides_rows(&self, row: &Row<'_>) -> bool {
+    fn hides_rows(&self, row: &TextRow<'_>) -> bool {
         self.court.layout.columns.hides_rows(&row.record(), self.court.layout.separator)
     }
 
     /// A row with such lines: none of them has a verdict.
     #[cold]
-    fn torn(row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+    fn torn(row: &TextRow<'_>, tally: &mut Tally, take: &mut impl Take) {
         let mut start = row.start;
         while start < row.next() {
             take.at(tally.lines);
@@ -161,12 +161,12 @@ impl Judge<'_> {
         let mut index = Index::default();
         let _whole = index.find_quoted(text.as_bytes(), self.court.layout.separator, true);
         if let Some(ends) = index.rows().next() {
-            self.row(&Row::new(text.as_bytes(), 0, ends), tally, take);
+            self.row(&TextRow::new(text.as_bytes(), 0, ends), tally, take);
         }
     }
 
     #[inline]
-    fn row(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+    fn row(&mut self, row: &TextRow<'_>, tally: &mut Tally, take: &mut impl Take) {
         if self.fast(row, tally, take).is_none() {
             self.slow(row, tally, take);
         }
@@ -176,7 +176,7 @@ impl Judge<'_> {
     #[inline(always)]
     fn give(
         &mut self,
-        row: &Row<'_>,
+        row: &TextRow<'_>,
         judged: &Judged,
         class: Option<(usize, ToleranceClass)>,
         tally: &mut Tally,
@@ -192,7 +192,7 @@ impl Judge<'_> {
             *count += 1;
         }
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
-            tally.note(Kind::Doubt, None, || doubt.message());
+            tally.note(RowNoteKind::Doubt, None, || doubt.message());
         }
         tally.nominal += u64::from(judged.measured == judged.bounds.nominal);
         self.compared.compare(row, judged, tally);
@@ -207,17 +207,17 @@ impl Judge<'_> {
         counts.push_mut(Counts::default())
     }
 
-    pub fn met(self) -> Met {
+    pub fn met(self) -> JudgedCounts {
         // A class that was looked up for a row without a verdict counts nothing: whether it has a number here depends on the block.
         let counted = (0..).zip(self.counts).filter(|(_, counts)| *counts != Counts::default());
         let classes = counted.filter_map(|(number, counts)| Some((self.classes.class(number)?, counts)));
-        Met { by_class: classes.collect(), others: self.others, figures: self.classes.into_figures() }
+        JudgedCounts { by_class: classes.collect(), others: self.others, figures: self.classes.into_figures() }
     }
 
     /// Judges a plain row; `None` for every row that is not plain.
     #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
     #[inline(always)]
-    fn fast(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
+    fn fast(&mut self, row: &TextRow<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
         let fast = &self.court.fast;
         if row.len() != fast.count
             || LONGEST_ROW < row.end - row.start
@@ -280,7 +280,7 @@ impl Judge<'_> {
 
     /// A row as `import` reads it.
     #[cold]
-    fn slow(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+    fn slow(&mut self, row: &TextRow<'_>, tally: &mut Tally, take: &mut impl Take) {
         let whole = row.text.within(row.start..row.next());
         if LONGEST_ROW < row.bytes().len() {
             return Self::broken(Broken::TooLong, whole, tally, take);
@@ -314,13 +314,13 @@ impl Judge<'_> {
             return take.line(whole);
         }
         match rules.read(&cells) {
-            Ok(Found { measured, asked: Some((callout, limits)), is_simulated, .. }) => {
+            Ok(RowMeasurement { measured, asked: Some((callout, limits)), is_simulated, .. }) => {
                 if self.court.fast.has_comments
                     && row.line_end().is_empty()
                     && let Some(warning) = rules.cut_off(&cells)
                 {
                     tally.against += u64::from(warning.stands_against());
-                    tally.note(Kind::CutOff, Some(columns.measured.at), || warning.message());
+                    tally.note(RowNoteKind::CutOff, Some(columns.measured.at), || warning.message());
                 }
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
@@ -328,7 +328,7 @@ impl Judge<'_> {
                 tally.simulated += u64::from(is_simulated);
                 self.give(row, &Judged::new(bounds, measured), class, tally, take);
             }
-            Ok(Found { asked: None, .. }) => match rules.other_than_size(&cells) {
+            Ok(RowMeasurement { asked: None, .. }) => match rules.other_than_size(&cells) {
                 Some(cell) => {
                     let why = WhyUnjudged::NotASize { what: shorten(cell.text) };
                     Self::refuse(row, cell.at, &why, tally, take);
@@ -344,14 +344,14 @@ impl Judge<'_> {
     }
 
     fn refuse(
-        row: &Row<'_>,
+        row: &TextRow<'_>,
         at: Option<usize>,
         reason: &(impl Say + fmt::Display),
         tally: &mut Tally,
         take: &mut impl Take,
     ) {
         tally.rows += 1;
-        tally.note(Kind::Refused, at, || reason.message());
+        tally.note(RowNoteKind::Refused, at, || reason.message());
         take.refused(row, &reason.to_string());
     }
 
@@ -367,7 +367,7 @@ impl Judge<'_> {
     #[cold]
     fn no_row(reason: &ImportErrorKind, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
         tally.rows += 1;
-        tally.note(Kind::Refused, None, || reason.message());
+        tally.note(RowNoteKind::Refused, None, || reason.message());
         let line = line.strip_suffix(b"\n").unwrap_or(line);
         let line = line.strip_suffix(b"\r").unwrap_or(line);
         // Of a megabyte, the beginning tells which line it was; a character is not cut in two.
@@ -385,7 +385,7 @@ const BEGINNING: usize = 200;
 /// A cell that is a plain number, and its decimal sign.
 #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
-fn number(row: &Row<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
+fn number(row: &TextRow<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
     let part = row.part(at)?;
     part.number(unit).or_else(|| wrapped_number(part, unit))
 }
@@ -398,13 +398,13 @@ fn wrapped_number(part: Part<'_>, unit: Unit) -> Option<(Length, Option<u8>)> {
 
 /// Whether a row begins like a comment, or with something that may hide the mark of one.
 #[inline]
-fn may_be_comment(row: &Row<'_>) -> bool {
+fn may_be_comment(row: &TextRow<'_>) -> bool {
     let first = row.text.get(row.start).map_or(b' ', |first| *first);
     first <= b' ' || first == b'#' || 0x80 <= first || first == b'"' && may_be_quoted_comment(row)
 }
 
 #[inline(never)]
-fn may_be_quoted_comment(row: &Row<'_>) -> bool {
+fn may_be_quoted_comment(row: &TextRow<'_>) -> bool {
     row.text.get(row.start + 1).is_none_or(|byte| *byte <= b' ' || matches!(byte, b'#' | b'"') || 0x80 <= *byte)
 }
 

@@ -16,7 +16,7 @@ use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::left_out;
-use crate::exchange::row::Row;
+use crate::exchange::row::TextRow;
 use crate::exchange::sample::Sample;
 use fitcheck_core::text::Within as _;
 
@@ -249,7 +249,7 @@ impl Above {
             if header < above.line {
                 break;
             }
-            let row = Row::new(text, above.length, ends);
+            let row = TextRow::new(text, above.length, ends);
             let cells = row.record();
             if cells::is_comment(&cells) {
                 let told = if cells::is_data(&cells) {

@@ -12,7 +12,7 @@ use super::judged::Judged;
 use super::tally::Tally;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::{Broken, wide};
-use crate::exchange::row::Row;
+use crate::exchange::row::TextRow;
 use fitcheck_core::text::long;
 
 /// How many fates there are.
@@ -20,13 +20,13 @@ pub const FATES: usize = Status::ALL.len() + 1;
 
 /// What became of a row: a verdict, or none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Fate {
+pub enum RowFate {
     Judged(Status),
     /// It has no verdict: it was refused, or nothing says what it should be.
     NotJudged,
 }
 
-impl Fate {
+impl RowFate {
     /// Every fate: the verdicts, best first, then none.
     pub const ALL: [Self; FATES] = [
         Self::Judged(Status::Good),
@@ -64,19 +64,19 @@ struct Mark(u16);
 const MOST_CLASSES: usize = (1 << 13) - 2;
 
 impl Mark {
-    fn new(class: Option<usize>, fate: Fate) -> Self {
+    fn new(class: Option<usize>, fate: RowFate) -> Self {
         const NO_CLASS: u16 = 0;
         let class = class.filter(|number| *number < MOST_CLASSES).map_or(0, |number| number + 1);
         Self(u16::try_from(class << 3).unwrap_or(NO_CLASS) | fate.number())
     }
 
-    const fn fate(self) -> Fate {
+    const fn fate(self) -> RowFate {
         match self.0 & 7 {
-            0 => Fate::Judged(Status::Good),
-            1 => Fate::Judged(Status::Rework),
-            2 => Fate::Judged(Status::ReMeasure),
-            3 => Fate::Judged(Status::Scrap),
-            _ => Fate::NotJudged,
+            0 => RowFate::Judged(Status::Good),
+            1 => RowFate::Judged(Status::Rework),
+            2 => RowFate::Judged(Status::ReMeasure),
+            3 => RowFate::Judged(Status::Scrap),
+            _ => RowFate::NotJudged,
         }
     }
 
@@ -125,19 +125,19 @@ impl Take for Marks {
     }
 
     #[inline]
-    fn judged(&mut self, _row: &Row<'_>, judged: &Judged) {
-        self.rows.push(Mark::new(self.next, Fate::Judged(judged.status)));
+    fn judged(&mut self, _row: &TextRow<'_>, judged: &Judged) {
+        self.rows.push(Mark::new(self.next, RowFate::Judged(judged.status)));
     }
 
-    fn refused(&mut self, _row: &Row<'_>, reason: &str) {
+    fn refused(&mut self, _row: &TextRow<'_>, reason: &str) {
         // A row of empty cells is none.
         if !reason.is_empty() {
-            self.rows.push(Mark::new(None, Fate::NotJudged));
+            self.rows.push(Mark::new(None, RowFate::NotJudged));
         }
     }
 
     fn broken(&mut self, _line: &str, _reason: &ImportErrorKind) {
-        self.rows.push(Mark::new(None, Fate::NotJudged));
+        self.rows.push(Mark::new(None, RowFate::NotJudged));
     }
 
     fn line(&mut self, _line: &[u8]) {}
@@ -164,7 +164,7 @@ pub struct Part {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Filter {
     /// Rows of these fates.
-    pub fates: BTreeSet<Fate>,
+    pub fates: BTreeSet<RowFate>,
     /// Rows of these classes; 0 is none, the others are numbers of a [`Store`] from 1.
     pub classes: BTreeSet<usize>,
 }
@@ -177,8 +177,8 @@ impl Filter {
 
     /// The filter as a table, for this many classes: one look-up a row.
     pub fn sieve(&self, classes: usize) -> Sieve {
-        let takes_fate = |fate: &Fate| self.fates.is_empty() || self.fates.contains(fate);
-        let fates = Fate::ALL.map(|fate| takes_fate(&fate));
+        let takes_fate = |fate: &RowFate| self.fates.is_empty() || self.fates.contains(fate);
+        let fates = RowFate::ALL.map(|fate| takes_fate(&fate));
         let of_class = |class: usize| {
             let takes_class = self.classes.is_empty() || self.classes.contains(&class);
             std::array::from_fn(|fate| takes_class && fates.get(fate).is_some_and(|takes| *takes))
@@ -218,7 +218,7 @@ impl Part {
     }
 
     /// What became of a row, and its class; the rows count from 0.
-    pub fn row(&self, number: usize) -> Option<(Fate, usize)> {
+    pub fn row(&self, number: usize) -> Option<(RowFate, usize)> {
         self.rows.get(number).map(|mark| (mark.fate(), mark.class()))
     }
 

@@ -38,30 +38,30 @@ mod typed;
 
 #[cfg(feature = "parquet")]
 pub use answers::{Answers, output_fields};
-pub use court::Court;
+pub use court::StreamJudging;
 pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter, read};
 pub use json_lines::JsonLines;
-pub use judge::{Counts, Judge, Met, Take};
+pub use judge::{Counts, Judge, JudgedCounts, Take};
 pub use judged::Judged;
 pub use known::Figures;
 pub use layout::{HEAD, Layout};
-pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};
+pub use marks::{FATES, Filter, Marks, Part, RowFate, Sieve, Store};
 pub use pick::{Picked, pick};
-pub use tally::{FIRST, Kind, Note, Notes, Tally};
+pub use tally::{FIRST, Note, Notes, RowNoteKind, Tally};
 pub use tsv::Tsv;
 #[cfg(feature = "parquet")]
 pub use typed::{Purpose, Typed, layout_of};
 
 pub use super::index::row_end;
-pub use super::row::{Row, cells_of};
+pub use super::row::{TextRow, cells_of};
 use fitcheck_core::text::Within as _;
 
 /// The names of the columns that are added, in order. They must not change.
 pub const ADDED: [&str; 6] = ["min_mm", "max_mm", "deviation_um", "status", "remove_um", "error"];
 
 /// A reason with the cells that have no column, which are not written.
-fn with_cells_beyond<'a>(row: &Row<'_>, count: usize, reason: &'a str) -> Cow<'a, str> {
+fn with_cells_beyond<'a>(row: &TextRow<'_>, count: usize, reason: &'a str) -> Cow<'a, str> {
     if (count..row.len()).all(|at| row.cell(at).is_none_or(|cell| cell.trim_ascii().is_empty())) {
         return Cow::Borrowed(reason);
     }

@@ -8,18 +8,18 @@ use fitcheck_core::tolerance::Sources;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use jiff::civil::DateTime;
 
-use super::court::Court;
+use super::court::StreamJudging;
 use super::cut::Block;
 use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
-use super::marks::{Fate, Part};
+use super::marks::{Part, RowFate};
 use crate::exchange::cell::Cells as _;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
 use crate::exchange::lookup::Lookup;
-use crate::exchange::row::Row;
+use crate::exchange::row::TextRow;
 use crate::exchange::rules::Rules;
 use crate::exchange::source::Context;
 use crate::exchange::{cells, measurements, stated};
@@ -43,7 +43,7 @@ pub struct Picked {
 
 /// Reads rows of a part again from its bytes. `wanted` are their numbers in it, ascending. `None` where the bytes are not
 /// those that were judged: another number of rows, or another verdict.
-pub fn pick(bytes: Vec<u8>, part: &Part, wanted: &[usize], court: &Court<'_>) -> Option<Vec<Picked>> {
+pub fn pick(bytes: Vec<u8>, part: &Part, wanted: &[usize], court: &StreamJudging<'_>) -> Option<Vec<Picked>> {
     if bytes.len() != part.bytes {
         return None;
     }
@@ -54,7 +54,7 @@ pub fn pick(bytes: Vec<u8>, part: &Part, wanted: &[usize], court: &Court<'_>) ->
 }
 
 struct Picker<'a> {
-    court: &'a Court<'a>,
+    court: &'a StreamJudging<'a>,
     part: &'a Part,
     wanted: &'a [usize],
     /// The number of the next row.
@@ -67,7 +67,7 @@ struct Picker<'a> {
 
 impl Picker<'_> {
     /// Counts a row; its number if it is wanted.
-    fn next(&mut self, fate: Fate) -> Option<usize> {
+    fn next(&mut self, fate: RowFate) -> Option<usize> {
         let number = self.at;
         self.at += 1;
         self.differs |= self.part.row(number).is_none_or(|(before, _)| before != fate);
@@ -113,17 +113,17 @@ impl Take for Picker<'_> {
         self.line = line;
     }
 
-    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
-        if let Some(number) = self.next(Fate::Judged(judged.status)) {
+    fn judged(&mut self, row: &TextRow<'_>, judged: &Judged) {
+        if let Some(number) = self.next(RowFate::Judged(judged.status)) {
             self.keep(number, &row.record(), Some(*judged), None);
         }
     }
 
-    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+    fn refused(&mut self, row: &TextRow<'_>, reason: &str) {
         if reason.is_empty() {
             return;
         }
-        if let Some(number) = self.next(Fate::NotJudged) {
+        if let Some(number) = self.next(RowFate::NotJudged) {
             let cells = row.record();
             let why = self.why(&cells);
             self.keep(number, &cells, None, Some(why));
@@ -131,7 +131,7 @@ impl Take for Picker<'_> {
     }
 
     fn broken(&mut self, line: &str, reason: &ImportErrorKind) {
-        if let Some(number) = self.next(Fate::NotJudged) {
+        if let Some(number) = self.next(RowFate::NotJudged) {
             self.keep(number, &StringRecord::from(vec![line]), None, Some(reason.message()));
             if let Some(picked) = self.picked.last_mut() {
                 picked.named = Default::default();

@@ -7,7 +7,7 @@ pub const FIRST: usize = 10;
 
 /// What is said of a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum RowNoteKind {
     /// Why it has no verdict.
     Refused,
     /// Its measured value may be another quantity or another part's.
@@ -24,7 +24,7 @@ pub enum Kind {
     CutOff,
 }
 
-impl Kind {
+impl RowNoteKind {
     /// Every kind, the most important first.
     pub const ALL: [Self; 7] = [
         Self::Refused,
@@ -72,21 +72,21 @@ pub struct Tally {
     /// Lines that were not UTF-8.
     pub not_utf8: u64,
     pub comments: u64,
-    /// In the order of [`Kind::ALL`].
-    notes: [Notes; Kind::ALL.len()],
+    /// In the order of [`RowNoteKind::ALL`].
+    notes: [Notes; RowNoteKind::ALL.len()],
 }
 
 impl Tally {
     /// What is said of rows, by its kind.
-    pub fn notes(&self, kind: Kind) -> &Notes {
+    pub fn notes(&self, kind: RowNoteKind) -> &Notes {
         static NONE: Notes = Notes { count: 0, first: Vec::new() };
-        self.notes.iter().zip(Kind::ALL).find(|(_, one)| *one == kind).map_or(&NONE, |(notes, _)| notes)
+        self.notes.iter().zip(RowNoteKind::ALL).find(|(_, one)| *one == kind).map_or(&NONE, |(notes, _)| notes)
     }
 
     /// Counts a note about the row at the current line, and keeps it if it is one of the first.
-    pub(super) fn note(&mut self, kind: Kind, at: Option<usize>, what: impl FnOnce() -> Message) {
+    pub(super) fn note(&mut self, kind: RowNoteKind, at: Option<usize>, what: impl FnOnce() -> Message) {
         let line = self.lines;
-        let notes = self.notes.iter_mut().zip(Kind::ALL).find(|(_, one)| *one == kind);
+        let notes = self.notes.iter_mut().zip(RowNoteKind::ALL).find(|(_, one)| *one == kind);
         if let Some((notes, _)) = notes {
             notes.count += 1;
             if notes.first.len() < FIRST {

@@ -7,7 +7,7 @@ use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
-use crate::exchange::row::{Row, unquoted};
+use crate::exchange::row::{TextRow, unquoted};
 use fitcheck_core::text::Within as _;
 
 /// Writes TSV.
@@ -64,7 +64,7 @@ impl Tsv {
     }
 
     /// The cells of a row, as many as there are columns.
-    fn cells(&mut self, row: &Row<'_>) {
+    fn cells(&mut self, row: &TextRow<'_>) {
         for at in 0..self.count {
             self.next(at);
             match row.cell(at).unwrap_or(b"") {
@@ -85,7 +85,7 @@ impl Tsv {
 }
 
 impl Take for Tsv {
-    fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
+    fn judged(&mut self, row: &TextRow<'_>, judged: &Judged) {
         self.cells(row);
         self.out.pieces(|out| {
             judged.put_figures(b'\t', out);
@@ -102,7 +102,7 @@ impl Take for Tsv {
         });
     }
 
-    fn refused(&mut self, row: &Row<'_>, reason: &str) {
+    fn refused(&mut self, row: &TextRow<'_>, reason: &str) {
         self.cells(row);
         self.reason(&super::with_cells_beyond(row, self.count, reason));
     }

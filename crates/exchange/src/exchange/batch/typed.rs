@@ -7,11 +7,11 @@ use super::layout::Layout;
 use super::{Block, Tally};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::LONGEST_ROW;
-use crate::exchange::parquet::{ChunkReader, Field, Kind, Reader, Rows, Value, Wanted, put};
+use crate::exchange::parquet::{ChunkReader, Field, FieldKind, PortionSize, Reader, Rows, Value, put};
 use fitcheck_core::text::Within as _;
 
 /// How many rows decide what the columns are, as with CSV.
-const SAMPLE: Wanted = Wanted { rows: 200, bytes: 512 << 10 };
+const SAMPLE: PortionSize = PortionSize { rows: 200, bytes: 512 << 10 };
 
 /// How much text is judged at a time.
 const TEXT: usize = super::BLOCK;
@@ -27,10 +27,10 @@ pub enum Purpose {
 
 impl Purpose {
     /// How many rows are taken at a time: some to be written at once, or a row group.
-    pub const fn wanted(self) -> Wanted {
+    pub const fn wanted(self) -> PortionSize {
         match self {
-            Self::Text => Wanted { rows: 8_192, bytes: 1 << 20 },
-            Self::Columns => Wanted { rows: 128 << 10, bytes: 16 << 20 },
+            Self::Text => PortionSize { rows: 8_192, bytes: 1 << 20 },
+            Self::Columns => PortionSize { rows: 128 << 10, bytes: 16 << 20 },
         }
     }
 }
@@ -91,7 +91,7 @@ impl Typed {
     pub fn judge(&mut self, fields: &[Field], purpose: Purpose, judge: &mut Judge<'_>, take: &mut impl Take) -> Tally {
         let mut tally = Tally::default();
         let layout = judge.layout();
-        let may_say = |at: usize, field: &Field| field.kind == Kind::Text && layout.may_say(at);
+        let may_say = |at: usize, field: &Field| field.kind == FieldKind::Text && layout.may_say(at);
         let is_needed = |(at, field)| purpose == Purpose::Text || layout.is_judged(at) || may_say(at, field);
         let needed: Vec<bool> = (0..).zip(fields).map(is_needed).collect();
         let mut cells = self.rows.cells();
@@ -125,7 +125,7 @@ impl Typed {
 
 /// A value as a cell of CSV.
 #[inline]
-fn put_cell(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
+fn put_cell(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
     // More of a text is not needed to see that its row is too long.
     let value = match value {
         Value::Bytes(text) => Value::Bytes(text.get(..=LONGEST_ROW).unwrap_or(text)),
@@ -133,17 +133,17 @@ fn put_cell(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
     };
     let begin = out.len();
     put(kind, value, out);
-    if kind == Kind::Text {
+    if kind == FieldKind::Text {
         quote_from(begin, out);
     }
 }
 
 /// In place of a cell that nobody reads: something where there is something, as much where it is very long.
 #[inline]
-fn put_mark(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
+fn put_mark(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
     match value {
         Value::Bytes(text) if LONG < text.len() => put_cell(kind, value, out),
-        Value::Bytes(text) if kind == Kind::Text && text.trim_ascii().is_empty() => {}
+        Value::Bytes(text) if kind == FieldKind::Text && text.trim_ascii().is_empty() => {}
         _ => out.push(b'-'),
     }
 }

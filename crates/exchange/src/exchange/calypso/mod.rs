@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 
 use columns::Columns;
 pub use error::{CalypsoFault, CalypsoWarning};
-use fitcheck_core::message::Place;
+use fitcheck_core::message::FilePlace;
 use fitcheck_core::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, lines, plain_lines_from};
-use row::Row;
+use row::CalypsoRow;
 
 use super::Format;
 use super::characteristic::Characteristic;
@@ -158,7 +158,7 @@ impl Reader<'_, '_> {
     fn row(&mut self, line: usize, text: &str, columns: &Columns, is_open: bool) {
         if LONGEST_ROW < text.len() {
             let kind = ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 };
-            return self.sink.refuse(Place::line(line), kind, String::new());
+            return self.sink.refuse(FilePlace::line(line), kind, String::new());
         }
         // Half a number in the last cell would be judged as a whole one.
         let half = match (text.contains('\0'), is_open) {
@@ -167,32 +167,32 @@ impl Reader<'_, '_> {
             (false, false) => None,
         };
         if let Some(half) = half {
-            return self.sink.refuse(Place::line(line), half.into(), shorten(text.trim_matches('\0').trim()));
+            return self.sink.refuse(FilePlace::line(line), half.into(), shorten(text.trim_matches('\0').trim()));
         }
-        let row = match Row::read(line, text, columns) {
+        let row = match CalypsoRow::read(line, text, columns) {
             Ok(row) => row,
             Err(refused) => {
-                let place = refused.column.map_or(Place::line(line), |column| Place::in_line(line, column));
+                let place = refused.column.map_or(FilePlace::line(line), |column| FilePlace::in_line(line, column));
                 return self.sink.refuse(place, refused.kind, shorten(refused.given));
             }
         };
         if row.is_unit_assumed && !self.is_unit_told {
             self.is_unit_told = true;
-            self.sink.warn(Place::line(line), None, ImportWarningKind::UnitAssumed);
+            self.sink.warn(FilePlace::line(line), None, ImportWarningKind::UnitAssumed);
         }
         if row.is_rounded {
             let (first, count) = self.rounded.unwrap_or((line, 0));
             self.rounded = Some((first, count + 1));
         }
         for warning in row.doubts() {
-            self.sink.warn(Place::line(line), Some(line), warning.into());
+            self.sink.warn(FilePlace::line(line), Some(line), warning.into());
         }
-        let Row { characteristic, value, .. } = row;
+        let CalypsoRow { characteristic, value, .. } = row;
         characteristic.judge(value, &self.context, self.sink);
     }
 
     fn end(&mut self, end: &End) {
-        let mut warn = |line, kind| self.sink.warn(Place::line(line), None, kind);
+        let mut warn = |line, kind| self.sink.warn(FilePlace::line(line), None, kind);
         if !end.skipped.is_empty() {
             warn(end.header, ImportWarningKind::IgnoredColumns { columns: end.skipped.clone() });
         }
@@ -216,8 +216,8 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
     let mut plan: Vec<(usize, Characteristic)> = Vec::new();
     let mut places = BTreeMap::new();
     let mut error = None;
-    let end = each(source, &mut |line, text, columns, _| match Row::read(line, text, columns) {
-        Ok(Row { characteristic, .. }) => {
+    let end = each(source, &mut |line, text, columns, _| match CalypsoRow::read(line, text, columns) {
+        Ok(CalypsoRow { characteristic, .. }) => {
             let place = *places.entry(characteristic.name.clone()).or_insert(plan.len());
             match plan.get(place) {
                 Some((_, known)) if is_same(known, &characteristic) => true,
@@ -253,7 +253,7 @@ fn is_same(known: &Characteristic, other: &Characteristic) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exchange::source::Given;
+    use crate::exchange::source::ImportInputs;
     use fitcheck_core::tolerance::Sources;
 
     const PLATE: &[u8] = include_bytes!("../../../../../tests/data/calypso/plate_chr.txt");
@@ -261,7 +261,7 @@ mod tests {
     fn planned(bytes: &[u8]) -> Result<Vec<(usize, String)>, String> {
         let sources = Sources::default();
         let mut body = std::io::Cursor::new(bytes);
-        let given = Given::new(&sources, jiff::civil::DateTime::default());
+        let given = ImportInputs::new(&sources, jiff::civil::DateTime::default());
         let mut source = Source::new("plate_chr.txt", &mut body, given).unwrap();
         let plan = FORMAT.plan.unwrap()(&mut source).map_err(|error| error.to_string())?;
         Ok(plan.into_iter().map(|(line, of)| (line, of.name)).collect())

@@ -5,7 +5,7 @@ use fitcheck_core::length::{Length, LengthError, Unit};
 use super::columns::{Column, Columns};
 use super::error::{CalypsoFault, CalypsoWarning};
 use crate::exchange::Labels;
-use crate::exchange::characteristic::{Characteristic, Value, What};
+use crate::exchange::characteristic::{Characteristic, CharacteristicKind, Value};
 use crate::exchange::claim::Claim;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
@@ -20,7 +20,7 @@ const EXCEED: &str = "exceed";
 
 /// What was read.
 #[derive(Debug)]
-pub(super) struct Row {
+pub(super) struct CalypsoRow {
     pub(super) characteristic: Characteristic,
     pub(super) value: Value,
     /// Whether no unit is given.
@@ -32,7 +32,7 @@ pub(super) struct Row {
 }
 
 /// Why a row is not used.
-pub(super) struct Refused<'t> {
+pub(super) struct RefusedRow<'t> {
     pub(super) kind: ImportErrorKind,
     /// The number of the cell.
     pub(super) column: Option<usize>,
@@ -40,15 +40,15 @@ pub(super) struct Refused<'t> {
 }
 
 /// The cells of a row, in a unit.
-struct Cells<'a, 't> {
+struct CalypsoCells<'a, 't> {
     columns: &'a Columns,
     texts: Vec<&'t str>,
     unit: Unit,
 }
 
-impl Row {
+impl CalypsoRow {
     /// Reads a row.
-    pub(super) fn read<'t>(line: usize, text: &'t str, columns: &Columns) -> Result<Self, Refused<'t>> {
+    pub(super) fn read<'t>(line: usize, text: &'t str, columns: &Columns) -> Result<Self, RefusedRow<'t>> {
         let mut cells: Vec<&str> = text.split('\t').collect();
         // A tab at the end makes a cell that is none.
         while columns.count < cells.len() && cells.last().is_some_and(|cell| cell.trim().is_empty()) {
@@ -56,7 +56,7 @@ impl Row {
         }
         if columns.count < cells.len() {
             let kind = ImportErrorKind::RowLong { found: cells.len(), expected: columns.count };
-            return Err(Refused { kind, column: None, given: text });
+            return Err(RefusedRow { kind, column: None, given: text });
         }
         let symbol = columns.text(&cells, Column::Symbol);
         let short = columns.text(&cells, Column::Type);
@@ -68,17 +68,17 @@ impl Row {
         let actual = columns.text(&cells, Column::Actual);
         if actual.is_empty() {
             let (column, _) = columns.named(Column::Actual);
-            return Err(Refused { kind: CalypsoFault::NoActual.into(), column, given: text });
+            return Err(RefusedRow { kind: CalypsoFault::NoActual.into(), column, given: text });
         }
         let Some(unit) = unit else {
             let unit = columns.text(&cells, Column::Unit);
             let (column, _) = columns.named(Column::Unit);
-            return Err(Refused { kind: ImportErrorKind::Unit { unit: shorten(unit) }, column, given: unit });
+            return Err(RefusedRow { kind: ImportErrorKind::Unit { unit: shorten(unit) }, column, given: unit });
         };
-        let cells = Cells { columns, texts: cells, unit };
+        let cells = CalypsoCells { columns, texts: cells, unit };
         let (measured, is_rounded) = cells.parse(actual).map_err(|reason| cells.refused(Column::Actual, reason))?;
         let nominal = cells.length(Column::Nominal)?;
-        let limit = |column| -> Result<Option<Length>, Refused<'t>> {
+        let limit = |column| -> Result<Option<Length>, RefusedRow<'t>> {
             let Some((nominal, deviation)) = nominal.zip(cells.length(column)?) else { return Ok(None) };
             let too_large = || LengthError::TooLarge { text: cells.text(column).to_owned() };
             nominal.checked_add(deviation).map(Some).ok_or_else(|| cells.refused(column, too_large()))
@@ -97,7 +97,7 @@ impl Row {
         };
         let characteristic = Characteristic {
             name: cells.text(Column::Id).to_owned(),
-            what: if is_diameter { What::Size } else { What::Other(shorten(word)) },
+            what: if is_diameter { CharacteristicKind::Size } else { CharacteristicKind::Other(shorten(word)) },
             class: String::new(),
             feature: None,
             nominal,
@@ -149,7 +149,7 @@ fn is_another(given: Length, expected: Length) -> bool {
     2 < given.saturating_sub(expected).nanometres().unsigned_abs()
 }
 
-impl<'t> Cells<'_, 't> {
+impl<'t> CalypsoCells<'_, 't> {
     fn text(&self, column: Column) -> &'t str {
         self.columns.text(&self.texts, column)
     }
@@ -159,7 +159,7 @@ impl<'t> Cells<'_, 't> {
     }
 
     /// A length, rounded to the nanometre; `None` where the cell is empty.
-    fn length(&self, column: Column) -> Result<Option<Length>, Refused<'t>> {
+    fn length(&self, column: Column) -> Result<Option<Length>, RefusedRow<'t>> {
         let text = self.text(column);
         if text.is_empty() {
             return Ok(None);
@@ -167,9 +167,9 @@ impl<'t> Cells<'_, 't> {
         self.parse(text).map(|(length, _)| Some(length)).map_err(|reason| self.refused(column, reason))
     }
 
-    fn refused(&self, column: Column, reason: LengthError) -> Refused<'t> {
+    fn refused(&self, column: Column, reason: LengthError) -> RefusedRow<'t> {
         let given = self.text(column);
         let (at, column) = self.columns.named(column);
-        Refused { kind: CalypsoFault::Number { column, reason }.into(), column: at, given }
+        RefusedRow { kind: CalypsoFault::Number { column, reason }.into(), column: at, given }
     }
 }

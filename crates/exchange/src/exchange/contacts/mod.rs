@@ -7,7 +7,7 @@ mod error;
 
 use csv::StringRecord;
 pub use error::ContactsError;
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::probing::Contact;
 use fitcheck_core::text;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
@@ -155,7 +155,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     }
     read.has_heights = places.is_some_and(|places| places.z.is_some());
     if read.contacts.is_empty() {
-        return Err(Located { what: ContactsError::FileEmpty, place: Place::default() });
+        return Err(Located { what: ContactsError::FileEmpty, place: FilePlace::default() });
     }
     Ok(read)
 }
@@ -277,7 +277,7 @@ fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located
 
 /// An error in a cell of a row, counted from 0.
 fn at_cell(line: usize, at: usize, what: ContactsError) -> Located<ContactsError> {
-    Located { what, place: Place { column: Some(at + 1), ..Place::line(line) } }
+    Located { what, place: FilePlace { column: Some(at + 1), ..FilePlace::line(line) } }
 }
 
 /// A finite decimal number with point or comma. Words such as `nan` and `inf` are not numbers.

@@ -3,34 +3,34 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::Place;
+use fitcheck_core::message::FilePlace;
 use fitcheck_core::probing::Origin;
 use fitcheck_core::probing::cycle::{Cycle, FigureKind};
 use fitcheck_core::probing::cycles::{CYCLES, cycle};
 use fitcheck_core::tolerance::{Callout, Deviations, Feature, Limits, Source as LimitSource};
 use fitcheck_nc::control::log::layout;
-use fitcheck_nc::control::mask::{Of, Printed, Slot};
+use fitcheck_nc::control::mask::{FieldContent, Printed, Slot};
 use fitcheck_nc::control::status::status_of;
 use jiff::civil::{Date, DateTime, Time};
 
-use super::roles::{Kind, Reading, Roles, asked, is_printed, last_digit, length, limits, value};
-use crate::exchange::characteristic::{Characteristic, Value, What};
+use super::roles::{Reading, ReadingKind, Roles, asked, is_printed, last_digit, length, limits, value};
+use crate::exchange::characteristic::{Characteristic, CharacteristicKind, Value};
 use crate::exchange::claim::Claim;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
-use crate::exchange::imported::{Asked, Coordinate, Labels, Sink, Unjudged, WhyUnjudged};
+use crate::exchange::imported::{Coordinate, Labels, Sink, StatedLimits, Unjudged, WhyUnjudged};
 use crate::exchange::point_log;
 use crate::exchange::source::Context;
 
 /// What a print is judged with.
-pub(super) struct Judging<'a> {
+pub(super) struct PrintJudging<'a> {
     pub(super) slots: &'a [Slot],
     pub(super) roles: &'a Roles,
     pub(super) context: &'a Context<'a>,
 }
 
 /// What a print says besides its value.
-struct Said {
+struct PrintFacts {
     line: usize,
     name: String,
     time: DateTime,
@@ -41,14 +41,14 @@ struct Said {
     is_simulated: bool,
 }
 
-impl Judging<'_> {
+impl PrintJudging<'_> {
     /// Judges the values of a print that begins at a line.
     pub(super) fn judge(&self, line: usize, printed: &Printed, is_simulated: bool, sink: &mut Sink<'_>) {
         let name = self.roles.name.and_then(|at| value(printed, at)).unwrap_or("");
         let feature = cycle_in(name).map(|cycle| cycle.shape().feature());
         let place = self.roles.centre.map(|centre| centre.map(|at| length(printed, at)));
         let place = place.map_or([None; 3], |[x, y]| [x, y, None]);
-        let said = Said {
+        let said = PrintFacts {
             line,
             name: name.to_owned(),
             time: self.time(line, printed, sink),
@@ -70,16 +70,16 @@ impl Judging<'_> {
         word.into_iter().chain(markers).collect()
     }
 
-    fn reading(&self, said: &Said, reading: &Reading, printed: &Printed, sink: &mut Sink<'_>) {
+    fn reading(&self, said: &PrintFacts, reading: &Reading, printed: &Printed, sink: &mut Sink<'_>) {
         let text = value(printed, reading.measured).unwrap_or("");
         let measured = match Length::parse_in(&shorten(text), Unit::Millimetre) {
-            Ok(measured) if reading.kind != Kind::Size || Length::ZERO < measured => measured,
+            Ok(measured) if reading.kind != ReadingKind::Size || Length::ZERO < measured => measured,
             Ok(_) => {
                 let reason = ImportErrorKind::NotPositive { given: shorten(text) };
-                return sink.refuse(Place::line(said.line), reason, shorten(text));
+                return sink.refuse(FilePlace::line(said.line), reason, shorten(text));
             }
             Err(error) => {
-                return sink.refuse(Place::line(said.line), ImportErrorKind::Measured(error), shorten(text));
+                return sink.refuse(FilePlace::line(said.line), ImportErrorKind::Measured(error), shorten(text));
             }
         };
         // The control itself has no status for this: it may have measured nothing.
@@ -91,13 +91,13 @@ impl Judging<'_> {
         // As in the cycles, limits of 0 mean that nothing is compared.
         let pair = pair.filter(|pair| *pair != (Length::ZERO, Length::ZERO));
         match reading.kind {
-            Kind::Size => self.size(said, reading, (printed, measured, pair), sink),
-            Kind::Coordinate => {
+            ReadingKind::Size => self.size(said, reading, (printed, measured, pair), sink),
+            ReadingKind::Coordinate => {
                 let judged = pair.and_then(|pair| self.compared(coordinate_cycle()?, pair, measured));
                 let why = judged.map_or(WhyUnjudged::CoordinateWithoutLimits, WhyUnjudged::Coordinate);
                 self.set_aside(said, measured, why, sink);
             }
-            Kind::Point => {
+            ReadingKind::Point => {
                 let band = self.roles.band.and_then(|at| value(printed, at)).and_then(band);
                 let judged = band.and_then(|band| self.deviating(band, measured));
                 let why = judged.map_or(WhyUnjudged::PointWithoutTolerance, WhyUnjudged::Point);
@@ -121,10 +121,10 @@ impl Judging<'_> {
         Some(Coordinate::judged(point_log::cycle_of_points(), Some(Length::ZERO), &limits, measured))
     }
 
-    fn set_aside(&self, said: &Said, measured: Length, why: WhyUnjudged, sink: &mut Sink<'_>) {
+    fn set_aside(&self, said: &PrintFacts, measured: Length, why: WhyUnjudged, sink: &mut Sink<'_>) {
         if let WhyUnjudged::Coordinate(judged) | WhyUnjudged::Point(judged) = &why {
             for warning in said.labels.claims.iter().filter_map(|claim| claim.differs(judged.status)) {
-                sink.warn(Place::line(said.line), Some(said.line), warning);
+                sink.warn(FilePlace::line(said.line), Some(said.line), warning);
             }
         }
         let file = Arc::clone(&self.context.file);
@@ -136,7 +136,7 @@ impl Judging<'_> {
             measured: Some(measured),
             origin: if said.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } },
             position: None,
-            asked: Asked::default(),
+            asked: StatedLimits::default(),
             correction: None,
             why,
         });
@@ -144,7 +144,7 @@ impl Judging<'_> {
 
     fn size(
         &self,
-        said: &Said,
+        said: &PrintFacts,
         reading: &Reading,
         (printed, measured, pair): (&Printed, Length, Option<(Length, Length)>),
         sink: &mut Sink<'_>,
@@ -169,7 +169,7 @@ impl Judging<'_> {
         };
         let characteristic = Characteristic {
             name,
-            what: What::Size,
+            what: CharacteristicKind::Size,
             class: callout.map_or_else(|| given.to_owned(), |callout| class_of(&callout)),
             feature: said.feature,
             nominal: callout.map(|callout| callout.nominal()),
@@ -186,7 +186,9 @@ impl Judging<'_> {
     fn time(&self, line: usize, printed: &Printed, sink: &mut Sink<'_>) -> DateTime {
         let word = |word: &str| {
             let mut slots = (0..).zip(self.slots);
-            slots.find_map(|(at, slot)| value(printed, at).filter(|_| matches!(slot.of, Of::Word(of) if of == word)))
+            slots.find_map(|(at, slot)| {
+                value(printed, at).filter(|_| matches!(slot.of, FieldContent::Word(of) if of == word))
+            })
         };
         let year = word("YEAR4").map(str::to_owned).or_else(|| word("YEAR2").map(|year| format!("20{year:0>2}")));
         let (Some(year), Some(month), Some(day)) = (year, word("MONTH"), word("DAY")) else { return self.context.now };
@@ -198,7 +200,7 @@ impl Judging<'_> {
         };
         read().unwrap_or_else(|| {
             let given = format!("{year}-{month}-{day} {}", clock.join(":"));
-            sink.warn(Place::line(line), Some(line), ImportWarningKind::Time { given: shorten(&given) });
+            sink.warn(FilePlace::line(line), Some(line), ImportWarningKind::Time { given: shorten(&given) });
             self.context.now
         })
     }

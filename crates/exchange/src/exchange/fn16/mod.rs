@@ -21,11 +21,11 @@ use super::imported::Sink;
 use super::pieces::Pieces;
 use super::source::{Beginning, Source};
 use super::stated;
-use fitcheck_core::message::{Place, Say as _};
+use fitcheck_core::message::{FilePlace, Say as _};
 use fitcheck_core::text;
-use fitcheck_nc::control::mask::{Found, Inverse, Mask, Printed};
+use fitcheck_nc::control::mask::{Inverse, Mask, PrintMatch, Printed};
 use fitcheck_nc::control::simulated::is_mark;
-use judged::Judging;
+use judged::PrintJudging;
 use roles::Roles;
 
 /// Never recognised: it needs a mask, and where one is given every file is read through it.
@@ -55,10 +55,14 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     let roles = Roles::of(name, inverse.slots(), &sample, context.sources)?;
     let ignored = roles.ignored(inverse.slots());
     if !ignored.is_empty() {
-        sink.warn(Place::line(1), None, ImportWarningKind::IgnoredColumns { columns: super::column::listed(&ignored) });
+        sink.warn(
+            FilePlace::line(1),
+            None,
+            ImportWarningKind::IgnoredColumns { columns: super::column::listed(&ignored) },
+        );
     }
     in_mm(&mut source.pieces(text::LINE_END_BYTES)?)?;
-    let judging = Judging { slots: inverse.slots(), roles: &roles, context: &context };
+    let judging = PrintJudging { slots: inverse.slots(), roles: &roles, context: &context };
     let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut window = Window { inverse: &inverse, lines: VecDeque::new(), simulated_from: None };
     let mut next = 1;
@@ -133,13 +137,13 @@ fn sample(inverse: &Inverse, head: &str) -> Option<Vec<Printed>> {
     let mut sample = Vec::new();
     while let Some(rest) = lines.get(at..).filter(|rest| !rest.is_empty()) {
         let count = match inverse.at(rest) {
-            Found::Printed(printed) => {
+            PrintMatch::Printed(printed) => {
                 let count = printed.lines;
                 sample.push(inverse.by_parameter(printed));
                 count
             }
-            Found::Ambiguous(count) | Found::Broken(count, _) => count,
-            Found::Nothing => {
+            PrintMatch::Ambiguous(count) | PrintMatch::Broken(count, _) => count,
+            PrintMatch::Nothing => {
                 other += usize::from(!rest.first().is_some_and(|line| line.trim().is_empty()));
                 at += 1;
                 continue;
@@ -161,15 +165,15 @@ struct Window<'a> {
 
 impl Window<'_> {
     /// Reads what begins at the first line; `false` where no more is wanted.
-    fn first(&mut self, judging: &Judging<'_>, sink: &mut Sink<'_>) -> bool {
+    fn first(&mut self, judging: &PrintJudging<'_>, sink: &mut Sink<'_>) -> bool {
         let lines: Vec<&str> = self.lines.iter().map(|(_, line)| line.as_str()).collect();
         let found = self.inverse.at(&lines);
         let Some(&(number, ref text)) = self.lines.front() else { return true };
-        if found != Found::Nothing && sink.is_full(number) {
+        if found != PrintMatch::Nothing && sink.is_full(number) {
             return false;
         }
         let count = match found {
-            Found::Printed(printed) => {
+            PrintMatch::Printed(printed) => {
                 let printed = self.inverse.by_parameter(printed);
                 let last = self.lines.get(printed.lines.saturating_sub(1)).map_or(number, |(last, _)| *last);
                 let is_simulated = self.simulated_from.is_some_and(|from| from < last);
@@ -177,20 +181,20 @@ impl Window<'_> {
                 judging.judge(number, &printed, is_simulated, sink);
                 printed.lines
             }
-            Found::Ambiguous(count) => {
+            PrintMatch::Ambiguous(count) => {
                 sink.unit(number, number + count.saturating_sub(1));
-                sink.refuse(Place::line(number), ImportErrorKind::PrintAmbiguous, shorten(text));
+                sink.refuse(FilePlace::line(number), ImportErrorKind::PrintAmbiguous, shorten(text));
                 count
             }
-            Found::Broken(count, line) => {
+            PrintMatch::Broken(count, line) => {
                 let at = number + count;
                 sink.unit(number, at);
-                sink.refuse(Place::line(at), ImportErrorKind::PrintBroken { line }, String::new());
+                sink.refuse(FilePlace::line(at), ImportErrorKind::PrintBroken { line }, String::new());
                 count
             }
-            Found::Nothing => {
+            PrintMatch::Nothing => {
                 if !text.trim().is_empty() {
-                    sink.warn(Place::line(number), None, ImportWarningKind::NotUsed { text: shorten(text.trim()) });
+                    sink.warn(FilePlace::line(number), None, ImportWarningKind::NotUsed { text: shorten(text.trim()) });
                 }
                 1
             }

@@ -10,7 +10,7 @@ use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::probing::cycle::number;
 use fitcheck_core::tolerance::{Callout, Limits, Sources, ToleranceClass};
 use fitcheck_core::verdict::Status;
-use fitcheck_nc::control::mask::{Of, Printed, Slot};
+use fitcheck_nc::control::mask::{FieldContent, Printed, Slot};
 use fitcheck_nc::control::status::status_of;
 use fitcheck_nc::control::variables::{Family, Parameter};
 
@@ -20,7 +20,7 @@ use crate::exchange::given::shorten;
 
 /// What a measured value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ReadingKind {
     /// A diameter, a width or the side of a rectangle.
     Size,
     Coordinate,
@@ -29,20 +29,20 @@ pub(super) enum Kind {
 }
 
 /// A result of a measuring cycle, and the parameters that hold its limits: those of the cycle itself, and those of programs that call it.
-struct Known {
+struct CycleReading {
     measured: u16,
-    kind: Kind,
+    kind: ReadingKind,
     /// Minimum and maximum.
     limits: &'static [(u16, u16)],
 }
 
 /// The results that have limits; `docs/SOURCES.md` says where the numbers are from.
-const RESULTS: [Known; 5] = [
-    Known { measured: 153, kind: Kind::Size, limits: &[(33, 23), (276, 275), (278, 277)] },
-    Known { measured: 154, kind: Kind::Size, limits: &[(285, 284), (83, 73)] },
-    Known { measured: 155, kind: Kind::Size, limits: &[(287, 286), (33, 23)] },
-    Known { measured: 156, kind: Kind::Size, limits: &[(289, 288), (33, 23)] },
-    Known { measured: 160, kind: Kind::Coordinate, limits: &[(289, 288), (33, 23)] },
+const RESULTS: [CycleReading; 5] = [
+    CycleReading { measured: 153, kind: ReadingKind::Size, limits: &[(33, 23), (276, 275), (278, 277)] },
+    CycleReading { measured: 154, kind: ReadingKind::Size, limits: &[(285, 284), (83, 73)] },
+    CycleReading { measured: 155, kind: ReadingKind::Size, limits: &[(287, 286), (33, 23)] },
+    CycleReading { measured: 156, kind: ReadingKind::Size, limits: &[(289, 288), (33, 23)] },
+    CycleReading { measured: 160, kind: ReadingKind::Coordinate, limits: &[(289, 288), (33, 23)] },
 ];
 
 /// The deviation along the normal, which cycle 444 leaves; rectangles have that of their first side there.
@@ -61,7 +61,7 @@ const CENTRE: [u16; 2] = [151, 152];
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Reading {
     pub(super) measured: usize,
-    pub(super) kind: Kind,
+    pub(super) kind: ReadingKind,
     pub(super) minimum: Option<usize>,
     pub(super) maximum: Option<usize>,
 }
@@ -111,7 +111,7 @@ impl Roles {
         if roles.nominal.is_some() {
             roles.callout = roles.callout.or_else(|| fields.text(is_class));
         }
-        if roles.readings.iter().any(|reading| reading.kind == Kind::Point) {
+        if roles.readings.iter().any(|reading| reading.kind == ReadingKind::Point) {
             roles.band = BANDS.into_iter().find_map(|number| fields.at(Parameter::qs(number)));
             roles.centre = None;
         }
@@ -165,7 +165,8 @@ impl Roles {
         let markers = self.markers.iter().map(|(_, at)| *at);
         let others = others.into_iter().chain(self.centre.into_iter().flatten().map(Some));
         let used: Vec<usize> = readings.chain(others).flatten().chain(markers).collect();
-        let ignored = (0..).zip(slots).filter(|(at, slot)| !used.contains(at) && matches!(slot.of, Of::Parameter(_)));
+        let ignored =
+            (0..).zip(slots).filter(|(at, slot)| !used.contains(at) && matches!(slot.of, FieldContent::Parameter(_)));
         let firsts = ignored.filter(|(at, slot)| slots.iter().position(|other| other.of == slot.of) == Some(*at));
         firsts.map(|(_, slot)| slot.of.to_string()).collect()
     }
@@ -180,7 +181,7 @@ struct Fields<'a> {
 impl Fields<'_> {
     /// The field of a parameter; of several, the first, which has the values of all of them.
     fn at(&self, parameter: Parameter) -> Option<usize> {
-        self.slots.iter().position(|slot| slot.of == Of::Parameter(parameter))
+        self.slots.iter().position(|slot| slot.of == FieldContent::Parameter(parameter))
     }
 
     fn number(&self, number: u16) -> Option<usize> {
@@ -190,7 +191,7 @@ impl Fields<'_> {
     /// The fields for texts of parameters.
     fn texts(&self) -> impl Iterator<Item = usize> {
         let is_first = |at: usize, slot: &Slot| self.slots.iter().position(|other| other.of == slot.of) == Some(at);
-        let is_text = |slot: &Slot| slot.digits.is_none() && matches!(slot.of, Of::Parameter(_));
+        let is_text = |slot: &Slot| slot.digits.is_none() && matches!(slot.of, FieldContent::Parameter(_));
         (0..).zip(self.slots).filter(move |(at, slot)| is_text(slot) && is_first(*at, slot)).map(|(at, _)| at)
     }
 
@@ -219,7 +220,7 @@ impl Fields<'_> {
         let reading =
             |measured, kind, [minimum, maximum]: [Option<usize>; 2]| Reading { measured, kind, minimum, maximum };
         if let Some(deviation) = self.number(NORMAL).filter(|_| self.number(154).is_none()) {
-            return vec![reading(deviation, Kind::Point, [None, None])];
+            return vec![reading(deviation, ReadingKind::Point, [None, None])];
         }
         let found = RESULTS.iter().filter_map(|result| {
             let measured = self.number(result.measured)?;
@@ -248,11 +249,11 @@ impl Fields<'_> {
             limits.iter().all(&mut is) && 1 < followed.len()
         };
         let is_own = |slot: &Slot| match slot.of {
-            Of::Parameter(Parameter { family: Family::Q, number }) => {
+            FieldContent::Parameter(Parameter { family: Family::Q, number }) => {
                 !DEVIATIONS.contains(&number) && !is_marker(number)
             }
-            Of::Parameter(_) => true,
-            Of::Word(_) => false,
+            FieldContent::Parameter(_) => true,
+            FieldContent::Word(_) => false,
         };
         let numbers =
             (0..).zip(self.slots).filter(|(_, slot)| slot.digits.is_some_and(|digits| 0 < digits) && is_own(slot));
@@ -279,7 +280,7 @@ impl Fields<'_> {
         match doubtful.as_slice() {
             [measured] => Ok(Reading {
                 measured: *measured,
-                kind: Kind::Size,
+                kind: ReadingKind::Size,
                 minimum: pair.map(|pair| pair.0).or_else(|| minima.first().copied()),
                 maximum: pair.map(|pair| pair.1).or_else(|| maxima.first().copied()),
             }),

@@ -14,7 +14,7 @@ use crate::exchange::imported::{Item, Sink};
 use crate::exchange::lookup::Lookup;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::source::{Context, Given, Source};
+use crate::exchange::source::{Context, ImportInputs, Source};
 use crate::exchange::vocabulary::Rank;
 use crate::exchange::{FORMATS, cells, measurements, words, xlsx};
 
@@ -51,7 +51,7 @@ impl FirstRows {
     fn read(file: &str, bytes: &[u8], format: impl FnOnce(&str) -> Option<&'static str>) -> Option<Self> {
         let mut body = Cursor::new(bytes);
         let sources = Sources::default();
-        let mut source = Source::new(file, &mut body, Given::new(&sources, DateTime::MIN)).ok()?;
+        let mut source = Source::new(file, &mut body, ImportInputs::new(&sources, DateTime::MIN)).ok()?;
         let format = format(file)?;
         let held = if format == xlsx::FORMAT.name {
             let (sheets, chosen) = xlsx::samples(&mut source).ok()?;
@@ -160,7 +160,7 @@ impl FirstRows {
     ///
     /// # Errors
     /// Why the columns are not known.
-    pub fn items(&self, mapping: &Mapping, given: Given<'_>) -> Result<Vec<Item>, ImportErrorKind> {
+    pub fn items(&self, mapping: &Mapping, given: ImportInputs<'_>) -> Result<Vec<Item>, ImportErrorKind> {
         let mut sample = self.sample(mapping);
         let columns = mapping.columns(&mut sample)?;
         let file = self.file.as_str().into();

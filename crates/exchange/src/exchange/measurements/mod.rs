@@ -103,9 +103,9 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
 }
 
 /// Reads the rows of a file that has cells as such; a row is not known to be the last one.
-pub(super) struct Cells<'a, 's, 'z>(Reader<'a, 's, 'z>);
+pub(super) struct CellsReader<'a, 's, 'z>(Reader<'a, 's, 'z>);
 
-impl<'a, 's, 'z> Cells<'a, 's, 'z> {
+impl<'a, 's, 'z> CellsReader<'a, 's, 'z> {
     pub(super) fn new(
         source: &'a Context<'a>,
         columns: &'a Columns,

@@ -4,7 +4,7 @@ use super::time::{date_time, has_offset};
 use crate::exchange::Labels;
 use crate::exchange::cell::{Cells as _, joined};
 use crate::exchange::cells;
-use crate::exchange::claim::{Answer, Claim};
+use crate::exchange::claim::{Claim, ClaimAnswer};
 use crate::exchange::column::listed;
 use crate::exchange::columns::Columns;
 use crate::exchange::delimited::{Item, Rows, lines};
@@ -16,7 +16,7 @@ use crate::exchange::index::LONGEST_ROW;
 use crate::exchange::left_out;
 use crate::exchange::refused::{Cell, Refused};
 use crate::exchange::remarks::Heard;
-use crate::exchange::rules::{Found, Rules};
+use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::size::{Size, SizesOf};
 use crate::exchange::source::Context;
 use crate::exchange::stated;
@@ -24,7 +24,7 @@ use crate::exchange::words;
 use crate::journal::Record;
 use csv::StringRecord;
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Place;
+use fitcheck_core::message::FilePlace;
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::text::Within as _;
 use jiff::civil::DateTime;
@@ -143,16 +143,16 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
     }
 
     fn warn(&mut self, line: usize, reason: ImportWarningKind) {
-        self.sink.warn(Place::line(line), None, reason);
+        self.sink.warn(FilePlace::line(line), None, reason);
     }
 
     fn warn_row(&mut self, line: usize, reason: ImportWarningKind) {
-        self.sink.warn(Place::line(line), Some(line), reason);
+        self.sink.warn(FilePlace::line(line), Some(line), reason);
     }
 
     pub(super) fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
         let given = shorten(cell.text.trim());
-        self.sink.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
+        self.sink.refuse(FilePlace { column: cell.at.map(|at| at + 1), ..FilePlace::line(line) }, reason, given);
     }
 
     pub(super) fn row(&mut self, line: usize, cells: &StringRecord) {
@@ -225,7 +225,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
     fn size<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let rules = self.rules();
         let Some(sizes) = &self.sizes else { return Ok(()) };
-        let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
+        let RowMeasurement { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
         let id = cells.cell(self.columns.id).trim().to_owned();
         if let Some(claim) = self.columns.claims(cells, &mut self.heard).into_iter().find(Claim::is_rejection) {
             return Err((NOTHING, ImportErrorKind::Rejected { given: claim.said().to_owned() }));
@@ -258,7 +258,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
     pub(super) fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let Found { measured, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
+        let RowMeasurement { measured, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
         let id = cells.cell(self.columns.id).trim().to_owned();
         self.tell_cut_off(line, cells);
         let time = self.time(line, cells);
@@ -292,7 +292,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         let labels = Labels { quantity, ..self.labels(line, cells) };
         self.nominal.judged += 1;
         self.nominal.exact += usize::from(record.measurement.diameter == record.limits.nominal);
-        let answer = Answer::of(&record);
+        let answer = ClaimAnswer::of(&record);
         for warning in labels.claims.iter().filter_map(|claim| claim.tells(&answer)) {
             self.warn_row(line, warning);
         }
@@ -310,7 +310,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
             let given = shorten(text(column.at));
             let length = Length::parse_in(&given, self.columns.stated.of_place(column, cells)).ok();
             if length.is_none() {
-                let place = Place::in_line(line, column.at + 1);
+                let place = FilePlace::in_line(line, column.at + 1);
                 self.sink.warn(place, Some(line), ImportWarningKind::Place { given });
             }
             length

@@ -138,13 +138,13 @@ impl Column {
 
 /// The cells of a column one after the other.
 #[derive(Debug)]
-pub(in crate::exchange) struct Cells<'a> {
+pub(in crate::exchange) struct ColumnCells<'a> {
     column: &'a Column,
     row: usize,
     value: usize,
 }
 
-impl<'a> Cells<'a> {
+impl<'a> ColumnCells<'a> {
     /// The next cell; `None` where it is empty.
     #[inline]
     pub(in crate::exchange) fn next(&mut self) -> Option<Value<'a>> {
@@ -167,8 +167,8 @@ pub(in crate::exchange) struct Rows {
 
 impl Rows {
     /// The cells of each column.
-    pub(in crate::exchange) fn cells(&self) -> Vec<Cells<'_>> {
-        self.columns.iter().map(|column| Cells { column, row: 0, value: 0 }).collect()
+    pub(in crate::exchange) fn cells(&self) -> Vec<ColumnCells<'_>> {
+        self.columns.iter().map(|column| ColumnCells { column, row: 0, value: 0 }).collect()
     }
 
     /// No rows of the columns that are read from here; what was there goes, and its memory is used again.
@@ -218,12 +218,12 @@ impl Rows {
 
     /// How many of the rows behind `from` have about so many bytes, at least one; and how many bytes these have.
     pub(super) fn up_to(&self, from: usize, most: usize) -> (usize, usize) {
-        let mut texts: Vec<Cells<'_>> = Vec::new();
+        let mut texts: Vec<ColumnCells<'_>> = Vec::new();
         let mut fixed = 0;
         for column in &self.columns {
             fixed += match &column.values {
                 Values::Bytes(_) | Values::Fixed(_) => {
-                    texts.push(Cells { column, row: from, value: column.values_of(from) });
+                    texts.push(ColumnCells { column, row: from, value: column.values_of(from) });
                     4
                 }
                 Values::Boolean(_) => 1,

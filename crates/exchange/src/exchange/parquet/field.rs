@@ -6,7 +6,7 @@ use parquet::schema::types::{ColumnDescriptor, Type, TypePtr};
 
 /// How a value is read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::exchange) enum Kind {
+pub(in crate::exchange) enum FieldKind {
     /// `true` or `false`.
     Boolean,
     Whole,
@@ -65,7 +65,7 @@ impl Part {
 #[derive(Debug, Clone)]
 pub struct Field {
     name: String,
-    pub(in crate::exchange) kind: Kind,
+    pub(in crate::exchange) kind: FieldKind,
     pub(super) is_optional: bool,
     pub(super) declared: TypePtr,
 }
@@ -95,7 +95,7 @@ impl Field {
     pub(in crate::exchange) fn text(name: &str) -> Result<Self, ParquetError> {
         let builder =
             Type::primitive_type_builder(name, Physical::BYTE_ARRAY).with_logical_type(Some(LogicalType::String));
-        Ok(Self::new(name, Kind::Text, builder.with_repetition(Repetition::OPTIONAL).build()?))
+        Ok(Self::new(name, FieldKind::Text, builder.with_repetition(Repetition::OPTIONAL).build()?))
     }
 
     /// A column of decimals of at most 18 figures; of these, `scale` are decimals.
@@ -105,7 +105,7 @@ impl Field {
             .with_precision(18)
             .with_scale(scale.into());
         let repetition = if is_optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
-        let kind = Kind::Decimal(scale.into());
+        let kind = FieldKind::Decimal(scale.into());
         Ok(Self::new(name, kind, builder.with_repetition(repetition).build()?))
     }
 
@@ -113,16 +113,16 @@ impl Field {
     pub(in crate::exchange) fn required_text(name: &str) -> Result<Self, ParquetError> {
         let builder =
             Type::primitive_type_builder(name, Physical::BYTE_ARRAY).with_logical_type(Some(LogicalType::String));
-        Ok(Self::new(name, Kind::Text, builder.with_repetition(Repetition::REQUIRED).build()?))
+        Ok(Self::new(name, FieldKind::Text, builder.with_repetition(Repetition::REQUIRED).build()?))
     }
 
     /// A column of `true` and `false` without gaps.
     pub(in crate::exchange) fn boolean(name: &str) -> Result<Self, ParquetError> {
         let builder = Type::primitive_type_builder(name, Physical::BOOLEAN).with_repetition(Repetition::REQUIRED);
-        Ok(Self::new(name, Kind::Boolean, builder.build()?))
+        Ok(Self::new(name, FieldKind::Boolean, builder.build()?))
     }
 
-    fn new(name: &str, kind: Kind, declared: Type) -> Self {
+    fn new(name: &str, kind: FieldKind, declared: Type) -> Self {
         let is_optional = declared.is_optional();
         Self { name: name.to_owned(), kind, is_optional, declared: declared.into() }
     }
@@ -133,7 +133,7 @@ impl Field {
 
     /// Whether its values are binary fractions, which are read as the shortest decimals that stand for them.
     pub fn is_float(&self) -> bool {
-        matches!(self.kind, Kind::Float | Kind::Half)
+        matches!(self.kind, FieldKind::Float | FieldKind::Half)
     }
 
     /// Its declaration in the words of the format, such as `OPTIONAL INT64 measured (DECIMAL(18,6));`.
@@ -160,46 +160,46 @@ pub(in crate::exchange) fn added(prefix: &str) -> Result<Vec<Field>, ParquetErro
 }
 
 /// What a column's type says of its values: the newer annotation, else the older one, else the physical type.
-fn kind(column: &ColumnDescriptor) -> Kind {
+fn kind(column: &ColumnDescriptor) -> FieldKind {
     let physical = column.physical_type();
     // The format: a scale that is not said is 0.
-    let decimal = || Kind::Decimal(usize::try_from(column.type_scale()).unwrap_or(0));
+    let decimal = || FieldKind::Decimal(usize::try_from(column.type_scale()).unwrap_or(0));
     if physical == Physical::INT96 {
-        return Kind::OldMoment;
+        return FieldKind::OldMoment;
     }
     if let Some(logical) = column.logical_type_ref() {
         match logical {
-            LogicalType::String | LogicalType::Enum | LogicalType::Json => return Kind::Text,
+            LogicalType::String | LogicalType::Enum | LogicalType::Json => return FieldKind::Text,
             LogicalType::Decimal(_) => return decimal(),
-            LogicalType::Integer(int) if !int.is_signed => return Kind::Unsigned,
-            LogicalType::Date => return Kind::Date,
-            LogicalType::Time(time) => return Kind::Time(Part::of(time.unit)),
-            LogicalType::Timestamp(time) => return Kind::Moment(Part::of(time.unit), time.is_adjusted_to_u_t_c),
-            LogicalType::Uuid => return Kind::Uuid,
-            LogicalType::Float16 => return Kind::Half,
+            LogicalType::Integer(int) if !int.is_signed => return FieldKind::Unsigned,
+            LogicalType::Date => return FieldKind::Date,
+            LogicalType::Time(time) => return FieldKind::Time(Part::of(time.unit)),
+            LogicalType::Timestamp(time) => return FieldKind::Moment(Part::of(time.unit), time.is_adjusted_to_u_t_c),
+            LogicalType::Uuid => return FieldKind::Uuid,
+            LogicalType::Float16 => return FieldKind::Half,
             _ => {}
         }
     }
     match column.converted_type() {
-        ConvertedType::UTF8 | ConvertedType::ENUM | ConvertedType::JSON => Kind::Text,
+        ConvertedType::UTF8 | ConvertedType::ENUM | ConvertedType::JSON => FieldKind::Text,
         ConvertedType::DECIMAL => decimal(),
         ConvertedType::UINT_8 | ConvertedType::UINT_16 | ConvertedType::UINT_32 | ConvertedType::UINT_64 => {
-            Kind::Unsigned
+            FieldKind::Unsigned
         }
-        ConvertedType::DATE => Kind::Date,
-        ConvertedType::TIME_MILLIS => Kind::Time(Part::Milli),
-        ConvertedType::TIME_MICROS => Kind::Time(Part::Micro),
-        ConvertedType::TIMESTAMP_MILLIS => Kind::Moment(Part::Milli, true),
-        ConvertedType::TIMESTAMP_MICROS => Kind::Moment(Part::Micro, true),
-        ConvertedType::BSON => Kind::Bytes,
+        ConvertedType::DATE => FieldKind::Date,
+        ConvertedType::TIME_MILLIS => FieldKind::Time(Part::Milli),
+        ConvertedType::TIME_MICROS => FieldKind::Time(Part::Micro),
+        ConvertedType::TIMESTAMP_MILLIS => FieldKind::Moment(Part::Milli, true),
+        ConvertedType::TIMESTAMP_MICROS => FieldKind::Moment(Part::Micro, true),
+        ConvertedType::BSON => FieldKind::Bytes,
         _ => match physical {
-            Physical::BOOLEAN => Kind::Boolean,
-            Physical::INT32 | Physical::INT64 => Kind::Whole,
-            Physical::INT96 => Kind::OldMoment,
-            Physical::FLOAT | Physical::DOUBLE => Kind::Float,
+            Physical::BOOLEAN => FieldKind::Boolean,
+            Physical::INT32 | Physical::INT64 => FieldKind::Whole,
+            Physical::INT96 => FieldKind::OldMoment,
+            Physical::FLOAT | Physical::DOUBLE => FieldKind::Float,
             // Older tools write texts without saying so.
-            Physical::BYTE_ARRAY if column.logical_type_ref().is_none() => Kind::Text,
-            Physical::BYTE_ARRAY | Physical::FIXED_LEN_BYTE_ARRAY => Kind::Bytes,
+            Physical::BYTE_ARRAY if column.logical_type_ref().is_none() => FieldKind::Text,
+            Physical::BYTE_ARRAY | Physical::FIXED_LEN_BYTE_ARRAY => FieldKind::Bytes,
         },
     }
 }

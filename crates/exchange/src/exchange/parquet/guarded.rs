@@ -1,6 +1,6 @@
 //! A panic of a decoder as an error.
 //!
-//! What [`Checked`](super::checked) cannot see, the decoders of packed differences of the `parquet` crate do not see either: in
+//! What [`CheckedPages`](super::checked) cannot see, the decoders of packed differences of the `parquet` crate do not see either: in
 //! a damaged page they index beyond their bytes. Nothing of theirs is used afterwards.
 
 use parquet::errors::ParquetError;

@@ -25,9 +25,9 @@ mod write;
 
 pub(in crate::exchange) use column::{Rows, Value};
 pub use field::Field;
-pub(in crate::exchange) use field::{Kind, added};
+pub(in crate::exchange) use field::{FieldKind, added};
 pub use parquet::file::reader::ChunkReader;
-pub use read::{Reader, Wanted};
+pub use read::{PortionSize, Reader};
 pub(in crate::exchange) use text::put;
 pub(in crate::exchange) use write::{Chunks, put_text};
 pub use write::{Group, Writer};

@@ -20,7 +20,7 @@ const STEP_BYTES: usize = 2 << 20;
 
 /// How many rows are given out at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wanted {
+pub struct PortionSize {
     /// So many rows,
     pub rows: usize,
     /// or so many bytes of them, at least one row.
@@ -88,13 +88,13 @@ impl<R: ChunkReader + 'static> Reader<R> {
     ///
     /// # Errors
     /// What is damaged.
-    pub(in crate::exchange) fn next(&mut self, wanted: Wanted, rows: &mut Rows) -> Result<bool, ParquetError> {
+    pub(in crate::exchange) fn next(&mut self, wanted: PortionSize, rows: &mut Rows) -> Result<bool, ParquetError> {
         let is_there = guarded(|| self.fill(wanted, rows))?;
         self.given += long(rows.count);
         Ok(is_there)
     }
 
-    fn fill(&mut self, wanted: Wanted, rows: &mut Rows) -> Result<bool, ParquetError> {
+    fn fill(&mut self, wanted: PortionSize, rows: &mut Rows) -> Result<bool, ParquetError> {
         let mut bytes = 0;
         let mut counted = 0;
         if let Some(rest) = self.rest.take() {

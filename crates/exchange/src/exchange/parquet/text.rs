@@ -9,45 +9,45 @@ use jiff::tz::TimeZone;
 use parquet::data_type::Int96;
 
 use super::column::Value;
-use super::field::{Kind, Part};
+use super::field::{FieldKind, Part};
 use fitcheck_core::text::Within as _;
 
 /// Appends the text of a value.
 #[inline]
-pub(in crate::exchange) fn put(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
+pub(in crate::exchange) fn put(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
     match (kind, value) {
-        (Kind::Text, Value::Bytes(text)) => out.extend_from_slice(text),
-        (Kind::Decimal(scale), Value::Int64(number)) => put_short(number, scale, out),
-        (Kind::Decimal(scale), Value::Int32(number)) => put_short(number.into(), scale, out),
-        (Kind::Float, Value::Double(number)) => put_double(number, out),
+        (FieldKind::Text, Value::Bytes(text)) => out.extend_from_slice(text),
+        (FieldKind::Decimal(scale), Value::Int64(number)) => put_short(number, scale, out),
+        (FieldKind::Decimal(scale), Value::Int32(number)) => put_short(number.into(), scale, out),
+        (FieldKind::Float, Value::Double(number)) => put_double(number, out),
         _ => put_other(kind, value, out),
     }
 }
 
-fn put_other(kind: Kind, value: Value<'_>, out: &mut Vec<u8>) {
+fn put_other(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
     // Writing to memory does not fail.
     let _written = match (kind, value) {
-        (Kind::Unsigned, Value::Int32(number)) => write!(out, "{}", number.cast_unsigned()),
-        (Kind::Unsigned, Value::Int64(number)) => write!(out, "{}", number.cast_unsigned()),
-        (Kind::Date, Value::Int32(days)) => match day(days.into()) {
+        (FieldKind::Unsigned, Value::Int32(number)) => write!(out, "{}", number.cast_unsigned()),
+        (FieldKind::Unsigned, Value::Int64(number)) => write!(out, "{}", number.cast_unsigned()),
+        (FieldKind::Date, Value::Int32(days)) => match day(days.into()) {
             Some(date) => write!(out, "{date}"),
             None => write!(out, "{days}"),
         },
-        (Kind::Time(part), Value::Int32(count)) => put_time(count.into(), part, out),
-        (Kind::Time(part), Value::Int64(count)) => put_time(count, part, out),
-        (Kind::Moment(part, is_utc), Value::Int64(count)) => {
+        (FieldKind::Time(part), Value::Int32(count)) => put_time(count.into(), part, out),
+        (FieldKind::Time(part), Value::Int64(count)) => put_time(count, part, out),
+        (FieldKind::Moment(part, is_utc), Value::Int64(count)) => {
             put_moment(i128::from(count) * part.nanoseconds(), is_utc, out)
         }
         (_, Value::Int96(moment)) => put_moment(nanoseconds(moment), false, out),
-        (Kind::Decimal(scale), Value::Bytes(bytes)) => {
+        (FieldKind::Decimal(scale), Value::Bytes(bytes)) => {
             put_large(bytes, scale, out);
             Ok(())
         }
-        (Kind::Half, Value::Bytes(bytes)) => match bytes.try_into().map(half) {
+        (FieldKind::Half, Value::Bytes(bytes)) => match bytes.try_into().map(half) {
             Ok(number) => write!(out, "{number}"),
             Err(_) => put_hexadecimal(bytes, out),
         },
-        (Kind::Uuid, Value::Bytes(bytes)) => {
+        (FieldKind::Uuid, Value::Bytes(bytes)) => {
             for (at, byte) in bytes.iter().enumerate() {
                 let hyphen = if matches!(at, 4 | 6 | 8 | 10) { "-" } else { "" };
                 let _written = write!(out, "{hyphen}{byte:02x}");

@@ -6,9 +6,9 @@ use fitcheck_core::tolerance::{Feature, ToleranceClass};
 use super::declared::{Definition, Item, Nominal, Tolerance};
 use super::definitions::Definitions;
 use super::kinds::{in_words, is_size};
-use super::units::{NotALength, Number, Of, Units};
+use super::units::{NotALength, Number, UnitOwner, Units};
 use crate::exchange::Labels;
-use crate::exchange::characteristic::{Characteristic, What};
+use crate::exchange::characteristic::{Characteristic, CharacteristicKind};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::no_place::NoPlace;
 use crate::exchange::quantity::Quantity;
@@ -29,7 +29,7 @@ struct Lengths<'d> {
 }
 
 impl Lengths<'_> {
-    fn read(&mut self, number: Option<&Number>, of: Of) -> Result<Option<Length>, ImportErrorKind> {
+    fn read(&mut self, number: Option<&Number>, of: UnitOwner) -> Result<Option<Length>, ImportErrorKind> {
         let Some(number) = number else { return Ok(None) };
         let (length, is_exact) = self.units.length(number, of).map_err(|error| match error {
             NotALength::Number(error) => ImportErrorKind::QifLimit(error),
@@ -92,7 +92,7 @@ impl Definitions {
             Labels { number: number.to_owned(), part: self.part().to_owned(), place, no_place, ..Labels::default() };
         let mut characteristic = Characteristic {
             name: name.to_owned(),
-            what: What::Other(in_words(&definition.kind)),
+            what: CharacteristicKind::Other(in_words(&definition.kind)),
             class: String::new(),
             feature: declared.and_then(|declared| declared.feature),
             nominal: None,
@@ -102,14 +102,14 @@ impl Definitions {
             labels,
         };
         if is_size(&definition.kind) {
-            characteristic.what = What::Size;
+            characteristic.what = CharacteristicKind::Size;
             let is_diameter = definition.kind == "Diameter";
             characteristic.labels.quantity = Some(if is_diameter { Quantity::Diameter } else { Quantity::Width });
-            let target = lengths.read(nominal.target.as_ref(), Of::Characteristic)?;
+            let target = lengths.read(nominal.target.as_ref(), UnitOwner::Characteristic)?;
             let diameter = declared.and_then(|declared| declared.diameter.as_ref());
             characteristic.nominal = match target {
                 Some(target) => Some(target),
-                None if definition.kind == "Diameter" => lengths.read(diameter, Of::Feature)?,
+                None if definition.kind == "Diameter" => lengths.read(diameter, UnitOwner::Feature)?,
                 None => None,
             };
             self.limits(definition, &mut characteristic, &mut lengths)?;
@@ -134,8 +134,8 @@ impl Definitions {
             Tolerance::Unclear => return Err(ImportErrorKind::QifDefinedAsLimit),
             Tolerance::Nothing => return Ok(()),
         };
-        let maximum = lengths.read(maximum.as_ref(), Of::Characteristic)?;
-        let minimum = lengths.read(minimum.as_ref(), Of::Characteristic)?;
+        let maximum = lengths.read(maximum.as_ref(), UnitOwner::Characteristic)?;
+        let minimum = lengths.read(minimum.as_ref(), UnitOwner::Characteristic)?;
         (characteristic.maximum, characteristic.minimum) = if are_limits {
             (maximum, minimum)
         } else {
@@ -166,7 +166,7 @@ fn class_of(class: &str, zone: &str, characteristic: &mut Characteristic) -> Res
 
 /// Three coordinates in one text.
 pub(super) fn coordinates(units: &Units, place: &Number) -> [Option<Length>; 3] {
-    let mut read = place.text.split_whitespace().map(|text| units.length(&place.with(text), Of::Feature).ok());
+    let mut read = place.text.split_whitespace().map(|text| units.length(&place.with(text), UnitOwner::Feature).ok());
     std::array::from_fn(|_axis| Some(read.next()??.0))
 }
 

@@ -27,19 +27,19 @@ use super::characteristic::{Characteristic, Value};
 use super::claim::Claim;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
-use super::imported::{Asked, Sink, Unjudged, WhyUnjudged};
+use super::imported::{Sink, StatedLimits, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::xml::{self, Fault, Xml};
 use super::{Format, Labels};
 use definitions::Definitions;
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::text::Within as _;
 use fitcheck_core::verdict::Status;
 use kinds::{has_lengths, in_words, is_size};
-use results::{End, Found, Measured};
-use units::{NotALength, Number, Of};
+use results::{End, Measured, QifResult};
+use units::{NotALength, Number, UnitOwner};
 
 pub(super) const FORMAT: Format = Format {
     name: "qif",
@@ -82,14 +82,14 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
         return Err(ImportErrorKind::QifNoUnit);
     }
     for ((line, column), kind) in &definitions.warnings {
-        sink.warn(Place::in_line(*line, *column), None, kind.clone());
+        sink.warn(FilePlace::in_line(*line, *column), None, kind.clone());
     }
     let context = source.context.clone();
     let mut reader = Reader { definitions: &definitions, context: &context, sink, has_time: true };
     let ended = results::read(&mut open(source)?, &definitions, &mut |found| reader.take(found));
     let Reader { has_time, .. } = reader;
     if !has_time {
-        sink.warn(Place::line(1), None, ImportWarningKind::NoTime);
+        sink.warn(FilePlace::line(1), None, ImportWarningKind::NoTime);
     }
     match (ended, fault) {
         (Err(End::Fault(fault)), _) | (Ok(()), Some(fault)) => refuse(fault, sink),
@@ -113,7 +113,7 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
     // Where items do not name their features, the values do.
     let mut features: HashMap<String, String> = HashMap::new();
     let ended = results::read(&mut open(source)?, &definitions, &mut |found| {
-        if let Found::Value(Measured { element, feature_item: Some(feature), .. }) = found {
+        if let QifResult::Value(Measured { element, feature_item: Some(feature), .. }) = found {
             let item = element.text_at(&["CharacteristicItemId"]);
             if features.len() < definitions::MOST && !features.contains_key(item) {
                 features.insert(item.to_owned(), feature.to_owned());
@@ -149,16 +149,16 @@ struct Reader<'r, 's> {
 }
 
 impl Reader<'_, '_> {
-    fn take(&mut self, found: Found<'_>) -> ControlFlow<()> {
+    fn take(&mut self, found: QifResult<'_>) -> ControlFlow<()> {
         match found {
-            Found::Warning((line, column), kind) => self.sink.warn(Place::in_line(line, column), None, kind),
-            Found::Value(measured) => {
+            QifResult::Warning((line, column), kind) => self.sink.warn(FilePlace::in_line(line, column), None, kind),
+            QifResult::Value(measured) => {
                 let (line, column) = measured.element.start.at;
                 if self.sink.is_full(line) {
                     return ControlFlow::Break(());
                 }
                 if let Err((kind, given)) = self.value(line, &measured) {
-                    self.sink.refuse(Place::in_line(line, column), kind, given);
+                    self.sink.refuse(FilePlace::in_line(line, column), kind, given);
                 }
             }
         }
@@ -166,7 +166,7 @@ impl Reader<'_, '_> {
     }
 
     fn warn(&mut self, line: usize, kind: ImportWarningKind) {
-        self.sink.warn(Place::line(line), Some(line), kind);
+        self.sink.warn(FilePlace::line(line), Some(line), kind);
     }
 
     /// Judges a value, or says why it cannot be used, and what was given.
@@ -212,7 +212,7 @@ impl Reader<'_, '_> {
             return Ok(());
         }
         let Some((number, units)) = Number::of(value).zip(self.definitions.units.as_ref()) else { return Ok(()) };
-        let read = units.length(&number, Of::Characteristic).map_err(|error| match error {
+        let read = units.length(&number, UnitOwner::Characteristic).map_err(|error| match error {
             NotALength::Number(error) => ImportErrorKind::Measured(error),
             NotALength::Unit(kind) => kind,
         });
@@ -243,7 +243,7 @@ impl Reader<'_, '_> {
         let origin = Origin::Imported { file: Arc::clone(&self.context.file) };
         let measured = None;
         let position = None;
-        let asked = Asked::default();
+        let asked = StatedLimits::default();
         let correction = None;
         self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
     }
@@ -296,14 +296,14 @@ fn claim(status: &str) -> Option<Claim> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::source::Given;
+    use super::super::source::ImportInputs;
     use super::*;
     use fitcheck_core::tolerance::{Feature, Sources};
 
     fn planned(text: &str) -> Result<Vec<(usize, Characteristic)>, String> {
         let mut body = std::io::Cursor::new(text.as_bytes());
         let sources = Sources::default();
-        let mut source = Source::new("a.qif", &mut body, Given::new(&sources, DateTime::MIN)).unwrap();
+        let mut source = Source::new("a.qif", &mut body, ImportInputs::new(&sources, DateTime::MIN)).unwrap();
         plan(&mut source).map_err(|error| error.to_string())
     }
 

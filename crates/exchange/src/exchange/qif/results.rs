@@ -41,13 +41,13 @@ pub(super) struct Measured<'r> {
 }
 
 /// What comes out of a second reading.
-pub(super) enum Found<'r> {
+pub(super) enum QifResult<'r> {
     Value(Measured<'r>),
     Warning((usize, usize), ImportWarningKind),
 }
 
 /// Where it goes; a break ends the reading.
-pub(super) type Take<'t> = &'t mut dyn FnMut(Found<'_>) -> ControlFlow<()>;
+pub(super) type Take<'t> = &'t mut dyn FnMut(QifResult<'_>) -> ControlFlow<()>;
 
 /// Why a reading ends early.
 pub(super) enum End {
@@ -145,12 +145,12 @@ impl Part<'_> {
         while let Some(start) = xml.child()? {
             found += 1;
             let element = xml.element(start, OF_MEASUREMENT)?;
-            if take(Found::Value(self.value(&element))).is_break() {
+            if take(QifResult::Value(self.value(&element))).is_break() {
                 return Err(End::Enough);
             }
         }
         if let Some(kind) = miscounted(list, found)
-            && take(Found::Warning(list.at, kind)).is_break()
+            && take(QifResult::Warning(list.at, kind)).is_break()
         {
             return Err(End::Enough);
         }

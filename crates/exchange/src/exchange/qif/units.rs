@@ -125,7 +125,7 @@ pub(super) struct Units {
 
 /// Which of the two primary units a number is in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Of {
+pub(super) enum UnitOwner {
     Feature,
     Characteristic,
 }
@@ -176,10 +176,10 @@ impl Units {
     }
 
     /// A number as a length, and whether it is exactly that: files hold doubles, with figures beyond the nanometre.
-    pub(super) fn length(&self, number: &Number, of: Of) -> Result<(Length, bool), NotALength> {
+    pub(super) fn length(&self, number: &Number, of: UnitOwner) -> Result<(Length, bool), NotALength> {
         let metres = match (number.unit.as_str(), of) {
-            ("", Of::Feature) => self.plain,
-            ("", Of::Characteristic) => self.pmi,
+            ("", UnitOwner::Feature) => self.plain,
+            ("", UnitOwner::Characteristic) => self.pmi,
             (name, _) => self
                 .named
                 .get(name)

@@ -71,7 +71,7 @@ pub(in crate::exchange) fn of_row<'c>(
 
 /// What the first cells of a column hold.
 #[derive(Default)]
-struct Seen<'s> {
+struct ColumnSample<'s> {
     filled: usize,
     numbers: usize,
     /// Cells with a word that is known, and those with nothing else.
@@ -85,7 +85,7 @@ struct Seen<'s> {
     unknown: Vec<&'s str>,
 }
 
-impl<'s> Seen<'s> {
+impl<'s> ColumnSample<'s> {
     fn of(cells: impl Iterator<Item = &'s str>, reads_codes: bool) -> Self {
         let mut seen = Self::default();
         for cell in cells {
@@ -182,14 +182,14 @@ impl Sample {
         at: usize,
         name: Name,
         names: Option<usize>,
-    ) -> Option<(QuantityColumn, Seen<'_>)> {
-        let with_codes = Seen::of(self.cells(at), true);
+    ) -> Option<(QuantityColumn, ColumnSample<'_>)> {
+        let with_codes = ColumnSample::of(self.cells(at), true);
         if 0 < with_codes.numbers && with_codes.filled <= with_codes.numbers * 2 {
             return None;
         }
         // "A" and "B" are variants of a part, unless something else is said, too.
         let reads_codes = name != Name::Weak || with_codes.tells_codes();
-        let seen = if reads_codes { with_codes } else { Seen::of(self.cells(at), false) };
+        let seen = if reads_codes { with_codes } else { ColumnSample::of(self.cells(at), false) };
         let takes_unknown = seen.known == 0
             && match name {
                 // One word for all rows tells nothing apart.

@@ -17,7 +17,7 @@ mod column;
 mod said;
 
 pub(super) use column::{Free, QuantityColumn, of_row};
-use fitcheck_core::part::Kind;
+use fitcheck_core::part::FeatureKind;
 use fitcheck_core::probing::cycle::Axis;
 pub(super) use said::{is_form, is_shape, may_be_named};
 
@@ -41,12 +41,15 @@ impl Quantity {
     }
 
     /// Whether it is what a plan asks of a feature of a kind.
-    pub fn fits(&self, kind: &Kind) -> bool {
+    pub fn fits(&self, kind: &FeatureKind) -> bool {
         match self {
             Self::Size => true,
-            Self::Diameter => matches!(kind, Kind::Diameter(_)),
-            Self::Width => matches!(kind, Kind::Width(..) | Kind::Pocket(_) | Kind::Boss(_) | Kind::Face(..)),
-            Self::Coordinate(axis) => matches!(kind, Kind::Face(_, towards) if towards.axis == *axis),
+            Self::Diameter => matches!(kind, FeatureKind::Diameter(_)),
+            Self::Width => matches!(
+                kind,
+                FeatureKind::Width(..) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) | FeatureKind::Face(..)
+            ),
+            Self::Coordinate(axis) => matches!(kind, FeatureKind::Face(_, towards) if towards.axis == *axis),
             Self::Other => false,
         }
     }

@@ -5,7 +5,7 @@
 
 /// What is kept of the input beside the answer.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Given {
+pub(super) enum InputColumns {
     /// A callout and a measured value as texts.
     Text,
     /// Nominal size, class and measured value.
@@ -14,7 +14,7 @@ pub(super) enum Given {
     Arguments,
 }
 
-impl Given {
+impl InputColumns {
     /// The columns of a verdict before the answer.
     const fn columns(self) -> &'static str {
         match self {
@@ -55,7 +55,7 @@ fn looked_up(read: &str, fence: &str) -> String {
 }
 
 /// The limits of size alone: `min_mm`, `max_mm`, `source`, `error`.
-pub(super) fn limits(given: Given, read: &str, fence: &str) -> String {
+pub(super) fn limits(given: InputColumns, read: &str, fence: &str) -> String {
     format!(
         "select{}
   case when limits_error is null then lower_limit_mm end as min_mm,
@@ -71,7 +71,7 @@ from (
 }
 
 /// The verdict: `min_mm`, `max_mm`, `deviation_um`, `status`, `remove_um`, `error`.
-pub(super) fn verdict(given: Given, read: &str, fence: &str) -> String {
+pub(super) fn verdict(given: InputColumns, read: &str, fence: &str) -> String {
     format!(
         "select{}
   case when error is null then lower_limit_mm end as min_mm,
@@ -118,9 +118,9 @@ create view fitcheck_verdict as
 create view fitcheck_verdict_text as
 {};
 ",
-        limits(Given::Typed, typed, fence),
-        limits(Given::Text, text, fence),
-        verdict(Given::Typed, typed, fence),
-        verdict(Given::Text, text, fence)
+        limits(InputColumns::Typed, typed, fence),
+        limits(InputColumns::Text, text, fence),
+        verdict(InputColumns::Typed, typed, fence),
+        verdict(InputColumns::Text, text, fence)
     )
 }

@@ -1,7 +1,7 @@
 //! `DuckDB`: table macros take the place of functions. A macro is pasted text, so its parameters bear no column's name.
 //! Classes compare by bytes: a column or a database that ignores case would take h7 for H7.
 
-use super::decimals::{Given, limits, verdict, views};
+use super::decimals::{InputColumns, limits, verdict, views};
 use super::{CALLOUT, CLASS, Dialect, MEASURED, millimetres, quoted};
 
 pub(super) const DIALECT: Dialect = Dialect {
@@ -108,8 +108,8 @@ create macro fitcheck_verdict_of_typed(given_nominal, given_class, given_measure
 {};
 ",
         views(&text("fitcheck_input_text"), &typed("fitcheck_input"), ""),
-        limits(Given::Arguments, &of_typed("null::decimal(15, 6)"), ""),
-        verdict(Given::Arguments, &of_text, ""),
-        verdict(Given::Arguments, &of_typed("given_measured"), "")
+        limits(InputColumns::Arguments, &of_typed("null::decimal(15, 6)"), ""),
+        verdict(InputColumns::Arguments, &of_text, ""),
+        verdict(InputColumns::Arguments, &of_typed("given_measured"), "")
     )
 }

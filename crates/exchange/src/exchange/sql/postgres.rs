@@ -1,6 +1,6 @@
 //! `PostgreSQL`: `numeric` is exact at any scale. Classes compare by bytes, whatever the database's language.
 
-use super::decimals::{Given, limits, verdict, views};
+use super::decimals::{InputColumns, limits, verdict, views};
 use super::{CALLOUT, CLASS, Dialect, MEASURED, millimetres, quoted};
 
 pub(super) const DIALECT: Dialect = Dialect {
@@ -122,8 +122,8 @@ create function fitcheck_verdict_of(given_nominal numeric, given_class text, giv
 $$;
 ",
         views(&text("fitcheck_input_text"), &typed("fitcheck_input"), FENCE),
-        limits(Given::Arguments, &of_typed("null::numeric"), FENCE),
-        verdict(Given::Arguments, &of_text, FENCE),
-        verdict(Given::Arguments, &of_typed("given_measured"), FENCE)
+        limits(InputColumns::Arguments, &of_typed("null::numeric"), FENCE),
+        verdict(InputColumns::Arguments, &of_text, FENCE),
+        verdict(InputColumns::Arguments, &of_typed("given_measured"), FENCE)
     )
 }

@@ -5,7 +5,7 @@ mod token;
 mod words;
 
 use fitcheck_core::tolerance::fit::thermal::Temperature;
-use token::{Kind, plain, tokens};
+use token::{TokenKind, plain, tokens};
 pub(super) use words::Whose;
 
 /// The unit of a temperature.
@@ -48,7 +48,7 @@ pub(super) fn of_column(name: &str) -> Option<OfTemperature> {
     let all: Vec<&str> = tokens
         .iter()
         .filter_map(|token| match token.kind {
-            Kind::Word(word) => Some(word),
+            TokenKind::Word(word) => Some(word),
             _ => None,
         })
         .collect();
@@ -57,7 +57,7 @@ pub(super) fn of_column(name: &str) -> Option<OfTemperature> {
         _ => None,
     });
     let last = all.last().copied().filter(|_| 1 < all.len());
-    let letter = last.and_then(|last| scale_of(Kind::Word(last)));
+    let letter = last.and_then(|last| scale_of(TokenKind::Word(last)));
     let is_difference = all
         .iter()
         .any(|word| ["δ", "delta", "diff", "difference", "differenz", "verschil", "δt", "dt", "deltat"].contains(word));
@@ -82,11 +82,11 @@ pub(super) fn of_column(name: &str) -> Option<OfTemperature> {
     Some(OfTemperature { scale, whose }).filter(|_| whose != Some(Whose::Other))
 }
 
-fn scale_of(letter: Kind<'_>) -> Option<Scale> {
+fn scale_of(letter: TokenKind<'_>) -> Option<Scale> {
     match letter {
-        Kind::Word("c" | "celsius") => Some(Scale::Celsius),
-        Kind::Word("f" | "fahrenheit") => Some(Scale::Fahrenheit),
-        Kind::Word("k" | "kelvin") => Some(Scale::Kelvin),
+        TokenKind::Word("c" | "celsius") => Some(Scale::Celsius),
+        TokenKind::Word("f" | "fahrenheit") => Some(Scale::Fahrenheit),
+        TokenKind::Word("k" | "kelvin") => Some(Scale::Kelvin),
         _ => None,
     }
 }

@@ -3,7 +3,7 @@
 //! Each number with a unit, or behind the name of a temperature, belongs to the words of its own clause: `coolant 25 °C, part 35 °C` says 35,
 //! and so does `not compensated, 35 °C`. A text that says of its values that they are corrected says 20.
 
-use super::token::{Kind, Token, plain, tokens};
+use super::token::{Token, TokenKind, plain, tokens};
 use super::words::{self, Whose};
 use super::{Scale, Temperature};
 use fitcheck_core::text::Within as _;
@@ -167,14 +167,14 @@ impl<'a> Text<'a> {
 
     fn word(&self, at: usize) -> Option<&'a str> {
         match self.at(at)?.kind {
-            Kind::Word(word) => Some(word),
+            TokenKind::Word(word) => Some(word),
             _ => None,
         }
     }
 
     fn number(&self, at: usize) -> Option<f64> {
         match self.at(at)?.kind {
-            Kind::Number(number) => Some(number),
+            TokenKind::Number(number) => Some(number),
             _ => None,
         }
     }
@@ -189,7 +189,7 @@ impl<'a> Text<'a> {
 
     /// Whether a clause ends with a token.
     fn ends_clause(&self, at: usize) -> bool {
-        let Some(Token { kind: Kind::Sign(sign), is_glued }) = self.at(at) else { return false };
+        let Some(Token { kind: TokenKind::Sign(sign), is_glued }) = self.at(at) else { return false };
         match sign {
             ',' | ';' | '|' | ')' | '/' => true,
             // No abbreviation: "Temp. comp. off".
@@ -260,14 +260,15 @@ impl<'a> Text<'a> {
     fn is_named(&self, number: usize) -> bool {
         for at in (0..number).rev() {
             match self.at(at).map(|token| token.kind) {
-                Some(Kind::Word("c" | "f" | "k")) if 0 < at && self.is(at - 1, '°') => {
+                Some(TokenKind::Word("c" | "f" | "k")) if 0 < at && self.is(at - 1, '°') => {
                     return at < 2 || self.number(at - 2).is_none();
                 }
-                Some(Kind::Word(word)) if words::names_temperature(word) => return true,
-                Some(Kind::Word(word))
+                Some(TokenKind::Word(word)) if words::names_temperature(word) => return true,
+                Some(TokenKind::Word(word))
                     if words::is_filler(word) || words::is_time(word) || words::whose(word).is_some() => {}
-                Some(Kind::Word(_) | Kind::Number(_) | Kind::Sign(',' | ';' | '|' | '#' | '%')) | None => return false,
-                Some(Kind::Sign(_)) => {}
+                Some(TokenKind::Word(_) | TokenKind::Number(_) | TokenKind::Sign(',' | ';' | '|' | '#' | '%'))
+                | None => return false,
+                Some(TokenKind::Sign(_)) => {}
             }
         }
         false

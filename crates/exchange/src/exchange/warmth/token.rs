@@ -3,7 +3,7 @@
 use fitcheck_core::text::Within as _;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Kind<'a> {
+pub(super) enum TokenKind<'a> {
     Number(f64),
     /// In small letters.
     Word(&'a str),
@@ -12,14 +12,14 @@ pub(super) enum Kind<'a> {
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Token<'a> {
-    pub(super) kind: Kind<'a>,
+    pub(super) kind: TokenKind<'a>,
     /// Whether no blank stands before it.
     pub(super) is_glued: bool,
 }
 
 impl Token<'_> {
     pub(super) fn is(&self, sign: char) -> bool {
-        self.kind == Kind::Sign(sign)
+        self.kind == TokenKind::Sign(sign)
     }
 }
 
@@ -43,12 +43,12 @@ pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
         let (kind, length) = if first.is_ascii_digit() {
             let length = number_length(rest);
             let digits = rest.within(..length).replace(',', ".");
-            (digits.parse().map_or(Kind::Sign('#'), Kind::Number), length)
+            (digits.parse().map_or(TokenKind::Sign('#'), TokenKind::Number), length)
         } else if first.is_alphabetic() {
             let length = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
-            (Kind::Word(rest.within(..length)), length)
+            (TokenKind::Word(rest.within(..length)), length)
         } else {
-            (Kind::Sign(first), first.len_utf8())
+            (TokenKind::Sign(first), first.len_utf8())
         };
         let token = signed(&mut found, Token { kind, is_glued });
         found.push(token);
@@ -60,7 +60,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
 
 /// A number with the sign before it, which is one unless something else stands directly before it: "35-36" is a range.
 fn signed<'a>(found: &mut Vec<Token<'a>>, token: Token<'a>) -> Token<'a> {
-    let Kind::Number(number) = token.kind else { return token };
+    let TokenKind::Number(number) = token.kind else { return token };
     let (sign, before) = match found.as_slice() {
         [.., before, sign] if token.is_glued => (*sign, Some(*before)),
         [sign] if token.is_glued => (*sign, None),
@@ -68,13 +68,13 @@ fn signed<'a>(found: &mut Vec<Token<'a>>, token: Token<'a>) -> Token<'a> {
     };
     let is_range = sign.is_glued && before.is_some_and(|before| !before.is('=') && !before.is(':') && !before.is('('));
     match sign.kind {
-        Kind::Sign('-') if !is_range => {
+        TokenKind::Sign('-') if !is_range => {
             found.pop();
-            Token { kind: Kind::Number(-number), is_glued: sign.is_glued }
+            Token { kind: TokenKind::Number(-number), is_glued: sign.is_glued }
         }
-        Kind::Sign('+') if !is_range => {
+        TokenKind::Sign('+') if !is_range => {
             found.pop();
-            Token { kind: Kind::Number(number), is_glued: sign.is_glued }
+            Token { kind: TokenKind::Number(number), is_glued: sign.is_glued }
         }
         _ => token,
     }

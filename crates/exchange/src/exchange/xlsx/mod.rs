@@ -23,14 +23,14 @@ use super::guarded::guarded;
 use super::imported::{Item, Sink};
 use super::left_out;
 use super::mapping::Mapping;
-use super::measurements::Cells;
+use super::measurements::CellsReader;
 use super::sample::{SAMPLE, Sample};
 use super::size::SizesOf;
 use super::source::{Beginning, Body, Context, Source};
 use super::stated;
-use fitcheck_core::message::Place;
+use fitcheck_core::message::FilePlace;
 use hidden::Hidden;
-use package::Seen;
+use package::WorkbookSheets;
 use sheet::{FORMULA, Rows, UnitsShown};
 
 pub(super) const FORMAT: Format = Format {
@@ -71,7 +71,7 @@ fn broken(error: &dyn std::fmt::Display) -> ImportErrorKind {
 }
 
 /// Opens a workbook, once it is known what it unpacks to.
-fn open<'b>(source: &'b mut Source<'_>) -> Result<(Workbook<'b>, Seen), ImportErrorKind> {
+fn open<'b>(source: &'b mut Source<'_>) -> Result<(Workbook<'b>, WorkbookSheets), ImportErrorKind> {
     let beginning = source.beginning();
     if is_compound(&beginning) {
         let is_locked =
@@ -136,7 +136,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
         let may_hold_rows = others_hold.iter().any(|other| matches!(other, Other::Rows));
         let left = others.iter().map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
         let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left), may_hold_rows };
-        sink.warn(Place::line(1), None, kind);
+        sink.warn(FilePlace::line(1), None, kind);
         // A cover sheet speaks of the values, too.
         let counted = columns.counted_at(usize::MAX, context.counted);
         let lines = others_hold.iter().flat_map(|other| match other {
@@ -144,18 +144,18 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
             Other::Rows | Other::Chart => &[],
         });
         for told in lines.filter_map(|cells| left_out::said_against(cells, counted)) {
-            sink.warn(Place::line(1), None, told);
+            sink.warn(FilePlace::line(1), None, told);
         }
     }
     if is_hidden(&workbook, &chosen) {
-        sink.warn(Place::line(1), None, ImportWarningKind::SheetHidden { sheet: shorten(&chosen) });
+        sink.warn(FilePlace::line(1), None, ImportWarningKind::SheetHidden { sheet: shorten(&chosen) });
     }
     let hidden = seen.hidden(&chosen);
     if let Some((count, rows)) = hidden.and_then(Hidden::rows) {
-        sink.warn(Place::line(1), None, ImportWarningKind::RowsHidden { count, rows });
+        sink.warn(FilePlace::line(1), None, ImportWarningKind::RowsHidden { count, rows });
     }
     if let Some(columns) = hidden.and_then(|hidden| hidden.columns(columns.count)) {
-        sink.warn(Place::line(1), None, ImportWarningKind::ColumnsHidden { columns });
+        sink.warn(FilePlace::line(1), None, ImportWarningKind::ColumnsHidden { columns });
     }
     if SAMPLE <= count {
         agree(&mut rows(&mut workbook, &chosen, &units)?, &columns)?;
@@ -318,7 +318,7 @@ fn read_rows(
     let left = sink.left();
     let mut pass = |item| sink.pass(in_cell(item, sheet));
     let mut inner = Sink::up_to(left, &mut pass);
-    let mut cells = Cells::new(context, columns, has_plan, &mut inner, sizes);
+    let mut cells = CellsReader::new(context, columns, has_plan, &mut inner, sizes);
     loop {
         match calm(|| rows.next()) {
             Ok(Some((line, row))) => {

@@ -54,7 +54,7 @@ const TAIL: u64 = 66 << 10;
 
 /// What was seen of a workbook.
 #[derive(Debug, Default)]
-pub(super) struct Seen {
+pub(super) struct WorkbookSheets {
     /// The sheets: name, and the id of where they are.
     sheets: Vec<(String, String)>,
     /// Ids and the members that they stand for.
@@ -63,7 +63,7 @@ pub(super) struct Seen {
     hidden: Vec<(String, Hidden)>,
 }
 
-impl Seen {
+impl WorkbookSheets {
     /// What a sheet hides.
     pub(super) fn hidden(&self, sheet: &str) -> Option<&Hidden> {
         let (_, id) = self.sheets.iter().find(|(name, _)| name == sheet.trim())?;
@@ -94,7 +94,7 @@ fn plain(name: &str) -> String {
 ///
 /// # Errors
 /// Why it is not a workbook, or not one that is read.
-pub(super) fn check(body: &mut dyn Body) -> Result<Seen, ImportErrorKind> {
+pub(super) fn check(body: &mut dyn Body) -> Result<WorkbookSheets, ImportErrorKind> {
     check_list(body)?;
     body.rewind().map_err(|error| ImportErrorKind::read(&error))?;
     let mut archive = ZipArchive::new(std::io::BufReader::new(body)).map_err(|error| unreadable(&error))?;
@@ -111,19 +111,19 @@ pub(super) fn check(body: &mut dyn Body) -> Result<Seen, ImportErrorKind> {
     if twice.is_some() || archive.has_duplicate_names() {
         return Err(ImportErrorKind::ZipTwice);
     }
-    let mut seen = Seen::default();
+    let mut seen = WorkbookSheets::default();
     let mut all = 0;
     for index in 0..archive.len() {
         let member = archive.by_index(index).map_err(|error| unreadable(&error))?;
         let packed = member.compressed_size();
         let name = member.name().map_err(|error| unreadable(&error))?.into_owned();
-        let kind = Kind::of(&name);
+        let kind = MemberKind::of(&name);
         let too_large = || ImportErrorKind::ZipBomb { member: shorten(&name), most: kind.most() >> 20 };
         if kind.most() < member.size() {
             return Err(too_large());
         }
         let most = kind.most().min(ALL.saturating_sub(all));
-        let mut counted = Counted { inner: member, packed, read: 0, most, is_over: false };
+        let mut counted = CountedMember { inner: member, packed, read: 0, most, is_over: false };
         let looked = kind.look(&name, &mut counted, &mut seen);
         let read = counted.read;
         let is_over = counted.is_over;
@@ -179,7 +179,7 @@ fn check_list(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
 
 /// What a member is, by its name: the names of these are fixed, or checked where they are not.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum MemberKind {
     Sheet,
     Texts,
     Frame,
@@ -188,7 +188,7 @@ enum Kind {
     Other,
 }
 
-impl Kind {
+impl MemberKind {
     fn of(name: &str) -> Self {
         let name = name.to_lowercase().replace('\\', "/");
         let own = name.rsplit_once('/').map_or(name.as_str(), |(_, own)| own);
@@ -212,7 +212,7 @@ impl Kind {
         }
     }
 
-    fn look(self, name: &str, member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
+    fn look(self, name: &str, member: &mut dyn Read, seen: &mut WorkbookSheets) -> Result<(), ImportErrorKind> {
         match self {
             Self::Sheet => sheet(name, member).map(|hidden| seen.hidden.push((plain(name), hidden))),
             Self::Frame => survey(member, seen),
@@ -245,7 +245,7 @@ impl Measure {
 
 /// Looks at a member as XML: how deep it is, and how long what is kept of it at once. A sheet that is not called one is refused:
 /// nobody would have looked at its cells.
-fn survey(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
+fn survey(member: &mut dyn Read, seen: &mut WorkbookSheets) -> Result<(), ImportErrorKind> {
     let mut measure = Measure::default();
     // The encoding of these is UTF-8.
     let mut xml = Xml::new(member, b"", &["Type", "Target", "Id", "id", "name"])?;
@@ -253,7 +253,7 @@ fn survey(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind>
         measure.see(&start, depth, position)?;
         seen.see(&start);
         let is_sheet = start.name == "Relationship" && start.attribute("Type").ends_with("/worksheet");
-        if is_sheet && Kind::of(start.attribute("Target")) != Kind::Sheet {
+        if is_sheet && MemberKind::of(start.attribute("Target")) != MemberKind::Sheet {
             return Err(ImportErrorKind::NotAWorkbook);
         }
     }
@@ -295,7 +295,7 @@ fn is_number_of_text(text: &str) -> bool {
 }
 
 /// The texts that cells share: how many there may be is reserved beforehand by who reads them.
-fn texts(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
+fn texts(member: &mut dyn Read, seen: &mut WorkbookSheets) -> Result<(), ImportErrorKind> {
     let mut all = Vec::new();
     member.read_to_end(&mut all).map_err(|error| broken(&error))?;
     let too_many = ImportErrorKind::ZipTexts { most: MOST_TEXTS };
@@ -326,7 +326,7 @@ fn count_texts(all: &[u8]) -> usize {
 }
 
 /// A workbook with another name could be as large as a sheet.
-fn root(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
+fn root(member: &mut dyn Read, seen: &mut WorkbookSheets) -> Result<(), ImportErrorKind> {
     let mut all = Vec::new();
     member.read_to_end(&mut all).map_err(|error| broken(&error))?;
     let text = String::from_utf8_lossy(&all).to_lowercase();
@@ -335,7 +335,7 @@ fn root(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
 }
 
 /// What a member unpacks to.
-struct Counted<R> {
+struct CountedMember<R> {
     inner: R,
     packed: u64,
     read: u64,
@@ -343,7 +343,7 @@ struct Counted<R> {
     is_over: bool,
 }
 
-impl<R: Read> Read for Counted<R> {
+impl<R: Read> Read for CountedMember<R> {
     fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
         let read = self.inner.read(into)?;
         self.read += u64::try_from(read).unwrap_or(u64::MAX);

@@ -1,11 +1,11 @@
 //! Whether a question asks for an entry.
 
 use super::Question;
-use crate::journal::found::{Found, Kind, folded, words_of};
+use crate::journal::found::{FoundEntry, FoundEntryKind, folded, words_of};
 
 impl Question {
     /// Whether it asks for an entry; `is_corrected` where another one stands in its place or takes it back.
-    pub fn finds(&self, found: &Found<'_>, is_corrected: bool) -> bool {
+    pub fn finds(&self, found: &FoundEntry<'_>, is_corrected: bool) -> bool {
         let names = [
             (&self.part, &found.part),
             (&self.feature, &found.feature),
@@ -23,7 +23,7 @@ impl Question {
             && self.from_ms.is_none_or(|from| from <= found.at_ms)
             && self.before_ms.is_none_or(|before| found.at_ms < before)
             && self.simulated.is_none_or(|simulated| simulated == found.is_simulated)
-            && (!self.standing || (found.kind == Kind::Check && !is_corrected))
+            && (!self.standing || (found.kind == FoundEntryKind::Check && !is_corrected))
             && self.wanted_words().is_some_and(|words| found.has_words(&words))
     }
 

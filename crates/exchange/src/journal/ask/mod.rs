@@ -47,14 +47,14 @@ use jiff::tz::TimeZone;
 
 /// When and where somebody asks: what `today` is, and when a day begins.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Here {
+pub struct LocalNow {
     /// The time now.
     pub now: Timestamp,
     /// The zone whose days are meant.
     pub zone: TimeZone,
 }
 
-impl Here {
+impl LocalNow {
     /// The day that it is.
     fn today(&self) -> Date {
         self.now.to_zoned(self.zone.clone()).date()

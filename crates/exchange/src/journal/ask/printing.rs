@@ -3,11 +3,11 @@
 use jiff::Timestamp;
 
 use super::reading::{SWITCHES, begin_of};
-use super::{Here, Question};
+use super::{LocalNow, Question};
 
 impl Question {
     /// Its text. Where it begins and ends with days of the place where it is asked, these are named; other instants are in UTC.
-    pub fn text(&self, here: &Here) -> String {
+    pub fn text(&self, here: &LocalNow) -> String {
         let mut words = Vec::new();
         let named = [
             ("part", &self.part),
@@ -36,7 +36,7 @@ impl Question {
 }
 
 /// A day where an instant begins one, or ends one; otherwise a time in UTC.
-fn instant(ms: i64, here: &Here, is_end: bool) -> String {
+fn instant(ms: i64, here: &LocalNow, is_end: bool) -> String {
     let Ok(time) = Timestamp::from_millisecond(ms) else { return ms.to_string() };
     let day = time.to_zoned(here.zone.clone()).date();
     let day = if is_end { day.yesterday() } else { Ok(day) };

@@ -10,7 +10,7 @@ use fitcheck_core::verdict::Status;
 use jiff::civil::{Date, DateTime};
 use jiff::{Timestamp, ToSpan as _};
 
-use super::{AskError, AskErrorKind, Here, Question};
+use super::{AskError, AskErrorKind, LocalNow, Question};
 
 /// The longest text of a question, bytes.
 pub(super) const LONGEST: usize = 65_536;
@@ -40,7 +40,7 @@ impl Question {
     ///
     /// # Errors
     /// [`AskError`] with the place of what is wrong, and what is allowed.
-    pub fn read(text: &str, here: &Here) -> Result<Self, AskError> {
+    pub fn read(text: &str, here: &LocalNow) -> Result<Self, AskError> {
         if LONGEST < text.len() {
             let kind = AskErrorKind::TooLong { bytes: text.len(), most: LONGEST };
             return Err(AskError { kind, span: 0..text.chars().count() });
@@ -60,7 +60,7 @@ impl Question {
     }
 
     /// A word with a colon.
-    fn take(&mut self, key: &str, word: &Word, here: &Here) -> Result<(), AskError> {
+    fn take(&mut self, key: &str, word: &Word, here: &LocalNow) -> Result<(), AskError> {
         let wrong = |kind| AskError { kind, span: word.value_span.clone() };
         let twice = || AskError { kind: AskErrorKind::Twice { key: key.to_owned() }, span: word.span.clone() };
         let set = |place: &mut Option<String>, text: String| match place.replace(text) {
@@ -104,7 +104,7 @@ impl Question {
     }
 
     /// A word without a colon.
-    fn take_word(&mut self, word: &Word, here: &Here) -> Result<(), AskError> {
+    fn take_word(&mut self, word: &Word, here: &LocalNow) -> Result<(), AskError> {
         let wrong = |kind| AskError { kind, span: word.span.clone() };
         let small = word.value.to_lowercase();
         let switch = SWITCHES.into_iter().find(|switch| !word.is_quoted && *switch == small);
@@ -138,7 +138,7 @@ impl Question {
     }
 
     /// Asks for so many days from one on; `None` where days are asked for already.
-    fn days(&mut self, here: &Here, first: Date, count: i64) -> Option<()> {
+    fn days(&mut self, here: &LocalNow, first: Date, count: i64) -> Option<()> {
         if self.from_ms.is_some() || self.before_ms.is_some() {
             return None;
         }
@@ -161,12 +161,12 @@ fn not_a_date(value: &str) -> AskErrorKind {
 }
 
 /// The instant at which a day begins where somebody asks.
-pub(super) fn begin_of(day: Date, here: &Here) -> Option<i64> {
+pub(super) fn begin_of(day: Date, here: &LocalNow) -> Option<i64> {
     day.to_zoned(here.zone.clone()).ok().map(|begin| begin.timestamp().as_millisecond())
 }
 
 /// A day, a local time or an instant. The end of a day is the beginning of the next one.
-fn moment(text: &str, here: &Here, is_end: bool) -> Option<i64> {
+fn moment(text: &str, here: &LocalNow, is_end: bool) -> Option<i64> {
     let is_day = text.len() == "2026-11-23".len() && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-');
     if is_day {
         let day: Date = text.parse().ok()?;

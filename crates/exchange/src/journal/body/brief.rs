@@ -6,11 +6,11 @@ use fitcheck_core::verdict::Status;
 use serde::Deserialize;
 
 use super::{BodyError, wire};
-use crate::journal::found::{Asked, Found, Kind};
+use crate::journal::found::{EntryCallout, FoundEntry, FoundEntryKind};
 
 #[derive(Deserialize)]
 struct Brief<'a> {
-    kind: wire::Kind,
+    kind: wire::BodyKind,
     #[serde(borrow)]
     about: About<'a>,
     #[serde(borrow)]
@@ -70,21 +70,34 @@ struct Corrects {
 ///
 /// # Errors
 /// [`BodyError::Json`] where the bytes are no entry. What is found may still be one that [`read`](super::read) refuses.
-pub fn found(bytes: &[u8]) -> Result<Option<Found<'_>>, BodyError> {
+pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
     let brief: Brief<'_> =
         serde_json::from_slice(bytes).map_err(|error| BodyError::Json { reason: error.to_string() })?;
     let kind = match brief.kind {
-        wire::Kind::Begin => return Ok(None),
-        wire::Kind::Check => Kind::Check,
-        wire::Kind::Withdrawal => Kind::Withdrawal,
+        wire::BodyKind::Begin => return Ok(None),
+        wire::BodyKind::Check => FoundEntryKind::Check,
+        wire::BodyKind::Withdrawal => FoundEntryKind::Withdrawal,
     };
     let About { station, time, who, part, serial, feature, remark } = brief.about;
     let (status, is_simulated, size, corrects) = match brief.check {
         Some(check) => (check.status, check.simulated, check.size, check.corrects),
         None => (None, false, None, None),
     };
-    let asked = size.map(|size| Asked { callout: size.callout, nominal_nm: size.limits.nominal_nm });
+    let asked = size.map(|size| EntryCallout { callout: size.callout, nominal_nm: size.limits.nominal_nm });
     let corrects = corrects.or(brief.withdrawal).map(|correction| correction.number);
     let at_ms = time.utc_ms;
-    Ok(Some(Found { kind, at_ms, status, is_simulated, part, serial, feature, who, station, remark, asked, corrects }))
+    Ok(Some(FoundEntry {
+        kind,
+        at_ms,
+        status,
+        is_simulated,
+        part,
+        serial,
+        feature,
+        who,
+        station,
+        remark,
+        asked,
+        corrects,
+    }))
 }

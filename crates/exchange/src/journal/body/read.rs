@@ -21,9 +21,9 @@ const TIMES: std::ops::RangeInclusive<i64> = -377_705_023_201_000..=253_402_207_
 pub(super) fn entry(body: wire::Body) -> Result<Entry, BodyError> {
     let about = about(&body.about)?;
     let content = match (body.kind, body.begin, body.check, body.withdrawal) {
-        (wire::Kind::Begin, Some(content), None, None) => Content::Begin(begin(&content)?),
-        (wire::Kind::Check, None, Some(content), None) => Content::Check(Box::new(check(content)?)),
-        (wire::Kind::Withdrawal, None, None, Some(content)) => {
+        (wire::BodyKind::Begin, Some(content), None, None) => Content::Begin(begin(&content)?),
+        (wire::BodyKind::Check, None, Some(content), None) => Content::Check(Box::new(check(content)?)),
+        (wire::BodyKind::Withdrawal, None, None, Some(content)) => {
             Content::Withdrawal(corrects("withdrawal.reason", &content)?)
         }
         _ => return Err(BodyError::Contradiction { field: "kind" }),

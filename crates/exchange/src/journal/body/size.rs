@@ -7,7 +7,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::probing::{Circle, Measurement, Origin};
 use fitcheck_core::tolerance::fit::thermal::{Correction, Expansion, Temperature, Warm};
 use fitcheck_core::tolerance::{Base, Callout, Deviations, Limits, Source, Sources};
-use fitcheck_core::verdict::rules::{Given, RuleName, Uncertainty};
+use fitcheck_core::verdict::rules::{RuleInputs, RuleName, Uncertainty};
 use fitcheck_core::verdict::{
     AxisPosition, Doubt, PositionVerdict, Removal, Rule, SizeVerdict, Undecided, Verdict, judge_size,
 };
@@ -131,7 +131,7 @@ fn rule(rule: &wire::Rule) -> Result<Rule, BodyError> {
         }
         _ => return Err(BodyError::Contradiction { field: "check.size.rule.k_thousandths" }),
     };
-    let given = Given {
+    let given = RuleInputs {
         uncertainty,
         factor: rule.factor_thousandths,
         width: some_length("check.size.rule.width_nm", rule.width_nm)?,

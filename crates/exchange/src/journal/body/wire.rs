@@ -25,7 +25,7 @@ pub(super) type Three = [String; 3];
 /// What an entry tells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Kind {
+pub(super) enum BodyKind {
     Begin,
     Check,
     Withdrawal,
@@ -35,7 +35,7 @@ objects! {
     /// An entry. Of the last three the one that the kind names is there, and the others are left out.
     Body {
         v: u64,
-        kind: Kind,
+        kind: BodyKind,
         about: About,
         #[serde(default, skip_serializing_if = "Option::is_none")]
         begin: Option<Begin>,

@@ -20,11 +20,11 @@ pub(super) fn body(entry: &Entry) -> Result<wire::Body, BodyError> {
     let about = about(&entry.about)?;
     let body = |kind| wire::Body { v: VERSION, kind, about, begin: None, check: None, withdrawal: None };
     Ok(match &entry.content {
-        Content::Begin(content) => wire::Body { begin: Some(begin(content)?), ..body(wire::Kind::Begin) },
-        Content::Check(content) => wire::Body { check: Some(check(content)?), ..body(wire::Kind::Check) },
+        Content::Begin(content) => wire::Body { begin: Some(begin(content)?), ..body(wire::BodyKind::Begin) },
+        Content::Check(content) => wire::Body { check: Some(check(content)?), ..body(wire::BodyKind::Check) },
         Content::Withdrawal(content) => {
             let withdrawal = Some(corrects("withdrawal.reason", content)?);
-            wire::Body { withdrawal, ..body(wire::Kind::Withdrawal) }
+            wire::Body { withdrawal, ..body(wire::BodyKind::Withdrawal) }
         }
     })
 }

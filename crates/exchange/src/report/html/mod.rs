@@ -22,7 +22,7 @@ use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::{Circle, Contact};
 use fitcheck_core::verdict::{Removal, Status, Verdict};
 use fitcheck_core::words::Words;
-use seen::Seen;
+use seen::ReportSurvey;
 
 use super::part::PartSheet;
 use super::picture;
@@ -75,7 +75,7 @@ struct Head<'a> {
 /// A whole part.
 #[derive(Template)]
 #[template(path = "part.html", config = "../../assets/report/askama.toml")]
-struct Whole<'a> {
+struct PartSection<'a> {
     words: &'a Words,
     part: part::PartView,
 }
@@ -132,7 +132,7 @@ macro_rules! parts {
     )+};
 }
 
-parts!(Head, Whole, Notes, Line, Section, Annex, Foot);
+parts!(Head, PartSection, Notes, Line, Section, Annex, Foot);
 
 /// A label and what it says.
 struct Entry {
@@ -201,7 +201,7 @@ struct ContactLine {
 }
 
 fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
-    let seen = Seen::of(report)?;
+    let seen = ReportSurvey::of(report)?;
     let head = Head {
         words,
         title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
@@ -212,9 +212,9 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         program: &report.program,
     };
     head.write(out)?;
-    let mut parts = part::Parts::default();
+    let mut parts = part::PartViews::default();
     for part in &report.parts {
-        Whole { words, part: parts.view(part, words).map_err(io::Error::other)? }.write(out)?;
+        PartSection { words, part: parts.view(part, words).map_err(io::Error::other)? }.write(out)?;
     }
     let notes = Notes {
         words,
@@ -257,7 +257,7 @@ fn printable(page: &str) -> Cow<'_, str> {
     page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
-fn entries(report: &Report, seen: &Seen, words: &Words) -> Vec<Entry> {
+fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<Entry> {
     let created = report.created.strftime(DATE).to_string();
     [
         ("report-part", report.part.as_ref()),
@@ -272,7 +272,7 @@ fn entries(report: &Report, seen: &Seen, words: &Words) -> Vec<Entry> {
     .collect()
 }
 
-fn summary(seen: &Seen, parts: &[PartSheet], words: &Words) -> Summary {
+fn summary(seen: &ReportSurvey, parts: &[PartSheet], words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
         let count = seen.counts.get(status.at()).map_or(0, |count| *count);
         // Nothing is re-measured without a guard band, so a zero would only raise questions.

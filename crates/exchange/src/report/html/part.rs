@@ -68,17 +68,17 @@ pub(super) struct SizeView {
 }
 
 /// The views of parts, one after the other: their pictures share the room of the page.
-pub(super) struct Parts {
+pub(super) struct PartViews {
     left: usize,
 }
 
-impl Default for Parts {
+impl Default for PartViews {
     fn default() -> Self {
         Self { left: MOST_PICTURES }
     }
 }
 
-impl Parts {
+impl PartViews {
     /// What the page says of the next part.
     pub(super) fn view(&mut self, part: &PartSheet, words: &Words) -> askama::Result<PartView> {
         let standing = part.standing();

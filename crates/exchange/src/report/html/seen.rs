@@ -13,7 +13,7 @@ use crate::report::Report;
 
 /// What a first look at all checks finds.
 #[derive(Default)]
-pub(super) struct Seen {
+pub(super) struct ReportSurvey {
     /// How many there are of each status.
     pub counts: [usize; Status::ALL.len()],
     pub total: usize,
@@ -28,7 +28,7 @@ pub(super) struct Seen {
     pub shared: Shared,
 }
 
-impl Seen {
+impl ReportSurvey {
     pub fn of(report: &Report) -> io::Result<Self> {
         let mut seen = Self::default();
         report.checks.each(&mut |record| {

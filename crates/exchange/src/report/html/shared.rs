@@ -6,7 +6,7 @@ use fitcheck_core::budget::Provenance;
 use fitcheck_core::message::message;
 use fitcheck_core::tolerance::fit::thermal::Correction;
 use fitcheck_core::verdict::Rule;
-use fitcheck_core::verdict::rules::Given;
+use fitcheck_core::verdict::rules::RuleInputs;
 use fitcheck_core::words::Words;
 
 use super::{Entry, origins};
@@ -67,6 +67,6 @@ impl Shared {
     }
 }
 
-fn apart_from_uncertainty(rule: &Rule) -> Given {
-    Given { uncertainty: None, ..*rule.given() }
+fn apart_from_uncertainty(rule: &Rule) -> RuleInputs {
+    RuleInputs { uncertainty: None, ..*rule.given() }
 }

@@ -4,10 +4,10 @@
 
 use std::io::{Result, Write};
 
-use fitcheck_core::pairing::{Grinding, Group, Groups, Pair, Wanted};
+use fitcheck_core::pairing::{Grinding, Group, Groups, Pair, PairClearances};
 use serde::Serialize;
 
-use super::{Answer, Format, Parts};
+use super::{Format, PairingAnswer, PairingParts};
 use crate::report::columns::{self, Cell as _, Column, columns, names};
 use crate::report::csv::cell;
 use crate::report::figure::Figure;
@@ -19,8 +19,8 @@ pub(super) const CSV: Format = Format { name: "csv", endings: &["csv"], write: c
 pub(super) const JSON: Format = Format { name: "json", endings: &["json"], write: json };
 
 /// The names of the columns of CSV.
-pub fn column_names() -> [&'static str; Row::COLUMNS.len()] {
-    names(&Row::COLUMNS)
+pub fn column_names() -> [&'static str; PairingRow::COLUMNS.len()] {
+    names(&PairingRow::COLUMNS)
 }
 
 /// The whole answer in JSON.
@@ -104,7 +104,7 @@ struct RefusedFigures<'a> {
 
 /// A row of CSV.
 #[derive(Default)]
-struct Row<'a> {
+struct PairingRow<'a> {
     result: &'static str,
     hole: Option<PartFigures<'a>>,
     shaft: Option<PartFigures<'a>>,
@@ -114,7 +114,7 @@ struct Row<'a> {
     refused: Option<RefusedFigures<'a>>,
 }
 
-impl Row<'_> {
+impl PairingRow<'_> {
     /// The columns of CSV: the names of JSON, joined where one is within another.
     const COLUMNS: [Column<Self>; 32] = columns! {
         result, hole.id, hole.line, hole.mm, hole.group, hole.simulated,
@@ -127,32 +127,32 @@ impl Row<'_> {
     };
 }
 
-fn csv(answer: &Answer, out: &mut dyn Write) -> Result<()> {
+fn csv(answer: &PairingAnswer, out: &mut dyn Write) -> Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(column_names())?;
     let figures = Figures::of(answer);
-    let of = |result| Row { result, ..Row::default() };
-    let pair = |result, PairFigures { hole, shaft, clearance_um }| Row {
+    let of = |result| PairingRow { result, ..PairingRow::default() };
+    let pair = |result, PairFigures { hole, shaft, clearance_um }| PairingRow {
         result,
         hole: Some(hole),
         shaft: Some(shaft),
         clearance_um: Some(clearance_um),
-        ..Row::default()
+        ..PairingRow::default()
     };
     let rows = (figures.pairs.into_iter().map(|one| pair("pair", one)))
-        .chain(figures.leftover_holes.into_iter().map(|hole| Row { hole: Some(hole), ..of("leftover") }))
-        .chain(figures.leftover_shafts.into_iter().map(|shaft| Row { shaft: Some(shaft), ..of("leftover") }))
-        .chain(figures.grinding.map(|grinding| Row { grinding: Some(grinding), ..of("grinding") }))
+        .chain(figures.leftover_holes.into_iter().map(|hole| PairingRow { hole: Some(hole), ..of("leftover") }))
+        .chain(figures.leftover_shafts.into_iter().map(|shaft| PairingRow { shaft: Some(shaft), ..of("leftover") }))
+        .chain(figures.grinding.map(|grinding| PairingRow { grinding: Some(grinding), ..of("grinding") }))
         .chain(figures.saved.into_iter().map(|one| pair("saved", one)))
-        .chain(figures.groups.into_iter().flatten().map(|group| Row { group: Some(group), ..of("group") }))
-        .chain(figures.refused.into_iter().map(|row| Row { refused: Some(row), ..of("refused") }));
+        .chain(figures.groups.into_iter().flatten().map(|group| PairingRow { group: Some(group), ..of("group") }))
+        .chain(figures.refused.into_iter().map(|row| PairingRow { refused: Some(row), ..of("refused") }));
     for row in rows {
-        writer.write_record(columns::cells(&Row::COLUMNS, &row).map(|text| cell(&text).into_owned()))?;
+        writer.write_record(columns::cells(&PairingRow::COLUMNS, &row).map(|text| cell(&text).into_owned()))?;
     }
     writer.flush()
 }
 
-fn json(answer: &Answer, out: &mut dyn Write) -> Result<()> {
+fn json(answer: &PairingAnswer, out: &mut dyn Write) -> Result<()> {
     serde_json::to_writer_pretty(&mut *out, &Figures::of(answer))?;
     writeln!(out)
 }
@@ -162,14 +162,15 @@ fn number(count: usize) -> Figure {
 }
 
 impl<'a> Figures<'a> {
-    fn of(answer: &'a Answer) -> Self {
-        let Answer { asked, pairing, grinding, .. } = answer;
+    fn of(answer: &'a PairingAnswer) -> Self {
+        let PairingAnswer { asked, pairing, grinding, .. } = answer;
         let holes = asked.holes.as_ref();
         let shafts = asked.shafts.as_ref();
         let wanted = asked.wanted;
         let groups = answer.groups();
-        let parts = Both { holes, shafts, groups };
-        let refused = |parts: &'a Parts| parts.errors.iter().map(|error| RefusedFigures::of(parts.file(), error));
+        let parts = BothSides { holes, shafts, groups };
+        let refused =
+            |parts: &'a PairingParts| parts.errors.iter().map(|error| RefusedFigures::of(parts.file(), error));
         let outside = groups.map(Groups::outside);
         let saving = grinding.as_ref().and_then(|grinding| grinding.best.as_ref());
         Self {
@@ -199,13 +200,13 @@ impl<'a> Figures<'a> {
 }
 
 /// Holes and shafts, and their groups if they are sorted.
-struct Both<'a, 'g> {
-    holes: &'a Parts,
-    shafts: &'a Parts,
+struct BothSides<'a, 'g> {
+    holes: &'a PairingParts,
+    shafts: &'a PairingParts,
     groups: Option<&'g Groups>,
 }
 
-impl<'a> Both<'a, '_> {
+impl<'a> BothSides<'a, '_> {
     fn hole(&self, at: usize) -> Option<PartFigures<'a>> {
         PartFigures::of(self.holes, at, self.groups.map(|groups| groups.holes.as_slice()))
     }
@@ -222,7 +223,7 @@ impl<'a> Both<'a, '_> {
 }
 
 impl<'a> PartFigures<'a> {
-    fn of(parts: &'a Parts, at: usize, groups: Option<&[Option<usize>]>) -> Option<Self> {
+    fn of(parts: &'a PairingParts, at: usize, groups: Option<&[Option<usize>]>) -> Option<Self> {
         let part = parts.sizes.get(at)?;
         let group = groups.and_then(|groups| *groups.get(at)?);
         Some(Self {
@@ -249,11 +250,11 @@ impl GrindingFigures {
 }
 
 impl GroupFigures {
-    fn all(groups: &Groups, wanted: Wanted) -> Vec<Self> {
+    fn all(groups: &Groups, wanted: PairClearances) -> Vec<Self> {
         (1..).zip(&groups.all).map(|(number, group)| Self::of(number, group, wanted)).collect()
     }
 
-    fn of(at: usize, group: &Group, wanted: Wanted) -> Self {
+    fn of(at: usize, group: &Group, wanted: PairClearances) -> Self {
         Self {
             number: number(at),
             hole_from_mm: Figure::mm(group.hole_range.from, 3),

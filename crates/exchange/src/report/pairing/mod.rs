@@ -21,21 +21,23 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::pairing::{Grinding, Groups, Pairing, PairingError, Range, Ranges, Wanted, grinding, groups, pair};
+use fitcheck_core::pairing::{
+    Grinding, Groups, PairClearances, Pairing, PairingError, Range, Ranges, grinding, groups, pair,
+};
 use fitcheck_core::tolerance::Callout;
 use fitcheck_core::tolerance::fit::Fit;
 
 pub use figures::column_names;
-pub use parts::{Note, Parts, PartsFrom, PartsWarning};
+pub use parts::{Note, PairingParts, PartsFrom, PartsWarning};
 
 #[derive(Debug, Clone, PartialEq)]
-pub struct Asked {
+pub struct PairingRequest {
     /// The measured holes.
-    pub holes: Arc<Parts>,
+    pub holes: Arc<PairingParts>,
     /// The measured shafts.
-    pub shafts: Arc<Parts>,
+    pub shafts: Arc<PairingParts>,
     /// The clearances that a pair may have.
-    pub wanted: Wanted,
+    pub wanted: PairClearances,
     /// The fit whose clearances these are, where it is one.
     pub fit: Option<(Callout, Fit)>,
     /// Into how many groups the parts are sorted besides; `None` into none.
@@ -44,8 +46,8 @@ pub struct Asked {
 
 /// What was asked, and what came of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    pub asked: Asked,
+pub struct PairingAnswer {
+    pub asked: PairingRequest,
     /// Holes and shafts outside the limits of the fit: a pair of them may still have a wanted clearance.
     pub outside: [Option<PartsWarning>; 2],
     /// The pairs, and what is left over.
@@ -67,15 +69,15 @@ pub struct Format {
     ///
     /// # Errors
     /// The stream's own.
-    pub write: fn(&Answer, &mut dyn Write) -> io::Result<()>,
+    pub write: fn(&PairingAnswer, &mut dyn Write) -> io::Result<()>,
 }
 
 /// Every format: a new one is a line here.
 pub const FORMATS: &[Format] = &[figures::CSV, figures::JSON];
 
-impl Asked {
+impl PairingRequest {
     /// Pairs and sorts.
-    pub fn answer(self) -> Answer {
+    pub fn answer(self) -> PairingAnswer {
         let holes = &self.holes.measured;
         let shafts = &self.shafts.measured;
         let pairing = pair(holes, shafts, self.wanted);
@@ -84,7 +86,7 @@ impl Asked {
         let limits = self.fit.as_ref().map(|(_, fit)| [fit.hole(), fit.shaft()]);
         let outside =
             limits.map_or([None, None], |[hole, shaft]| [self.holes.outside(hole), self.shafts.outside(shaft)]);
-        Answer { outside, pairing, grinding, sorted, asked: self }
+        PairingAnswer { outside, pairing, grinding, sorted, asked: self }
     }
 
     /// What is sorted: what was measured or, for a fit, its zones.
@@ -97,7 +99,7 @@ impl Asked {
     }
 }
 
-impl Answer {
+impl PairingAnswer {
     /// The groups, if there are any.
     pub fn groups(&self) -> Option<&Groups> {
         self.sorted.as_ref()?.as_ref().ok()
@@ -113,7 +115,7 @@ impl Answer {
     pub fn warnings(&self) -> Vec<String> {
         let [holes, shafts] = &self.outside;
         let both = [(&self.asked.holes, holes), (&self.asked.shafts, shafts)];
-        let of = |(parts, outside): (&Arc<Parts>, &Option<PartsWarning>)| {
+        let of = |(parts, outside): (&Arc<PairingParts>, &Option<PartsWarning>)| {
             let outside = outside.as_ref().map(|outside| parts.warning(&Note::of(outside)));
             parts.warnings().into_iter().chain(outside).collect::<Vec<_>>()
         };

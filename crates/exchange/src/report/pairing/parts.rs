@@ -19,7 +19,7 @@ pub enum PartsFrom {
 
 /// Holes or shafts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Parts {
+pub struct PairingParts {
     /// Where they come from.
     pub from: PartsFrom,
     /// The parts, in order of their lines.
@@ -84,7 +84,7 @@ impl Note {
     }
 }
 
-impl Parts {
+impl PairingParts {
     pub fn of_file(file: impl Into<String>, read: Sizes) -> Self {
         let found = read.warnings.iter().map(|found| Note { line: found.place.line, what: found.what.message() });
         let notes = found.chain(read.doubts().iter().map(Note::of)).collect();

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use fitcheck_core::length::Unit;
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use jiff::civil::{Date, Time};
 
 use super::error::{LONGEST_LINE, LogError, LogFault, LogWarning, LogWarningKind, MOST_LINES};
@@ -51,7 +51,7 @@ pub(super) struct Pair<'a> {
 
 impl Pair<'_> {
     pub(super) fn wrong(&self, what: LogFault) -> LogError {
-        Located { what, place: Place::in_line(self.line, self.column) }
+        Located { what, place: FilePlace::in_line(self.line, self.column) }
     }
 
     fn ignored(&self) -> LogWarning {

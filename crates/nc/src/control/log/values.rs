@@ -4,7 +4,7 @@
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Located;
-use fitcheck_core::probing::cycle::{FigureKind, FoundName, LogFigure, TextLog};
+use fitcheck_core::probing::cycle::{FigureKind, LogFigure, ResultName, TextLog};
 
 use super::error::{LogError, LogFault, LogWarning, LogWarningKind, Section as Name};
 use super::lines::{Chunk, Pair, Section, Title};
@@ -104,7 +104,7 @@ impl<'a> Body<'a> {
         if deviations.is_none() {
             warnings.push(Located::in_line(self.chunk.last_line(), LogWarningKind::NoDeviations));
         }
-        let is_diameter = |figure: &&LogFigure| figure.what == FoundName::DIAMETER;
+        let is_diameter = |figure: &&LogFigure| figure.what == ResultName::DIAMETER;
         for numbers in [nominal.iter().zip(log.limited()), compared.iter().zip(log.limited())] {
             for (number, _) in numbers.filter(|(_, figure)| is_diameter(figure)) {
                 if number.value <= Length::ZERO {

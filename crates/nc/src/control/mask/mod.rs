@@ -17,7 +17,7 @@ mod read;
 mod render;
 
 pub use error::{MaskError, MaskFault, MaskWarning, MaskWarningKind, RenderError, RenderFault};
-pub use inverse::{Found, Inverse, InverseError, InverseFault, Of, Printed, Slot};
+pub use inverse::{FieldContent, Inverse, InverseError, InverseFault, PrintMatch, Printed, Slot};
 pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 
@@ -113,12 +113,12 @@ struct Format {
     zeros: bool,
     width: usize,
     digits: Option<usize>,
-    kind: Kind,
+    kind: FormatLetter,
 }
 
 /// The letter of a format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum FormatLetter {
     /// `%S`: text.
     Text,
     /// `%RS`: text, unchanged.

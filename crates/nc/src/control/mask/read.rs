@@ -1,11 +1,11 @@
 //! Text to mask.
 
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::text::{beginning, decode, lines};
 
 use super::{
-    FileUse, Format, Keyword, Kind, Line, Mask, MaskError, MaskFault, MaskWarning, MaskWarningKind, NAMES, Name, Part,
-    Record,
+    FileUse, Format, FormatLetter, Keyword, Line, Mask, MaskError, MaskFault, MaskWarning, MaskWarningKind, NAMES,
+    Name, Part, Record,
 };
 
 /// The widest field; a control's line is 200 characters at most.
@@ -29,7 +29,7 @@ impl Mask {
     /// # Errors
     /// [`MaskError`] with line and column.
     pub fn read(bytes: &[u8]) -> Result<(Self, Vec<MaskWarning>), MaskError> {
-        let whole = |what| Located { what, place: Place::default() };
+        let whole = |what| Located { what, place: FilePlace::default() };
         if LARGEST < bytes.len() {
             return Err(whole(MaskFault::TooLarge { most: LARGEST >> 10 }));
         }
@@ -100,7 +100,7 @@ enum Piece {
 
 impl Reader {
     fn fault(&self, column: usize, what: MaskFault) -> MaskError {
-        Located { what, place: Place::in_line(self.line, column) }
+        Located { what, place: FilePlace::in_line(self.line, column) }
     }
 
     fn unknown(&self, column: usize, found: &str) -> MaskError {
@@ -200,11 +200,11 @@ impl Reader {
         };
         let letters: String = cursor.rest().chars().take(2).collect::<String>().to_ascii_uppercase();
         let (kind, length) = match letters.as_str() {
-            "RS" => (Kind::Raw, 2),
-            "LF" => (Kind::Decimal, 2),
-            letters if letters.starts_with('S') => (Kind::Text, 1),
-            letters if letters.starts_with('F') => (Kind::Decimal, 1),
-            letters if letters.starts_with(['D', 'I']) => (Kind::Whole, 1),
+            "RS" => (FormatLetter::Raw, 2),
+            "LF" => (FormatLetter::Decimal, 2),
+            letters if letters.starts_with('S') => (FormatLetter::Text, 1),
+            letters if letters.starts_with('F') => (FormatLetter::Decimal, 1),
+            letters if letters.starts_with(['D', 'I']) => (FormatLetter::Whole, 1),
             letters => {
                 let found = std::iter::once('%').chain(letters.chars().take(1)).collect();
                 return Err(self.fault(column, MaskFault::UnknownFormat { found }));

@@ -1,10 +1,10 @@
 //! Mask and parameters to text.
 
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::words::Dialogue;
 use jiff::civil::DateTime;
 
-use super::{Format, Keyword, Kind, Line, Mask, NAMES, Name, Part, Record, RenderError, RenderFault};
+use super::{Format, FormatLetter, Keyword, Line, Mask, NAMES, Name, Part, Record, RenderError, RenderFault};
 use crate::control::variables::{Family, Value, Variables};
 
 /// What a mask prints besides parameters.
@@ -114,23 +114,23 @@ enum Printed<'a> {
 
 impl At {
     fn fault(&self, what: RenderFault) -> RenderError {
-        Located { what, place: Place::in_line(self.line, self.column) }
+        Located { what, place: FilePlace::in_line(self.line, self.column) }
     }
 
     fn field(&self, format: &Format, variables: &Variables, context: &Context<'_>) -> Result<String, RenderError> {
         let printed = self.printed(variables, context)?;
         let name = || self.name.to_string();
         match (format.kind, printed) {
-            (Kind::Raw, Printed::Text(text)) => Ok(text.to_owned()),
-            (Kind::Text, Printed::Text(text)) => {
+            (FormatLetter::Raw, Printed::Text(text)) => Ok(text.to_owned()),
+            (FormatLetter::Text, Printed::Text(text)) => {
                 let text: String = text.chars().take(format.digits.unwrap_or(usize::MAX)).collect();
                 Ok(padded(&text, format.width, format.left))
             }
-            (Kind::Decimal, Printed::Number(number)) => {
+            (FormatLetter::Decimal, Printed::Number(number)) => {
                 let digits = format.digits.unwrap_or(6);
                 Ok(signed(&told(&number, digits), format))
             }
-            (Kind::Whole, Printed::Number(number)) => {
+            (FormatLetter::Whole, Printed::Number(number)) => {
                 let whole = told(&number, 0);
                 let (sign, figures) = whole.strip_prefix('-').map_or(("", whole.as_str()), |figures| ("-", figures));
                 let figures = match format.digits {
@@ -141,8 +141,10 @@ impl At {
                 let format = Format { zeros: format.zeros && format.digits.is_none(), ..*format };
                 Ok(signed(&format!("{sign}{figures}"), &format))
             }
-            (Kind::Text | Kind::Raw, Printed::Number(_)) => Err(self.fault(RenderFault::NumberAsText { name: name() })),
-            (Kind::Decimal | Kind::Whole, Printed::Text(_)) => {
+            (FormatLetter::Text | FormatLetter::Raw, Printed::Number(_)) => {
+                Err(self.fault(RenderFault::NumberAsText { name: name() }))
+            }
+            (FormatLetter::Decimal | FormatLetter::Whole, Printed::Text(_)) => {
                 Err(self.fault(RenderFault::TextAsNumber { name: name() }))
             }
         }

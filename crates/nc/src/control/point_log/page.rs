@@ -27,11 +27,11 @@ struct Page {
     language: Dialogue,
     words: &'static Surface,
     count_name: &'static str,
-    rows: Vec<Row>,
+    rows: Vec<PointRow>,
 }
 
 /// One measurement.
-struct Row {
+struct PointRow {
     number: usize,
     /// The block for programs, already escaped.
     stored: String,
@@ -130,7 +130,7 @@ fn of_axis<T>(name: &str, [x, y, z]: [T; 3]) -> T {
     }
 }
 
-fn row(log: &PointLog, number: usize, words: &'static Surface, language: Dialogue) -> Row {
+fn row(log: &PointLog, number: usize, words: &'static Surface, language: Dialogue) -> PointRow {
     let unit = log.unit;
     let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
     let signed = |length: Length| {
@@ -144,7 +144,7 @@ fn row(log: &PointLog, number: usize, words: &'static Surface, language: Dialogu
         measured: plain(of_axis(name, log.measured)),
         deviation: signed(of_axis(name, log.deviations)),
     });
-    Row {
+    PointRow {
         number,
         stored: stored::block(log),
         class: class(log.status),

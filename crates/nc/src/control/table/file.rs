@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 
 use super::ControlTable;
 use super::fault::TableWarning;
@@ -25,7 +25,7 @@ pub struct TableFile {
 
 impl TableFile {
     /// The place where a cell begins.
-    pub fn cell_place(&self, row: usize, column: usize) -> Place {
+    pub fn cell_place(&self, row: usize, column: usize) -> FilePlace {
         self.place(self.row_lines.get(row).copied().unwrap_or(self.names_line), column)
     }
 
@@ -44,8 +44,8 @@ impl TableFile {
         self.touching.binary_search(&(row, column)).is_ok() || self.touching.binary_search(&(row, column + 1)).is_ok()
     }
 
-    fn place(&self, line: usize, column: usize) -> Place {
-        Place::in_file(&self.file, line, self.start_of(column) + 1)
+    fn place(&self, line: usize, column: usize) -> FilePlace {
+        FilePlace::in_file(&self.file, line, self.start_of(column) + 1)
     }
 
     /// Where a column starts; beyond the last one, the line.

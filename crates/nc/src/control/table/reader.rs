@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::text::lines;
 
 use super::fault::{TableError, TableFault, TableWarning, TableWarningKind};
@@ -42,11 +42,11 @@ impl<'a> Reader<'a> {
     }
 
     pub(super) fn fault_at(&self, what: TableFault, line: usize, character: usize) -> TableError {
-        Located { what, place: Place::in_file(&self.file, line, character + 1) }
+        Located { what, place: FilePlace::in_file(&self.file, line, character + 1) }
     }
 
     pub(super) fn warn(&mut self, what: TableWarningKind, character: usize) {
-        let place = Place::in_file(&self.file, self.line.max(1), character + 1);
+        let place = FilePlace::in_file(&self.file, self.line.max(1), character + 1);
         self.warnings.push(Located { what, place });
     }
 

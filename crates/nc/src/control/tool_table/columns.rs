@@ -48,7 +48,7 @@ impl Columns {
     }
 
     pub(super) fn tool(&self, file: &TableFile, row: usize) -> Result<Tool, ToolTableError> {
-        let cells = Row { file, row };
+        let cells = ToolRow { file, row };
         Ok(Tool {
             number: cells.number(self.number, "T")?,
             name: cells.name(self.name)?,
@@ -71,12 +71,12 @@ pub(super) fn unit(file: &TableFile) -> Unit {
 }
 
 /// A row of the table.
-struct Row<'a> {
+struct ToolRow<'a> {
     file: &'a TableFile,
     row: usize,
 }
 
-impl<'a> Row<'a> {
+impl<'a> ToolRow<'a> {
     /// The text of a cell that is not blank.
     fn text(&self, column: Option<usize>, name: &'static str) -> Result<Option<&'a str>, ToolTableError> {
         let Some(column) = column else { return Ok(None) };

@@ -25,7 +25,7 @@ pub use number::{NoToolNumber, ToolNumber};
 use super::table::{ControlTable, TableFile, TableWarning, TableWarningKind, WriteError, is_blank};
 use columns::Columns;
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Located, Place};
+use fitcheck_core::message::{FilePlace, Located};
 
 /// TYP of a touch probe (manual TNC7, tool types).
 pub const PROBE: u32 = 21;
@@ -134,7 +134,7 @@ impl ToolTable {
         let name: Arc<str> = file.into();
         let mut file = ControlTable::read_with_short_rows(bytes, &name)?;
         if file.table.unit.is_none() {
-            let place = Place { file: Some(name), ..Place::default() };
+            let place = FilePlace { file: Some(name), ..FilePlace::default() };
             file.warnings.push(Located { what: TableWarningKind::NoUnit, place });
         }
         let columns = Columns::of(&file)?;

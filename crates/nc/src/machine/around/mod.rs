@@ -49,7 +49,7 @@ pub(super) struct Around {
     zero: [f64; 3],
     preset: Option<f64>,
     /// Changes in force, and the block that made each.
-    changes: BTreeMap<Change, Made>,
+    changes: BTreeMap<Change, ChangingBlock>,
     /// Rotary axes that are not known to be at zero.
     turned: BTreeSet<Axis>,
     selected: Option<NcPath>,
@@ -81,7 +81,7 @@ impl Moment {
 
 /// The block that made a change.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Made {
+pub(super) struct ChangingBlock {
     /// Its line in its program, from 1.
     pub line: usize,
     pub text: String,
@@ -105,7 +105,7 @@ pub(super) fn machining(cycle: &CycleBlock) -> Option<u32> {
 
 /// Something that a block behind it loses where it is taken out of its program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kept {
+pub(super) enum CarriedState {
     /// The zero is not where the preset is.
     Zero,
     Change(Change),
@@ -205,12 +205,12 @@ impl Around {
     }
 
     /// What is in force that is not so at the beginning of a program.
-    pub(super) fn kept(&self) -> impl Iterator<Item = Kept> {
-        let zero = self.zero.into_iter().any(|part| is_other(part, 0.0)).then_some(Kept::Zero);
-        let turned = (!self.turned.is_empty()).then_some(Kept::Turned);
-        let plane = (self.plane() != Plane::default()).then_some(Kept::Plane);
-        let mode = (self.mode != Mode::Mill).then_some(Kept::Mode);
-        let changes = self.changes.keys().copied().map(Kept::Change);
+    pub(super) fn kept(&self) -> impl Iterator<Item = CarriedState> {
+        let zero = self.zero.into_iter().any(|part| is_other(part, 0.0)).then_some(CarriedState::Zero);
+        let turned = (!self.turned.is_empty()).then_some(CarriedState::Turned);
+        let plane = (self.plane() != Plane::default()).then_some(CarriedState::Plane);
+        let mode = (self.mode != Mode::Mill).then_some(CarriedState::Mode);
+        let changes = self.changes.keys().copied().map(CarriedState::Change);
         zero.into_iter().chain(changes).chain(turned).chain(plane).chain(mode)
     }
 
@@ -237,7 +237,7 @@ impl Around {
         if self.mode != Mode::Mill {
             return Err(FaultKind::Mode(self.mode));
         }
-        if let Some((change, Made { line, text })) = self.changes.first_key_value() {
+        if let Some((change, ChangingBlock { line, text })) = self.changes.first_key_value() {
             return Err(FaultKind::Changed { change: *change, line: *line, text: text.clone() });
         }
         match self.plane {

@@ -3,7 +3,7 @@
 use super::super::change::Change;
 use super::super::fault::FaultKind;
 use super::super::remark::Remark;
-use super::{Around, Made, millimetres};
+use super::{Around, ChangingBlock, millimetres};
 use crate::program::{Axis, AxisWord, Frame, Operand, Unit};
 
 /// The value of an operand in a block; not a number where nobody knows it: it is then never neutral, and no zero.
@@ -36,7 +36,7 @@ impl Around {
     pub(in crate::machine) fn change(
         &mut self,
         frame: &Frame,
-        made: Made,
+        made: ChangingBlock,
         unit: Option<Unit>,
         value: &ValueOf<'_>,
     ) -> Result<Option<Remark>, FaultKind> {
@@ -83,7 +83,7 @@ impl Around {
     }
 
     /// A tilt may have turned the axes; its end does not turn them back.
-    fn tilt(&mut self, is_in_force: bool, made: Made) {
+    fn tilt(&mut self, is_in_force: bool, made: ChangingBlock) {
         if is_in_force {
             self.turned.extend([Axis::A, Axis::B, Axis::C]);
         }
@@ -92,12 +92,12 @@ impl Around {
 
     /// A block was not run that may have set a datum, a rotation or whatever else: nothing ends that, because a preset or datum table
     /// may be what it has written.
-    pub(in crate::machine) fn lose_system(&mut self, made: impl FnOnce() -> Made) {
+    pub(in crate::machine) fn lose_system(&mut self, made: impl FnOnce() -> ChangingBlock) {
         self.changes.entry(Change::NotKnown).or_insert_with(made);
     }
 
     /// Cycle 800 turns the system for turning, 801 ends that.
-    pub(in crate::machine) fn turning(&mut self, number: u32, made: Made) {
+    pub(in crate::machine) fn turning(&mut self, number: u32, made: ChangingBlock) {
         match number {
             800 => self.set(Change::Turning, true, made),
             801 => self.set(Change::Turning, false, made),
@@ -105,7 +105,7 @@ impl Around {
         }
     }
 
-    fn set(&mut self, change: Change, is_in_force: bool, made: Made) {
+    fn set(&mut self, change: Change, is_in_force: bool, made: ChangingBlock) {
         if is_in_force {
             self.changes.insert(change, made);
         } else {

@@ -7,7 +7,7 @@ use fitcheck_core::probing::cycle::{Control, LogTarget, Plane};
 
 use super::super::around::reset_datum;
 use super::super::budget::{Settings, UsedUp};
-use super::super::cycles::{Asked, CycleRun, cycle_of, hand_over};
+use super::super::cycles::{CycleRequest, CycleRun, cycle_of, hand_over};
 use super::super::fault::{BlockPlace, Counted, Fault, FaultKind};
 use super::super::files::Files;
 use super::super::logs::Log;
@@ -288,7 +288,7 @@ impl Run {
             let without_size = self.cycles.probed().is_perfect().then_some(Remark::NoNominal);
             self.remarks.add_all(&place, unknown.into_iter().chain(without_size).collect());
         }
-        let asked = Asked { block, unit: self.flow.unit(), placement, position: self.way.place() };
+        let asked = CycleRequest { block, unit: self.flow.unit(), placement, position: self.way.place() };
         let (path, result) = self.cycles.measure(cycle, &asked, &self.around, &self.values)?;
         let path = placement.moves(&path);
         self.way.follow(&place, &path)?;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::super::around::Made;
+use super::super::around::ChangingBlock;
 use super::super::fault::FaultKind;
 use super::super::files::Files;
 use super::super::path::NcPath;
@@ -34,7 +34,7 @@ enum Touched {
 
 /// Such files, and the first block that may have touched them.
 #[derive(Debug, Default)]
-pub(super) struct UnknownFiles(BTreeMap<Touched, Made>);
+pub(super) struct UnknownFiles(BTreeMap<Touched, ChangingBlock>);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ReadAs {
@@ -173,7 +173,7 @@ impl Run {
     /// An error for a file that a block may have written which was not run.
     pub(super) fn check_file(&self, path: &NcPath, read_as: ReadAs) -> Result<(), FaultKind> {
         let found = self.unknown_files.0.iter().find(|(touched, _)| touched.may_be(path, read_as));
-        let Some((_, Made { line, text })) = found else { return Ok(()) };
+        let Some((_, ChangingBlock { line, text })) = found else { return Ok(()) };
         Err(FaultKind::FileUnknown { path: path.clone(), line: *line, text: text.clone() })
     }
 }

@@ -7,7 +7,7 @@ use crate::control::variables::{Parameter, Value};
 
 /// The values of `--set` and of the window's form.
 #[derive(Debug, Default)]
-pub(super) struct Given {
+pub(super) struct GivenValues {
     /// Those that no block has replaced yet.
     standing: BTreeMap<Parameter, Value>,
     /// Those that nothing has used yet.
@@ -16,7 +16,7 @@ pub(super) struct Given {
     lost: Vec<Parameter>,
 }
 
-impl Given {
+impl GivenValues {
     pub(super) fn add(&mut self, parameter: Parameter, value: Value) {
         self.standing.insert(parameter, value);
         self.unread.get_mut().push(parameter);

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::super::around::Made;
+use super::super::around::ChangingBlock;
 use super::super::fault::FaultKind;
 use super::Values;
 use crate::control::variables::{Family, Parameter, Value};
@@ -25,21 +25,21 @@ fn is_result(parameter: Parameter) -> bool {
 }
 
 /// Parameters, and the blocks that may have set them.
-pub(super) type Taken = BTreeMap<Parameter, Arc<Made>>;
+pub(super) type SettingBlocks = BTreeMap<Parameter, Arc<ChangingBlock>>;
 
 /// The parameters, and the blocks that may have set them.
 #[derive(Debug, Default)]
-pub(super) struct Lost {
-    by: Taken,
+pub(super) struct LostParameters {
+    by: SettingBlocks,
     /// Whether all results are among them.
     has_results: bool,
     /// Parameters of FN 18, which a control defines.
-    system: BTreeMap<Parameter, Arc<Made>>,
+    system: BTreeMap<Parameter, Arc<ChangingBlock>>,
 }
 
-impl Lost {
+impl LostParameters {
     /// Takes away what is lost of some families.
-    pub(super) fn take(&mut self, families: &[Family]) -> Taken {
+    pub(super) fn take(&mut self, families: &[Family]) -> SettingBlocks {
         let all = std::mem::take(&mut self.by);
         let (taken, kept) = all.into_iter().partition(|(parameter, _)| families.contains(&parameter.family));
         self.by = kept;
@@ -47,7 +47,7 @@ impl Lost {
     }
 
     /// Gives it back.
-    pub(super) fn put(&mut self, taken: Taken) {
+    pub(super) fn put(&mut self, taken: SettingBlocks) {
         self.by.extend(taken);
     }
 
@@ -62,7 +62,7 @@ impl Lost {
 
 impl Values {
     /// A block that was not run may have set a parameter.
-    pub(in crate::machine) fn lose(&mut self, parameter: Parameter, by: &Arc<Made>) {
+    pub(in crate::machine) fn lose(&mut self, parameter: Parameter, by: &Arc<ChangingBlock>) {
         self.lost.by.insert(parameter, Arc::clone(by));
         if self.variables.get(parameter).is_some() {
             self.unset(parameter);
@@ -70,7 +70,12 @@ impl Values {
     }
 
     /// An assignment was not run. Returns the value that was given before the run, if it takes the place of this one.
-    pub(in crate::machine) fn lose_assigned(&mut self, to: Parameter, by: &Arc<Made>, is_main: bool) -> Option<Value> {
+    pub(in crate::machine) fn lose_assigned(
+        &mut self,
+        to: Parameter,
+        by: &Arc<ChangingBlock>,
+        is_main: bool,
+    ) -> Option<Value> {
         let given = self.given(to, is_main, || false);
         if given.is_none() {
             self.lose(to, by);
@@ -82,7 +87,7 @@ impl Values {
     pub(in crate::machine) fn lose_system(
         &mut self,
         to: Parameter,
-        by: impl FnOnce() -> Made,
+        by: impl FnOnce() -> ChangingBlock,
         is_main: bool,
     ) -> Option<Value> {
         let given = self.undefine(to, is_main);
@@ -93,7 +98,7 @@ impl Values {
     }
 
     /// A measurement was not run.
-    pub(in crate::machine) fn lose_results(&mut self, by: &Arc<Made>) {
+    pub(in crate::machine) fn lose_results(&mut self, by: &Arc<ChangingBlock>) {
         if !self.lost.has_results {
             results().for_each(|parameter| self.lose(parameter, by));
             self.lost.has_results = true;
@@ -117,8 +122,8 @@ impl Values {
     }
 }
 
-fn lost(parameter: Parameter, by: Option<&Arc<Made>>) -> Result<(), FaultKind> {
+fn lost(parameter: Parameter, by: Option<&Arc<ChangingBlock>>) -> Result<(), FaultKind> {
     let Some(by) = by else { return Ok(()) };
-    let Made { line, text } = by.as_ref().clone();
+    let ChangingBlock { line, text } = by.as_ref().clone();
     Err(FaultKind::Lost { parameter, line, text })
 }

@@ -23,8 +23,8 @@ use crate::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Arg;
-use given::Given;
-use lost::{Lost, Taken};
+use given::GivenValues;
+use lost::{LostParameters, SettingBlocks};
 use texts::text_reads;
 
 /// The range of values on a control: 10^10 either way.
@@ -40,10 +40,10 @@ pub(super) struct Values {
     variables: Variables,
     /// The parameters that the last block has set.
     changed: Vec<Parameter>,
-    given: Given,
-    lost: Lost,
+    given: GivenValues,
+    lost: LostParameters,
     /// The local parameters of the calling programs, the outermost first.
-    locals: Vec<(Vec<(Parameter, Value)>, Taken)>,
+    locals: Vec<(Vec<(Parameter, Value)>, SettingBlocks)>,
     /// The most characters of a text.
     longest: usize,
     /// The time that `SYSSTR` gives.
@@ -59,8 +59,8 @@ impl Values {
         Self {
             variables: Variables::new(),
             changed: Vec::new(),
-            given: Given::default(),
-            lost: Lost::default(),
+            given: GivenValues::default(),
+            lost: LostParameters::default(),
             locals: Vec::new(),
             longest: settings.budget.text,
             time: settings.time,

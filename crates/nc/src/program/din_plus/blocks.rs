@@ -4,7 +4,7 @@ use super::super::around::{Goes, PassedOver};
 use super::super::block::{Block, Body, Unit, still};
 use super::super::cursor::{Cursor, Stop, shown};
 use super::super::error::ProgramWarningKind;
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::lines::trimmed;
 use super::super::notation::Notation;
 use super::super::source::Source;
@@ -185,7 +185,7 @@ impl<'a> Reader<'a> {
             Some(Err(())) => {
                 let at = parts.start + parts.code.find(char::is_whitespace).map_or(0, |at| at + 1);
                 // Where millimetres cannot be told from inches, nothing is measured.
-                return self.refuse(line, at, BlockFault::Missing(Wanted::Unit));
+                return self.refuse(line, at, BlockFault::Missing(ExpectedWord::Unit));
             }
             None => {}
         }
@@ -356,8 +356,8 @@ fn shifts(code: &str) -> bool {
 /// A fault in the words of lathe controls.
 fn of_lathes(reason: BlockFault) -> BlockFault {
     let of = |wanted| match wanted {
-        Wanted::Value => Wanted::ValueOrVariable,
-        Wanted::Parameter | Wanted::NumberParameter | Wanted::TextParameter => Wanted::Variable,
+        ExpectedWord::Value => ExpectedWord::ValueOrVariable,
+        ExpectedWord::Parameter | ExpectedWord::NumberParameter | ExpectedWord::TextParameter => ExpectedWord::Variable,
         other => other,
     };
     match reason {

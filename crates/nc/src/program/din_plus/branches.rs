@@ -13,11 +13,11 @@ const NOT_FOUND: usize = usize::MAX;
 #[derive(Debug)]
 struct Open {
     block: usize,
-    kind: Kind,
+    kind: BranchKind,
 }
 
 #[derive(Debug)]
-enum Kind {
+enum BranchKind {
     If {
         /// Whether `THEN` on a line of its own may follow.
         takes_then: bool,
@@ -39,7 +39,7 @@ struct Switch {
     breaks: Vec<usize>,
 }
 
-impl Kind {
+impl BranchKind {
     /// How it begins and how it ends.
     const fn words(&self) -> (&'static str, &'static str) {
         match self {
@@ -61,7 +61,7 @@ pub(super) struct Branches(Vec<Open>);
 impl Branches {
     /// Whether a subprogram is open.
     pub(super) fn is_in_subprogram(&self) -> bool {
-        self.0.iter().any(|open| matches!(open.kind, Kind::Subprogram))
+        self.0.iter().any(|open| matches!(open.kind, BranchKind::Subprogram))
     }
 
     /// Opens what a line begins that cannot be understood, so that its end belongs to it.
@@ -71,9 +71,9 @@ impl Branches {
             rest.is_some_and(|(_, rest)| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))
         };
         let kind = match () {
-            () if begins("IF") => Kind::If { takes_then: true, otherwise: None },
-            () if begins("WHILE") => Kind::While,
-            () if begins("SWITCH") => Kind::Switch(Switch::of(Expression::Pi)),
+            () if begins("IF") => BranchKind::If { takes_then: true, otherwise: None },
+            () if begins("WHILE") => BranchKind::While,
+            () if begins("SWITCH") => BranchKind::Switch(Switch::of(Expression::Pi)),
             () => return,
         };
         self.0.push(Open { block, kind });
@@ -83,37 +83,37 @@ impl Branches {
     pub(super) fn body(&mut self, said: Said, blocks: &mut [Block]) -> Result<Body, BlockFault> {
         let at = blocks.len();
         if !matches!(said, Said::Case(_) | Said::Default | Said::EndSwitch | Said::Body(Body::Nothing))
-            && let Some(Open { kind: Kind::Switch(switch), .. }) = self.0.last_mut()
+            && let Some(Open { kind: BranchKind::Switch(switch), .. }) = self.0.last_mut()
         {
             switch.is_left = false;
         }
         match said {
             Said::Body(body) => Ok(body),
-            Said::If(test) => Ok(self.open(at, Kind::If { takes_then: true, otherwise: None }, test)),
-            Said::While(test) => Ok(self.open(at, Kind::While, test)),
+            Said::If(test) => Ok(self.open(at, BranchKind::If { takes_then: true, otherwise: None }, test)),
+            Said::While(test) => Ok(self.open(at, BranchKind::While, test)),
             Said::Then => match self.0.last_mut() {
-                Some(Open { kind: Kind::If { takes_then, otherwise: None }, .. }) if *takes_then => {
+                Some(Open { kind: BranchKind::If { takes_then, otherwise: None }, .. }) if *takes_then => {
                     *takes_then = false;
                     Ok(Body::Nothing)
                 }
                 _ => Err(alone("THEN", "IF")),
             },
             Said::Else => match self.0.last_mut() {
-                Some(Open { block, kind: Kind::If { otherwise: otherwise @ None, .. } }) => {
+                Some(Open { block, kind: BranchKind::If { otherwise: otherwise @ None, .. } }) => {
                     *otherwise = Some(at);
                     go(blocks, *block, at + 1);
                     Ok(always(NOT_FOUND))
                 }
                 _ => Err(alone("ELSE", "IF")),
             },
-            Said::EndIf => match self.0.pop_if(|open| matches!(open.kind, Kind::If { .. })) {
-                Some(Open { block, kind: Kind::If { otherwise, .. } }) => {
+            Said::EndIf => match self.0.pop_if(|open| matches!(open.kind, BranchKind::If { .. })) {
+                Some(Open { block, kind: BranchKind::If { otherwise, .. } }) => {
                     go(blocks, otherwise.unwrap_or(block), at);
                     Ok(Body::Nothing)
                 }
                 _ => Err(alone("ENDIF", "IF")),
             },
-            Said::EndWhile => match self.0.pop_if(|open| matches!(open.kind, Kind::While)) {
+            Said::EndWhile => match self.0.pop_if(|open| matches!(open.kind, BranchKind::While)) {
                 Some(Open { block, .. }) => {
                     go(blocks, block, at + 1);
                     Ok(always(block))
@@ -121,7 +121,7 @@ impl Branches {
                 None => Err(alone("ENDWHILE", "WHILE")),
             },
             Said::Switch(value) => {
-                self.0.push(Open { block: at, kind: Kind::Switch(Switch::of(value)) });
+                self.0.push(Open { block: at, kind: BranchKind::Switch(Switch::of(value)) });
                 Ok(Body::Nothing)
             }
             Said::Case(value) => self.switch("CASE")?.next_case(at, Some(value), blocks),
@@ -129,10 +129,10 @@ impl Branches {
             Said::Break => self.leave(at),
             Said::EndSwitch => self.end_switch(at, blocks),
             Said::Subprogram(label) => {
-                self.0.push(Open { block: at, kind: Kind::Subprogram });
+                self.0.push(Open { block: at, kind: BranchKind::Subprogram });
                 Ok(Body::Subprogram { label, behind: NOT_FOUND })
             }
-            Said::Return => match self.0.pop_if(|open| matches!(open.kind, Kind::Subprogram)) {
+            Said::Return => match self.0.pop_if(|open| matches!(open.kind, BranchKind::Subprogram)) {
                 Some(Open { block, .. }) => {
                     go(blocks, block, at + 1);
                     Ok(Body::Label(Target::Number(0)))
@@ -144,24 +144,24 @@ impl Branches {
         }
     }
 
-    fn open(&mut self, block: usize, kind: Kind, test: Test) -> Body {
+    fn open(&mut self, block: usize, kind: BranchKind, test: Test) -> Body {
         self.0.push(Open { block, kind });
         Body::Branch { unless: Some(Box::new(test)), to: NOT_FOUND }
     }
 
     fn switch(&mut self, found: &'static str) -> Result<&mut Switch, BlockFault> {
         match self.0.last_mut() {
-            Some(Open { kind: Kind::Switch(switch), .. }) => Ok(switch),
+            Some(Open { kind: BranchKind::Switch(switch), .. }) => Ok(switch),
             _ => Err(alone(found, "SWITCH")),
         }
     }
 
     /// `BREAK` leaves the SWITCH that it stands in, also from within an IF. Whether it leaves a WHILE is not documented.
     fn leave(&mut self, at: usize) -> Result<Body, BlockFault> {
-        let is_last = matches!(self.0.last(), Some(Open { kind: Kind::Switch(_), .. }));
-        let mut around = self.0.iter_mut().rev().skip_while(|open| matches!(open.kind, Kind::If { .. }));
+        let is_last = matches!(self.0.last(), Some(Open { kind: BranchKind::Switch(_), .. }));
+        let mut around = self.0.iter_mut().rev().skip_while(|open| matches!(open.kind, BranchKind::If { .. }));
         match around.next() {
-            Some(Open { kind: Kind::Switch(switch), .. }) => {
+            Some(Open { kind: BranchKind::Switch(switch), .. }) => {
                 switch.breaks.push(at);
                 switch.is_left = is_last;
                 Ok(always(NOT_FOUND))
@@ -171,8 +171,8 @@ impl Branches {
     }
 
     fn end_switch(&mut self, at: usize, blocks: &mut [Block]) -> Result<Body, BlockFault> {
-        match self.0.pop_if(|open| matches!(open.kind, Kind::Switch(_))) {
-            Some(Open { kind: Kind::Switch(Switch { case, breaks, .. }), .. }) => {
+        match self.0.pop_if(|open| matches!(open.kind, BranchKind::Switch(_))) {
+            Some(Open { kind: BranchKind::Switch(Switch { case, breaks, .. }), .. }) => {
                 case.into_iter().chain(breaks).for_each(|from| go(blocks, from, at));
                 Ok(Body::Nothing)
             }
@@ -184,12 +184,12 @@ impl Branches {
     /// missing.
     pub(super) fn end(&mut self, and_subprogram: bool, blocks: &mut [Block]) -> Vec<Unended> {
         let mut found = Vec::new();
-        while let Some(open) = self.0.pop_if(|open| and_subprogram || !matches!(open.kind, Kind::Subprogram)) {
+        while let Some(open) = self.0.pop_if(|open| and_subprogram || !matches!(open.kind, BranchKind::Subprogram)) {
             let (begins, missing) = open.kind.words();
             let inner = match open.kind {
-                Kind::If { otherwise, .. } => otherwise.into_iter().collect(),
-                Kind::Switch(Switch { case, breaks, .. }) => case.into_iter().chain(breaks).collect(),
-                Kind::While | Kind::Subprogram => Vec::new(),
+                BranchKind::If { otherwise, .. } => otherwise.into_iter().collect(),
+                BranchKind::Switch(Switch { case, breaks, .. }) => case.into_iter().chain(breaks).collect(),
+                BranchKind::While | BranchKind::Subprogram => Vec::new(),
             };
             for block in inner.into_iter().chain([open.block]) {
                 if let Some(block) = blocks.get_mut(block) {

@@ -1,8 +1,8 @@
 //! Conditions of IF and WHILE.
 
-use super::super::cursor::{Cursor, Read};
+use super::super::cursor::{Cursor, Parsed};
 use super::super::expression::{Relation, Test};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::formula::{MOST_DEPTH, MOST_OPERANDS, expression};
 
 /// Comparisons, the longer ones first; whether the comparison holds or its opposite.
@@ -17,11 +17,11 @@ const COMPARISONS: [(&str, Relation, bool); 6] = [
 
 /// Reads a condition as far as it goes: comparisons, joined by AND or by OR. Which of the two comes first is not documented, so
 /// both in one condition need brackets.
-pub(super) fn condition(cursor: &mut Cursor<'_>) -> Read<Test> {
+pub(super) fn condition(cursor: &mut Cursor<'_>) -> Parsed<Test> {
     joined(cursor, 0)
 }
 
-fn joined(cursor: &mut Cursor<'_>, depth: usize) -> Read<Test> {
+fn joined(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Test> {
     let first = item(cursor, depth)?;
     let (word, other) = match () {
         () if is_next(cursor, "AND") => ("AND", "OR"),
@@ -47,7 +47,7 @@ fn is_next(cursor: &mut Cursor<'_>, word: &str) -> bool {
 }
 
 /// A comparison, or a condition in brackets.
-fn item(cursor: &mut Cursor<'_>, depth: usize) -> Read<Test> {
+fn item(cursor: &mut Cursor<'_>, depth: usize) -> Parsed<Test> {
     if opens_condition(cursor) {
         if depth == MOST_DEPTH {
             return Err(cursor.fail(BlockFault::TooDeep { most: MOST_DEPTH }));
@@ -59,7 +59,7 @@ fn item(cursor: &mut Cursor<'_>, depth: usize) -> Read<Test> {
     }
     let left = expression(cursor)?;
     let Some(&(_, relation, holds)) = COMPARISONS.iter().find(|(sign, ..)| cursor.take_prefix(sign)) else {
-        return Err(cursor.stop(Wanted::Word("==, <>, <, <=, > / >=")));
+        return Err(cursor.stop(ExpectedWord::Word("==, <>, <, <=, > / >=")));
     };
     let compared = Test::Compare(left, relation, expression(cursor)?);
     Ok(if holds { compared } else { Test::Not(Box::new(compared)) })

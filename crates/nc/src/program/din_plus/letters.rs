@@ -4,15 +4,15 @@ use fitcheck_core::probing::cycle::{Control, Cycle};
 use fitcheck_core::probing::cycles::cycles_of;
 
 use super::super::block::Body;
-use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cursor::{Cursor, Parsed, Stop};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleName};
-use super::super::fault::{BlockFault, Wanted};
-use super::super::place::Place;
+use super::super::fault::{BlockFault, ExpectedWord};
+use super::super::place::TextPlace;
 use super::motion::{self, tool};
 use super::words::Words;
 
 /// Reads a block.
-pub(super) fn body(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn body(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let words = Words::read(cursor)?;
     let cycle = words.functions.iter().find_map(|&(at, number)| {
         let code = format!("G{number}");
@@ -28,11 +28,11 @@ pub(super) fn body(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// A block without a G function: a tool, M functions, feed and speed.
-fn without_function(mut words: Words<'_>) -> Read<Body> {
+fn without_function(mut words: Words<'_>) -> Parsed<Body> {
     if let Some(word) = words.others.iter().find(|word| !["T", "S", "F"].contains(&word.letters)) {
         let is_axis = word.axis().is_ok_and(|axis| axis.is_some());
         // Whether G1 of an earlier block still holds is not documented.
-        let missing = BlockFault::Missing(Wanted::Word("G0 / G1"));
+        let missing = BlockFault::Missing(ExpectedWord::Word("G0 / G1"));
         return Err(word.fail(if is_axis { missing } else { BlockFault::UnknownWord { found: word.shown() } }));
     }
     if words.named("T").is_some() {
@@ -46,7 +46,7 @@ fn without_function(mut words: Words<'_>) -> Read<Body> {
 }
 
 /// A measuring cycle with its letters; nothing else stands beside it.
-fn probe(at: usize, cycle: &Cycle, words: Words<'_>) -> Read<CycleBlock> {
+fn probe(at: usize, cycle: &Cycle, words: Words<'_>) -> Parsed<CycleBlock> {
     let together = |other: String| BlockFault::NotTogether { one: cycle.code.to_owned(), other };
     if let Some((_, other)) = words.functions.iter().find(|(place, _)| *place != at) {
         return Err(Stop { at, reason: together(format!("G{other}")) });
@@ -60,7 +60,7 @@ fn probe(at: usize, cycle: &Cycle, words: Words<'_>) -> Read<CycleBlock> {
             return Err(word.fail(BlockFault::UnknownWord { found: word.shown() }));
         }
         // The reader of lines turns this into the place in the file.
-        let place = Place { line: 0, column: word.at };
+        let place = TextPlace { line: 0, column: word.at };
         let parameter = CycleName::Word(word.letters.to_owned());
         lines.push(CycleLine { parameter, value: word.value, place, comment: String::new() });
     }

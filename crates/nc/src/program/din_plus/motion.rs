@@ -2,7 +2,7 @@
 
 use super::super::around::{Goes, PassedOver};
 use super::super::block::{Body, Tool};
-use super::super::cursor::{Read, Stop};
+use super::super::cursor::{Parsed, Stop};
 use super::super::fault::BlockFault;
 use super::super::movement::{AxisWord, Feed, MachineFunction, Movement};
 use super::language::{Function, STOPS, function};
@@ -14,7 +14,7 @@ pub(super) fn passed_over(words: String, machine: Vec<MachineFunction>) -> Body 
 }
 
 /// `T8 M5`: the tool. A tool call has no M functions here, so those that stop or end are refused beside it.
-pub(super) fn tool(words: &Words<'_>) -> Read<Body> {
+pub(super) fn tool(words: &Words<'_>) -> Parsed<Body> {
     let Some(word) = words.named("T") else { return Ok(Body::Nothing) };
     if let Some(stop) = words.machine.iter().find(|function| STOPS.contains(&function.number)) {
         return Err(word.fail(BlockFault::NotTogether { one: word.shown(), other: format!("M{}", stop.number) }));
@@ -27,7 +27,7 @@ pub(super) fn tool(words: &Words<'_>) -> Read<Body> {
 }
 
 /// A block with G functions; `None` without any.
-pub(super) fn body(words: &Words<'_>) -> Read<Option<Body>> {
+pub(super) fn body(words: &Words<'_>) -> Parsed<Option<Body>> {
     let Some((number, function)) = leading(words)? else { return Ok(None) };
     let mut axes = Vec::new();
     for word in &words.others {
@@ -57,7 +57,7 @@ pub(super) fn body(words: &Words<'_>) -> Read<Option<Body>> {
 }
 
 /// The function that decides what the block is: feed and speed may stand beside any other, and only they.
-fn leading(words: &Words<'_>) -> Read<Option<(u32, Function)>> {
+fn leading(words: &Words<'_>) -> Parsed<Option<(u32, Function)>> {
     let mut leading: Option<(u32, Function)> = None;
     for &(at, number) in &words.functions {
         let fail = |reason| Stop { at, reason };
@@ -74,7 +74,7 @@ fn leading(words: &Words<'_>) -> Read<Option<(u32, Function)>> {
     Ok(leading)
 }
 
-fn line(function: Function, axes: Vec<AxisWord>, words: &Words<'_>) -> Read<Body> {
+fn line(function: Function, axes: Vec<AxisWord>, words: &Words<'_>) -> Parsed<Body> {
     let feed = match (function, words.named("F")) {
         (Function::Rapid, _) => Some(Feed::Rapid),
         (_, Some(feed)) => Some(Feed::Value(feed.operand()?)),

@@ -1,9 +1,9 @@
 //! Blocks that begin with a word of the language or a variable.
 
 use super::super::block::{Body, Target, still};
-use super::super::cursor::{Cursor, Read};
+use super::super::cursor::{Cursor, Parsed};
 use super::super::expression::{Expression, Test, TextExpression};
-use super::super::fault::Wanted;
+use super::super::fault::ExpectedWord;
 use super::super::formula::expression;
 use super::super::operand::{Operand, TextOperand};
 use super::condition::condition;
@@ -50,7 +50,7 @@ const ALONE: [Alone; 8] = [
 ];
 
 /// Reads a block of a section that runs.
-pub(super) fn said(cursor: &mut Cursor<'_>) -> Read<Said> {
+pub(super) fn said(cursor: &mut Cursor<'_>) -> Parsed<Said> {
     let said = match cursor.next() {
         None => Said::Body(Body::Nothing),
         Some('#') => Said::Body(assignment(cursor)?),
@@ -64,7 +64,7 @@ pub(super) fn said(cursor: &mut Cursor<'_>) -> Read<Said> {
 }
 
 /// A block that begins with a word of the language; takes nothing otherwise.
-fn word(cursor: &mut Cursor<'_>) -> Read<Option<Said>> {
+fn word(cursor: &mut Cursor<'_>) -> Parsed<Option<Said>> {
     if let Some((_, said)) = ALONE.iter().find(|(word, _)| cursor.take_word(word)) {
         return Ok(Some(said()));
     }
@@ -101,7 +101,7 @@ fn word(cursor: &mut Cursor<'_>) -> Read<Option<Said>> {
 }
 
 /// `#l1=…`, `#x1="text"`.
-fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn assignment(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let to = cursor.any_parameter()?;
     cursor.expect('=', "=")?;
     if to.family.is_text() {
@@ -111,30 +111,30 @@ fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `1`, `1:`, `-2`
-fn case(cursor: &mut Cursor<'_>) -> Read<Expression> {
+fn case(cursor: &mut Cursor<'_>) -> Parsed<Expression> {
     let is_negative = cursor.minus();
-    let Some(number) = cursor.number()? else { return Err(cursor.stop(Wanted::Number)) };
+    let Some(number) = cursor.number()? else { return Err(cursor.stop(ExpectedWord::Number)) };
     cursor.take(':');
     Ok(Expression::Value(Operand::Number(if is_negative { -number } else { number })))
 }
 
-fn name(cursor: &mut Cursor<'_>) -> Read<String> {
+fn name(cursor: &mut Cursor<'_>) -> Parsed<String> {
     match cursor.quoted().map(str::trim) {
         Some(name) if !name.is_empty() => Ok(name.to_owned()),
-        _ => Err(cursor.stop(Wanted::Word("\"NAME\""))),
+        _ => Err(cursor.stop(ExpectedWord::Word("\"NAME\""))),
     }
 }
 
 /// A quoted text or a variable that holds one.
-fn text(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
+fn text(cursor: &mut Cursor<'_>) -> Parsed<TextExpression> {
     if let Some(text) = cursor.quoted() {
         return Ok(TextExpression::Value(TextOperand::Text(text.to_owned())));
     }
-    Ok(TextExpression::Value(TextOperand::Parameter(cursor.text_parameter(Wanted::Text)?)))
+    Ok(TextExpression::Value(TextOperand::Parameter(cursor.text_parameter(ExpectedWord::Text)?)))
 }
 
 /// `("text",#l1)`: texts and values, shown with a blank between them.
-fn print(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn print(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect('(', "(")?;
     let mut items = Vec::new();
     loop {
@@ -157,7 +157,7 @@ fn print(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `("text",#l1)`
-fn input(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn input(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect('(', "(")?;
     let mut question = String::new();
     if let Some(text) = cursor.quoted() {
@@ -170,7 +170,7 @@ fn input(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `(10)`: how many lines the control's window has.
-fn window(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn window(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect('(', "(")?;
     cursor.operand()?;
     cursor.expect(')', ")")?;
@@ -179,7 +179,7 @@ fn window(cursor: &mut Cursor<'_>) -> Read<Body> {
 
 /// `L"NAME" V1`: V1 is a file beside the program, otherwise the subprogram is in it. Letters handed over and repeats are not
 /// run: what they mean is not documented.
-fn call(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn call(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.take('L');
     let name = name(cursor)?;
     let mut is_file = false;

@@ -1,8 +1,8 @@
 //! The words of a block of address letters: `X40`, `Zi-30`, `M8`.
 
-use super::super::cursor::{Cursor, Read, Stop, shown};
+use super::super::cursor::{Cursor, Parsed, Stop, shown};
 use super::super::cycle_block::CycleValue;
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::movement::{Axis, AxisWord, MachineFunction};
 use super::super::operand::{Operand, TextOperand};
 use super::language::{MOST, STARTS_AGAIN};
@@ -34,15 +34,17 @@ impl Word<'_> {
     }
 
     /// The number behind it.
-    pub(super) fn operand(&self) -> Read<Operand> {
+    pub(super) fn operand(&self) -> Parsed<Operand> {
         match self.value {
             CycleValue::Number { value, .. } => Ok(value),
-            CycleValue::Text(_) | CycleValue::Word(_) => Err(self.fail(BlockFault::Missing(Wanted::ValueOrVariable))),
+            CycleValue::Text(_) | CycleValue::Word(_) => {
+                Err(self.fail(BlockFault::Missing(ExpectedWord::ValueOrVariable)))
+            }
         }
     }
 
     /// The axis that it moves, if it is one.
-    pub(super) fn axis(&self) -> Read<Option<AxisWord>> {
+    pub(super) fn axis(&self) -> Parsed<Option<AxisWord>> {
         let axis = match self.letters {
             "X" => Axis::X,
             "Y" => Axis::Y,
@@ -65,7 +67,7 @@ pub(super) struct Words<'a> {
 
 impl<'a> Words<'a> {
     /// Takes all words.
-    pub(super) fn read(cursor: &mut Cursor<'a>) -> Read<Self> {
+    pub(super) fn read(cursor: &mut Cursor<'a>) -> Parsed<Self> {
         let mut found = Self::default();
         while !cursor.is_at_end() {
             let from = cursor.clone();
@@ -106,7 +108,7 @@ impl<'a> Words<'a> {
 }
 
 /// A number, a variable or a quoted text.
-fn value(cursor: &mut Cursor<'_>) -> Read<CycleValue> {
+fn value(cursor: &mut Cursor<'_>) -> Parsed<CycleValue> {
     if let Some(text) = cursor.quoted() {
         return Ok(CycleValue::Text(TextOperand::Text(text.to_owned())));
     }

@@ -4,7 +4,7 @@ use super::super::block::{Body, Unit};
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, trimmed};
 use super::super::milling::{Before, CutOff, Form, Reader, assigned};
-use super::super::place::Place;
+use super::super::place::TextPlace;
 use super::super::warnings::Odd;
 use super::body::frame;
 use super::modes::Modes;
@@ -69,7 +69,7 @@ impl Form for Iso {
         weighed: Result<(), Odd>,
         front: Front,
         pieces: &[Piece<'_>],
-        place: impl Fn(usize, usize) -> Place,
+        place: impl Fn(usize, usize) -> TextPlace,
     ) -> Result<Body, Odd> {
         let before = self.modes;
         let collected = Collected { pieces, has_star: self.has_star, is_first: !self.has_begun };

@@ -1,8 +1,8 @@
 //! What a block of one line says: its first sign decides which function reads the rest.
 
 use super::super::block::{Body, Target, Unit};
-use super::super::cursor::{Cursor, Read};
-use super::super::fault::Wanted;
+use super::super::cursor::{Cursor, Parsed};
+use super::super::fault::ExpectedWord;
 use super::super::klartext::{MOST_REPEATS, assignment, label_number};
 use super::super::operand::Operand;
 use super::codes;
@@ -22,7 +22,7 @@ pub(super) fn frame(code: &str) -> Option<(String, Unit)> {
 }
 
 /// Reads a block that is neither heading nor cycle nor frame.
-pub(super) fn body(code: &str, modes: &mut Modes) -> Read<Body> {
+pub(super) fn body(code: &str, modes: &mut Modes) -> Parsed<Body> {
     let mut cursor = Cursor::new(code);
     let cursor = &mut cursor;
     let Some(first) = cursor.next() else { return Ok(Body::Nothing) };
@@ -60,20 +60,20 @@ fn is_function(cursor: &Cursor<'_>) -> bool {
 }
 
 /// `G98 L1`.
-fn label(cursor: &mut Cursor<'_>) -> Read<Option<Target>> {
+fn label(cursor: &mut Cursor<'_>) -> Parsed<Option<Target>> {
     let mut ahead = cursor.clone();
     if !ahead.take_prefix("G") || ahead.whole(999).ok().flatten() != Some(98) {
         return Ok(None);
     }
     *cursor = ahead;
     if !cursor.take_prefix("L") {
-        return Err(cursor.stop(Wanted::Word("L")));
+        return Err(cursor.stop(ExpectedWord::Word("L")));
     }
     Ok(Some(Target::Number(label_number(cursor)?)))
 }
 
 /// `L1,0` calls a subprogram, `L1,2` repeats a part of the program twice; after the `L`.
-fn call_label(cursor: &mut Cursor<'_>, modes: &mut Modes) -> Read<Body> {
+fn call_label(cursor: &mut Cursor<'_>, modes: &mut Modes) -> Parsed<Body> {
     let number = label_number(cursor)?;
     cursor.expect(',', ",")?;
     let count = cursor.expect_whole(MOST_REPEATS)?;

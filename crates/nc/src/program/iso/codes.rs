@@ -2,7 +2,7 @@
 
 use super::super::around::{Goes, PassedOver};
 use super::super::block::Body;
-use super::super::cursor::{Read, Stop};
+use super::super::cursor::{Parsed, Stop};
 use super::super::fault::BlockFault;
 use super::super::movement::{Axis, Feed, Movement};
 use super::frames;
@@ -16,7 +16,7 @@ const PLANES: [(u32, Axis); 3] = [(17, Axis::Z), (18, Axis::Y), (19, Axis::X)];
 const COMPENSATIONS: [(u32, &str); 3] = [(40, "R0"), (41, "RL"), (42, "RR")];
 
 /// What a block says that consists of words.
-pub(super) fn body(words: &Words<'_>, modes: &mut Modes) -> Read<Body> {
+pub(super) fn body(words: &Words<'_>, modes: &mut Modes) -> Parsed<Body> {
     let is_plane = |number| PLANES.iter().any(|(of, _)| *of == number);
     let is_compensation = |number| COMPENSATIONS.iter().any(|(of, _)| *of == number);
     let is_measure = |number| matches!(number, 90 | 91);
@@ -53,7 +53,7 @@ const fn is_polar(number: u32) -> bool {
 }
 
 impl Block<'_, '_> {
-    fn body(&self, modes: &mut Modes) -> Read<Body> {
+    fn body(&self, modes: &mut Modes) -> Parsed<Body> {
         let Some(main) = self.main else { return self.without_main(modes) };
         if main.number != 30 && main.number != 31 {
             self.refuse(self.plane)?;
@@ -90,7 +90,7 @@ impl Block<'_, '_> {
         }
     }
 
-    fn without_main(&self, modes: &Modes) -> Read<Body> {
+    fn without_main(&self, modes: &Modes) -> Parsed<Body> {
         let words = self.words;
         if !words.axes.is_empty() {
             self.refuse(self.plane)?;
@@ -112,7 +112,7 @@ impl Block<'_, '_> {
     }
 
     /// `T5 G17 S2500 DL+0.2`; a plane alone sets the tool axis.
-    fn tool_call(&self) -> Read<Body> {
+    fn tool_call(&self) -> Parsed<Body> {
         self.words.only("TSFD")?;
         let axis =
             self.plane.and_then(|plane| PLANES.iter().find(|(of, _)| *of == plane.number)).map(|(_, axis)| *axis);
@@ -121,7 +121,7 @@ impl Block<'_, '_> {
     }
 
     /// A path to the axes of the block.
-    fn path(&self, number: u32, shown: String, modes: &Modes) -> Read<Body> {
+    fn path(&self, number: u32, shown: String, modes: &Modes) -> Parsed<Body> {
         let axes = self.axes(modes)?;
         let words = self.words;
         if number < 2 {
@@ -137,7 +137,7 @@ impl Block<'_, '_> {
         Ok(Body::PassedOver(PassedOver { words: shown, goes, machine: words.machine.clone() }))
     }
 
-    fn passed_over(&self, letters: &str, goes: Goes) -> Read<Body> {
+    fn passed_over(&self, letters: &str, goes: Goes) -> Parsed<Body> {
         self.words.only(letters)?;
         let shown = match self.words.functions.first() {
             Some(first) => name(self.main.map_or(first.number, |main| main.number)),

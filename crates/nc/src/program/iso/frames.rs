@@ -3,14 +3,14 @@
 //! What they do is on the pages that we found; the letters behind G72, G73 and G80 are general knowledge.
 
 use super::super::around::Frame;
-use super::super::cursor::{Read, Stop};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::cursor::{Parsed, Stop};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::g_block::{ALL_AXES, Block, measure_unknown, needed};
 use super::modes::{Measure, Modes};
 use super::words::Function;
 
 /// The change that a block makes.
-pub(super) fn frame(block: &Block<'_, '_>, main: Function, modes: &Modes) -> Read<Frame> {
+pub(super) fn frame(block: &Block<'_, '_>, main: Function, modes: &Modes) -> Parsed<Frame> {
     let words = block.words;
     match main.number {
         // A row of a table that only the control has: which one makes no difference.
@@ -22,7 +22,7 @@ pub(super) fn frame(block: &Block<'_, '_>, main: Function, modes: &Modes) -> Rea
             words.only(ALL_AXES)?;
             let axes = block.axes(modes)?;
             if axes.is_empty() {
-                return Err(Stop { at: main.at, reason: BlockFault::Missing(Wanted::Value) });
+                return Err(Stop { at: main.at, reason: BlockFault::Missing(ExpectedWord::Value) });
             }
             Ok(Frame::Shift(axes))
         }
@@ -46,9 +46,9 @@ pub(super) fn frame(block: &Block<'_, '_>, main: Function, modes: &Modes) -> Rea
         _ => {
             words.only("ABC")?;
             let angle = |word: &super::words::AxisAt| {
-                word.value.ok_or(Stop { at: word.at, reason: BlockFault::Missing(Wanted::Value) })
+                word.value.ok_or(Stop { at: word.at, reason: BlockFault::Missing(ExpectedWord::Value) })
             };
-            words.axes.iter().map(angle).collect::<Read<_>>().map(Frame::Tilt)
+            words.axes.iter().map(angle).collect::<Parsed<_>>().map(Frame::Tilt)
         }
     }
 }

@@ -1,16 +1,16 @@
 //! D functions: those of Klartext's FN, by the same numbers, with their operands behind `P01`, `P02` and `P03`.
 
 use super::super::block::{Body, Condition, Target, still};
-use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cursor::{Cursor, Parsed, Stop};
 use super::super::expression::Expression;
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::formula::binary;
 use super::super::klartext::label_number;
 use super::super::operand::Operand;
 use super::super::words::{Computed, RELATIONS, computed};
 
 /// `D01 Q1 P01 -Q2 P02 -5`, after the `D`.
-pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn function(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.blanks();
     let at = cursor.at();
     let number = cursor.expect_whole(99)?;
@@ -37,7 +37,7 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// Without anything to compute, the parameter gets the operand.
-fn assign(cursor: &mut Cursor<'_>, computed: Option<Computed>) -> Read<Body> {
+fn assign(cursor: &mut Cursor<'_>, computed: Option<Computed>) -> Parsed<Body> {
     let to = cursor.number_parameter()?;
     let first = value(cursor, 1)?;
     let value = match computed {
@@ -48,23 +48,23 @@ fn assign(cursor: &mut Cursor<'_>, computed: Option<Computed>) -> Read<Body> {
     Ok(Body::Assign { to, value })
 }
 
-fn value(cursor: &mut Cursor<'_>, place: u32) -> Read<Expression> {
+fn value(cursor: &mut Cursor<'_>, place: u32) -> Parsed<Expression> {
     Ok(Expression::Value(operand(cursor, place)?))
 }
 
 /// `P01 +Q1`
-fn operand(cursor: &mut Cursor<'_>, place: u32) -> Read<Operand> {
+fn operand(cursor: &mut Cursor<'_>, place: u32) -> Parsed<Operand> {
     expect_place(cursor, place)?;
     cursor.operand()
 }
 
-fn expect_place(cursor: &mut Cursor<'_>, place: u32) -> Read<()> {
+fn expect_place(cursor: &mut Cursor<'_>, place: u32) -> Parsed<()> {
     let mut ahead = cursor.clone();
     if ahead.take_prefix("P") && ahead.whole(99).ok().flatten() == Some(place) {
         *cursor = ahead;
         return Ok(());
     }
-    Err(cursor.stop(Wanted::Word(match place {
+    Err(cursor.stop(ExpectedWord::Word(match place {
         1 => "P01",
         2 => "P02",
         _ => "P03",
@@ -72,13 +72,13 @@ fn expect_place(cursor: &mut Cursor<'_>, place: u32) -> Read<()> {
 }
 
 /// `D09 P01 +Q1 P02 +Q3 P03 5`
-fn jump(cursor: &mut Cursor<'_>, number: u32) -> Read<Body> {
+fn jump(cursor: &mut Cursor<'_>, number: u32) -> Parsed<Body> {
     let left = operand(cursor, 1)?;
     let right = operand(cursor, 2)?;
     expect_place(cursor, 3)?;
     let label = label_number(cursor)?;
     let Some(&(_, _, relation)) = RELATIONS.iter().find(|(of, ..)| *of == number) else {
-        return Err(cursor.stop(Wanted::Relation));
+        return Err(cursor.stop(ExpectedWord::Relation));
     };
     Ok(Body::Jump { condition: Condition::Compare(left, relation, right), label: Target::Number(label) })
 }

@@ -1,7 +1,7 @@
 //! A block with its G functions by what they are about, and what each of them reads of it.
 
-use super::super::cursor::{Read, Stop};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::cursor::{Parsed, Stop};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::movement::AxisWord;
 use super::super::operand::Operand;
 use super::modes::{Measure, Modes};
@@ -26,7 +26,7 @@ impl Block<'_, '_> {
     }
 
     /// The axes with their values, as they count in this block.
-    pub(super) fn axes(&self, modes: &Modes) -> Read<Vec<AxisWord>> {
+    pub(super) fn axes(&self, modes: &Modes) -> Parsed<Vec<AxisWord>> {
         let Some(first) = self.words.axes.first() else { return Ok(Vec::new()) };
         // Whether it counts for the axes before it is on no page that we found.
         if let Some(late) = self.measure.filter(|measure| first.at < measure.at) {
@@ -36,13 +36,13 @@ impl Block<'_, '_> {
         let is_incremental = measure == Measure::Incremental;
         let word = |AxisAt { axis, value, at }: AxisAt| match value {
             Some(value) => Ok(AxisWord { axis, is_incremental, value }),
-            None => Err(Stop { at, reason: BlockFault::Missing(Wanted::Value) }),
+            None => Err(Stop { at, reason: BlockFault::Missing(ExpectedWord::Value) }),
         };
         self.words.axes.iter().copied().map(word).collect()
     }
 
     /// An error if a G function is there that means nothing here.
-    pub(super) fn refuse(&self, function: Option<Function>) -> Read<()> {
+    pub(super) fn refuse(&self, function: Option<Function>) -> Parsed<()> {
         match (function, self.main) {
             (None, _) => Ok(()),
             (Some(Function { number, at }), None) => {
@@ -61,6 +61,6 @@ pub(super) const fn measure_unknown(at: usize) -> Stop {
 }
 
 /// The value of a word that a G function needs.
-pub(super) fn needed(block: &Block<'_, '_>, main: Function, word: &'static str) -> Read<Operand> {
-    block.words.value(word).ok_or(Stop { at: main.at, reason: BlockFault::Missing(Wanted::Word(word)) })
+pub(super) fn needed(block: &Block<'_, '_>, main: Function, word: &'static str) -> Parsed<Operand> {
+    block.words.value(word).ok_or(Stop { at: main.at, reason: BlockFault::Missing(ExpectedWord::Word(word)) })
 }

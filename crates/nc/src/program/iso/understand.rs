@@ -8,7 +8,7 @@ use super::super::fault::BlockFault;
 use super::super::klartext::{defined, heading};
 use super::super::lines::Piece;
 use super::super::milling::{cycle_head, first_parameter, with_lines};
-use super::super::place::Place;
+use super::super::place::TextPlace;
 use super::super::warnings::{LONGEST, Odd};
 use super::body::{body, frame};
 use super::modes::Modes;
@@ -33,7 +33,7 @@ pub(super) struct Collected<'p, 'a> {
 pub(super) fn understand(
     Collected { pieces, has_star, is_first }: Collected<'_, '_>,
     modes: &mut Modes,
-    place: impl Fn(usize, usize) -> Place,
+    place: impl Fn(usize, usize) -> TextPlace,
 ) -> Result<Body, Odd> {
     if let Some(odd) = pieces.iter().find_map(Odd::open_quote) {
         return Err(odd);
@@ -102,7 +102,7 @@ fn cycle(
     mut cursor: Cursor<'_>,
     first: &Piece<'_>,
     more: &[Piece<'_>],
-    place: impl Fn(usize, usize) -> Place,
+    place: impl Fn(usize, usize) -> TextPlace,
 ) -> Result<CycleBlock, Odd> {
     let cycle = cycle_head(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
     // The name ends where the first parameter begins.

@@ -1,8 +1,8 @@
 //! The words of a block: letters with a number, in any order, with or without blanks between them.
 
 use super::super::block::Tool;
-use super::super::cursor::{Cursor, Read, Stop};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::cursor::{Cursor, Parsed, Stop};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::klartext::{MOST_M, tool};
 use super::super::movement::{Axis, MachineFunction};
 use super::super::operand::Operand;
@@ -53,7 +53,7 @@ const VALUES: [&str; 12] = ["DR2", "DL", "DR", "F", "S", "H", "R", "L", "I", "J"
 
 impl<'a> Words<'a> {
     /// Reads them all.
-    pub(super) fn read(cursor: &mut Cursor<'a>) -> Read<Self> {
+    pub(super) fn read(cursor: &mut Cursor<'a>) -> Parsed<Self> {
         let mut words = Self::default();
         while let Some(letter) = cursor.next() {
             let at = cursor.at();
@@ -63,7 +63,7 @@ impl<'a> Words<'a> {
         Ok(words)
     }
 
-    fn word(&mut self, cursor: &mut Cursor<'a>, letter: char, at: usize) -> Read<()> {
+    fn word(&mut self, cursor: &mut Cursor<'a>, letter: char, at: usize) -> Parsed<()> {
         if let Some(axis) = meaning(&AXES, letter.encode_utf8(&mut [0; 4])) {
             cursor.take_prefix(letter.encode_utf8(&mut [0; 4]));
             if self.axes.iter().any(|known| known.axis == axis) {
@@ -85,7 +85,7 @@ impl<'a> Words<'a> {
             }
             'T' if self.tool.is_none() => {
                 cursor.take_prefix("T");
-                let Some(tool) = tool(cursor)? else { return Err(cursor.stop(Wanted::Value)) };
+                let Some(tool) = tool(cursor)? else { return Err(cursor.stop(ExpectedWord::Value)) };
                 self.tool = Some(tool);
             }
             _ => {
@@ -111,7 +111,7 @@ impl<'a> Words<'a> {
     }
 
     /// The G functions of a group; two of them exclude each other.
-    pub(super) fn one_of(&self, group: impl Fn(u32) -> bool) -> Read<Option<Function>> {
+    pub(super) fn one_of(&self, group: impl Fn(u32) -> bool) -> Parsed<Option<Function>> {
         let mut found = self.functions.iter().filter(|function| group(function.number));
         match (found.next(), found.next()) {
             (Some(first), Some(second)) => {
@@ -123,7 +123,7 @@ impl<'a> Words<'a> {
     }
 
     /// An error for the first word whose letter is not among these; G functions are checked by their groups.
-    pub(super) fn only(&self, letters: &str) -> Read<()> {
+    pub(super) fn only(&self, letters: &str) -> Parsed<()> {
         match self.letters.iter().find(|(letter, _)| *letter != 'G' && !letters.contains(*letter)) {
             Some(&(letter, at)) => Err(Stop { at, reason: BlockFault::LeftOver { found: letter.to_string() } }),
             None => Ok(()),
@@ -159,7 +159,7 @@ fn takes_value(cursor: &mut Cursor<'_>, name: &str) -> bool {
 
 /// An M function, after the `M`. Words that follow it belong to it only where they are known to: a coordinate must not
 /// pass for one.
-fn machine_function(cursor: &mut Cursor<'_>) -> Read<MachineFunction> {
+fn machine_function(cursor: &mut Cursor<'_>) -> Parsed<MachineFunction> {
     let number = cursor.expect_whole(MOST_M)?;
     let at = cursor.at();
     match number {

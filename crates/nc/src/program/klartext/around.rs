@@ -7,7 +7,7 @@ use fitcheck_core::probing::cycles::cycles_of;
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
 use super::super::block::{Body, still};
-use super::super::cursor::{Cursor, Read};
+use super::super::cursor::{Cursor, Parsed};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleValue};
 use super::super::movement::MachineFunction;
 use super::frames::{plane, preset, transformation};
@@ -103,7 +103,7 @@ const FUNCTIONS: [&str; 16] = [
 ];
 
 /// A block around a measurement, if it is one.
-pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+pub(super) fn around(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
     if cursor.take_words(&["FUNCTION", "MODE"]) {
         return Ok(mode(cursor));
     }
@@ -150,7 +150,7 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 }
 
 /// The rest of a path: axes and M functions are read, everything else is left.
-fn path(cursor: &mut Cursor<'_>, words: String, end: End) -> Read<Body> {
+fn path(cursor: &mut Cursor<'_>, words: String, end: End) -> Parsed<Body> {
     let mut goes = Goes { is_unknown: end == End::Computed, axes: Vec::new() };
     let mut machine: Vec<MachineFunction> = Vec::new();
     while !cursor.is_at_end() {

@@ -5,7 +5,7 @@ use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, first, front, next, trimmed};
 use super::super::milling::{Before, CutOff, Form, Reader, cycle_line};
-use super::super::place::Place;
+use super::super::place::TextPlace;
 use super::super::warnings::Odd;
 use super::cut_off::{belongs, cut_off};
 use super::understand::understand;
@@ -85,7 +85,7 @@ impl Form for Klartext {
         weighed: Result<(), Odd>,
         _front: Front,
         pieces: &[Piece<'_>],
-        place: impl Fn(usize, usize) -> Place,
+        place: impl Fn(usize, usize) -> TextPlace,
     ) -> Result<Body, Odd> {
         weighed.and_then(|()| understand(pieces, place))
     }

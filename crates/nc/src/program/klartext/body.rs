@@ -1,8 +1,8 @@
 //! What a block says: its first words decide which function reads the rest.
 
 use super::super::block::{Body, Unit};
-use super::super::cursor::{Cursor, Read};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::cursor::{Cursor, Parsed};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::around::around;
 use super::functions::{assignment, declaration, function};
 use super::label::{call_label, label};
@@ -10,7 +10,7 @@ use super::moves::{line, tool_call};
 use super::path_words::{is_axis_word, is_machine_function, machine_functions};
 
 /// Reads a block that is neither heading nor cycle. A block with an unknown beginning is [`Body::Other`].
-pub(super) fn body(code: &str) -> Read<Body> {
+pub(super) fn body(code: &str) -> Parsed<Body> {
     let mut cursor = Cursor::new(code);
     let cursor = &mut cursor;
     let Some(body) = known(cursor)? else { return Ok(Body::Other) };
@@ -18,7 +18,7 @@ pub(super) fn body(code: &str) -> Read<Body> {
     Ok(body)
 }
 
-fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+fn known(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
     let Some(first) = cursor.next() else { return Ok(Some(Body::Nothing)) };
     match first.to_ascii_uppercase() {
         'B' if cursor.take_words(&["BEGIN", "PGM"]) => {
@@ -51,7 +51,7 @@ fn known(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 }
 
 /// `name MM`: the unit is the last word.
-fn name_and_unit(cursor: &mut Cursor<'_>) -> Read<(String, Unit)> {
+fn name_and_unit(cursor: &mut Cursor<'_>) -> Parsed<(String, Unit)> {
     let from = cursor.clone();
     let text = cursor.take_rest();
     let unit = |word: &str| match word {
@@ -62,7 +62,7 @@ fn name_and_unit(cursor: &mut Cursor<'_>) -> Read<(String, Unit)> {
     let (name, last) = text.rsplit_once(char::is_whitespace).unwrap_or(("", text));
     match unit(last) {
         Some(unit) => Ok((name.trim_end().to_owned(), unit)),
-        None if text.is_empty() => Err(from.fail(BlockFault::Missing(Wanted::Unit))),
-        None => Err(cursor.fail(BlockFault::Missing(Wanted::Unit))),
+        None if text.is_empty() => Err(from.fail(BlockFault::Missing(ExpectedWord::Unit))),
+        None => Err(cursor.fail(BlockFault::Missing(ExpectedWord::Unit))),
     }
 }

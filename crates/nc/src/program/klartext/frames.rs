@@ -3,9 +3,9 @@
 
 use super::super::around::Frame;
 use super::super::block::{Body, still};
-use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cursor::{Cursor, Parsed, Stop};
 use super::super::cycle_block::CycleBlock;
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::movement::{Axis, AxisWord};
 use super::super::operand::Operand;
 use super::super::words::AXES;
@@ -15,7 +15,7 @@ use super::path_words::axis;
 const MOST_DOTTED: u32 = 39;
 
 /// `PRESET SELECT #3`, after the words. With anything behind the number (`KEEP TRANS`) the block is unknown.
-pub(super) fn preset(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+pub(super) fn preset(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
     let number = if cursor.take('#') { Some(cursor.operand()?) } else { None };
     let is_known = number.is_some() && cursor.is_at_end();
     cursor.take_rest();
@@ -23,7 +23,7 @@ pub(super) fn preset(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 }
 
 /// `PLANE …`, after the word.
-pub(super) fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
+pub(super) fn plane(cursor: &mut Cursor<'_>) -> Parsed<Frame> {
     if cursor.take_word("RESET") {
         let goes_back = cursor.take_word("TURN") || cursor.take_word("MOVE");
         cursor.take_rest();
@@ -48,7 +48,7 @@ pub(super) fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
 }
 
 /// `PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ1 …`, after the words: the base along X and the normal along Z tilt nothing.
-fn vectors(cursor: &mut Cursor<'_>) -> Read<Frame> {
+fn vectors(cursor: &mut Cursor<'_>) -> Parsed<Frame> {
     let mut is_level = true;
     for (word, is_along) in [("BX", true), ("BY", false), ("BZ", false), ("NX", false), ("NY", false), ("NZ", true)] {
         is_level &= cursor.take_prefix(word)
@@ -68,7 +68,7 @@ fn vectors(cursor: &mut Cursor<'_>) -> Read<Frame> {
 }
 
 /// `TRANS …`, after the word: the newer form of cycles 7, 8, 10 and 11.
-pub(super) fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+pub(super) fn transformation(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
     let frame = if cursor.take_word("DATUM") {
         if cursor.take_word("AXIS") {
             let shift = axes(cursor)?;
@@ -108,7 +108,7 @@ pub(super) fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 }
 
 /// Axes with their values, up to the first word that is none.
-fn axes(cursor: &mut Cursor<'_>) -> Read<Vec<AxisWord>> {
+fn axes(cursor: &mut Cursor<'_>) -> Parsed<Vec<AxisWord>> {
     let mut found: Vec<AxisWord> = Vec::new();
     loop {
         cursor.blanks();
@@ -123,7 +123,7 @@ fn axes(cursor: &mut Cursor<'_>) -> Read<Vec<AxisWord>> {
 
 /// Axes with their values wherever they stand in the rest of a line, and whether everything else there begins with one of these
 /// words.
-fn axes_among(cursor: &mut Cursor<'_>, known: &[&str]) -> Read<(Vec<AxisWord>, bool)> {
+fn axes_among(cursor: &mut Cursor<'_>, known: &[&str]) -> Parsed<(Vec<AxisWord>, bool)> {
     let mut found = Vec::new();
     let mut is_known = true;
     while !cursor.is_at_end() {
@@ -155,25 +155,25 @@ const fn rotation(angle: Operand, is_incremental: bool) -> Frame {
 }
 
 /// `ROT+30`, `IROT+10`
-fn rotated(cursor: &mut Cursor<'_>) -> Read<Frame> {
+fn rotated(cursor: &mut Cursor<'_>) -> Parsed<Frame> {
     let is_incremental = cursor.take_prefix("I");
     if !cursor.take_prefix("ROT") {
-        return Err(cursor.stop(Wanted::Word("ROT")));
+        return Err(cursor.stop(ExpectedWord::Word("ROT")));
     }
     Ok(rotation(cursor.operand()?, is_incremental))
 }
 
 /// `SCL 0.99`
-fn scaled(cursor: &mut Cursor<'_>) -> Read<Frame> {
+fn scaled(cursor: &mut Cursor<'_>) -> Parsed<Frame> {
     if !cursor.take_prefix("SCL") {
-        return Err(cursor.stop(Wanted::Word("SCL")));
+        return Err(cursor.stop(ExpectedWord::Word("SCL")));
     }
     Ok(Frame::Scaling(cursor.operand()?))
 }
 
 /// A cycle of `CYCL DEF` whose lines are blocks of their own: `CYCL DEF 7.1 X+60`, after the two words. `None` for the
 /// others, which have their lines within one block.
-pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
     let mut ahead = cursor.clone();
     let Some((number, part)) = ahead.number_text().and_then(|number| number.split_once('.')) else { return Ok(None) };
     let number = number.to_owned();

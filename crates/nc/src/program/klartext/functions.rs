@@ -2,9 +2,9 @@
 
 use super::super::around::Frame;
 use super::super::block::{Body, Columns, Condition, still};
-use super::super::cursor::{Cursor, Read};
+use super::super::cursor::{Cursor, Parsed};
 use super::super::expression::{Expression, NumberFunction, Operation};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::formula::{binary, expression};
 use super::super::operand::Operand;
 use super::super::text_formula::text_expression;
@@ -13,7 +13,7 @@ use super::label::target;
 use crate::control::variables::Family;
 
 /// `FN n: …`, after the word `FN`. Functions that Fitcheck does not run are [`Body::Other`].
-pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn function(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let number = cursor.expect_whole(99)?;
     cursor.expect(':', ":")?;
     if let Some(computed) = computed(number) {
@@ -45,7 +45,7 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `Q5 = …`, `QS5 = …`, `Q5 SET UNDEFINED`.
-pub(in super::super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(in super::super) fn assignment(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let to = cursor.any_parameter()?;
     if cursor.take_words(&["SET", "UNDEFINED"]) {
         return Ok(Body::Undefine(to));
@@ -58,26 +58,26 @@ pub(in super::super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `DECLARE STRING QS1 = …`, after the first two words.
-pub(super) fn declaration(cursor: &mut Cursor<'_>) -> Read<Body> {
-    let to = cursor.text_parameter(Wanted::TextParameter)?;
+pub(super) fn declaration(cursor: &mut Cursor<'_>) -> Parsed<Body> {
+    let to = cursor.text_parameter(ExpectedWord::TextParameter)?;
     cursor.expect('=', "=")?;
     Ok(Body::AssignText { to, value: text_expression(cursor)? })
 }
 
-fn assign_value(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn assign_value(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let from = cursor.clone();
     let to = cursor.any_parameter()?;
     if cursor.take_words(&["SET", "UNDEFINED"]) {
         return Ok(Body::Undefine(to));
     }
     if to.family == Family::Qs {
-        return Err(from.clone().stop(Wanted::NumberParameter));
+        return Err(from.clone().stop(ExpectedWord::NumberParameter));
     }
     cursor.expect('=', "=")?;
     Ok(Body::Assign { to, value: value(cursor)? })
 }
 
-fn assign(cursor: &mut Cursor<'_>, computed: Computed) -> Read<Body> {
+fn assign(cursor: &mut Cursor<'_>, computed: Computed) -> Parsed<Body> {
     let to = cursor.number_parameter()?;
     cursor.expect('=', "=")?;
     let value = match computed {
@@ -87,17 +87,17 @@ fn assign(cursor: &mut Cursor<'_>, computed: Computed) -> Read<Body> {
     Ok(Body::Assign { to, value })
 }
 
-fn value(cursor: &mut Cursor<'_>) -> Read<Expression> {
+fn value(cursor: &mut Cursor<'_>) -> Parsed<Expression> {
     Ok(Expression::Value(cursor.operand()?))
 }
 
-fn of(cursor: &mut Cursor<'_>, function: NumberFunction) -> Read<Expression> {
+fn of(cursor: &mut Cursor<'_>, function: NumberFunction) -> Parsed<Expression> {
     cursor.expect_word(word(&FUNCTIONS, function))?;
     Ok(Expression::Function(function, Box::new(value(cursor)?)))
 }
 
 /// Two operands with the sign or word of an operation between them.
-fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Read<Expression> {
+fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Parsed<Expression> {
     let left = value(cursor)?;
     let word = word(&OPERATIONS, operation);
     match word.chars().next().filter(|sign| !sign.is_alphabetic()) {
@@ -111,7 +111,7 @@ fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Read<Expression> {
 }
 
 /// FN 9 to FN 12.
-fn jump(cursor: &mut Cursor<'_>, number: u32) -> Read<Body> {
+fn jump(cursor: &mut Cursor<'_>, number: u32) -> Parsed<Body> {
     cursor.expect_word("IF")?;
     let condition = match defined(cursor)? {
         Some(condition) => condition,
@@ -123,7 +123,7 @@ fn jump(cursor: &mut Cursor<'_>, number: u32) -> Read<Body> {
 }
 
 /// `Q1 IS DEFINED`; takes nothing if a comparison comes next.
-fn defined(cursor: &mut Cursor<'_>) -> Read<Option<Condition>> {
+fn defined(cursor: &mut Cursor<'_>) -> Parsed<Option<Condition>> {
     let mut ahead = cursor.clone();
     ahead.minus();
     let Some(parameter) = ahead.parameter()? else { return Ok(None) };
@@ -140,12 +140,12 @@ fn defined(cursor: &mut Cursor<'_>) -> Read<Option<Condition>> {
     Ok(Some(condition))
 }
 
-fn compare(cursor: &mut Cursor<'_>, number: u32) -> Read<Condition> {
+fn compare(cursor: &mut Cursor<'_>, number: u32) -> Parsed<Condition> {
     let left = cursor.operand()?;
     cursor.blanks();
     let from = cursor.clone();
     let Some(&(own, found, relation)) = RELATIONS.iter().find(|(_, word, _)| cursor.take_word(word)) else {
-        return Err(cursor.stop(Wanted::Relation));
+        return Err(cursor.stop(ExpectedWord::Relation));
     };
     if own != number {
         let allowed = RELATIONS.iter().find(|(of, ..)| *of == number).map_or("", |&(_, word, _)| word);
@@ -154,22 +154,22 @@ fn compare(cursor: &mut Cursor<'_>, number: u32) -> Read<Condition> {
     Ok(Condition::Compare(left, relation, cursor.operand()?))
 }
 
-fn error(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn error(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect_word("ERROR")?;
     cursor.expect('=', "=")?;
     Ok(Body::Error(cursor.operand()?))
 }
 
-fn print(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn print(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     if !cursor.take_prefix("F-PRINT") {
-        return Err(cursor.stop(Wanted::Word("F-PRINT")));
+        return Err(cursor.stop(ExpectedWord::Word("F-PRINT")));
     }
     let mask = cursor.path(Some('/'))?;
     cursor.expect('/', "/")?;
     Ok(Body::Print { mask, output: cursor.path(None)? })
 }
 
-fn table_read(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn table_read(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect_word("TABREAD")?;
     let to = cursor.any_parameter()?;
     cursor.expect('=', "=")?;
@@ -178,7 +178,7 @@ fn table_read(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `SYSREAD Q2 = ID50 NR19 IDXQ1`
-fn system_read(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn system_read(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect_word("SYSREAD")?;
     let to = cursor.number_parameter()?;
     cursor.expect('=', "=")?;
@@ -188,7 +188,7 @@ fn system_read(cursor: &mut Cursor<'_>) -> Read<Body> {
 
 /// `SYSWRITE ID50 NR1 IDXQ2 = Q1601`: presets, datum tables and rotations can be written, too. Only data of tools and pockets are known
 /// to leave the system alone, and how the probe approaches.
-fn system_write(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn system_write(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.take_word("SYSWRITE");
     cursor.take_prefix("ID");
     let group = cursor.whole(u32::MAX)?;
@@ -199,7 +199,7 @@ fn system_write(cursor: &mut Cursor<'_>) -> Read<Body> {
     })
 }
 
-fn table_write(cursor: &mut Cursor<'_>) -> Read<Body> {
+fn table_write(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect_word("TABWRITE")?;
     let (row, columns) = cell(cursor)?;
     cursor.expect('=', "=")?;
@@ -207,12 +207,12 @@ fn table_write(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `40/"NAME"`, `+Q22/QS1`.
-fn cell(cursor: &mut Cursor<'_>) -> Read<(Operand, Columns)> {
+fn cell(cursor: &mut Cursor<'_>) -> Parsed<(Operand, Columns)> {
     let row = cursor.operand()?;
     cursor.expect('/', "/")?;
     if let Some(names) = cursor.quoted() {
         let names: Vec<String> = names.split(',').map(|name| name.trim().to_owned()).collect();
         return Ok((row, Columns::Names(names)));
     }
-    Ok((row, Columns::Parameter(cursor.text_parameter(Wanted::Text)?)))
+    Ok((row, Columns::Parameter(cursor.text_parameter(ExpectedWord::Text)?)))
 }

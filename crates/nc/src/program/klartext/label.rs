@@ -1,8 +1,8 @@
 //! Labels: where they stand, and what calls them.
 
 use super::super::block::{Body, Target};
-use super::super::cursor::{Cursor, Read};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::cursor::{Cursor, Parsed};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::operand::Operand;
 use crate::control::variables::Family;
 
@@ -12,7 +12,7 @@ const MOST_LABEL: u32 = 65_535;
 pub(in super::super) const MOST_REPEATS: u32 = 65_534;
 
 /// `LBL 5`, `LBL "NAME"`, after the word.
-pub(super) fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn label(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.blanks();
     let at = cursor.clone();
     match target(cursor)? {
@@ -22,15 +22,15 @@ pub(super) fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// The number of a label, in ISO its only name.
-pub(in super::super) fn number(cursor: &mut Cursor<'_>) -> Read<u32> {
+pub(in super::super) fn number(cursor: &mut Cursor<'_>) -> Parsed<u32> {
     match cursor.whole(MOST_LABEL)? {
         Some(number) => Ok(number),
-        None => Err(cursor.stop(Wanted::Label)),
+        None => Err(cursor.stop(ExpectedWord::Label)),
     }
 }
 
 /// A number, a quoted name, a parameter.
-pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
+pub(super) fn target(cursor: &mut Cursor<'_>) -> Parsed<Target> {
     if let Some(name) = cursor.quoted() {
         return Ok(Target::Name(name.to_owned()));
     }
@@ -39,12 +39,12 @@ pub(super) fn target(cursor: &mut Cursor<'_>) -> Read<Target> {
     }
     match cursor.parameter()? {
         Some(parameter) => Ok(Target::Parameter(parameter)),
-        None => Err(cursor.stop(Wanted::Label)),
+        None => Err(cursor.stop(ExpectedWord::Label)),
     }
 }
 
 /// `CALL LBL 5 REP 3`, also `REP3`, `REP Q7` and the old `REP 25/25`: its second number counted the repeats left.
-pub(super) fn call_label(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn call_label(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let label = target(cursor)?;
     let mut repeat = None;
     if cursor.take_prefix("REP") {

@@ -1,7 +1,7 @@
 //! Straight lines and tool calls.
 
 use super::super::block::{Body, Tool};
-use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cursor::{Cursor, Parsed, Stop};
 use super::super::fault::BlockFault;
 use super::super::movement::{Feed, Movement};
 use super::super::operand::{Operand, TextOperand};
@@ -10,7 +10,7 @@ use super::path_words::{axis_letter, axis_word, machine_functions};
 use crate::control::variables::Family;
 
 /// `L …`, after the word.
-pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn line(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let mut movement = Movement { axes: Vec::new(), compensation: None, feed: None, machine: Vec::new() };
     loop {
         cursor.blanks();
@@ -34,7 +34,7 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// The value after the F.
-fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
+fn feed(cursor: &mut Cursor<'_>) -> Parsed<Feed> {
     if cursor.take_word("MAX") {
         return Ok(Feed::Rapid);
     }
@@ -45,7 +45,7 @@ fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
 }
 
 /// `TOOL CALL …`, after the two words.
-pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     let tool = tool(cursor)?;
     let mut ahead = cursor.clone();
     let axis = axis_letter(&mut ahead).filter(|_| ahead.rest().chars().next().is_none_or(char::is_whitespace));
@@ -60,7 +60,7 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
     Ok(Body::ToolCall { tool, axis, rest })
 }
 
-pub(in super::super) fn tool(cursor: &mut Cursor<'_>) -> Read<Option<Tool>> {
+pub(in super::super) fn tool(cursor: &mut Cursor<'_>) -> Parsed<Option<Tool>> {
     if let Some(name) = cursor.quoted() {
         return Ok(Some(Tool::Name(TextOperand::Text(name.to_owned()))));
     }

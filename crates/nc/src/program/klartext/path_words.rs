@@ -1,6 +1,6 @@
 //! Words of a path: axes with their values, and M functions.
 
-use super::super::cursor::{Cursor, Read};
+use super::super::cursor::{Cursor, Parsed};
 use super::super::movement::{Axis, AxisWord, MachineFunction};
 use super::super::words::{AXES, meaning};
 
@@ -8,7 +8,7 @@ use super::super::words::{AXES, meaning};
 pub(in super::super) const MOST_M: u32 = 9999;
 
 /// `IX+2,5`; blanks may occur anywhere in it.
-pub(super) fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
+pub(super) fn axis_word(cursor: &mut Cursor<'_>) -> Parsed<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     let is_incremental = ahead.take_prefix("I");
     let Some(axis) = axis_letter(&mut ahead) else { return Ok(None) };
@@ -33,7 +33,7 @@ pub(super) fn is_axis_word(cursor: &Cursor<'_>) -> bool {
 }
 
 /// M functions up to the end, or to an axis with its value; other text after a number belongs to it.
-pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunction>> {
+pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Parsed<Vec<MachineFunction>> {
     let mut found = Vec::new();
     while !cursor.is_at_end() {
         if found.is_empty() && !is_machine_function(cursor) {
@@ -62,7 +62,7 @@ pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
 }
 
 /// `X+10`, `IY - 5`, if it comes next.
-pub(super) fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
+pub(super) fn axis(cursor: &mut Cursor<'_>) -> Parsed<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     ahead.take_prefix("I");
     let is_value =

@@ -6,7 +6,7 @@ use super::super::cycle_block::CycleBlock;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
 use super::super::milling::{cycle_head, first_parameter, with_lines};
-use super::super::place::Place;
+use super::super::place::TextPlace;
 use super::super::warnings::{LONGEST, Odd};
 use super::super::words::DEEPEST;
 use super::around::defined;
@@ -14,7 +14,7 @@ use super::body::body;
 use super::frames::dotted;
 
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
-pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
+pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> TextPlace) -> Result<Body, Odd> {
     if let Some(odd) = pieces.iter().find_map(Odd::open_quote) {
         return Err(odd);
     }
@@ -69,7 +69,7 @@ fn cycle(
     mut cursor: Cursor<'_>,
     first: &Piece<'_>,
     more: &[Piece<'_>],
-    place: impl Fn(usize, usize) -> Place,
+    place: impl Fn(usize, usize) -> TextPlace,
 ) -> Result<CycleBlock, Odd> {
     let cycle = cycle_head(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
     // The name ends where the first parameter begins.

@@ -4,7 +4,7 @@ use super::super::block::{Block, Body, Unit};
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, trimmed};
 use super::super::numbering::Numbering;
-use super::super::place::Place;
+use super::super::place::TextPlace;
 use super::super::source::Source;
 use super::super::warnings::Odd;
 use super::super::weight::Weight;
@@ -41,7 +41,7 @@ pub(in super::super) trait Form: Sized {
         weighed: Result<(), Odd>,
         front: Front,
         pieces: &[Piece<'_>],
-        place: impl Fn(usize, usize) -> Place,
+        place: impl Fn(usize, usize) -> TextPlace,
     ) -> Result<Body, Odd>;
 
     /// What a missing or a surplus sign has put into the wrong block.

@@ -1,22 +1,26 @@
 //! Cycles: a number, a name and lines with a value for each parameter.
 
-use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cursor::{Cursor, Parsed, Stop};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::lines::Piece;
 use super::super::operand::TextOperand;
-use super::super::place::Place;
+use super::super::place::TextPlace;
 use super::super::warnings::Odd;
 use crate::control::variables::Family;
 
 /// The number and the name, after `TCH PROBE` or `CYCL DEF`.
-pub(in super::super) fn head(cursor: &mut Cursor<'_>) -> Read<CycleBlock> {
-    let Some(number) = cursor.number_text() else { return Err(cursor.stop(Wanted::Number)) };
+pub(in super::super) fn head(cursor: &mut Cursor<'_>) -> Parsed<CycleBlock> {
+    let Some(number) = cursor.number_text() else { return Err(cursor.stop(ExpectedWord::Number)) };
     Ok(CycleBlock { number: number.to_owned(), name: cursor.take_rest().to_owned(), lines: Vec::new() })
 }
 
 /// Adds the content of a line; `column` turns a byte position in the line's code into a place.
-pub(in super::super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
+pub(in super::super) fn line(
+    cycle: &mut CycleBlock,
+    piece: &Piece<'_>,
+    column: impl Fn(usize) -> TextPlace,
+) -> Parsed<()> {
     let mut cursor = Cursor::new(piece.code);
     while !cursor.is_at_end() {
         let place = column(cursor.at());
@@ -31,7 +35,7 @@ pub(in super::super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: 
 }
 
 /// A parameter, or a word before `=`: a cycle may have an input without a number (`MB`).
-fn name(cursor: &mut Cursor<'_>) -> Read<CycleName> {
+fn name(cursor: &mut Cursor<'_>) -> Parsed<CycleName> {
     let mut ahead = cursor.clone();
     let word = ahead.letters();
     ahead.take_prefix(word);
@@ -66,7 +70,7 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
         }
         // A number beyond its range has an error of its own; anything else is not a value.
         Err(stop) if matches!(stop.reason, BlockFault::Missing(_) | BlockFault::Unexpected { .. }) => {
-            Err(from.clone().stop(Wanted::CycleValue))
+            Err(from.clone().stop(ExpectedWord::CycleValue))
         }
         Err(stop) => Err(stop),
     }
@@ -93,7 +97,7 @@ pub(in super::super) fn with_lines(
     at: Option<usize>,
     first: &Piece<'_>,
     more: &[Piece<'_>],
-    place: impl Fn(usize, usize) -> Place,
+    place: impl Fn(usize, usize) -> TextPlace,
 ) -> Result<CycleBlock, Odd> {
     let words = cycle.name.clone();
     let of_first = at.and_then(|at| words.split_at_checked(at)).map(|(name, code)| {

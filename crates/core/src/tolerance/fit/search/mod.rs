@@ -7,7 +7,7 @@ mod ranking;
 
 use ranking::{Zone, fitting, nearest};
 
-use super::Kind;
+use super::FitKind;
 use super::basis::{Basis, basis};
 use super::preferred::{self, Function, Preference};
 use crate::length::Length;
@@ -18,7 +18,7 @@ use crate::tolerance::sources::Sources;
 
 /// A range of clearance; negative is an interference. Both ends belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wanted {
+pub struct ClearanceRange {
     /// No less than this.
     pub minimum: Length,
     /// No more than this.
@@ -65,14 +65,14 @@ impl Candidate {
     }
 
     /// Clearance, transition or interference.
-    pub fn kind(&self) -> Kind {
-        Kind::of(self.minimum, self.maximum)
+    pub fn kind(&self) -> FitKind {
+        FitKind::of(self.minimum, self.maximum)
     }
 }
 
 /// The nearest pair where none fits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Miss {
+pub struct NearestMiss {
     /// The pair.
     pub candidate: Candidate,
     /// How far its smallest clearance is below the wanted one, zero or more.
@@ -83,7 +83,7 @@ pub struct Miss {
 
 /// What a search found.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Found {
+pub struct FitSearchResult {
     /// The best pairs, best first: preferred fits of the hole basis, of the shaft basis, pairs named in ANSI B4.2, then
     /// hole basis, shaft basis, and the rest. In each group the widest tolerances come first, because they are the
     /// cheapest to make: by both together, then by the narrower one, then by letters.
@@ -91,7 +91,7 @@ pub struct Found {
     /// How many pairs fit in total.
     pub total: usize,
     /// Where none fits, the pair that exceeds the wanted range the least, below and above together.
-    pub nearest: Option<Miss>,
+    pub nearest: Option<NearestMiss>,
 }
 
 /// Why there is nothing to search.
@@ -131,11 +131,11 @@ pub enum SearchError {
 /// [`SearchError`] for a range in the wrong order and for a size that ISO 286 does not have.
 pub fn search(
     nominal: Length,
-    wanted: Wanted,
+    wanted: ClearanceRange,
     options: Options,
     scope: Scope,
     limit: usize,
-) -> Result<Found, SearchError> {
+) -> Result<FitSearchResult, SearchError> {
     search_in(nominal, wanted, &Sources::default().with_options(options), scope, limit)
 }
 
@@ -145,11 +145,11 @@ pub fn search(
 /// [`SearchError`], also where the sources have no class for a hole or none for a shaft.
 pub fn search_in(
     nominal: Length,
-    wanted: Wanted,
+    wanted: ClearanceRange,
     sources: &Sources,
     scope: Scope,
     limit: usize,
-) -> Result<Found, SearchError> {
+) -> Result<FitSearchResult, SearchError> {
     if wanted.maximum < wanted.minimum {
         return Err(SearchError::Order { minimum: wanted.minimum, maximum: wanted.maximum });
     }
@@ -174,5 +174,5 @@ pub fn search_in(
     }
     ranked.sort_unstable();
     let candidates = ranked.iter().filter_map(|pair| pair.candidate(&holes, &shafts)).collect();
-    Ok(Found { candidates, total, nearest })
+    Ok(FitSearchResult { candidates, total, nearest })
 }

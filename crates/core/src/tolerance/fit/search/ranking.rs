@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use super::{Candidate, Miss, Scope, Wanted};
+use super::{Candidate, ClearanceRange, NearestMiss, Scope};
 use crate::length::Length;
 use crate::tolerance::callout::Callout;
 use crate::tolerance::class::{Feature, ToleranceClass};
@@ -124,7 +124,7 @@ impl Ranked {
 }
 
 /// Every pair within the wanted range.
-pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Vec<Ranked> {
+pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: ClearanceRange, scope: Scope) -> Vec<Ranked> {
     let least = wanted.minimum.nanometres();
     let most = wanted.maximum.nanometres();
     let mut found = Vec::new();
@@ -140,7 +140,7 @@ pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Sc
 }
 
 /// The pair that exceeds the wanted range the least; among equals the one of the best rank.
-pub(super) fn nearest(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Option<Miss> {
+pub(super) fn nearest(holes: &[Zone], shafts: &[Zone], wanted: ClearanceRange, scope: Scope) -> Option<NearestMiss> {
     let least = wanted.minimum.nanometres();
     let most = wanted.maximum.nanometres();
     let mut best: Option<((i64, Ranked), (i64, i64))> = None;
@@ -159,5 +159,5 @@ pub(super) fn nearest(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Sc
     }
     let ((_, pair), (below, above)) = best?;
     let length = |nm| Length::from_nanometres(nm).ok();
-    Some(Miss { candidate: pair.candidate(holes, shafts)?, below: length(below)?, above: length(above)? })
+    Some(NearestMiss { candidate: pair.candidate(holes, shafts)?, below: length(below)?, above: length(above)? })
 }

@@ -2,13 +2,13 @@
 //!
 //! The literal texts of a mask and its formats tell where a value begins and ends: blanks match any run of blanks, a number has the
 //! digits of its format and a point or a comma, a text reaches to the next literal text. A mask whose values cannot be told apart is
-//! refused; a print that can be read in two ways is told by [`Found::Ambiguous`].
+//! refused; a print that can be read in two ways is told by [`PrintMatch::Ambiguous`].
 
 mod search;
 
-use super::{Format, Keyword, Kind, Line, Mask, Name, Part, Record};
+use super::{Format, FormatLetter, Keyword, Line, Mask, Name, Part, Record};
 use crate::control::variables::{Family, Parameter};
-use fitcheck_core::message::{Located, Place, Say};
+use fitcheck_core::message::{FilePlace, Located, Say};
 use search::Search;
 
 /// The most lines that a mask prints at a time to be read back.
@@ -46,13 +46,13 @@ pub enum InverseFault {
 
 /// What a field of a mask prints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Of {
+pub enum FieldContent {
     Parameter(Parameter),
     /// A part of date and time, and the path of the program, by their words: `DAY`, `CALL_PATH`.
     Word(&'static str),
 }
 
-impl std::fmt::Display for Of {
+impl std::fmt::Display for FieldContent {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Parameter(parameter) => parameter.fmt(f),
@@ -65,7 +65,7 @@ impl std::fmt::Display for Of {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
     /// What it prints.
-    pub of: Of,
+    pub of: FieldContent,
     /// How many digits a number has after its decimal sign; `None` for a text.
     pub digits: Option<usize>,
 }
@@ -81,7 +81,7 @@ pub struct Printed {
 
 /// What stands at a place of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Found {
+pub enum PrintMatch {
     /// A whole print.
     Printed(Printed),
     /// One that can be read in more than one way, and how many lines it has at least.
@@ -122,11 +122,11 @@ impl Mask {
     /// The mask as a reader of what it prints.
     ///
     /// ```
-    /// use fitcheck_nc::control::mask::{Found, Mask};
+    /// use fitcheck_nc::control::mask::{PrintMatch, Mask};
     ///
     /// let (mask, _) = Mask::read(b"\"MIN:%9.4LF MAX:%9.4LF\", Q33, Q23;")?;
     /// let inverse = mask.inverse()?;
-    /// let Found::Printed(printed) = inverse.at(&["MIN:  25.0000 MAX:  25.0210"]) else { panic!() };
+    /// let PrintMatch::Printed(printed) = inverse.at(&["MIN:  25.0000 MAX:  25.0210"]) else { panic!() };
     /// assert_eq!(printed.values, [(0, "25.0000".to_owned()), (1, "25.0210".to_owned())]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -157,8 +157,8 @@ impl Mask {
                 prints.push(print);
             }
         }
-        let whole = |what| Located { what, place: Place::default() };
-        if slots.iter().all(|slot: &Slot| slot.digits.is_none() || matches!(slot.of, Of::Word(_))) {
+        let whole = |what| Located { what, place: FilePlace::default() };
+        if slots.iter().all(|slot: &Slot| slot.digits.is_none() || matches!(slot.of, FieldContent::Word(_))) {
             return Err(whole(InverseFault::NoNumber));
         }
         for print in &prints {
@@ -202,7 +202,7 @@ fn step(record: &Record, hides: bool, slots: &mut Vec<Slot>) -> Result<Step, Inv
                 text = text.filter(|_| literal.chars().all(|c| c == ' '));
             }
             Part::Field { format, name, column } => {
-                let at = |what| Located { what, place: Place::in_line(record.line, *column) };
+                let at = |what| Located { what, place: FilePlace::in_line(record.line, *column) };
                 let names = |first: &Name| (first.to_string(), name.to_string());
                 if let Some((left, first)) = before
                     && !left.is_bounded()
@@ -228,40 +228,42 @@ fn step(record: &Record, hides: bool, slots: &mut Vec<Slot>) -> Result<Step, Inv
 }
 
 impl Name {
-    fn of(self) -> Of {
+    fn of(self) -> FieldContent {
         match self {
-            Self::Parameter(parameter) => Of::Parameter(parameter),
-            other => Of::Word(super::NAMES.iter().find(|(_, name)| *name == other).map_or("", |(word, _)| *word)),
+            Self::Parameter(parameter) => FieldContent::Parameter(parameter),
+            other => {
+                FieldContent::Word(super::NAMES.iter().find(|(_, name)| *name == other).map_or("", |(word, _)| *word))
+            }
         }
     }
 }
 
 impl Format {
     const fn is_text(&self) -> bool {
-        matches!(self.kind, Kind::Text | Kind::Raw)
+        matches!(self.kind, FormatLetter::Text | FormatLetter::Raw)
     }
 
     /// How many digits a number has after its sign.
     fn decimals(&self) -> Option<usize> {
         match self.kind {
-            Kind::Text | Kind::Raw => None,
-            Kind::Decimal => Some(self.digits.unwrap_or(6)),
-            Kind::Whole => Some(0),
+            FormatLetter::Text | FormatLetter::Raw => None,
+            FormatLetter::Decimal => Some(self.digits.unwrap_or(6)),
+            FormatLetter::Whole => Some(0),
         }
     }
 
     /// Whether it ends by itself: after the last decimal, or in a column.
     fn is_bounded(&self) -> bool {
         match self.kind {
-            Kind::Text => self.columns().is_some(),
-            Kind::Raw => false,
-            Kind::Decimal | Kind::Whole => self.decimals().is_some_and(|digits| 0 < digits),
+            FormatLetter::Text => self.columns().is_some(),
+            FormatLetter::Raw => false,
+            FormatLetter::Decimal | FormatLetter::Whole => self.decimals().is_some_and(|digits| 0 < digits),
         }
     }
 
     /// The width of a text that is neither narrower nor wider.
     fn columns(&self) -> Option<usize> {
-        self.digits.filter(|digits| self.kind == Kind::Text && 0 < *digits && *digits == self.width)
+        self.digits.filter(|digits| self.kind == FormatLetter::Text && 0 < *digits && *digits == self.width)
     }
 }
 
@@ -304,13 +306,13 @@ impl Inverse {
     }
 
     /// What stands at the beginning of some lines: as many as a print has at most, or all that are left.
-    pub fn at(&self, lines: &[&str]) -> Found {
+    pub fn at(&self, lines: &[&str]) -> PrintMatch {
         let mut ways: Vec<Printed> = Vec::new();
         let mut broken = (0, 0);
         for print in &self.prints {
             let search = Search::of(print, lines);
             if search.left == 0 {
-                return Found::Ambiguous(1);
+                return PrintMatch::Ambiguous(1);
             }
             broken = broken.max(search.furthest);
             for way in search.ways {
@@ -320,16 +322,16 @@ impl Inverse {
             }
         }
         match ways.as_slice() {
-            [] if 0 < broken.0 => Found::Broken(broken.0, broken.1),
-            [] => Found::Nothing,
-            [_] => ways.pop().map_or(Found::Nothing, Found::Printed),
-            _ => Found::Ambiguous(ways.iter().map(|way| way.lines).min().unwrap_or(1)),
+            [] if 0 < broken.0 => PrintMatch::Broken(broken.0, broken.1),
+            [] => PrintMatch::Nothing,
+            [_] => ways.pop().map_or(PrintMatch::Nothing, PrintMatch::Printed),
+            _ => PrintMatch::Ambiguous(ways.iter().map(|way| way.lines).min().unwrap_or(1)),
         }
     }
 
     /// Whether two ways to read a print have the same values of the same parameters, as the sections of two languages may.
     fn is_same(&self, one: &Printed, other: &Printed) -> bool {
-        let named = |printed: &Printed| -> Vec<(Option<Of>, String)> {
+        let named = |printed: &Printed| -> Vec<(Option<FieldContent>, String)> {
             printed.values.iter().map(|(at, value)| (self.slots.get(*at).map(|slot| slot.of), value.clone())).collect()
         };
         one.lines == other.lines && named(one) == named(other)

@@ -3,7 +3,7 @@
 use fitcheck_core::text::{before, behind, part};
 
 use super::{Piece, Printed, Step, Values};
-use crate::control::mask::{Format, Kind};
+use crate::control::mask::{Format, FormatLetter};
 
 /// What the width of a field fills up with, and what people put between fields. A no-break space is a character of the mask.
 const BLANKS: [char; 2] = [' ', '\t'];
@@ -187,7 +187,7 @@ impl Ways<'_> {
         values: &mut Vec<Range>,
     ) -> bool {
         let rest = behind(self.line, at);
-        let most = format.digits.filter(|_| format.kind == Kind::Text).unwrap_or(usize::MAX);
+        let most = format.digits.filter(|_| format.kind == FormatLetter::Text).unwrap_or(usize::MAX);
         let columns = format.columns();
         // Where tabs separate, none is within a text.
         let ends_at_tab = matches!(self.pieces.get(piece + 1), Some(Piece::Literal(next)) if next.contains('\t'));
