@@ -7,6 +7,8 @@ use std::io::{BufRead, BufReader, BufWriter, IsTerminal as _, Read as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use out::{Out, tame};
+
 use super::admitted::Admits;
 use super::progress::{Line, Work};
 use super::said::{CliRemark, CliWarning, about, remark, warning};
@@ -20,7 +22,6 @@ use crate::length::Length;
 use crate::message::{IntoArg, Say};
 use crate::tolerance::DeviationTable;
 use crate::tolerance::fit::thermal::Temperature;
-use out::{Out, tame};
 pub(super) use out::{Tame, tame_line};
 
 /// The standard streams, as arguments so that tests can bring their own.

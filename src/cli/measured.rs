@@ -5,10 +5,11 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::time::SystemTime;
 
+use fitcheck_core::text::{Within as _, long};
+
 use crate::exchange::Body;
 use crate::files::{self, FileError};
 use crate::journal::chain::{FileHash, Hash};
-use fitcheck_core::text::{Within as _, long};
 
 /// A file of measurements, open.
 #[derive(Debug)]

@@ -68,6 +68,7 @@ mod fit;
 mod import;
 mod io;
 mod journal;
+mod journal_place;
 mod judging;
 mod limits;
 mod material;

@@ -5,12 +5,12 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+use fitcheck_core::text::long;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
 use crate::batch::Watch;
 use crate::exchange::Body;
 use crate::files::Stop;
-use fitcheck_core::text::long;
 
 /// Before this nothing is shown: most calls are done by then.
 const PATIENCE: Duration = Duration::from_millis(500);

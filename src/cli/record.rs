@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::io::tell_at_once;
 use super::journal::{server, warn_of_zone};
+use super::journal_place::{JOURNAL, JournalArgs, JournalPlace, own};
 use super::said::Recorded;
 use super::{CliError, Io};
 use crate::exchange::{Labels, part_and_feature};
@@ -13,18 +14,8 @@ use crate::journal::body;
 use crate::journal::chain::Hash;
 use crate::journal::entry::{About, Check, Checked, Content, CycleCheck, Entry, Kept, UsedFile};
 use crate::message::Say as _;
-use crate::store::local::{self, Journal, Opening, Reader};
-use crate::store::{StoreError, StoreRemark, here, is_server};
-
-const JOURNAL: &str =
-    "Journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own journal";
-
-/// Where a journal is.
-#[derive(Debug, Clone, clap::Args)]
-pub(super) struct JournalArgs {
-    #[arg(long, help = JOURNAL, value_name = "FILE|ADDRESS")]
-    journal: Option<String>,
-}
+use crate::store::local::{Journal, Opening, Reader};
+use crate::store::{StoreError, StoreRemark, here};
 
 /// What a journal is told of a check besides the check itself.
 #[derive(Debug, Clone, clap::Args)]
@@ -88,46 +79,6 @@ pub(super) struct Stream {
     journal: Journal,
     /// Whether entries were added that the server does not have yet.
     is_new: bool,
-}
-
-/// Where a journal is.
-pub(super) enum JournalPlace {
-    /// The file of a station.
-    File(PathBuf),
-    /// The server of a shop. Its address may hold a password.
-    Server(String),
-}
-
-impl JournalPlace {
-    /// The journal that was named, or else the user's own.
-    fn of(given: Option<&str>) -> Result<Self, CliError> {
-        let of_variable = || std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty());
-        match given.map(str::to_owned).or_else(of_variable) {
-            Some(text) if is_server(&text) => Ok(Self::Server(text)),
-            Some(text) => Ok(Self::File(PathBuf::from(text))),
-            None => own().map(Self::File),
-        }
-    }
-}
-
-/// The user's own journal.
-pub(super) fn own() -> Result<PathBuf, CliError> {
-    Ok(local::folder().ok_or(CliError::NoJournalFolder)?.join(local::FILE))
-}
-
-impl JournalArgs {
-    /// The file or the server.
-    pub(super) fn place(&self) -> Result<JournalPlace, CliError> {
-        JournalPlace::of(self.journal.as_deref())
-    }
-
-    /// The file, for what a server cannot do.
-    pub(super) fn file(&self) -> Result<PathBuf, CliError> {
-        match self.place()? {
-            JournalPlace::File(file) => Ok(file),
-            JournalPlace::Server(_) => Err(CliError::JournalIsServer),
-        }
-    }
 }
 
 /// Collects what is to be recorded.

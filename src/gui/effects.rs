@@ -11,10 +11,11 @@ use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::errands::Errands;
+use super::file_contents::{FileContents, With};
 use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
-use super::reading::{FileContents, With, is_read, read};
+use super::reading::{is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};

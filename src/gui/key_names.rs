@@ -1,7 +1,8 @@
 //! Keys of the window and keys of actions: which is which, and how a user reads them.
 
-use crate::session::action::{Held, Key, Part, Shortcut};
 use eframe::egui::{self, Event, Id, KeyboardShortcut, Modifiers, Ui};
+
+use crate::session::action::{Held, Key, Part, Shortcut};
 
 /// The key that an event presses. The system turns Ctrl+C into an event of its own.
 pub(super) const fn pressed_key(event: &Event) -> Option<(egui::Key, Modifiers)> {

@@ -3,7 +3,7 @@
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use super::reading::{FileContents, With, bytes_of, name, whole};
+use super::file_contents::{FileContents, With, bytes_of, name, whole};
 use super::rows;
 use super::working::Watched;
 use crate::control::mask::Mask;

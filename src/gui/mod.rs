@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `app` | one frame: panels, commands, effects |
-//! | `effects`, `errands`, `reading` | files, dialogs and the clipboard, off the frame's thread |
+//! | `effects`, `errands`, `reading`, `file_contents` | files, dialogs and the clipboard, off the frame's thread |
 //! | `measurements` | files of measurements, and what their columns are taken for |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
@@ -50,6 +50,7 @@ mod effects;
 mod errands;
 mod field;
 mod field_id;
+mod file_contents;
 mod fit;
 mod folder_list;
 mod in_turn;

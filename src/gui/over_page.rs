@@ -1,8 +1,9 @@
 //! What lies over a page: its title, its window, and when it is new.
 
+use eframe::egui::{Align2, Id, Ui, Window, vec2};
+
 use crate::session::{CycleFile, Purpose};
 use crate::tolerance::Feature;
-use eframe::egui::{Align2, Id, Ui, Window, vec2};
 
 /// A window that cannot be moved, at a distance below its anchor.
 pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, below: f32) -> Window<'static> {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::file_contents::{FileContents, With, bytes_of, name, whole};
 use super::measurements;
 use super::working::{Job, Watched};
 use crate::control::deviations;
@@ -13,7 +14,7 @@ use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::tool_table::ToolTable;
 use crate::exchange::contacts::{self, Contacts};
-use crate::exchange::{self, ImportInputs, Remembered};
+use crate::exchange::{self, ImportInputs};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _, message};
@@ -59,31 +60,6 @@ pub(super) const fn is_read(command: &Command) -> bool {
     }
 }
 
-/// What files are read with.
-#[derive(Clone, Copy)]
-pub(super) struct With<'a> {
-    pub sources: &'a Sources,
-    /// The columns of files as they were corrected.
-    pub columns: &'a Remembered,
-    /// The user's own mask.
-    pub masks: &'a [(String, Mask)],
-    /// From which temperature values are brought to 20 °C.
-    pub temperature: Option<Temperature>,
-    pub now: DateTime,
-    /// Begins a file that is read, or written.
-    pub begins: &'a dyn Fn(&Path, bool) -> Job,
-}
-
-/// What a file holds.
-pub(super) struct FileContents {
-    /// What is to be known before.
-    pub before: Option<Command>,
-    /// The command that takes it.
-    pub command: Command,
-    /// SHA-256 of the file where a record may name it.
-    pub sha256: Option<Hash>,
-}
-
 /// Reads what a dialog of this purpose asks for.
 pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileContents {
     let (name, mut seen) = (name(&path), None);
@@ -123,27 +99,11 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileConte
     FileContents { before: None, command, sha256: seen }
 }
 
-/// The bytes of a file that a record may name.
-pub(super) fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
-    *seen = Some(Hash::of_file(&bytes));
-    Ok(bytes)
-}
-
 fn read_plan(path: &Path, seen: &mut Option<Hash>) -> Result<Box<part::Document>, Message> {
     let bytes = bytes_of(path, seen)?;
     let (beside, sources) = (|ending: &str| files::beside(path, ending), Sources::default());
     let given = ImportInputs { beside: &beside, ..ImportInputs::new(&sources, DateTime::MIN) };
     exchange::read_plan(&name(path), &bytes, given).map(Box::new).map_err(|error| error.message())
-}
-
-pub(super) fn name(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
-}
-
-/// What was read, unless that was stopped: of half a file nothing is taken.
-pub(super) fn whole<T>(read: T, job: &Job) -> Result<T, Message> {
-    if job.is_stopped() { Err(job.stopped()) } else { Ok(read) }
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {

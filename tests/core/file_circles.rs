@@ -161,9 +161,7 @@ fn named(text: &str) -> Vec<Names> {
 
 #[test]
 fn no_files_of_a_crate_need_each_other() {
-    // Pages of the window and of the session still name each other's fields and commands.
-    let still = ["crates/session/src", "src"].map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder));
-    for folder in source_folders().into_iter().filter(|folder| !still.contains(folder)) {
+    for folder in source_folders() {
         let circles = Crate::read(&folder).circles();
         assert!(circles.is_empty(), "{}:\n{}", folder.display(), circles.join("\n"));
     }

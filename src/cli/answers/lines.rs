@@ -1,7 +1,8 @@
 //! Lines of standard input in bounded memory.
 
-use fitcheck_core::text::Within as _;
 use std::io::BufRead;
+
+use fitcheck_core::text::Within as _;
 
 /// The longest line of standard input in bytes; a longer one is refused.
 pub(in crate::cli) const LONGEST_LINE: usize = 1 << 16;

@@ -8,6 +8,8 @@ mod row;
 use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
+use keeping::Keeping;
+use print::Printed;
 
 use super::admitted::Admits as _;
 use super::judging::{Judge, JudgeArgs};
@@ -25,8 +27,6 @@ use crate::journal::chain::Hash;
 use crate::part::{Plan, Size};
 use crate::report::csv::More;
 use crate::verdict::Status;
-use keeping::Keeping;
-use print::Printed;
 pub(super) use print::Printer;
 pub(super) use row::{ImportRow, Rows};
 

@@ -4,9 +4,9 @@ use super::row::{self, Line};
 use super::{
     CliError, CliRemark, Format, IntoCliError as _, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, server,
 };
+use crate::cli::journal_place::JournalPlace;
 use crate::cli::people::Side::Left;
 use crate::cli::people::{Aligned, mm};
-use crate::cli::record::JournalPlace;
 use crate::cli::rows;
 use crate::journal::ask::Question;
 use crate::journal::entry::{Check, Content, Entry};

@@ -15,6 +15,7 @@
 mod backup;
 mod correct;
 mod export;
+mod inspected;
 mod list;
 mod row;
 #[cfg(feature = "shop")]
@@ -29,7 +30,7 @@ mod verify;
 
 use jiff::Timestamp;
 
-use super::record::JournalArgs;
+use super::journal_place::JournalArgs;
 use super::{CliError, CliRemark, Format, IntoCliError, Io, Outcome, put};
 use crate::files;
 use crate::journal::ask::{LocalNow, Question};

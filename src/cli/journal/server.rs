@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use super::verify::{InspectedAnswer, bar};
+use super::inspected::{InspectedAnswer, bar};
 use super::{CliError, CliRemark, IntoCliError as _, Io};
-use crate::cli::record::own;
+use crate::cli::journal_place::own;
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
 use crate::message::{Message, Say as _};

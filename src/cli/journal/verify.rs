@@ -3,13 +3,12 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use indicatif::{ProgressBar, ProgressStyle};
-
+use super::inspected::{InspectedAnswer, bar};
 use super::{CliError, CliRemark, Format, IntoCliError as _, Io, JournalArgs, Outcome, server};
 use crate::cli::args::one_of;
-use crate::cli::record::JournalPlace;
+use crate::cli::journal_place::JournalPlace;
 use crate::journal::chain::{ChainId, Head, HexError};
-use crate::journal::inspection::{Break, Inspected};
+use crate::journal::inspection::Break;
 use crate::store::StoreRemark;
 use crate::store::local::{self, Anchors, Reader, Verified};
 
@@ -109,15 +108,6 @@ fn known_elsewhere(file: &Path, chain: ChainId, io: &mut Io<'_>) -> (Vec<Head>, 
     }
 }
 
-/// A line that changes; nothing where standard error is no terminal.
-pub(super) fn bar() -> ProgressBar {
-    let bar = ProgressBar::new(0);
-    if let Ok(style) = ProgressStyle::with_template("{bar:20} {percent} %, {human_pos} entries, {eta} left") {
-        bar.set_style(style);
-    }
-    bar
-}
-
 fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &mut Io<'_>) {
     let inspected = &found.inspected;
     for problem in &inspected.breaks {
@@ -154,23 +144,5 @@ object! {
         inspected: InspectedAnswer = InspectedAnswer::of(&found.inspected),
         findings: Vec<String> =
             found.findings.iter().map(ToString::to_string).chain(replaced.map(ToString::to_string)).collect(),
-    }
-
-    /// What was found of a chain: its last entry, and what is not as it was written.
-    pub(super) struct InspectedAnswer of(inspected: &Inspected) {
-        head: HeadAnswer = HeadAnswer::of(inspected.head),
-        first_bad: Option<u64> = inspected.breaks.first().map(Break::number),
-        break_count: u64 = inspected.count,
-        breaks: Vec<BreakAnswer> = inspected.breaks.iter().map(BreakAnswer::of).collect(),
-    }
-
-    struct HeadAnswer of(head: Head) {
-        number: u64 = head.number,
-        hash: String = head.hash.to_string(),
-    }
-
-    struct BreakAnswer of(one: &Break) {
-        number: u64 = one.number(),
-        what: String = one.to_string(),
     }
 }

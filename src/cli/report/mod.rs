@@ -7,6 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
+use part::ReportParts;
+use reading::{Collected, ReportChecks, name};
 
 use super::args::one_of;
 use super::judging::JudgeArgs;
@@ -21,8 +23,6 @@ use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
-use part::ReportParts;
-use reading::{Collected, ReportChecks, name};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]

@@ -12,6 +12,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use fitcheck_core::text::long;
+
 use super::args::{dialogue, text_or_json};
 use super::cycle::{Source, SourceArgs, pairs, probe_table};
 use super::io::not_dash;
@@ -25,7 +27,6 @@ use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Ship
 use crate::nc::program::{Program, ProgramWarning};
 use crate::store::programs::Folders;
 use crate::words::Dialogue;
-use fitcheck_core::text::long;
 
 /// How much of a block's text is shown, in characters: a control's line has some 250.
 const LONGEST_TEXT: usize = 1_000;

@@ -1,10 +1,11 @@
 //! Fields of the check page, two beside each other.
 
+use eframe::egui::Ui;
+
 use crate::gui::field::{self, Pairs};
 use crate::gui::theme::space;
 use crate::gui::view::View;
 use crate::session::CheckField;
-use eframe::egui::Ui;
 
 /// Two fields beside each other, of this width.
 pub(super) fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, width: f32, fields: &[(CheckField, &str, &str)]) {

@@ -1,8 +1,9 @@
 //! Where the columns of letters are: the same in the staircase and in the grid.
 
+use eframe::egui::Rect;
+
 use crate::gui::theme::space;
 use crate::tolerance::iso286::Letter;
-use eframe::egui::Rect;
 
 /// Where the columns of letters are: the same in the staircase and in the grid.
 #[derive(Debug, Clone, Copy)]

@@ -27,6 +27,7 @@ mod scene;
 mod section;
 #[cfg(test)]
 mod tests;
+mod way;
 
 pub(in crate::gui) use contacts::{contacts_factor, contacts_picture};
 pub(in crate::gui) use criteria::criteria_table;

@@ -8,8 +8,8 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Pos2, Rect, Stroke, Vec2, vec2};
 
 use super::canvas::Canvas;
-use super::path::Eye;
 use super::scale::Scale;
+use super::way::{Eye, part_ends};
 use crate::gui::shapes::screen;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Outline, PartFeature, Shape};
@@ -37,38 +37,6 @@ enum FeatureOutline {
     Line(Pos2, Vec2, f32),
 }
 
-/// The lowest and the highest X, Y and Z of a feature, mm; infinite where it has no end.
-fn ends(feature: &PartFeature) -> [[f64; 3]; 2] {
-    let PartFeature { surface, extent, .. } = feature;
-    let walls = |[[low_1, high_1], [low_2, high_2]]: [[f64; 2]; 2]| {
-        [[low_1, low_2, extent.bottom], [high_1, high_2, extent.top]].map(|end| surface.plane().place(end))
-    };
-    match surface.outline(extent.length / 2.0) {
-        Outline::Circle { centre, radius } => walls(centre.map(|middle| [middle - radius, middle + radius])),
-        Outline::Walls(corners) => {
-            let range = |places: [f64; 4]| {
-                [places.into_iter().fold(f64::INFINITY, f64::min), places.into_iter().fold(f64::NEG_INFINITY, f64::max)]
-            };
-            walls([range(corners.map(|[first, _]| first)), range(corners.map(|[_, second]| second))])
-        }
-        Outline::Face { point: [x, y, z], normal } => {
-            let reach = if extent.reach.is_finite() { extent.reach } else { 0.0 };
-            let length = normal.iter().map(|part| part * part).sum::<f64>().sqrt();
-            let half = normal.map(|part| reach * (1.0 - (part / length).powi(2)).max(0.0).sqrt());
-            let [half_x, half_y, half_z] = half;
-            [[x - half_x, y - half_y, z - half_z], [x + half_x, y + half_y, z + half_z]]
-        }
-    }
-}
-
-/// The corners of a feature in a view, as far as it has ends there.
-pub(super) fn places(feature: &PartFeature, eye: Eye) -> Vec<[f64; 2]> {
-    let [[low_across, low_up], [high_across, high_up]] = ends(feature).map(|end| eye.see(end));
-    let across = [low_across, high_across].into_iter().filter(|end| end.is_finite());
-    let up = || [low_up, high_up].into_iter().filter(|end| end.is_finite());
-    across.flat_map(|across| up().map(move |up| [across, up])).collect()
-}
-
 /// The plane that a view looks onto.
 const fn plane_of(eye: Eye) -> Plane {
     match eye {
@@ -87,7 +55,7 @@ fn seen(scale: &Scale, feature: &PartFeature) -> FeatureOutline {
         Outline::Circle { centre, radius } if is_along => FeatureOutline::Circle(place(centre), scale.length(radius)),
         Outline::Walls(corners) if is_along => FeatureOutline::Corners(corners.map(place)),
         Outline::Circle { .. } | Outline::Walls(_) => {
-            let [low, high] = ends(feature).map(|end| scale.at(eye.see(end)));
+            let [low, high] = part_ends(feature).map(|end| scale.at(eye.see(end)));
             FeatureOutline::Box(Rect::from_two_pos(low, high).intersect(scale.rect().expand(RIM)))
         }
         Outline::Face { point, normal } => {

@@ -1,22 +1,19 @@
 //! The path of the ball's centre, from above and from the side: what is done, what is to come, where the ball is.
 
-use std::f64::consts::{PI, TAU};
-
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Rect, Sense, Ui, WidgetInfo, vec2};
 
 use super::canvas::Canvas;
 use super::criteria::plain;
+use super::part;
 use super::scale::{Scale, legend};
+use super::way::{Eye, Way, phase_id, place};
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
 use crate::message::message;
-use crate::probing::cycle::{Move, Phase, Plane};
+use crate::probing::cycle::{Move, Phase};
 use crate::probing::simulated::{PartFeature, Surface};
 use crate::words::Words;
-
-/// Points on an arc of the path.
-const STEPS: u8 = 48;
 
 /// What is drawn with a path.
 #[derive(Debug, Clone, Copy, Default)]
@@ -63,17 +60,6 @@ fn is_finite(one: &Move) -> bool {
     one.from.iter().chain(&one.to).chain(&about).all(|value| value.abs() < 1e9)
 }
 
-/// The name of a phase's word.
-pub(super) const fn phase_id(phase: Phase) -> &'static str {
-    match phase {
-        Phase::PrePosition => "cycle-picture-phase-pre-position",
-        Phase::Approach => "cycle-picture-phase-approach",
-        Phase::Contact => "cycle-picture-phase-contact",
-        Phase::Retract => "cycle-picture-phase-retract",
-        Phase::Leave => "cycle-picture-phase-leave",
-    }
-}
-
 /// The features of a part by name, the first ones of many.
 fn describe_part(words: &Words, features: &[PartFeature]) -> String {
     const MOST: usize = 20;
@@ -105,105 +91,6 @@ fn describe(words: &Words, moves: &[Move], step: usize) -> String {
     }
 }
 
-/// Where the ball is after this many moves.
-pub(super) fn place(moves: &[Move], step: usize) -> Option<[f64; 3]> {
-    match step.checked_sub(1).and_then(|last| moves.get(last)) {
-        Some(last) => Some(last.to),
-        None => moves.first().map(|first| first.from),
-    }
-}
-
-/// The path and what is shown with it.
-pub(super) struct Way<'a> {
-    pub(super) moves: &'a [Move],
-    pub(super) step: usize,
-    pub(super) nominal: Option<Surface>,
-    pub(super) features: &'a [PartFeature],
-    pub(super) ball_radius: f64,
-}
-
-impl Way<'_> {
-    pub(super) fn plane(&self) -> Plane {
-        // A part has features in every plane.
-        if !self.features.is_empty() {
-            return Plane::Xy;
-        }
-        self.nominal.map_or(Plane::Xy, |surface| surface.plane())
-    }
-
-    /// Places of the path, in the coordinates of a view.
-    pub(super) fn places(&self, eye: Eye) -> Vec<[f64; 2]> {
-        self.moves.iter().flat_map(|one| trace(one, self.plane())).map(|place| eye.see(place)).collect()
-    }
-}
-
-/// The places of a move in plane coordinates: two ends, or the points of an arc the shorter way round.
-pub(super) fn trace(one: &Move, plane: Plane) -> Vec<[f64; 3]> {
-    let (from, to) = (plane.within(one.from), plane.within(one.to));
-    let Some(about) = one.about.map(|about| plane.within(about)) else { return vec![from, to] };
-    let about_centre = |[x, y, _]: [f64; 3]| {
-        let [centre_x, centre_y, _] = about;
-        (x - centre_x, y - centre_y)
-    };
-    let ((from_x, from_y), (to_x, to_y)) = (about_centre(from), about_centre(to));
-    let (begin, end) = (from_y.atan2(from_x), to_y.atan2(to_x));
-    let turn = (end - begin + PI).rem_euclid(TAU) - PI;
-    let (first, last) = (from_x.hypot(from_y), to_x.hypot(to_y));
-    let ([_, _, low], [_, _, high]) = (from, to);
-    (0..=STEPS)
-        .map(|step| {
-            let share = f64::from(step) / f64::from(STEPS);
-            let (sin, cos) = (begin + turn * share).sin_cos();
-            let radius = first + (last - first) * share;
-            let [centre_x, centre_y, _] = about;
-            [centre_x + radius * cos, centre_y + radius * sin, low + (high - low) * share]
-        })
-        .collect()
-}
-
-/// The direction of view.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Eye {
-    /// Onto the plane.
-    Above,
-    /// Along the second axis.
-    Side,
-    /// Along the first axis.
-    Front,
-}
-
-impl Eye {
-    pub(super) const fn see(self, [first, second, height]: [f64; 3]) -> [f64; 2] {
-        match self {
-            Self::Above => [first, second],
-            Self::Side => [first, height],
-            Self::Front => [second, height],
-        }
-    }
-
-    /// The side from which a face or wall is seen as a line, where there is one.
-    fn beside(nominal: Option<Surface>) -> Self {
-        match nominal.and_then(|surface| surface.facing()) {
-            Some([x, y]) if x.abs() < y.abs() => Self::Front,
-            _ => Self::Side,
-        }
-    }
-
-    pub(super) const fn names(self, plane: Plane) -> [&'static str; 2] {
-        let [first, second] = plane.axes();
-        let third = match plane {
-            Plane::Xy => "Z",
-            Plane::Zx => "Y",
-            Plane::Yz => "X",
-        };
-        match self {
-            Self::Above => [first, second],
-            Self::Side => [first, third],
-            Self::Front => [second, third],
-        }
-    }
-}
-
 fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
     let below = legend(canvas, canvas.rect, words);
     let body = Rect::from_min_max(canvas.rect.min, canvas.rect.max - vec2(0.0, below));
@@ -221,6 +108,6 @@ fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
     };
     let beside = if way.features.is_empty() { Eye::beside(way.nominal) } else { Eye::Side };
     for (eye, rect) in [(Eye::Above, above), (beside, side)] {
-        Scale::of(way, eye, rect).view(canvas, way, words);
+        Scale::of(way, eye, rect).view(canvas, way, words, part::draw);
     }
 }

@@ -4,13 +4,13 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::Canvas;
-use super::part;
-use super::path::{Eye, Way, phase_id, place, trace};
+use super::way::{Eye, Way, part_places, phase_id, place, trace};
 use crate::gui::shapes::screen;
 use crate::gui::theme::{sizes, space};
 use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::Outline;
+use crate::probing::simulated::PartFeature;
 use crate::words::Words;
 
 /// The share of the room that is kept free around a view.
@@ -42,7 +42,7 @@ impl Scale {
         let mut places = way.places(eye);
         let ball = way.ball_radius;
         let mut around = ball;
-        places.extend(way.features.iter().flat_map(|feature| part::places(feature, eye)));
+        places.extend(way.features.iter().flat_map(|feature| part_places(feature, eye)));
         if places.is_empty() {
             places.push([0.0; 2]);
         }
@@ -111,15 +111,21 @@ impl Scale {
         screen((mm * self.points_per_mm).clamp(0.0, 1e5))
     }
 
-    /// Draws the view.
-    pub(super) fn view(&self, canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
+    /// Draws the view; `features` draws those of a part.
+    pub(super) fn view(
+        &self,
+        canvas: &Canvas<'_>,
+        way: &Way<'_>,
+        words: &Words,
+        features: impl Fn(&Canvas<'_>, &Self, &[PartFeature]),
+    ) {
         let canvas = Canvas::new(&canvas.painter, canvas.palette, self.rect);
         let frame = Stroke::new(1.0, canvas.palette.line.0);
         canvas.painter.rect_filled(self.rect, 4.0, canvas.palette.panel.0);
         if way.features.is_empty() {
             self.nominal(&canvas, way);
         } else {
-            part::draw(&canvas, self, way.features);
+            features(&canvas, self, way.features);
         }
         canvas.painter.rect_stroke(self.rect, 4.0, frame, eframe::egui::StrokeKind::Inside);
         for (number, one) in way.moves.iter().enumerate().rev() {
