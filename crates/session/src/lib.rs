@@ -196,10 +196,10 @@ macro_rules! session {
             })+
         }
 
-        /// The pattern of every command of a page.
-        macro_rules! of_a_page {
+        /// The pattern of the commands that went to their pages, or were taken apart.
+        macro_rules! applied_before {
             () => {
-                $(Command::$page(_))|+
+                $(Command::$page(_))|+ | Command::Answered(..) | Command::Enter(_)
             };
         }
     };
@@ -315,8 +315,7 @@ impl Session {
     fn apply_shared(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
         match command {
-            // They went to their pages, or were taken apart.
-            of_a_page!() | Command::Answered(..) | Command::Enter(_) => {}
+            applied_before!() => {}
             Command::Workpiece(command) => {
                 let (cycles, program) = (&self.cycles, &self.program);
                 shared.apply_workpiece(command, |shared| match shared.page {

@@ -2,6 +2,8 @@
 
 mod lines;
 
+pub(super) use lines::LONGEST_LINE;
+
 use std::fmt::Display;
 
 use serde::Serialize;
@@ -9,7 +11,7 @@ use serde::Serialize;
 use super::rows::{Columns, csv_line, line, names};
 use super::{CliError, CliRemark, Format, Io};
 use crate::text::decode;
-pub(super) use lines::LONGEST_LINE;
+
 use lines::{Line, NextLine};
 
 /// How much of a line that is too long is shown.

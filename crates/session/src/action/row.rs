@@ -44,9 +44,7 @@ macro_rules! actions {
 
         impl $list {
             pub(crate) fn all() -> impl Iterator<Item = Self> {
-                let mut all = Vec::new();
-                $($crate::action::row::actions!(@add all $name $($all)?);)*
-                all.into_iter()
+                [$($crate::action::row::actions!(@all $name $($all)?)),*].into_iter().flatten()
             }
 
             /// The command that it sends now; `None` where it is not possible.
@@ -65,8 +63,8 @@ macro_rules! actions {
             }
         }
     };
-    (@add $list:ident $name:ident) => { $list.push(Self::$name) };
-    (@add $list:ident $name:ident $all:expr) => { $list.extend($all.into_iter().map(Self::$name)) };
+    (@all $name:ident) => { vec![Self::$name] };
+    (@all $name:ident $all:expr) => { $all.into_iter().map(Self::$name).collect::<Vec<_>>() };
 }
 
 pub(crate) use actions;

@@ -5,7 +5,9 @@ use super::court::StreamJudging;
 use super::cut::Block;
 use super::judged::Judged;
 use super::known::{Classes, Figures};
-use super::layout::{Layout, utf8};
+#[cfg(feature = "parquet")]
+use super::layout::Layout;
+use super::layout::utf8;
 use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
