@@ -92,13 +92,8 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     };
     let said = rows.map_or(said, |rows| message!("rows-not-exported").text("name", rows.name()));
     quiet(ui, view.words.say(&said));
-    for action in [
-        WindowAction::ChooseBad.into(),
-        CheckAction::ChooseAll.into(),
-        WindowAction::ChooseNone.into(),
-        CheckAction::CopyChecks.into(),
-    ] as [Action; 4]
-    {
+    let choosing = [WindowAction::ChooseBad.into(), CheckAction::ChooseAll.into(), WindowAction::ChooseNone.into()];
+    for action in choosing.into_iter().chain([Action::from(CheckAction::CopyChecks)]) {
         view.menu_item(ui, action);
     }
 }

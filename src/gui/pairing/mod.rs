@@ -69,11 +69,9 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Measurements of the side that is free; of several, one for each.
 fn dropped(view: &View<'_>, path: &Path, number: usize) -> Command {
-    match view.session.pairing().side_of_dropped(number) {
-        Some(feature) => open(Purpose::OpenParts(feature), path),
-        None => {
-            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-            PairingCommand::NoSideFree { name }.into()
-        }
+    if let Some(feature) = view.session.pairing().side_of_dropped(number) {
+        return open(Purpose::OpenParts(feature), path);
     }
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    PairingCommand::NoSideFree { name }.into()
 }

@@ -144,7 +144,7 @@ fn body_ui(
         for place in cells.columns() {
             match columns.get(place) {
                 Some(PlanColumn::Of(column)) => {
-                    cell_ui(ui, view, grid, cells.rect(row, place), (row, *column), is_focused)
+                    cell_ui(ui, view, grid, cells.rect(row, place), (row, *column), is_focused);
                 }
                 Some(PlanColumn::Limits) => limits_ui(ui, view, grid, cells.rect(row, place), row),
                 None => {}
