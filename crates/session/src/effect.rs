@@ -17,9 +17,9 @@ use super::purpose::{ImportInto, Purpose};
 /// What the state asks of the outside world; done at the edge, not on the frame's thread.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effect {
-    /// Do this for a dialog and send every answer as [`Command::Answered`].
+    /// Do this for a dialog and send every answer as `Command::Answered`.
     ForDialog(DialogId, Box<Self>),
-    /// Show the system's file dialog and send [`Command::Picked`].
+    /// Show the system's file dialog and send `Command::Picked`.
     Browse {
         /// What is asked for.
         purpose: Purpose,
@@ -28,12 +28,12 @@ pub enum Effect {
         /// The proposed name of a file that is written.
         name: String,
     },
-    /// Read what lies in a folder and send [`FilesCommand::Listed`].
+    /// Read what lies in a folder and send `FilesCommand::Listed`.
     List(PathBuf),
-    /// Read what a dialog of this purpose asks for, and send the command that takes it: [`CheckCommand::Imported`],
-    /// [`RowsCommand::Opened`] in place of it for a large one, [`ColumnsCommand::Ask`] where its columns are not certain,
-    /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files. Before it comes
-    /// [`FilesCommand::Seen`]; a folder in place of a file is only told by [`FilesCommand::IsFolder`].
+    /// Read what a dialog of this purpose asks for, and send the command that takes it: `CheckCommand::Imported`,
+    /// `RowsCommand::Opened` in place of it for a large one, `ColumnsCommand::Ask` where its columns are not certain,
+    /// `Command::MaskRead`, `Command::TablesRead`, or the one of a page that reads such files. Before it comes
+    /// `FilesCommand::Seen`; a folder in place of a file is only told by `FilesCommand::IsFolder`.
     Read(Purpose, PathBuf),
     /// Read measurements with these columns, and send what [`Self::Read`] sends.
     ReadColumns {
@@ -44,15 +44,15 @@ pub enum Effect {
         /// Which column is which.
         mapping: Box<Mapping>,
     },
-    /// Write a file that does not exist yet and send [`Command::Saved`].
+    /// Write a file that does not exist yet and send `Command::Saved`.
     Save(PathBuf, Content),
-    /// Write a file over another one and send [`Command::Saved`].
+    /// Write a file over another one and send `Command::Saved`.
     Replace(PathBuf, Content),
     /// Stop reading or writing the file that is at work, if there is one.
     StopWorking,
-    /// Start the program for a file and send [`FilesCommand::Launched`].
+    /// Start the program for a file and send `FilesCommand::Launched`.
     Launch(PathBuf, Launch),
-    /// Judge the rows of a large file and send [`RowsCommand::Judged`] again and again.
+    /// Judge the rows of a large file and send `RowsCommand::Judged` again and again.
     JudgeRows {
         run: u64,
         /// The file.
@@ -60,20 +60,20 @@ pub enum Effect {
     },
     /// End the run over a large file, if there is one.
     StopRows,
-    /// Read rows of a large file again and send [`RowsCommand::Read`].
+    /// Read rows of a large file again and send `RowsCommand::Read`.
     ReadRows {
         /// The number of the run that judged them.
         run: u64,
         /// Parts of the file, with the numbers of the rows in each, ascending.
         wanted: Vec<(Arc<Part>, Vec<usize>)>,
     },
-    /// Pair measured parts and send [`PairingCommand::Paired`].
+    /// Pair measured parts and send `PairingCommand::Paired`.
     Pair {
         /// The number of the question.
         run: u64,
         asked: Box<PairingRequest>,
     },
-    /// Open the journal, which is made where there is none, and send [`RecordsCommand::Opened`] with so many of its newest checks.
+    /// Open the journal, which is made where there is none, and send `RecordsCommand::Opened` with so many of its newest checks.
     OpenJournal {
         file: PathBuf,
         /// The name of the station, for a journal that is made.
@@ -81,14 +81,14 @@ pub enum Effect {
         /// How many checks.
         newest: u64,
     },
-    /// Write entries to the journal, with the time of now, and send [`RecordsCommand::Kept`] once they are on disk.
+    /// Write entries to the journal, with the time of now, and send `RecordsCommand::Kept` once they are on disk.
     Keep {
         /// The number of the batch.
         run: u64,
         /// The entries; whoever writes them puts in their time.
         entries: Vec<Entry>,
     },
-    /// Find records and send [`RecordsCommand::Found`] again and again; the question before is given up.
+    /// Find records and send `RecordsCommand::Found` again and again; the question before is given up.
     AskRecords {
         /// The number of the question.
         run: u64,
@@ -97,10 +97,10 @@ pub enum Effect {
         /// Whether to wait until nobody types.
         rests: bool,
     },
-    /// Read these records and send [`RecordsCommand::Read`].
+    /// Read these records and send `RecordsCommand::Read`.
     ReadRecords(Vec<u64>),
     /// Read the checks that answer a question from the journal, the oldest first and at most so many, and send
-    /// [`super::parts::WalkCommand::Came`].
+    /// `WalkCommand::Came`.
     ReadPart {
         /// The number of the question.
         run: u64,
@@ -109,7 +109,7 @@ pub enum Effect {
         /// How many checks.
         most: usize,
     },
-    /// Watch a folder in place of any other, judge by a plan, and send [`super::parts::WalkCommand::Watched`] again and again.
+    /// Watch a folder in place of any other, judge by a plan, and send `WalkCommand::Watched` again and again.
     Watch {
         /// The number of the watch.
         run: u64,
@@ -124,23 +124,21 @@ pub enum Effect {
     },
     /// End the watch, if there is one.
     StopWatch,
-    /// Walk along the chain and send [`RecordsCommand::Verifying`] now and then, and [`RecordsCommand::Verified`] at the end.
+    /// Walk along the chain and send `RecordsCommand::Verifying` now and then, and `RecordsCommand::Verified` at the end.
     VerifyRecords {
         /// The number of the walk.
         run: u64,
     },
     /// End the walk, if there is one.
     StopVerify,
-    /// Send the journal to the server at an address, in the background, and send [`RecordsCommand::Server`] at once and
-    /// [`RecordsCommand::Sent`] again and again; `None` ends it. The address may have a password.
+    /// Send the journal to the server at an address, in the background, and send `RecordsCommand::Server` at once and
+    /// `RecordsCommand::Sent` again and again; `None` ends it. The address may have a password.
     SendTo(Option<String>),
     /// Tell that the journal has something to send.
     WakeSender,
     /// Send at once, whatever went wrong before.
     SendAgain,
-    /// Read the part's picture and send [`PlanCommand::PictureRead`].
-    ///
-    /// [`PlanCommand::PictureRead`]: crate::parts::PlanCommand::PictureRead
+    /// Read the part's picture and send `PlanCommand::PictureRead`.
     ReadPicture(PathBuf),
     /// Ask the system for what is on the clipboard; it comes to what has the focus.
     AskForClipboard,
