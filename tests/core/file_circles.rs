@@ -151,9 +151,21 @@ fn written_out(tree: &str) -> Vec<Names> {
     all.collect()
 }
 
+/// A text without its `use`.
+fn without_use(text: &str) -> String {
+    let mut pieces = text.split("use ");
+    let mut outside = pieces.next().unwrap().to_owned();
+    for piece in pieces {
+        let is_use = !outside.ends_with(|c: char| c.is_alphanumeric());
+        outside += if is_use { piece.split_once(';').map_or("", |(_tree, behind)| behind) } else { piece };
+    }
+    outside
+}
+
 /// The paths that a text names outside of `use`.
 fn named(text: &str) -> Vec<Names> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
+    let text = without_use(text);
     let words = text.split(|c: char| !is_of_name(c) && c != ':').filter(|word| word.contains("::"));
     let paths = words.filter(|word| ["crate::", "super::", "self::"].iter().any(|front| word.starts_with(front)));
     paths.map(|path| path.split("::").filter(|name| !name.is_empty()).map(str::to_owned).collect()).collect()
