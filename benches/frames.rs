@@ -146,7 +146,7 @@ fn scrolling_a_program(criterion: &mut Criterion) {
     let result = result.map(|(document, warnings)| (Box::new(document), warnings));
     send(&mut window, Command::OpenPage(Page::Program));
     send(&mut window, ProgramCommand::Read { path: PathBuf::from("x.h"), result }.into());
-    let shown = window.state().session().program().shown().map(|document| document.program().blocks().len());
+    let shown = window.state().session().program().shown().map(|document| document.program.blocks().len());
     assert_eq!(shown, Some(BLOCKS + 2));
     criterion.bench_function("idle frame, 50 000 blocks", |bencher| bencher.iter(|| frame(&mut window)));
     let over = window.get_by_role(Role::List).rect().center();

@@ -115,7 +115,7 @@ fn plans(criterion: &mut Criterion) {
 
 /// Types a value, and waits for the verdict.
 fn step(window: &mut Harness<'_, App>) -> Duration {
-    if window.state().session().parts().walking().asked().is_none() {
+    if window.state().session().parts().walking.asked().is_none() {
         for key in [Key::F8, Key::Enter] {
             window.key_press(key);
             window.run();
@@ -125,10 +125,10 @@ fn step(window: &mut Harness<'_, App>) -> Duration {
     field.focus();
     field.type_text("25.01");
     window.run();
-    let before = window.state().session().parts().walking().standing().measured;
+    let before = window.state().session().parts().walking.standing().measured;
     let begin = Instant::now();
     window.key_press(Key::Enter);
-    while window.state().session().parts().walking().standing().measured == before {
+    while window.state().session().parts().walking.standing().measured == before {
         frame(window);
     }
     frame(window);

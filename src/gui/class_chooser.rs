@@ -10,7 +10,7 @@ use crate::tolerance::Feature;
 
 /// The chooser; `name` is what a screen reader says.
 pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
-    let chosen = view.session.check().asked().callout().and_then(|callout| callout.class());
+    let chosen = view.session.check().asked.callout.and_then(|callout| callout.class());
     let shown = chosen.map_or_else(|| view.text("class-none"), |class| class.to_string());
     let response = ComboBox::from_id_salt("class-chooser")
         .selected_text(shown)

@@ -56,7 +56,7 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     let foot = control(ui) + space(30.0);
     ScrollArea::vertical().id_salt("columns").max_height(screen.y - foot).show(ui, |ui| {
         heading(ui, view.words.say(&message!("columns-page-title").text("name", open.name())));
-        quiet(ui, view.text(if open.asked().is_wanted { "columns-page-wanted" } else { "columns-page-uncertain" }));
+        quiet(ui, view.text(if open.asked.is_wanted { "columns-page-wanted" } else { "columns-page-uncertain" }));
         ui.horizontal_wrapped(|ui| file_ui(ui, view, open));
         ui.separator();
         let height = (screen.y - foot - control(ui) * 3.0 - space(40.0)).max(space(40.0));
@@ -111,8 +111,8 @@ fn choices_ui(
 
 /// What is chosen for the file as a whole.
 fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
-    let choice = open.choice();
-    let sheets = open.asked().first.sheets();
+    let choice = &open.choice;
+    let sheets = open.asked.first.sheets();
     if 1 < sheets.len() {
         let entry = |sheet: &&str| {
             ((*sheet).to_owned(), choice.sheet.as_deref() == Some(*sheet), ColumnChoice::Sheet((*sheet).to_owned()))
@@ -150,7 +150,7 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         let text = view.words.say(&message!("columns-page-line").text("line", line));
         (text, first == Some(*line), ColumnChoice::FirstRow(Some(*line)))
     };
-    let lines = std::iter::once(below).chain(open.rows().iter().map(line)).collect();
+    let lines = std::iter::once(below).chain(open.rows.iter().map(line)).collect();
     named_list_ui(ui, view, "columns-page-first-row", lines);
 }
 
@@ -158,7 +158,7 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
 fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     Grid::new("columns-rows").striped(true).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
         ui.label("");
-        for at in 0..open.width() {
+        for at in 0..open.width {
             let name = message!("columns-page-column").text("number", at + 1).text("name", open.column_name(at));
             let name = view.words.say(&name).trim().to_owned();
             let entry =
@@ -171,16 +171,16 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
             });
         }
         ui.end_row();
-        for (line, cells) in open.rows() {
-            let is_header = open.header() == Some(*line);
-            let is_read = open.lines().contains(line);
+        for (line, cells) in &open.rows {
+            let is_header = open.header == Some(*line);
+            let is_read = open.lines.contains(line);
             let kind = match (is_header, is_read) {
                 (true, _) => "columns-page-header",
                 (false, true) => "columns-page-row",
                 (false, false) => "columns-page-not-read",
             };
             quiet(ui, view.words.say(&Message::new(kind).text("line", line)));
-            for at in 0..open.width() {
+            for at in 0..open.width {
                 let text = RichText::new(short(cells.get(at).map_or("", String::as_str)));
                 let text = if is_header { text.font(theme::bold(sizes().body)) } else { text };
                 let text = if is_header || is_read { text } else { text.weak() };
@@ -193,7 +193,7 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
 
 /// What the first rows become, and why not.
 fn said_ui(ui: &mut Ui, view: &View<'_>, open: &OpenColumns) {
-    let message = message!("columns-page-read").count("read", open.read()).count("rows", open.lines().len());
+    let message = message!("columns-page-read").count("read", open.read).count("rows", open.lines.len());
     let said = view.words.say(&message);
     let line = ui.label(&said);
     live(ui, &line, &said, Live::Polite);

@@ -98,7 +98,7 @@ fn discarding_ui(ui: &Ui, view: &mut View<'_>) {
         let answers = ["parts-page-discard-no", "parts-page-discard-yes"];
         let answer = |lose| PartsCommand::Plan(PlanCommand::Discard(lose)).into();
         let asked = Asked { id: "discarding", head: "parts-page-discard", answers, answer };
-        (asked, "parts-page-unsaved", session.parts().document().name())
+        (asked, "parts-page-unsaved", session.parts().document.name())
     };
     asked.show(ui, view, |ui, view| {
         ui.label(view.words.say(&Message::new(question).text("name", name)));

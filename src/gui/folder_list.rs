@@ -77,14 +77,14 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
             }
         } else {
             let area = ScrollArea::vertical().id_salt("folder-list").max_height(height).auto_shrink([false, false]);
-            let area = match follow(ui, list.selected(), row, height) {
+            let area = match follow(ui, list.selected, row, height) {
                 Some(offset) => area.vertical_scroll_offset(offset),
                 None => area,
             };
             let shown = area.show_rows(ui, row, list.len(), |ui, rows| {
                 for number in rows {
                     if let Some(entry) = list.entry(number) {
-                        row_ui(ui, view, entry, number, list.selected() == Some(number));
+                        row_ui(ui, view, entry, number, list.selected == Some(number));
                     }
                 }
             });

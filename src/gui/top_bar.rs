@@ -90,7 +90,7 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
         (0, count) => message!("history-exported").count("count", count),
         (chosen, _) => message!("history-chosen").count("count", chosen),
     };
-    let said = rows.map_or(said, |rows| message!("rows-not-exported").text("name", rows.name()));
+    let said = rows.map_or(said, |rows| message!("rows-not-exported").text("name", &rows.name));
     quiet(ui, view.words.say(&said));
     let choosing = [WindowAction::ChooseBad.into(), CheckAction::ChooseAll.into(), WindowAction::ChooseNone.into()];
     for action in choosing.into_iter().chain([Action::from(CheckAction::CopyChecks)]) {

@@ -388,7 +388,7 @@ fn page_fit_takes_own_columns() {
     session.apply(fitcheck::session::Field::from(FitField::Callout).typed("25 PF/pf".to_owned()), now());
     assert_eq!(session.error(FitField::Callout).map(|error| Words::new(Language::En).say(error)), None);
     let map = session.fit().map(Feature::Hole).unwrap();
-    let others: Vec<&str> = map.others().iter().map(ToleranceClass::as_str).collect();
+    let others: Vec<&str> = map.others.iter().map(ToleranceClass::as_str).collect();
     assert_eq!(others, ["PF", "U1Z1"]);
 }
 
@@ -404,8 +404,8 @@ fn page_tables_keeps_edits_and_finds_own_columns() {
     send(&mut session, TablesCommand::SetCell);
     let document = session.tables().shown().unwrap();
     let filter = Filter::of("U1Z1 PF", document.table());
-    let columns: Vec<&str> = filter.columns().iter().map(|&at| document.table().columns()[at].class.as_str()).collect();
-    assert_eq!((columns, filter.unmatched()), (vec!["PF", "U1Z1"], &[][..]));
+    let columns: Vec<&str> = filter.columns.iter().map(|&at| document.table().columns()[at].class.as_str()).collect();
+    assert_eq!((columns, filter.unmatched), (vec!["PF", "U1Z1"], Vec::new()));
     let written = to_control_table(document.table(), Generation::Description).write().unwrap();
     let again = table(&String::from_utf8(written).unwrap(), "own_hole.tab");
     let sources = Sources::of_tables([again]);

@@ -96,7 +96,7 @@ fn by_session(ask: impl Fn(&mut Session)) -> Vec<(Verdict, String)> {
     session.apply(command, now());
     let mut items = Vec::new();
     import_each("v.csv", VALUES.as_bytes(), &Sources::default(), now(), &mut |item| items.push(item));
-    let run = session.parts().walking().run();
+    let run = session.parts().walking.run;
     let imported = WalkCommand::Imported { name: "v.csv".to_owned(), run, result: Ok(items) };
     let effects = session.apply(imported.into(), now());
     let entries = effects.iter().find_map(|effect| match effect {
@@ -104,7 +104,7 @@ fn by_session(ask: impl Fn(&mut Session)) -> Vec<(Verdict, String)> {
         _ => None,
     });
     let words = Words::new(Language::En);
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     let entries = entries.unwrap_or_default();
     let of = |(at, entry): (usize, &fitcheck::journal::entry::Entry)| {
         let Checked::Size(record) = &entry.check().unwrap().what else { panic!("{entry:?}") };

@@ -262,7 +262,7 @@ fn another_file_ends_the_first_and_its_late_answers_are_not_heard() {
     let effects = send(&mut session, RowsCommand::Opened { name: "other.csv.gz".to_owned(), result });
     assert_eq!(effects, [Effect::StopRows, Effect::JudgeRows { run: 2, path: PathBuf::from("other.csv.gz") }]);
     judged(&mut session, 1, news(&text, 9, Some(End::Done)));
-    assert_eq!((rows(&session).name(), rows(&session).count()), ("other.csv.gz", 0));
+    assert_eq!((rows(&session).name.as_str(), rows(&session).count()), ("other.csv.gz", 0));
     assert!(rows(&session).is_running());
     // An import ends it, too, and goes in front; the rows stay at hand.
     let imported = Box::new(import("small.csv", b"id,callout,measured\n1,25 H7,25.01\n", &Sources::default(), now()));
@@ -311,7 +311,7 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
         (Step::First, 1),
     ] {
         send(&mut session, RowsCommand::Move(step));
-        assert_eq!(rows(&session).cursor(), Some(number), "{step:?}");
+        assert_eq!(rows(&session).cursor, Some(number), "{step:?}");
     }
     // A cursor that the filter leaves out is not lost.
     send(&mut session, RowsCommand::Fate(RowFate::Judged(Status::Scrap)));
@@ -371,7 +371,7 @@ fn other_limits_judge_the_file_again() {
     let effects = session.apply(Command::NoOwnTables, now());
     assert_eq!(effects, [Effect::StopRows, Effect::JudgeRows { run: 2, path: PathBuf::from("big.csv") }]);
     assert_eq!((rows(&session).count(), rows(&session).is_running()), (0, true));
-    assert!(rows(&session).filter().fates.contains(&RowFate::NotJudged), "the filter stays");
+    assert!(rows(&session).filter.fates.contains(&RowFate::NotJudged), "the filter stays");
 }
 
 /// Only here so that a change of the size is noticed: millions of rows take two bytes each.

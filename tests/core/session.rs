@@ -61,7 +61,7 @@ fn window(session: &Session) -> &str {
 
 /// The limits on screen, mm.
 fn limits(session: &Session) -> Option<(String, String)> {
-    session.check().asked().limits().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
+    session.check().asked.limits().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
 }
 
 fn mm(minimum: &str, maximum: &str) -> (String, String) {
@@ -72,7 +72,7 @@ fn mm(minimum: &str, maximum: &str) -> (String, String) {
 #[track_caller]
 fn check_limits_belong_to_the_verdict(session: &Session) {
     if let Some(shown) = session.check().shown() {
-        assert_eq!(session.check().asked().limits(), Some(&shown.record.limits));
+        assert_eq!(session.check().asked.limits(), Some(&shown.record.limits));
     }
 }
 
@@ -82,7 +82,7 @@ fn answered(session: &Session, answer: Command) -> Command {
 }
 
 fn told(session: &Session, field: CheckField) -> Option<String> {
-    session.check().asked().error(field).map(|problem| Words::new(session.language()).say(problem))
+    session.check().asked.error(field).map(|problem| Words::new(session.language()).say(problem))
 }
 
 /// The answer of the outside world when a file with these bytes is imported.
@@ -230,7 +230,7 @@ fn limits_of_a_log_stay_until_there_are_others() {
     {
         run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1))), change]);
         assert!(session.check().shown().is_none(), "the verdict was made with other inputs");
-        assert_eq!(session.check().asked().limits(), Some(&record.limits));
+        assert_eq!(session.check().asked.limits(), Some(&record.limits));
     }
     // The next check is made with the limits on screen, and the typed value stays readable.
     run(&mut session, [typed(CheckField::Measured, "25.001"), Command::Check(CheckCommand::Measure)]);
@@ -443,10 +443,10 @@ fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
         [typed(CheckField::Callout, "25 H7/g6"), Command::Check(CheckCommand::ChooseFeature(Feature::Hole))],
     );
     run(&mut session, [typed(CheckField::Measured, "25.01"), Command::Check(CheckCommand::Measure)]);
-    assert_eq!((status(&session), session.check().asked().needs_feature()), (Some(Status::Good), true));
+    assert_eq!((status(&session), session.check().asked.needs_feature()), (Some(Status::Good), true));
     assert_eq!(session.check().shown().unwrap().record.callout.unwrap().to_string(), "25 H7");
     run(&mut session, [typed(CheckField::Part, "Bush")]);
-    assert!(session.check().asked().needs_feature());
+    assert!(session.check().asked.needs_feature());
     check_limits_belong_to_the_verdict(&session);
     run(&mut session, [Command::Check(CheckCommand::ChooseFeature(Feature::Shaft))]);
     assert_eq!((status(&session), limits(&session)), (None, Some(mm("24.98", "24.993"))));
@@ -458,6 +458,6 @@ fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
             Command::Check(CheckCommand::Show(RecordId(0))),
         ],
     );
-    assert_eq!((session.text(CheckField::Callout), session.check().asked().needs_feature()), ("25 H7", false));
+    assert_eq!((session.text(CheckField::Callout), session.check().asked.needs_feature()), ("25 H7", false));
     check_limits_belong_to_the_verdict(&session);
 }

@@ -61,20 +61,20 @@ fn the_first_rows_tell_what_a_choice_makes_of_them() {
     assert!(session.open_columns().is_some(), "nothing is taken");
     choose_all(&mut session);
     let shown = open(&session);
-    assert_eq!((shown.width(), shown.header(), shown.lines(), shown.read()), (4, Some(1), &[2, 3][..], 1));
+    assert_eq!((shown.width, shown.header, shown.lines.as_slice(), shown.read), (4, Some(1), &[2, 3][..], 1));
     assert_eq!(said(shown.problem().unwrap()), "line 3, column 3: measured: zwölf is not a number");
     // In another unit 25,012 is 635.3048 mm, which is far from 25: it is read all the same.
     choose(&mut session, ColumnChoice::Unit(Some("inch".parse().unwrap())));
-    assert_eq!(open(&session).read(), 1);
+    assert_eq!(open(&session).read, 1);
     choose(&mut session, ColumnChoice::Decimal(Some(DecimalSign::Point)));
-    assert_eq!(open(&session).read(), 0);
+    assert_eq!(open(&session).read, 0);
     choose(&mut session, ColumnChoice::Decimal(None));
     choose(&mut session, ColumnChoice::FirstRow(Some(3)));
-    assert_eq!((open(&session).lines(), open(&session).read()), (&[3][..], 0));
+    assert_eq!((open(&session).lines.as_slice(), open(&session).read), (&[3][..], 0));
     // Another separator begins anew.
     choose(&mut session, ColumnChoice::Separator(Separator::Tab));
-    assert_eq!(open(&session).width(), 1);
-    assert!(open(&session).choice().unit.is_none());
+    assert_eq!(open(&session).width, 1);
+    assert!(open(&session).choice.unit.is_none());
 }
 
 #[test]

@@ -28,7 +28,7 @@ fn apply(session: &mut Session, command: Command) -> Vec<Effect> {
 
 /// A parameter of the chosen cycle by the name that people type.
 fn field(session: &Session, name: &str) -> CycleField {
-    CycleField::Parameter(session.cycles().cycle().parameter_named(name).unwrap().key)
+    CycleField::Parameter(session.cycles().cycle.parameter_named(name).unwrap().key)
 }
 
 fn fill(session: &mut Session, settings: &[&str]) {
@@ -101,7 +101,7 @@ fn what_is_typed_is_kept_for_each_cycle_and_over_a_restart() {
     send(&mut session, CyclesCommand::Choose(427));
     assert_eq!(session.text(field(&session, "Q263")), "35,5");
     let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
-    assert_eq!((again.cycles().cycle().number, again.text(field(&again, "Q263"))), (427, "35,5"));
+    assert_eq!((again.cycles().cycle.number, again.text(field(&again, "Q263"))), (427, "35,5"));
     send(&mut again, CyclesCommand::Choose(444));
     assert_eq!(again.text(field(&again, "QS400")), "0.4-0.1");
     assert!(again.cycles().run().is_none());
@@ -166,7 +166,7 @@ fn every_cycle_is_run_and_stepped() {
         send(&mut session, CyclesCommand::Run);
         assert_eq!(problem(&session), "", "{number}");
         let run = session.cycles().run().unwrap();
-        assert_eq!((run.path.len(), session.cycles().step()), (moves, moves - 1), "{number}");
+        assert_eq!((run.path.len(), session.cycles().step), (moves, moves - 1), "{number}");
         for (command, at) in [
             (CyclesCommand::Step(Step::Right), moves - 1),
             (CyclesCommand::Step(Step::First), 0),
@@ -179,7 +179,7 @@ fn every_cycle_is_run_and_stepped() {
         ] {
             let said = format!("{number} {command:?}");
             send(&mut session, command);
-            assert_eq!(session.cycles().step(), at, "{said}");
+            assert_eq!(session.cycles().step, at, "{said}");
         }
     }
 }
@@ -268,7 +268,7 @@ fn the_workpiece_is_saved_and_opened_as_a_file() {
     let number = other.dialog().unwrap().number;
     apply(&mut other, Command::Answered(number, Box::new(answer.into())));
     assert!(other.dialog().is_none());
-    assert_eq!(other.cycles().from(), ContactsFrom::Simulated);
+    assert_eq!(other.cycles().from, ContactsFrom::Simulated);
     assert_eq!(other.text(WorkpieceField::Diameter), "25.012");
 }
 
@@ -303,7 +303,7 @@ fn a_block_fills_the_form_or_changes_nothing() {
     send(&mut session, CyclesCommand::TakeBlock);
     let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
     assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: its parameters are Q263, Q264, "));
-    assert_eq!(session.cycles().cycle().number, 421);
+    assert_eq!(session.cycles().cycle.number, 421);
     // Another block of the program, or a block that is cut off, is not taken in part either.
     for (changed, expected) in [
         (block.replace("Q999=+1 ;? ~\n", ""), "line 3: the block ends with ~, so a line is missing: it may be cut off"),
@@ -326,11 +326,11 @@ fn a_block_fills_the_form_or_changes_nothing() {
         send(&mut session, CyclesCommand::TakeBlock);
         let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
         assert_eq!(said.as_deref(), Some(expected));
-        assert_eq!(session.cycles().cycle().number, 421);
+        assert_eq!(session.cycles().cycle.number, 421);
     }
     send(&mut session, CyclesCommand::TypeBlock(block.replace(" ~\nQ999=+1 ;? ~\n", "\n")));
     send(&mut session, CyclesCommand::TakeBlock);
-    assert_eq!((session.cycles().cycle().number, session.cycles().block()), (427, None));
+    assert_eq!((session.cycles().cycle.number, session.cycles().block()), (427, None));
     assert_eq!(session.text(field(&session, "Q263")), "35");
     let effects = send(&mut session, CyclesCommand::CopyBlock);
     let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
@@ -361,7 +361,7 @@ fn half_a_position_is_refused() {
     assert!(session.error(CycleField::Position(Axis::Y)).is_some());
     send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::Y), "0".into()));
     send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::Z), "-3,5".into()));
-    assert_eq!(session.cycles().inputs().position(), Some([1.0, 0.0, -3.5]));
+    assert_eq!(session.cycles().inputs.position(), Some([1.0, 0.0, -3.5]));
 }
 
 #[test]

@@ -65,7 +65,7 @@ fn enter_gives_the_highlighted_answer_of_every_question() {
         assert_eq!(session.answers().first(), Some(&first.into()), "{value}");
         assert_eq!(session.on_enter(WalkField::Value.into()), Some(first.into()));
         enter(&mut session, WalkField::Value, 1_000);
-        assert_eq!(session.parts().walking().values(0)[0].record.measurement.diameter.to_string(), taken);
+        assert_eq!(session.parts().walking.values(0)[0].record.measurement.diameter.to_string(), taken);
     }
 }
 
@@ -89,7 +89,7 @@ fn another_text_is_not_the_answer_to_a_question_about_the_one_before() {
     enter(&mut session, WalkField::Value, 0);
     typed(&mut session, WalkField::Value, "25.03");
     enter(&mut session, WalkField::Value, 1_000);
-    assert_eq!(session.parts().walking().values(0)[0].record.measurement.diameter.to_string(), "25.03");
+    assert_eq!(session.parts().walking.values(0)[0].record.measurement.diameter.to_string(), "25.03");
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn enter_twice_is_one_check() {
         enter(&mut session, CheckField::Measured, milliseconds);
     }
     assert_eq!(measured(&session), ["25.012"]);
-    assert!(session.check().is_repeated());
+    assert!(session.check().is_repeated);
     assert!(session.check().shown().is_some(), "its verdict stays");
     // The button does it again, but not where it was pressed twice at once.
     session.apply(CheckCommand::Measure.into(), after(300));
@@ -108,7 +108,7 @@ fn enter_twice_is_one_check() {
     assert_eq!(measured(&session), ["25.012", "25.012"]);
     // Typed again it is another measurement.
     typed(&mut session, CheckField::Measured, "25.012");
-    assert!(!session.check().is_repeated());
+    assert!(!session.check().is_repeated);
     enter(&mut session, CheckField::Measured, 3_000);
     assert_eq!(measured(&session).len(), 3);
     // An old check that is shown again is not measured again.
@@ -140,7 +140,7 @@ fn hole_or_shaft_is_asked_for_each_callout_that_does_not_say_it() {
     enter(&mut session, CheckField::Measured, 0);
     assert_eq!(session.check().shown().unwrap().record.verdict.status(), Status::Scrap);
     typed(&mut session, CheckField::Callout, "40 0 -0.025");
-    assert_eq!((session.check().feature(), session.check().asked().limits()), (None, None));
+    assert_eq!((session.check().feature(), session.check().asked.limits()), (None, None));
     typed(&mut session, CheckField::Measured, "39.98");
     assert_eq!(enter(&mut session, CheckField::Measured, 100), []);
     assert_eq!((measured(&session).len(), session.text(CheckField::Measured)), (1, "39.98"));
@@ -160,7 +160,7 @@ fn hole_or_shaft_is_asked_for_each_callout_that_does_not_say_it() {
 fn a_serial_number_is_never_a_value() {
     let plan = "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n[[feature]]\nname = \"B\"\ncallout = \"20 H7\"\n";
     let mut session = session_walk::walking_by(plan);
-    let serial = session.parts().walking().serial().to_owned();
+    let serial = session.parts().walking.serial().to_owned();
     for scanned in [serial.as_str(), "A-0100", "B-7788"] {
         typed(&mut session, WalkField::Value, scanned);
         assert_eq!(session.text(WalkField::Value), "", "{scanned} does not stay");
@@ -169,7 +169,7 @@ fn a_serial_number_is_never_a_value() {
     }
     typed(&mut session, WalkField::Value, "25.01");
     enter(&mut session, WalkField::Value, 20);
-    assert_eq!(session.parts().walking().values(0).len(), 1);
+    assert_eq!(session.parts().walking.values(0).len(), 1);
 }
 
 #[test]
@@ -178,14 +178,14 @@ fn the_page_is_about_the_size_whose_verdict_is_new_until_the_next_one_is_begun()
     let mut session = session_walk::walking_by(plan);
     typed(&mut session, WalkField::Value, "25.03");
     enter(&mut session, WalkField::Value, 0);
-    let faced = |session: &Session| session.parts().walking().faced();
-    let walking = session.parts().walking();
-    assert_eq!((walking.at(), walking.faced(), walking.faced_value().map(|(at, _)| at)), (Some(1), Some(0), Some(0)));
+    let faced = |session: &Session| session.parts().walking.faced();
+    let walking = &session.parts().walking;
+    assert_eq!((walking.at, walking.faced(), walking.faced_value().map(|(at, _)| at)), (Some(1), Some(0), Some(0)));
     typed(&mut session, WalkField::Value, "2");
-    assert_eq!((faced(&session), session.parts().walking().faced_value().is_none()), (Some(1), true));
+    assert_eq!((faced(&session), session.parts().walking.faced_value().is_none()), (Some(1), true));
     // A size that is chosen is begun, too.
     send(&mut session, fitcheck::session::parts::WalkCommand::Go(0));
-    assert_eq!(session.parts().walking().faced_value().map(|(at, _)| at), Some(0));
+    assert_eq!(session.parts().walking.faced_value().map(|(at, _)| at), Some(0));
 }
 
 #[test]

@@ -108,13 +108,13 @@ fn typing_filters_and_arrows_and_enter_choose() {
     send(&mut session, Command::TypePath("B".into()));
     assert_eq!(shown(&session), ["b.CSV"]);
     send(&mut session, FilesCommand::Move(Step::Down));
-    assert_eq!((dialog(&session).path.as_str(), dialog(&session).list.selected()), ("b.CSV", Some(0)));
+    assert_eq!((dialog(&session).path.as_str(), dialog(&session).list.selected), ("b.CSV", Some(0)));
     assert_eq!(shown(&session), ["b.CSV"], "the name of a selected file is no filter");
     let effects = send(&mut session, Command::Confirm);
     assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, "/home/mia/b.CSV".into()));
     for step in [Step::Up, Step::Down, Step::PageDown] {
         send(&mut session, FilesCommand::Move(step));
-        assert_eq!(dialog(&session).list.selected(), Some(0), "nothing moves while the file is read");
+        assert_eq!(dialog(&session).list.selected, Some(0), "nothing moves while the file is read");
     }
 }
 
@@ -131,7 +131,7 @@ fn arrows_end_at_the_first_and_the_last_entry() {
         (Step::Up, 0),
     ] {
         send(&mut session, FilesCommand::Move(step));
-        assert_eq!(dialog(&session).list.selected(), Some(at), "{step:?}");
+        assert_eq!(dialog(&session).list.selected, Some(at), "{step:?}");
     }
     let mut other = importing();
     send(&mut other, FilesCommand::Move(Step::Up));

@@ -18,9 +18,9 @@ fn table(classes: &str) -> DeviationTable {
 fn check(classes: &str, text: &str, expected: &str) {
     let table = table(classes);
     let filter = Filter::of(text, &table);
-    let shown: Vec<_> = filter.columns().iter().map(|&column| table.columns()[column].class.to_string()).collect();
-    let rows: Vec<_> = filter.rows().iter().map(|&row| table.ends()[row].to_string()).collect();
-    let said = format!("{} | {} | {}", shown.join(" "), rows.join(" "), filter.unmatched().join(" "));
+    let shown: Vec<_> = filter.columns.iter().map(|&column| table.columns()[column].class.to_string()).collect();
+    let rows: Vec<_> = filter.rows.iter().map(|&row| table.ends()[row].to_string()).collect();
+    let said = format!("{} | {} | {}", shown.join(" "), rows.join(" "), filter.unmatched.join(" "));
     assert_eq!(said, expected, "for {text:?}");
 }
 

@@ -64,7 +64,7 @@ fn list(session: &mut Session, command: ListCommand) -> Vec<Effect> {
 }
 
 fn cursor(session: &Session) -> String {
-    let id = session.history().cursor().unwrap();
+    let id = session.history().cursor.unwrap();
     session.history().get(id).unwrap().id.clone()
 }
 
@@ -161,7 +161,7 @@ fn only_bad_leaves_the_good_ones_out() {
 fn the_keys_walk_the_rows_as_they_are_listed() {
     let mut session = Session::new(Language::En);
     list(&mut session, ListCommand::Move(Step::Down));
-    assert_eq!(session.history().cursor(), None);
+    assert_eq!(session.history().cursor, None);
     for number in 0..25 {
         measure(&mut session, &format!("P{number}"), "25 H7", "25.012");
     }

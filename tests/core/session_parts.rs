@@ -5,7 +5,7 @@ use std::process::Command as Process;
 
 use fitcheck::message::{Message, Say as _};
 use fitcheck::probing::simulated::Part;
-use fitcheck::session::program::{Agreement, Document, NoteKind, Run, State, WorkpieceFrom};
+use fitcheck::session::program::{Agreement, Document, NoteKind, State, WorkpieceFrom};
 use fitcheck::session::{
     Command, Effect, FilesCommand, Page, ProgramCommand, Purpose, Session, WorkpieceCommand, feature_message,
 };
@@ -60,7 +60,7 @@ fn take(session: &mut Session, text: &str) {
 fn run_to_the_end(session: &mut Session) {
     send(session, ProgramCommand::Run);
     for _ in 0..1_000 {
-        match session.program().run().map(Run::state) {
+        match session.program().run().map(|run| run.state) {
             Some(State::Running) => _ = send(session, ProgramCommand::Tick),
             Some(State::Paused) => _ = send(session, ProgramCommand::Run),
             _ => return,
@@ -119,7 +119,7 @@ fn a_plan_of_fitcheck_nc_is_measured_in_the_window_as_by_the_command_line() {
     let text = std::fs::read_to_string(folder.path().join("part.toml")).unwrap();
     let mut session = with(&folder.path().join("set/FIT_MAIN.H"));
     take(&mut session, &text);
-    assert_eq!(session.program().workpiece(), WorkpieceFrom::Part, "a part that is opened on the page is measured");
+    assert_eq!(session.program().workpiece, WorkpieceFrom::Part, "a part that is opened on the page is measured");
     let open = session.part().unwrap();
     let listed: Vec<String> = open.part.features.iter().map(|feature| said(&feature_message(feature))).collect();
     assert_eq!(
@@ -198,7 +198,7 @@ fn a_part_is_asked_for_and_another_one_clears_the_run() {
         "no home, no folder to list"
     );
     assert_eq!(session.dialog().unwrap().purpose, Purpose::OpenPart);
-    assert_eq!(session.program().workpiece(), WorkpieceFrom::Perfect);
+    assert_eq!(session.program().workpiece, WorkpieceFrom::Perfect);
     // The dialog of the simulated workpiece reads either kind of file.
     let number = session.dialog().unwrap().number;
     send(&mut session, Command::TypePath("/nc/part.toml".to_owned()));
@@ -208,12 +208,12 @@ fn a_part_is_asked_for_and_another_one_clears_the_run() {
     let answer = WorkpieceCommand::PartRead { name: "part.toml".to_owned(), result };
     send(&mut session, Command::Answered(number, Box::new(answer.into())));
     assert!(session.dialog().is_none());
-    assert_eq!(session.program().workpiece(), WorkpieceFrom::Part);
+    assert_eq!(session.program().workpiece, WorkpieceFrom::Part);
     // Another source and back again: the part is still there.
     send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Perfect));
     send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Part));
     assert!(session.dialog().is_none());
-    assert_eq!(session.program().workpiece(), WorkpieceFrom::Part);
+    assert_eq!(session.program().workpiece, WorkpieceFrom::Part);
 }
 
 #[test]

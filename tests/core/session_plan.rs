@@ -46,7 +46,7 @@ fn opened_at(text: &str, path: &str) -> Session {
 }
 
 fn draft(session: &Session) -> &Draft {
-    session.parts().document().draft()
+    session.parts().document.draft()
 }
 
 /// What a column has, from above.
@@ -97,7 +97,7 @@ fn a_feature_is_checked_while_it_is_typed_and_escape_takes_it_back() {
     plan(&mut session, PlanCommand::Edit(None));
     assert_eq!(session.text(Field::from(PlanField::Cell)), "20 H7");
     plan(&mut session, PlanCommand::Type(PlanField::Cell, "20 H".to_owned()));
-    let document = session.parts().document();
+    let document = &session.parts().document;
     assert_eq!(document.findings().len(), 1);
     assert_eq!(document.findings()[0].spot, Spot::Feature(1, Some(Column::Callout)));
     assert!(document.plan().is_none());
@@ -105,7 +105,7 @@ fn a_feature_is_checked_while_it_is_typed_and_escape_takes_it_back() {
     assert!(document.feature(0).is_some() && document.feature(1).is_none() && document.feature(2).is_some());
     plan(&mut session, PlanCommand::Leave);
     assert_eq!(session.text(Field::from(PlanField::Cell)), "20 H7");
-    assert!(session.parts().document().findings().is_empty());
+    assert!(session.parts().document.findings().is_empty());
     assert!(!session.can(PartsAction::UndoPlan) && !session.can(PartsAction::RedoPlan));
     // Typed back to what it was, it is no change, either.
     plan(&mut session, PlanCommand::Edit(Some("2".to_owned())));
@@ -160,7 +160,7 @@ fn a_block_with_names_of_columns_finds_them_also_where_they_are_not_shown() {
     let row = &draft(&session).rows[3];
     let texts = [Column::Callout, Column::Name, Column::Axis, Column::Kind].map(|column| row.text(column).unwrap());
     assert_eq!(texts, ["12 H8", "N1", "Y", "width"]);
-    assert!(session.parts().sheet().columns().contains(&Column::Axis));
+    assert!(session.parts().sheet().columns.contains(&Column::Axis));
 }
 
 #[test]
@@ -253,7 +253,7 @@ fn a_word_begun_below_the_last_feature_and_erased_leaves_no_row() {
     plan(&mut session, PlanCommand::Type(PlanField::Cell, "y".to_owned()));
     plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
     plan(&mut session, PlanCommand::Take(None));
-    assert_eq!((draft(&session).rows.len(), session.parts().document().faults()), (3, 0));
+    assert_eq!((draft(&session).rows.len(), session.parts().document.faults()), (3, 0));
     assert!(!session.can(PartsAction::UndoPlan) && !session.parts().is_unsaved());
 }
 
@@ -278,7 +278,7 @@ fn features_without_a_name_keep_what_they_are_called_when_their_rows_get_other_p
     let names = |session: &Session| -> Vec<String> {
         let rows = draft(session).rows.iter().enumerate();
         let called = rows.filter_map(|(at, row)| {
-            let name = &session.parts().document().feature(at)?.name;
+            let name = &session.parts().document.feature(at)?.name;
             Some(format!("{name} {}", row.text(Column::X).unwrap_or("-")))
         });
         called.collect()
@@ -396,7 +396,7 @@ shade = 3
 #[test]
 fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
     let mut session = opened_at(FAULTY, "/plans/plate.toml");
-    let document = session.parts().document();
+    let document = &session.parts().document;
     let spots: Vec<Spot> = document.findings().iter().map(|finding| finding.spot).collect();
     assert_eq!(
         spots,
@@ -408,11 +408,11 @@ fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
             Spot::Feature(2, Some(Column::Axis)),
         ]
     );
-    assert_eq!(document.problems().len(), 2, "what a plan has no place for");
+    assert_eq!(document.problems.len(), 2, "what a plan has no place for");
     assert!(document.head_error(HeadField::Material).is_some());
     assert!(document.is_wrong(0) && document.is_wrong(1) && document.is_wrong(2));
     // Axis is shown, although nothing is written in it.
-    assert!(session.parts().sheet().columns().contains(&Column::Axis));
+    assert!(session.parts().sheet().columns.contains(&Column::Axis));
     // F4 goes from one to the next, and round again.
     act(&mut session, PartsAction::NextFinding.into());
     let mut seen = vec![session.parts().sheet().at()];
@@ -452,9 +452,9 @@ fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_o
         ("name,callout,x,y,z\nA,25 H7,40,5,30,-8\n".to_owned(), 1),
     ] {
         let mut session = opened_at(&text, "/plans/plate.toml");
-        let document = session.parts().document();
+        let document = &session.parts().document;
         assert_eq!((document.findings().len(), document.draft().rows.len()), (0, features), "{text}");
-        assert_eq!(document.faults(), document.problems().len(), "{text}");
+        assert_eq!(document.faults(), document.problems.len(), "{text}");
         assert!(document.plan().is_none() && 0 < document.faults(), "{text}");
         // It is not lost by the way, either.
         assert!(!session.can(PartsAction::SavePlan(0)) && !session.can(PartsAction::SavePlan(1)), "{text}");
@@ -467,7 +467,7 @@ fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_o
         assert!(said(&notice.message).contains("left out of the plan"), "{}", said(&notice.message));
         assert_eq!(notice.details.len(), count);
         // The file has it still, so that this plan is one that no file holds.
-        assert!(session.parts().document().plan().is_some() && session.parts().is_unsaved(), "{text}");
+        assert!(session.parts().document.plan().is_some() && session.parts().is_unsaved(), "{text}");
         assert!(session.can(PartsAction::SavePlan(0)) && !session.can(PartsAction::LeaveOutOfPlan), "{text}");
         apply(&mut session, PartsCommand::Show(PartsView::Walk));
         assert!(session.can(PartsAction::BeginPart) && session.can(PartsAction::WatchFolder), "{text}");
@@ -537,7 +537,7 @@ fn fields_of_the_part_are_one_change_each() {
     plan(&mut session, PlanCommand::SettleHead);
     plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::TravelX), "0 50".to_owned()));
     // The third feature is at X 80.
-    let far = |session: &Session| session.parts().document().findings().len();
+    let far = |session: &Session| session.parts().document.findings().len();
     assert_eq!(far(&session), 2);
     act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!((far(&session), draft(&session).text(HeadField::Part)), (0, Some("Plate")));
@@ -563,7 +563,7 @@ fn a_plan_as_csv_is_a_copy_where_it_has_less_and_says_what_is_left_out() {
     plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Drawing), "D1".to_owned()));
     let text = save(&mut session, 1, "/plans/plate.csv");
     assert!(!text.contains("D1") && text.contains("25 H7"), "{text}");
-    let document = session.parts().document();
+    let document = &session.parts().document;
     assert_eq!((document.path(), document.is_unsaved()), (Some(std::path::Path::new("/plans/plate.toml")), true));
     let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
     assert_eq!(
@@ -587,11 +587,11 @@ fn comments_of_a_plan_are_told_as_lost_before_it_is_saved_and_when_it_is() {
     let text = format!("# the flange\n{THREE}").replace("\"20 g6\"", "\"20 g6\" # a pin") + "remark = '# none \" #'\n";
     let text = text + "number = \"\"\"\n# \\\" none\"\"\"\n";
     let mut session = opened_at(&text, "/plans/plate.toml");
-    assert_eq!(session.parts().document().comments(), 2, "{text}");
+    assert_eq!(session.parts().document.comments, 2, "{text}");
     save(&mut session, 0, "/plans/plate.toml");
     let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
     assert_eq!(details, ["2 comments were removed from plate.toml: a plan is written without comments"]);
-    assert_eq!(session.parts().document().comments(), 0);
+    assert_eq!(session.parts().document.comments, 0);
 }
 
 fn dots() -> Arc<PartPicture> {
@@ -692,9 +692,9 @@ fn a_balloon_is_dragged_as_one_change_and_moved_by_steps() {
     assert_eq!(at(&session), None);
     assert!(!session.can(PartsAction::UndoPlan));
     // Where balloons are is on the picture, and in the table once every column is shown.
-    assert!(!session.parts().sheet().columns().contains(&Column::BalloonX));
+    assert!(!session.parts().sheet().columns.contains(&Column::BalloonX));
     act(&mut session, PartsAction::ShowAllColumns.into());
-    assert_eq!(session.parts().sheet().columns().len(), Column::ALL.len());
+    assert_eq!(session.parts().sheet().columns.len(), Column::ALL.len());
 }
 
 #[test]

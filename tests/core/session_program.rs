@@ -97,7 +97,7 @@ fn every_shipped_program_runs_and_agrees() {
             );
             assert_eq!(run(&session).status(), Some(Status::Good), "{name} {size} {class}");
             send(&mut session, ProgramCommand::Run);
-            assert_eq!(run(&session).state(), State::Ended);
+            assert_eq!(run(&session).state, State::Ended);
         }
     }
 }
@@ -180,7 +180,7 @@ fn any_changed_input_clears_the_run() {
         send(&mut session, change.clone());
         assert!(session.program().run().is_none(), "{change:?}");
         assert_eq!(state(&session), "Ready to run");
-        assert_eq!(session.program().shown().unwrap().path(), session.program().main().unwrap().path());
+        assert_eq!(session.program().shown().unwrap().path, session.program().main().unwrap().path);
     }
     send(&mut session, ProgramCommand::Run);
     type_text(&mut session, ProgramField::Filter, "Q1");
@@ -230,7 +230,7 @@ fn a_loop_runs_in_slices_and_pauses_where_it_is() {
     send(&mut session, ProgramCommand::Tick);
     assert_eq!(run(&session).blocks_run(), 4_001);
     send(&mut session, ProgramCommand::Pause);
-    assert_eq!((state(&session).as_str(), run(&session).state()), ("Paused", State::Paused));
+    assert_eq!((state(&session).as_str(), run(&session).state), ("Paused", State::Paused));
     send(&mut session, ProgramCommand::Tick);
     assert_eq!(run(&session).blocks_run(), 4_001);
 }
@@ -242,7 +242,7 @@ fn an_endless_loop_ends_by_its_budget() {
     while session.program().is_running() {
         send(&mut session, ProgramCommand::Tick);
     }
-    assert_eq!(run(&session).state(), State::Faulted);
+    assert_eq!(run(&session).state, State::Faulted);
     let problem = session.program().note(0).unwrap();
     assert!(said(&problem.message).contains("limit of 10000000 blocks reached"), "{}", said(&problem.message));
 }
@@ -293,10 +293,10 @@ fn to_the_cursor_and_over_a_call() {
     assert_eq!(block(&session), 4);
     send(&mut session, ProgramCommand::Select(2));
     send(&mut session, ProgramCommand::RunToSelected);
-    assert_eq!(run(&session).state(), State::Ended, "it is not reached again");
+    assert_eq!(run(&session).state, State::Ended, "it is not reached again");
     // A run that has ended starts again.
     send(&mut session, ProgramCommand::Run);
-    assert_eq!(run(&session).state(), State::Ended);
+    assert_eq!(run(&session).state, State::Ended);
     assert_eq!(run(&session).blocks_run(), 8);
 }
 
@@ -332,7 +332,7 @@ fn problems_name_their_block() {
     assert!(session.program().note(problems.len()).is_none());
     let place = session.program().note(1).unwrap().place;
     send(&mut session, ProgramCommand::GoTo(place));
-    assert_eq!(session.program().shown().unwrap().selected(), 2);
+    assert_eq!(session.program().shown().unwrap().selected, 2);
 }
 
 /// Behind what is odd stands where the files came from; where nothing is odd, nothing is listed.
@@ -363,21 +363,21 @@ fn the_selection_stays_within_the_program() {
         [(Step::Up, 0), (Step::PageDown, 2), (Step::Down, 2), (Step::First, 0), (Step::Last, 2), (Step::PageUp, 0)]
     {
         send(&mut session, ProgramCommand::Move(step));
-        assert_eq!(session.program().shown().unwrap().selected(), expected, "{step:?}");
+        assert_eq!(session.program().shown().unwrap().selected, expected, "{step:?}");
     }
     send(&mut session, ProgramCommand::Select(99));
-    assert_eq!(session.program().shown().unwrap().selected(), 2);
+    assert_eq!(session.program().shown().unwrap().selected, 2);
     send(&mut session, ProgramCommand::ToggleBreakpoint(Some(99)));
-    let elsewhere = BlockPlace { program: session.program().main().unwrap().path().clone(), block: 99 };
+    let elsewhere = BlockPlace { program: session.program().main().unwrap().path.clone(), block: 99 };
     send(&mut session, ProgramCommand::GoTo(elsewhere));
-    assert_eq!(session.program().shown().unwrap().selected(), 2);
+    assert_eq!(session.program().shown().unwrap().selected, 2);
 }
 
 #[test]
 fn the_outline_holds_headings_and_labels() {
     let session = opened("* - one\n* -   two\nLBL 5\nLBL \"NAME\"\nLBL 0");
     let document = session.program().main().unwrap();
-    let entries: Vec<_> = document.outline().iter().map(|entry| (entry.block, entry.text.as_str())).collect();
+    let entries: Vec<_> = document.outline.iter().map(|entry| (entry.block, entry.text.as_str())).collect();
     assert_eq!(entries, [(1, "one"), (2, "two"), (3, "LBL 5"), (4, "LBL \"NAME\"")]);
     assert_eq!((document.under(0), document.under(2), document.under(6)), (None, Some(1), Some(3)));
 }
@@ -395,7 +395,7 @@ fn a_program_is_opened_by_the_dialog() {
     session.apply(Command::Answered(number, Box::new(refused.into())), now());
     assert_eq!(session.dialog().unwrap().problem, Some(problem));
     assert_eq!(session.program().main().unwrap().title(), "8255_en.h");
-    assert!(session.program().recent().is_empty());
+    assert!(session.program().recent.is_empty());
 }
 
 #[test]
@@ -403,7 +403,7 @@ fn recorded_contacts_are_asked_for() {
     let mut session = session();
     send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Recorded));
     assert!(session.dialog().is_some());
-    assert_eq!(session.program().workpiece(), WorkpieceFrom::Perfect);
+    assert_eq!(session.program().workpiece, WorkpieceFrom::Perfect);
 }
 
 #[test]
@@ -505,7 +505,7 @@ fn a_called_program_gets_the_form_once_size_and_class_are_given() {
     send(&mut session, ProgramCommand::DropValue(Parameter::qs(1)));
     assert_eq!((session.program().has_inputs(), given(&session)), (false, Vec::new()));
     send(&mut session, ProgramCommand::Run);
-    assert_eq!(run(&session).state(), State::Faulted, "{}", state(&session));
+    assert_eq!(run(&session).state, State::Faulted, "{}", state(&session));
 }
 
 #[test]

@@ -225,7 +225,7 @@ fn the_newest_checks_of_the_journal_are_the_history_without_those_that_stand_no_
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(6)]) });
     for (step, number) in [(Step::Bottom, 2), (Step::Up, 5), (Step::Up, 6)] {
         send(&mut session, ListCommand::Move(step));
-        let cursor = session.history().cursor().unwrap();
+        let cursor = session.history().cursor.unwrap();
         send(&mut session, CheckCommand::Show(cursor));
         assert_eq!(session.check_recorded(), Some(Recorded::Kept(number)));
     }
@@ -273,14 +273,14 @@ fn a_question_is_read_at_every_change_and_an_older_answer_is_dropped() {
     assert_eq!(question.part.as_deref(), Some("P7"));
     let found = |numbers| Ok(FoundNumbers { numbers, is_end: true });
     send(&mut session, RecordsCommand::Found { run: first, result: found(Numbers::All { newest: 9, oldest: 2 }) });
-    assert_eq!(session.records().listing().count(), 0, "an answer to another question");
+    assert_eq!(session.records().listing.count(), 0, "an answer to another question");
     send(&mut session, RecordsCommand::Found { run: *run, result: found(Numbers::These(vec![7])) });
-    assert_eq!(session.records().listing().count(), 1);
+    assert_eq!(session.records().listing.count(), 1);
     // What is wrong is said with its place, and what was found stays.
     assert_eq!(typed(&mut session, RecordsField::Question, "part:P7 verdict:bent"), []);
     assert!(session.error(RecordsField::Question).is_some());
     assert_eq!(session.culprit(RecordsField::Question).map(|span| span.start), Some(16));
-    assert_eq!(session.records().listing().count(), 1);
+    assert_eq!(session.records().listing.count(), 1);
 }
 
 #[test]
@@ -334,17 +334,17 @@ fn of_a_million_records_pages_in_sight_and_the_next_one_are_read_and_few_are_kep
     for start in (0..last).step_by(20_011) {
         let effects = send(&mut session, RecordsCommand::See(start..start + 20));
         read(&mut session, effects);
-        assert!(session.records().listing().row(1_000_001 - u64::try_from(start).unwrap()).is_some());
-        assert!(session.records().listing().read() <= 20 * PAGE);
+        assert!(session.records().listing.row(1_000_001 - u64::try_from(start).unwrap()).is_some());
+        assert!(session.records().listing.read() <= 20 * PAGE);
     }
     // The last row is the first check.
     let effects = send(&mut session, RecordsCommand::See(last..1_000_000));
     read(&mut session, effects);
-    let listing = session.records().listing();
+    let listing = &session.records().listing;
     assert_eq!((listing.at(999_999), listing.at(1_000_000), listing.place_of(2)), (Some(2), None, Some(999_999)));
     assert!(listing.row(2).is_some());
     send(&mut session, RecordsCommand::Move(Step::Last));
-    assert_eq!(session.records().cursor(), Some(2));
+    assert_eq!(session.records().cursor, Some(2));
 }
 
 #[test]
@@ -354,8 +354,8 @@ fn rows_that_cannot_be_read_are_said_and_not_asked_for_again_and_again() {
     let Some(Effect::ReadRecords(numbers)) = effects.into_iter().next() else { panic!("rows") };
     let why = Message::new("records-page-no-thread");
     send(&mut session, RecordsCommand::Read { numbers, result: Err(why.clone()) });
-    assert_eq!(session.records().listing().unread(), Some(&why));
-    assert!(!session.records().listing().lacks(&(0..20)));
+    assert_eq!(session.records().listing.unread(), Some(&why));
+    assert!(!session.records().listing.lacks(&(0..20)));
     assert_eq!(send(&mut session, RecordsCommand::See(0..20)), []);
 }
 
@@ -464,11 +464,11 @@ fn a_walk_that_was_cancelled_says_so_and_its_late_answer_is_dropped() {
     let effects = send(&mut session, RecordsCommand::Verify);
     let [Effect::VerifyRecords { run }] = effects.as_slice() else { panic!("{effects:?}") };
     send(&mut session, RecordsCommand::Verifying { run: *run, done: 10, of: 20 });
-    assert_eq!(*session.records().walk(), Walk::Running { done: 10, of: 20 });
+    assert_eq!(session.records().walk, Walk::Running { done: 10, of: 20 });
     assert_eq!(send(&mut session, RecordsCommand::CancelVerify), [Effect::StopVerify]);
     let result = Err(Message::new("store-interrupted"));
     send(&mut session, RecordsCommand::Verified { run: *run, result, at: now() });
-    assert_eq!(*session.records().walk(), Walk::Cancelled);
+    assert_eq!(session.records().walk, Walk::Cancelled);
 }
 
 #[test]

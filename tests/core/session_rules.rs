@@ -29,7 +29,7 @@ fn measured(session: &mut Session, callout: &str, measured: &str) {
 }
 
 fn shown(session: &Session) -> &Record {
-    &session.check().shown().unwrap_or_else(|| panic!("{:?}", session.check().asked())).record
+    &session.check().shown().unwrap_or_else(|| panic!("{:?}", session.check().asked)).record
 }
 
 fn is_proven(record: &Record) -> Option<bool> {
@@ -159,17 +159,17 @@ fn a_check_shown_again_stands_beside_its_own_rule_and_lends_it_to_nothing() {
     measured(&mut session, "25 H7", "25.013");
     run(&mut session, [CheckCommand::Show(RecordId(0))]);
     let page = session.check();
-    assert_eq!(page.asked().worth().judging().rule, RuleName::Iso14253Of2017);
+    assert_eq!(page.asked.worth.judging.rule, RuleName::Iso14253Of2017);
     assert_eq!((session.text(CheckField::Uncertainty), session.text(CheckField::PartTemperature)), ("1.2", "24"));
     assert_eq!(session.text(CheckField::Measured), "25.012", "as it was typed");
     assert_eq!(session.saved().inputs.judging.rule, RuleName::Simple, "the user's own is kept");
     run(&mut session, [typed(CheckField::Measured, "25.014")]);
     let page = session.check();
-    assert_eq!(page.asked().worth().judging().rule, RuleName::Simple);
+    assert_eq!(page.asked.worth.judging.rule, RuleName::Simple);
     assert_eq!((session.text(CheckField::Uncertainty), session.text(CheckField::PartTemperature)), ("", ""));
     // An edit of the rule itself takes what stands there.
     run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::Uncertainty, "1.3")]);
-    assert_eq!(session.check().asked().worth().judging().rule, RuleName::Iso14253Of2017);
+    assert_eq!(session.check().asked.worth.judging.rule, RuleName::Iso14253Of2017);
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn the_rule_survives_a_restart() {
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert!(text.contains("rule = \"ilac-g8\"") && text.contains("prover = \"customer\""), "{text}");
     let (again, _) = Session::restore(Saved::read(&bytes).unwrap());
-    assert_eq!(again.check().asked().worth().rule(), session.check().asked().worth().rule());
+    assert_eq!(again.check().asked.worth.rule(), session.check().asked.worth.rule());
     let other = text.replace("ilac-g8", "ilac-g9");
     let refused = Saved::read(other.as_bytes()).unwrap_err().to_string();
     assert!(refused.contains("ilac-g9 is no decision rule: expected simple, iso14253-2017"), "{refused}");
@@ -236,13 +236,13 @@ fn the_rule_survives_a_restart() {
 fn what_the_process_makes_tells_the_risks() {
     let mut session = Session::new(Language::En);
     run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Uncertainty, "1.2")]);
-    assert_eq!(session.check().asked().worth().risks(), None);
+    assert_eq!(session.check().asked.worth.risks, None);
     run(&mut session, [typed(CheckField::ProcessSpread, "5.25")]);
-    let simple = session.check().asked().worth().risks().unwrap();
+    let simple = session.check().asked.worth.risks.unwrap();
     // Two standard deviations to either limit: 4.550 % of a normal law lie beyond.
     assert!((simple.nonconforming - 0.045_500).abs() < 1e-6, "{simple:?}");
     run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998)]);
-    let guarded = session.check().asked().worth().risks().unwrap();
+    let guarded = session.check().asked.worth.risks.unwrap();
     assert!(guarded.consumer < simple.consumer / 10.0 && simple.producer < guarded.producer, "{guarded:?}");
     run(&mut session, [typed(CheckField::ProcessSpread, "0")]);
     assert_eq!(session.error(CheckField::ProcessSpread).unwrap().to_string(), "0: expected a number above 0");

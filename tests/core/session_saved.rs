@@ -27,7 +27,7 @@ fn inputs_survive_a_restart() {
     let (again, effects) = Session::restore(saved);
     assert_eq!(again.text(CheckField::Callout), "25 H7");
     assert_eq!(again.text(CheckField::Measured), "25,012");
-    assert_eq!((again.language(), again.theme(), again.check().by()), (Language::Nl, Theme::Dark, MeasureBy::Typing));
+    assert_eq!((again.language(), again.theme(), again.check().by), (Language::Nl, Theme::Dark, MeasureBy::Typing));
     assert_eq!(effects, []);
 }
 

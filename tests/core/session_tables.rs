@@ -40,7 +40,7 @@ fn select(session: &mut Session, class: &str, range: usize) {
 
 /// The selected cell, `H7 18 30 +21/0`.
 fn selected(session: &Session) -> String {
-    let (class, range) = shown(session).selected().unwrap();
+    let (class, range) = shown(session).selected.unwrap();
     let (over, to) = shown(session).range(range).unwrap();
     let words = Words::new(Language::En);
     let cell = shown(session).cell(class, range);
@@ -63,11 +63,11 @@ fn made(session: &mut Session, classes: &str, to: &str) {
 #[test]
 fn the_built_in_tables_are_open_and_differ_nowhere() {
     let session = session();
-    let titles: Vec<_> = session.tables().documents().iter().map(Document::title).collect();
+    let titles: Vec<_> = session.tables().documents.iter().map(|document| document.title.as_str()).collect();
     assert_eq!(titles, ["82553_hole.tab", "82553_shaft.tab"]);
-    for document in session.tables().documents() {
+    for document in &session.tables().documents {
         let cells = document.table().columns().len() * document.table().ends().len();
-        assert_eq!((document.differing(), document.comparison().compared), (0, cells), "{}", document.title());
+        assert_eq!((document.differing(), document.comparison.compared), (0, cells), "{}", document.title);
         assert!(!document.is_unsaved());
     }
     assert_eq!(selected(&session), "D10 0 1 +60/+20");
@@ -128,9 +128,9 @@ fn an_edit_of_a_built_in_table_leaves_it_as_it_is() {
     type_text(&mut session, TablesField::CellUpper, "+21.001");
     send(&mut session, TablesCommand::SetCell);
     let copy = shown(&session);
-    assert_eq!((copy.title(), copy.origin(), copy.is_unsaved()), ("82553_hole_copy.tab", Origin::Copy, true));
+    assert_eq!((copy.title.as_str(), copy.origin, copy.is_unsaved()), ("82553_hole_copy.tab", Origin::Copy, true));
     assert_eq!(copy.differing_cells().collect::<Vec<_>>().len(), 1, "a nanometre counts");
-    assert_eq!(session.tables().documents()[0].table(), &before);
+    assert_eq!(session.tables().documents[0].table(), &before);
     send(&mut session, TablesCommand::Undo);
     assert_eq!((selected(&session).as_str(), shown(&session).is_unsaved()), ("H7 18 30 +21/0", false));
     send(&mut session, TablesCommand::Redo);
@@ -138,7 +138,7 @@ fn an_edit_of_a_built_in_table_leaves_it_as_it_is() {
     // A second copy has a name of its own; what was shown keeps its edits.
     send(&mut session, TablesCommand::Open(TableChoice::Document(0)));
     send(&mut session, TablesCommand::EmptyCell);
-    assert_eq!(shown(&session).title(), "82553_hole_copy_2.tab");
+    assert_eq!(shown(&session).title, "82553_hole_copy_2.tab");
     send(&mut session, TablesCommand::Open(TableChoice::Document(2)));
     assert_eq!(selected(&session), "H7 18 30 +21.001/0");
 }
@@ -191,7 +191,7 @@ fn a_range_over_several_steps_differs_in_each_and_counts_once() {
     let read = TablesCommand::Read { name: "own.tab".into(), result: Ok((Box::new(table.unwrap()), vec![])) };
     send(&mut session, read);
     let document = shown(&session);
-    assert_eq!((document.differing(), document.comparison().compared), (2, 2));
+    assert_eq!((document.differing(), document.comparison.compared), (2, 2));
     assert_eq!((document.differences(0, 0).len(), document.differences(0, 1).len()), (6, 1));
     assert_eq!(document.standard("r6".parse().unwrap(), 1), None, "the standard changes at 65 mm");
     send(&mut session, TablesCommand::NextDifference);
@@ -205,7 +205,7 @@ fn the_options_of_the_standard_count_at_once() {
     let mut session = session();
     assert_eq!(shown(&session).differing(), 0);
     session.apply(Command::SetStandard(Options { js: JsHalves::Rounded, ..Options::default() }), now());
-    let found: Vec<_> = shown(&session).comparison().differences.iter().map(|one| one.class.to_string()).collect();
+    let found: Vec<_> = shown(&session).comparison.differences.iter().map(|one| one.class.to_string()).collect();
     assert!(!found.is_empty() && found.iter().all(|class| class.starts_with("JS")), "{found:?}");
     type_text(&mut session, TablesField::Filter, "H7");
     send(&mut session, TablesCommand::NextDifference);
@@ -241,12 +241,12 @@ fn tables_and_columns_that_cannot_be_are_refused_beside_their_field() {
     ] {
         made(&mut session, classes, to);
         assert_eq!(error(&session, field).as_deref(), Some(expected));
-        assert_eq!(session.tables().documents().len(), 2);
+        assert_eq!(session.tables().documents.len(), 2);
     }
     made(&mut session, "H7 g6", "50");
     assert!(error(&session, TablesField::Classes).unwrap().starts_with("H7 and g6 cannot be in one table"));
     made(&mut session, "h7, g6/h7", "50");
-    assert_eq!((shown(&session).title(), shown(&session).is_unsaved()), ("iso286_shaft.tab", true));
+    assert_eq!((shown(&session).title.as_str(), shown(&session).is_unsaved()), ("iso286_shaft.tab", true));
     assert_eq!(shown(&session).differing(), 0);
     type_text(&mut session, TablesField::Classes, "H6");
     send(&mut session, TablesCommand::AddColumns);
@@ -258,7 +258,7 @@ fn removing_the_last_column_leaves_an_empty_table_that_can_be_undone() {
     let mut session = session();
     made(&mut session, "H7", "30");
     send(&mut session, TablesCommand::RemoveColumn);
-    assert_eq!((shown(&session).selected(), session.text(TablesField::CellUpper)), (None, ""));
+    assert_eq!((shown(&session).selected, session.text(TablesField::CellUpper)), (None, ""));
     for command in [TablesCommand::Move(Step::Down), TablesCommand::SetCell, TablesCommand::EmptyCell] {
         send(&mut session, command);
     }
@@ -293,7 +293,7 @@ fn a_table_is_saved_under_its_files_name_and_an_export_saves_nothing() {
     let table = save(&mut session, 0, "/shop/my holes.tab").unwrap();
     assert!(table.starts_with(b"BEGIN my_holes.tab"), "a control ends the name at a blank");
     assert_eq!(read(&table).columns(), shown(&session).table().columns());
-    assert_eq!((shown(&session).title(), shown(&session).is_unsaved()), ("my holes.tab", false));
+    assert_eq!((shown(&session).title.as_str(), shown(&session).is_unsaved()), ("my holes.tab", false));
     send(&mut session, TablesCommand::Undo);
     assert!(shown(&session).is_unsaved(), "another table than the saved one");
     send(&mut session, TablesCommand::Redo);
@@ -322,9 +322,9 @@ fn a_table_saved_while_another_one_is_shown_is_the_one_that_was_saved() {
     send(&mut session, TablesCommand::EmptyCell);
     send(&mut session, TablesCommand::Open(TableChoice::Document(0)));
     session.apply(Command::Saved { path: Path::new("/shop/own.tab").to_owned(), result: Ok(()) }, now());
-    let saved = &session.tables().documents()[2];
-    assert_eq!((saved.title(), saved.is_unsaved()), ("own.tab", true), "the later edit is in no file");
-    assert_eq!(session.tables().documents()[0].title(), "82553_hole.tab");
+    let saved = &session.tables().documents[2];
+    assert_eq!((saved.title.as_str(), saved.is_unsaved()), ("own.tab", true), "the later edit is in no file");
+    assert_eq!(session.tables().documents[0].title, "82553_hole.tab");
 }
 
 #[test]
@@ -335,7 +335,7 @@ fn a_used_table_comes_first_and_its_later_edits_count_only_when_it_is_used_again
     select(&mut session, "H7", 4);
     type_text(&mut session, TablesField::CellUpper, "25");
     send(&mut session, TablesCommand::Use);
-    let maximum = |session: &Session| session.check().asked().limits().unwrap().maximum().to_string();
+    let maximum = |session: &Session| session.check().asked.limits().unwrap().maximum().to_string();
     assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.025", true));
     type_text(&mut session, TablesField::CellUpper, "26");
     send(&mut session, TablesCommand::SetCell);
@@ -368,7 +368,7 @@ fn own_tables_of_the_folder_are_in_the_list_and_follow_it_while_unchanged() {
     load(&mut session, &first);
     assert_eq!(session.unopened_tables().count(), 1);
     send(&mut session, TablesCommand::Open(TableChoice::Own(0)));
-    assert_eq!((shown(&session).origin(), session.unopened_tables().count()), (Origin::Own, 0));
+    assert_eq!((shown(&session).origin, session.unopened_tables().count()), (Origin::Own, 0));
     load(&mut session, &second);
     assert_eq!(shown(&session).table().columns().len(), 2);
     send(&mut session, TablesCommand::RemoveColumn);
@@ -382,7 +382,7 @@ fn open_tables_are_bounded_and_edits_are_never_closed() {
     for _ in 0..40 {
         made(&mut session, "H7", "30");
     }
-    assert_eq!(session.tables().documents().len(), 32);
+    assert_eq!(session.tables().documents.len(), 32);
     let last = session.notices().last().unwrap();
     assert!(Words::new(Language::En).say(&last.message).contains("save one first"));
 }
@@ -412,8 +412,8 @@ fn an_own_table_with_a_built_in_name_is_another_table() {
     session.apply(Command::TablesRead { folder: "/shop".into(), result: Ok((vec![own], vec![])) }, now());
     assert_eq!(session.unopened_tables().count(), 1);
     send(&mut session, TablesCommand::Open(TableChoice::Own(0)));
-    assert_eq!((shown(&session).title(), shown(&session).origin()), ("82553_hole.tab", Origin::Own));
-    assert_eq!(session.tables().documents()[0].table().columns().len(), 24, "the built-in one is as it was");
+    assert_eq!((shown(&session).title.as_str(), shown(&session).origin), ("82553_hole.tab", Origin::Own));
+    assert_eq!(session.tables().documents[0].table().columns().len(), 24, "the built-in one is as it was");
 }
 
 #[test]
@@ -437,7 +437,8 @@ fn a_table_written_over_the_file_of_another_one_leaves_that_one_unsaved() {
         save(&mut session, 0, path).unwrap();
     }
     save(&mut session, 0, "/shop/one.tab").unwrap();
-    let titles: Vec<_> = session.tables().documents()[2..].iter().map(|one| (one.title(), one.is_unsaved())).collect();
+    let titles: Vec<_> =
+        session.tables().documents[2..].iter().map(|one| (one.title.as_str(), one.is_unsaved())).collect();
     assert_eq!(titles, [("one_2.tab", true), ("one.tab", false)]);
 }
 

@@ -59,7 +59,7 @@ fn with(text: &str, diameter: &str) -> Session {
     open_program(&mut session, text);
     open_tools(&mut session);
     send(&mut session, ProgramCommand::Type(ProgramField::Diameter, diameter.to_owned()));
-    assert_eq!(session.program().workpiece(), WorkpieceFrom::Given);
+    assert_eq!(session.program().workpiece, WorkpieceFrom::Given);
     session
 }
 
@@ -147,7 +147,7 @@ fn a_broken_tool_is_locked_and_stops_the_run_as_the_control_says_it() {
     assert_eq!(session.program().tools(), [ToolOf::Parameter(Parameter::qs(3))]);
     give(&mut session, Parameter::qs(3), "MILL_D16");
     send(&mut session, ProgramCommand::Run);
-    assert_eq!(session.program().run().unwrap().state(), State::Faulted);
+    assert_eq!(session.program().run().unwrap().state, State::Faulted);
     let note = said(&session.program().note(0).unwrap().message);
     assert!(note.contains("error 1065: tool 4 is broken: DR would change by 0.025 mm, RBREAK is 0.02 mm"), "{note}");
     assert!(note.ends_with("its replacement is tool 6"), "{note}");
@@ -234,7 +234,7 @@ fn hole(tool: &str) -> Session {
     send(&mut session, CyclesCommand::Choose(421));
     for setting in HOLE.split_whitespace().chain([tool]) {
         let (name, text) = setting.split_once('=').unwrap();
-        let field = CycleField::Parameter(session.cycles().cycle().parameter_named(name).unwrap().key);
+        let field = CycleField::Parameter(session.cycles().cycle.parameter_named(name).unwrap().key);
         send(&mut session, CyclesCommand::Type(field, text.trim_start_matches('+').to_owned()));
     }
     let radius = [[12.515, 0.0], [0.0, 12.515], [-12.515, 0.0], [0.0, -12.515]];

@@ -54,7 +54,7 @@ impl Act {
                 import(session, "TCHPR421.TXT", &std::fs::read(path).unwrap())
             }
             Self::Cycle(name, text) => {
-                let Some(parameter) = session.cycles().cycle().parameter_named(name) else { return };
+                let Some(parameter) = session.cycles().cycle.parameter_named(name) else { return };
                 CyclesCommand::Type(CycleField::Parameter(parameter.key), (*text).to_owned()).into()
             }
         };
@@ -187,14 +187,14 @@ fn the_check_page_agrees_with_itself(session: &Session) {
     let record = &shown.record;
     assert!(page.question().is_none());
     assert!(session.history().iter().any(|of_history| Arc::ptr_eq(of_history, record)));
-    assert_eq!(page.asked().limits(), Some(&record.limits));
+    assert_eq!(page.asked.limits(), Some(&record.limits));
     for field in [CheckField::Callout, CheckField::Measured] {
         assert_eq!(session.error(field), None, "{field:?}");
     }
     assert_eq!((session.culprit(CheckField::Callout), page.refusal()), (None, None));
     the_position_agrees(session, record);
     assert_eq!(session.text(CheckField::Part).trim(), record.id);
-    let callout = page.asked().callout().map(|callout| callout.of_part(record.limits.feature));
+    let callout = page.asked.callout.map(|callout| callout.of_part(record.limits.feature));
     assert_eq!(callout, record.callout);
     assert_eq!(callout.is_none(), session.text(CheckField::Callout).is_empty());
     match record.measurement.origin {
@@ -207,7 +207,7 @@ fn the_check_page_agrees_with_itself(session: &Session) {
     let again = judge_by(record.verdict.rule, &record.limits, record.measurement.diameter, record.verdict.position);
     assert_eq!(again, record.verdict);
     // The rule that judged stands in the fields, and so does the temperature.
-    let worth = page.asked().worth();
+    let worth = &page.asked.worth;
     assert_eq!(worth.rule(), Some(record.verdict.rule));
     let length = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
     assert_eq!(worth.correction(length), record.correction);
@@ -219,11 +219,11 @@ fn the_check_page_agrees_with_itself(session: &Session) {
 fn the_position_agrees(session: &Session, record: &Record) {
     let page = session.check();
     if let (Some(position), Some(centre)) = (record.verdict.position, record.measurement.centre) {
-        let tolerance = page.asked().length(CheckField::CentreTolerance).unwrap();
+        let tolerance = page.asked.length(CheckField::CentreTolerance).unwrap();
         let fields = [CheckField::CentreX, CheckField::CentreY];
         for ((axis, is), field) in position.axes.iter().zip(centre).zip(fields) {
             assert_eq!(axis.tolerance.unwrap_or(Length::ZERO), tolerance);
-            assert_eq!(is.saturating_sub(axis.deviation), page.asked().length(field).unwrap(), "{field:?}");
+            assert_eq!(is.saturating_sub(axis.deviation), page.asked.length(field).unwrap(), "{field:?}");
         }
     }
     let Origin::Simulated { seed, .. } = record.measurement.origin else { return };
@@ -234,13 +234,13 @@ fn the_position_agrees(session: &Session, record: &Record) {
         &mut again,
         [CheckCommand::ChooseFeature(record.limits.feature), CheckCommand::MeasureBy(MeasureBy::Simulating)],
     );
-    let judging = page.asked().worth().judging();
+    let judging = page.asked.worth.judging;
     run(&mut again, [CheckCommand::UseRule(judging.rule), CheckCommand::LetProve(judging.prover)]);
     run(&mut again, [CheckCommand::TellUncertainty(judging.from)]);
     for field in SIMULATION.into_iter().chain(WORTH) {
         run(&mut again, [typed(field, session.text(field))]);
     }
-    if again.check().asked().limits() == Some(&record.limits) {
+    if again.check().asked.limits() == Some(&record.limits) {
         run(&mut again, [typed(CheckField::Seed, &seed.to_string()), CheckCommand::Measure]);
         let made = &again.check().shown().unwrap().record;
         assert_eq!((&made.measurement, &made.verdict), (&record.measurement, &record.verdict));
@@ -422,7 +422,7 @@ fn many_rows_make_a_lot_with_the_worst_first() {
     let lot = session.check().lot().unwrap().clone();
     let counts: Vec<_> = lot.counts().map(|(_, count)| count).collect();
     // 25.012 is good, 25.030 scrap, 39.98 is in 39.975 to 39.991.
-    assert_eq!((counts, lot.unjudged(), lot.refused(), lot.rows()), (vec![2, 0, 0, 1], 1, 1, 5));
+    assert_eq!((counts, lot.unjudged, lot.refused, lot.rows), (vec![2, 0, 0, 1], 1, 1, 5));
     assert_eq!((lot.shown(), status(&session)), (Some((1, 3)), Some(Status::Scrap)));
     assert_eq!(session.text(CheckField::Part), "A2");
     assert_eq!(session.text(CheckField::Measured), "", "nothing imported stays beside a typed value");
@@ -438,7 +438,7 @@ fn many_rows_make_a_lot_with_the_worst_first() {
 #[test]
 fn nothing_is_simulated_until_it_is_asked_for() {
     let session = Session::new(Language::En);
-    assert_eq!(session.check().by(), MeasureBy::Typing);
+    assert_eq!(session.check().by, MeasureBy::Typing);
 }
 
 /// A check of 500 H7 by ISO 286, which the control's tables do not reach, shown again once those are the source.

@@ -116,7 +116,7 @@ pub fn walking_by(plan: &str) -> Session {
     open_journal(&mut session, 7);
     send(&mut session, Command::OpenPage(Page::Parts));
     read_plan(&mut session, plan);
-    assert_eq!(session.parts().document().findings().len(), 0);
+    assert_eq!(session.parts().document.findings().len(), 0);
     typed(&mut session, WalkField::Serial, "A-0099");
     let effects = act(&mut session, PartsAction::BeginPart.into());
     assert_eq!(effects, [Effect::Focus(WalkField::Value.into())]);
@@ -151,11 +151,11 @@ pub fn size(entry: &Entry) -> &Record {
 }
 
 pub fn asked(session: &Session) -> Option<String> {
-    session.parts().walking().asked().map(|size| size.name())
+    session.parts().walking.asked().map(|size| size.name())
 }
 
 pub fn standing(session: &Session) -> String {
-    said(&session.parts().walking().standing().message())
+    said(&session.parts().walking.standing().message())
 }
 
 pub fn items(text: &str) -> Vec<Item> {
@@ -166,7 +166,7 @@ pub fn items(text: &str) -> Vec<Item> {
 
 /// The answer of a file that is read for the part of now.
 pub fn imported(session: &Session, items: Vec<Item>) -> WalkCommand {
-    WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(items) }
+    WalkCommand::Imported { run: session.parts().walking.run, name: "m.csv".to_owned(), result: Ok(items) }
 }
 
 pub fn import(session: &mut Session, text: &str) -> Vec<Effect> {
@@ -188,7 +188,7 @@ fn a_typed_value_is_judged_recorded_and_the_next_size_is_asked_for() {
     assert_eq!(size(entry).verdict.status(), Status::Good);
     assert_eq!(asked(&session).as_deref(), Some("PIN"));
     assert_eq!(session.text(WalkField::Value), "");
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     let (at, value) = walking.shown().unwrap();
     assert_eq!((at, walking.name(at)), (0, "BORE"));
     assert_eq!(
@@ -204,7 +204,7 @@ fn a_typed_value_is_judged_recorded_and_the_next_size_is_asked_for() {
 fn a_gauge_types_its_line_and_what_was_taken_is_said() {
     let mut session = walking();
     take(&mut session, "\u{2}01A+0012.030\u{3}");
-    let (_, value) = session.parts().walking().shown().unwrap();
+    let (_, value) = session.parts().walking.shown().unwrap();
     assert_eq!(value.record.measurement.diameter.to_string(), "12.03");
     let remarks: Vec<_> = value.remarks.iter().map(said).collect();
     assert!(remarks.contains(&"from channel 01".to_owned()), "{remarks:?}");
@@ -217,23 +217,23 @@ fn a_gauge_types_its_line_and_what_was_taken_is_said() {
 fn a_doubtful_value_is_asked_about_first() {
     let mut session = walking();
     assert_eq!(take(&mut session, "1.203"), []);
-    assert!(session.parts().walking().question().is_some());
+    assert!(session.parts().walking.question().is_some());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
     // Enter once more takes it.
     kept(&act_after(&mut session, PartsAction::TakeValue.into(), 600));
-    assert_eq!(session.parts().walking().shown().unwrap().1.record.measurement.diameter.to_string(), "1.203");
+    assert_eq!(session.parts().walking.shown().unwrap().1.record.measurement.diameter.to_string(), "1.203");
 }
 
 #[test]
 fn a_size_is_measured_again_and_both_values_stay() {
     let mut session = walking();
     take(&mut session, "12.07");
-    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     act(&mut session, PartsAction::SizeAgain.into());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
     take(&mut session, "12.03");
-    assert_eq!(session.parts().walking().values(0).len(), 2);
-    assert_eq!(session.parts().walking().status(), None);
+    assert_eq!(session.parts().walking.values(0).len(), 2);
+    assert_eq!(session.parts().walking.status(), None);
     assert_eq!(session.history().len(), 2);
     assert_eq!(asked(&session).as_deref(), Some("PIN"));
 }
@@ -244,7 +244,7 @@ fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
     let mut recorded = Vec::new();
     while asked(&session).is_some() {
         let effects = act(&mut session, PartsAction::SimulateValue.into());
-        let refusal = session.parts().walking().refusal().map(said);
+        let refusal = session.parts().walking.refusal().map(said);
         assert_eq!(refusal, None);
         recorded.extend(kept(&effects).1);
     }
@@ -257,7 +257,7 @@ fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
         assert_eq!(record.measurement.diameter, record.limits.middle(), "{}", record.id);
         assert_eq!(record.verdict.status(), Status::Good, "{}", record.id);
     }
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     assert_eq!((walking.standing().simulated, walking.standing().is_complete()), (5, false));
     assert_eq!(walking.status(), None);
 }
@@ -266,7 +266,7 @@ fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
 fn a_size_is_left_out_for_a_reason_alone() {
     let mut session = walking();
     act(&mut session, PartsAction::SkipSize.into());
-    assert!(session.parts().walking().is_skipping());
+    assert!(session.parts().walking.is_skipping);
     typed(&mut session, WalkField::Reason, "  ");
     act(&mut session, PartsAction::SkipFor.into());
     assert!(session.error(WalkField::Reason).is_some());
@@ -286,9 +286,9 @@ fn the_next_part_counts_up_and_what_is_missing_is_said_first() {
     let mut session = walking();
     take(&mut session, "12.03");
     assert_eq!(act(&mut session, PartsAction::NextPart.into()), []);
-    assert!(session.parts().walking().is_warned() && session.parts().walking().is_begun());
+    assert!(session.parts().walking.is_warned && session.parts().walking.is_begun());
     assert_eq!(act(&mut session, PartsAction::NextPart.into()), [Effect::Focus(WalkField::Serial.into())]);
-    assert!(!session.parts().walking().is_begun());
+    assert!(!session.parts().walking.is_begun());
     assert_eq!(session.text(WalkField::Serial), "A-0100");
     act(&mut session, PartsAction::CountUp.into());
     assert_eq!(session.text(WalkField::Serial), "A-0101");
@@ -365,7 +365,7 @@ fn the_plans_rule_counts_and_else_the_rule_of_the_check_page() {
     // At 30 °C a steel pin of 20 mm is 2.3 µm longer.
     typed(&mut session, CheckField::PartTemperature, "30");
     kept(&take(&mut session, "19.985"));
-    let record = &session.parts().walking().shown().unwrap().1.record;
+    let record = &session.parts().walking.shown().unwrap().1.record;
     assert!(record.correction.is_some());
     assert!(record.measurement.diameter < "19.985".parse().unwrap());
 }
@@ -392,7 +392,7 @@ fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
     let (mut back, effects) = Session::restore(saved);
     assert_eq!(effects, [Effect::Read(Purpose::OpenPlan, "/plans/flange.toml".into())]);
     begin_records(&mut back);
-    assert!(!back.parts().walking().is_begun());
+    assert!(!back.parts().walking.is_begun());
     read_plan(&mut back, PLAN);
     let effects = open_journal(&mut back, 9);
     let asks = effects.iter().find_map(|effect| match effect {
@@ -405,14 +405,14 @@ fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
     let mut came = rows(&entries[..1], 5);
     came.extend(rows(&entries, 8));
     send(&mut back, WalkCommand::Came { run, result: Ok(came) });
-    let walking = back.parts().walking();
+    let walking = &back.parts().walking;
     assert_eq!((walking.serial(), walking.values(0).len()), ("A-0099", 2));
     assert_eq!(standing(&back), "1 measured, 3 missing, 1 skipped");
     assert_eq!(asked(&back).as_deref(), Some("K1 X"));
     assert_eq!(said(&back.notices().last().unwrap().message), "The interrupted part A-0099 was restored with 2 values");
     // Once more, too late: nothing is there twice.
     send(&mut back, WalkCommand::Came { run, result: Ok(rows(&entries, 8)) });
-    assert_eq!(back.parts().walking().values(0).len(), 2);
+    assert_eq!(back.parts().walking.values(0).len(), 2);
     // Ended, it does not come back.
     act(&mut back, PartsAction::NextPart.into());
     act(&mut back, PartsAction::NextPart.into());
@@ -425,10 +425,10 @@ fn without_a_journal_an_interrupted_part_comes_back_without_values_and_says_so()
     take(&mut session, "12.03");
     let (mut back, _) = Session::restore(session.saved());
     read_plan(&mut back, PLAN);
-    assert!(!back.parts().walking().is_begun(), "nobody has said yet where records are kept");
+    assert!(!back.parts().walking.is_begun(), "nobody has said yet where records are kept");
     let zone = TimeZone::fixed(offset(1));
     send(&mut back, RecordsCommand::Begin { usual: None, station: "Mill 3".to_owned(), zone });
-    assert!(back.parts().walking().is_begun());
+    assert!(back.parts().walking.is_begun());
     assert!(said(&back.notices().last().unwrap().message).contains("without its values"));
 }
 
@@ -444,7 +444,7 @@ pub fn watched(session: &mut Session) -> u64 {
 }
 
 pub fn look(session: &Session, number: u64, text: &str) -> WatchNews {
-    let plan = session.parts().document().plan().unwrap();
+    let plan = session.parts().document.plan().unwrap();
     let by_plan = fitcheck::exchange::ByPlan::new(plan);
     let mut judged = Vec::new();
     for item in items(text) {
@@ -463,9 +463,9 @@ fn what_comes_into_the_watched_folder_is_taken_once_it_is_on_disk_and_not_before
     let (batch, entries) = kept(&effects);
     assert_eq!((effects.len(), entries.len()), (1, 2), "one batch, and nothing is taken yet");
     assert_eq!(entries[0].check().unwrap().files[0].sha256, Hash([9; 32]));
-    assert!(session.parts().watched().is_recording());
+    assert!(session.parts().watched.is_recording());
     assert_eq!(standing(&session), "2 measured, 3 missing, 0 skipped");
-    assert_eq!(session.parts().walking().status(), Some(Status::Rework));
+    assert_eq!(session.parts().walking.status(), Some(Status::Rework));
     // A full disk: it is tried again, and still not taken.
     let full = Err(Message::new("records-page-no-thread"));
     assert_eq!(send(&mut session, RecordsCommand::Kept { run: batch, result: full }), []);
@@ -473,13 +473,13 @@ fn what_comes_into_the_watched_folder_is_taken_once_it_is_on_disk_and_not_before
     assert!(matches!(effects[..], [Effect::Keep { .. }]), "{effects:?}");
     let effects = send(&mut session, RecordsCommand::Kept { run: batch, result: Ok(vec![head(8), head(9)]) });
     assert_eq!(effects, [Effect::WatchTaken { run, look: 1 }]);
-    let files: Vec<_> = session.parts().watched().files().collect();
+    let files: Vec<_> = session.parts().watched.files().collect();
     assert_eq!((files[0].name.as_str(), files[0].counts.iter().map(|(_, count)| count).sum()), ("m.csv", 2_usize));
     // A look without a value has nothing to be recorded.
     let news = look(&session, 2, "name;measured\nNOBODY;3\n");
     let effects = send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
     assert_eq!(effects, [Effect::WatchTaken { run, look: 2 }]);
-    assert_eq!(session.parts().watched().files().next().unwrap().said.len(), 1);
+    assert_eq!(session.parts().watched.files().next().unwrap().said.len(), 1);
 }
 
 #[test]
@@ -497,14 +497,14 @@ fn a_watch_begins_anew_only_once_what_it_found_before_is_on_disk() {
         } else {
             assert_eq!(send(&mut session, Command::SetLanguage(Language::Nl)), []);
         }
-        assert!(session.parts().watched().is_recording());
+        assert!(session.parts().watched.is_recording());
         let full = Err(Message::new("records-page-no-thread"));
         assert_eq!(send(&mut session, RecordsCommand::Kept { run: batch, result: full }), []);
         let effects = send(&mut session, RecordsCommand::TryAgain);
         assert!(matches!(effects[..], [Effect::Keep { .. }]), "{effects:?}");
         let effects = send(&mut session, RecordsCommand::Kept { run: batch, result: Ok(vec![head(8)]) });
         let [Effect::Watch { run: anew, .. }] = effects[..] else { panic!("{effects:?}") };
-        assert!(run < anew && !session.parts().watched().is_recording());
+        assert!(run < anew && !session.parts().watched.is_recording());
     }
 }
 
@@ -530,7 +530,7 @@ fn a_watch_that_was_ended_changes_nothing_any_more() {
     assert!(session.history().is_empty());
     // A file is no folder.
     assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in/a.csv".into(), is_folder: false }), []);
-    assert!(session.parts().watched().folder().is_none());
+    assert!(session.parts().watched.folder().is_none());
 }
 
 #[test]
@@ -561,13 +561,13 @@ fn a_watched_value_of_no_part_is_said_to_have_no_serial_number() {
     let news = look(&session, 1, "name;measured\nBORE;12.03\nPIN;20.1\n");
     let (_, entries) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
     assert_eq!(entries[0].about.serial, "");
-    let told: Vec<String> = session.parts().watched().files().next().unwrap().said.iter().map(said).collect();
+    let told: Vec<String> = session.parts().watched.files().next().unwrap().said.iter().map(said).collect();
     assert!(told[0].starts_with("2 values are recorded without a serial number"), "{told:?}");
     // With a serial number of its own, or of a part that is being measured, it is somebody's.
     let (mut session, run) = watching_alone();
     let news = look(&session, 1, "name;serial;measured\nBORE;Z-9;12.03\n");
     send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
-    let told: Vec<String> = session.parts().watched().files().next().unwrap().said.iter().map(said).collect();
+    let told: Vec<String> = session.parts().watched.files().next().unwrap().said.iter().map(said).collect();
     assert!(!told.iter().any(|text| text.contains("without a serial number")), "{told:?}");
 }
 
@@ -589,7 +589,7 @@ fn change(session: &mut Session, callout: &str) {
 #[test]
 fn a_folder_that_is_judged_by_an_older_plan_says_so() {
     let (mut session, _) = watching_alone();
-    assert!(!session.parts().watches_other_plan() && session.parts().watched().comes_back());
+    assert!(!session.parts().watches_other_plan() && session.parts().watched.comes_back());
     change(&mut session, "12 H7");
     assert!(session.parts().watches_other_plan());
     send(&mut session, PartsCommand::Plan(PlanCommand::Undo));
@@ -607,7 +607,7 @@ fn a_folder_that_is_watched_by_a_plan_that_no_file_holds_is_not_watched_by_an_ol
     change(&mut session, "12 H7");
     let again = send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
     assert!(matches!(again[..], [Effect::Watch { .. }]), "{again:?}");
-    assert!(!session.parts().watched().comes_back() && session.saved().walk.watched.is_none());
+    assert!(!session.parts().watched.comes_back() && session.saved().walk.watched.is_none());
     // Saved, it can be read again.
     act(&mut session, PartsAction::SavePlan(0).into());
     send(&mut session, Command::TypePath("/plans/new.toml".to_owned()));
@@ -670,12 +670,12 @@ fn without_the_own_mask_no_folder_is_watched_until_another_one_is_chosen() {
     let mut back = watching_by_mask();
     let result = Err(Message::new("walk-page-nothing-asked"));
     assert_eq!(send(&mut back, Command::MaskRead { path: "/masks/own.a".into(), result }), []);
-    let trouble = said(back.parts().watched().trouble().unwrap());
+    let trouble = said(back.parts().watched.trouble().unwrap());
     assert!(trouble.starts_with("Your own mask /masks/own.a cannot be read"), "{trouble}");
     assert_eq!(back.saved().mask, Some("/masks/own.a".into()), "it may be there the next time");
     let effects = send(&mut back, Command::SetMask(None));
     assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
-    assert!(back.parts().watched().trouble().is_none() && back.saved().mask.is_none());
+    assert!(back.parts().watched.trouble().is_none() && back.saved().mask.is_none());
 }
 
 #[test]
@@ -693,7 +693,7 @@ fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
     let mut session = walking();
     let (run, entries) = kept(&take(&mut session, "12.07"));
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(8)]) });
-    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     let row = RecordRow { head: head(8), ..rows(&entries, 8).remove(0) };
     send(&mut session, RecordsCommand::Open(8));
     send(&mut session, RecordsCommand::Read { numbers: vec![8], result: Ok(vec![std::sync::Arc::new(row.clone())]) });
@@ -703,7 +703,7 @@ fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
     let (run, correction) = kept(&send(&mut session, RecordsCommand::SendCorrection));
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
     let values = |session: &Session| -> Vec<String> {
-        let values = session.parts().walking().values(0);
+        let values = session.parts().walking.values(0);
         values.iter().map(|value| value.record.measurement.diameter.to_string()).collect()
     };
     assert_eq!(
@@ -743,7 +743,7 @@ fn a_value_that_is_withdrawn_counts_no_more() {
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(8)]) });
     let (run, entries) = kept(&take(&mut session, "19.985"));
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
-    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     // On the records page: the first one is withdrawn.
     send(&mut session, RecordsCommand::Open(8));
     let row = RecordRow { head: head(8), ..rows(&entries, 8).remove(0) };

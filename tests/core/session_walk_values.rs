@@ -93,12 +93,12 @@ fn a_part_that_comes_back_counts_no_value_by_limits_that_its_plan_has_no_more() 
     for value in ["25.02", "25.01", "19.985"] {
         entries.extend(kept(&take(&mut session, value)).1);
     }
-    assert_eq!(session.parts().walking().status(), Some(Status::Good));
+    assert_eq!(session.parts().walking.status(), Some(Status::Good));
     let same = restarted(&session, &entries, PLAN);
-    assert_eq!(same.parts().walking().status(), Some(Status::Good));
+    assert_eq!(same.parts().walking.status(), Some(Status::Good));
     // 25 H6 goes to 25.013 mm.
     let back = restarted(&session, &entries, &PLAN.replace("25 H7", "25 H6"));
-    assert_eq!(back.parts().walking().status(), None);
+    assert_eq!(back.parts().walking.status(), None);
     assert_eq!(standing(&back), "1 measured, 2 missing, 0 skipped");
     assert_eq!(asked(&back).as_deref(), Some("A"));
     assert!(all_noticed(&back).contains("A: 25.02 mm was measured by 25 H7"), "{}", all_noticed(&back));
@@ -156,15 +156,15 @@ fn a_size_that_was_chosen_stays_until_it_has_its_value() {
 fn a_question_and_the_panel_of_reasons_stay_with_their_size_when_a_file_comes() {
     let mut session = walking();
     take(&mut session, "2.501");
-    assert!(session.parts().walking().question().is_some());
+    assert!(session.parts().walking.question().is_some());
     import(&mut session, "name;measured\nA;25.01\n");
-    assert!(session.parts().walking().question().is_some());
+    assert!(session.parts().walking.question().is_some());
     assert_eq!(asked(&session).as_deref(), Some("A"));
     typed(&mut session, WalkField::Value, "");
     send(&mut session, WalkCommand::Go(1));
     act(&mut session, PartsAction::SkipSize.into());
     import(&mut session, "name;measured\nB;25.01\n");
-    assert!(session.parts().walking().is_skipping());
+    assert!(session.parts().walking.is_skipping);
     assert_eq!(asked(&session).as_deref(), Some("B"));
 }
 
@@ -193,12 +193,12 @@ fn a_file_that_was_read_for_one_part_is_not_taken_for_the_next_one() {
     let mut session = walking();
     let late = items("name;measured\nA;25.012\nB;25.010\n");
     let command =
-        WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(late) };
+        WalkCommand::Imported { run: session.parts().walking.run, name: "m.csv".to_owned(), result: Ok(late) };
     for _ in 0..2 {
         act(&mut session, PartsAction::NextPart.into());
     }
     act(&mut session, PartsAction::BeginPart.into());
-    assert_eq!(session.parts().walking().serial(), "A-0100");
+    assert_eq!(session.parts().walking.serial(), "A-0100");
     assert_eq!(send(&mut session, command), []);
     assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
     assert_eq!(noticed(&session), "m.csv was read after the part had ended: its values are not used");
@@ -210,7 +210,7 @@ fn columns_that_are_chosen_when_the_next_part_is_begun_read_nothing_into_it() {
     let text = "what;how much\nA;25.012\n";
     let first = FirstRows::of("a.csv", text.as_bytes()).unwrap();
     let (name, path, mapping) = ("a.csv".to_owned(), PathBuf::from("/in/a.csv"), Mapping::default());
-    let into = ImportInto::Part(session.parts().walking().run());
+    let into = ImportInto::Part(session.parts().walking.run);
     let asked = ColumnsRequest { name, path, into, first, mapping, is_wanted: true };
     for _ in 0..2 {
         act(&mut session, PartsAction::NextPart.into());
@@ -243,7 +243,7 @@ fn the_one_part_that_a_file_names_is_said_and_kept_and_another_one_is_not_taken_
     assert_eq!(told(&entries), ["Flange A-0099 A 25.012"]);
     assert_eq!(entries[0].about.remark, "Part in the file: P1");
     let said_of = |session: &Session| {
-        let file = session.parts().watched().files().next().unwrap();
+        let file = session.parts().watched.files().next().unwrap();
         file.said.iter().map(said).collect::<Vec<_>>().join("\n")
     };
     assert!(said_of(&session).contains("calls the part P1"), "{}", said_of(&session));
@@ -252,40 +252,40 @@ fn the_one_part_that_a_file_names_is_said_and_kept_and_another_one_is_not_taken_
     let (_, entries) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
     assert_eq!(told(&entries), ["Flange A-0099 B 25.012", "Flange A-0099 C 19.985"]);
     assert!(said_of(&session).contains("of the part P2"), "{}", said_of(&session));
-    assert_eq!(session.parts().walking().status(), Some(Status::Good));
+    assert_eq!(session.parts().walking.status(), Some(Status::Good));
 }
 
 #[test]
 fn a_simulated_value_never_takes_the_place_of_a_measured_one() {
     let mut session = walking();
     take(&mut session, "25.06");
-    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     act(&mut session, PartsAction::SizeAgain.into());
     assert_eq!(act(&mut session, PartsAction::SimulateValue.into()), []);
-    let refusal = said(session.parts().walking().refusal().unwrap());
+    let refusal = said(session.parts().walking.refusal().unwrap());
     assert_eq!(refusal, "A is measured: a simulated value never takes the place of a measured one");
-    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     // A measured one takes the place of a simulated one.
     send(&mut session, WalkCommand::Go(1));
     act(&mut session, PartsAction::SimulateValue.into());
-    assert_eq!(session.parts().walking().standing().simulated, 1);
+    assert_eq!(session.parts().walking.standing().simulated, 1);
     send(&mut session, WalkCommand::Go(1));
     take(&mut session, "25.01");
-    assert_eq!(session.parts().walking().standing().simulated, 0);
+    assert_eq!(session.parts().walking.standing().simulated, 0);
 }
 
 #[test]
 fn a_scanner_that_sends_enter_twice_answers_no_question() {
     let mut session = walking();
     assert_eq!(take(&mut session, "25013"), []);
-    assert!(session.parts().walking().question().is_some());
+    assert!(session.parts().walking.question().is_some());
     for after in [0, 30, 499, 998] {
         assert_eq!(act_after(&mut session, PartsAction::TakeValue.into(), after), [], "{after} ms");
     }
-    assert!(session.parts().walking().question().is_some());
+    assert!(session.parts().walking.question().is_some());
     // What it may have been has a button of its own.
     kept(&act(&mut session, PartsAction::TakeMeantValue.into()));
-    assert_eq!(session.parts().walking().shown().unwrap().1.record.measurement.diameter.to_string(), "25.013");
+    assert_eq!(session.parts().walking.shown().unwrap().1.record.measurement.diameter.to_string(), "25.013");
 }
 
 #[test]
@@ -304,7 +304,7 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
         act_after(&mut session, PartsAction::BeginPart.into(), 600),
         [Effect::Focus(Field::from(WalkField::Value))]
     );
-    assert_eq!(session.parts().walking().serial(), "A-0099");
+    assert_eq!(session.parts().walking.serial(), "A-0099");
     // A part with values from a file is known, too.
     let mut values = items("name;measured\nA;25.012\n");
     for item in &mut values {
@@ -313,7 +313,7 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
         }
     }
     let command =
-        WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(values) };
+        WalkCommand::Imported { run: session.parts().walking.run, name: "m.csv".to_owned(), result: Ok(values) };
     kept(&send(&mut session, command));
     for _ in 0..2 {
         act(&mut session, PartsAction::NextPart.into());
@@ -322,7 +322,7 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
     assert_eq!(act(&mut session, PartsAction::BeginPart.into()), []);
     typed(&mut session, WalkField::Serial, "B-8");
     act(&mut session, PartsAction::BeginPart.into());
-    assert_eq!(session.parts().walking().serial(), "B-8");
+    assert_eq!(session.parts().walking.serial(), "B-8");
 }
 
 #[test]
@@ -338,7 +338,7 @@ fn a_serial_number_among_the_newest_records_is_asked_about_after_a_restart() {
     typed(&mut back, WalkField::Serial, "A-0099");
     assert_eq!(act(&mut back, PartsAction::BeginPart.into()), []);
     act_after(&mut back, PartsAction::BeginPart.into(), 600);
-    assert!(back.parts().walking().is_begun());
+    assert!(back.parts().walking.is_begun());
 }
 
 #[test]
@@ -385,7 +385,7 @@ fn what_was_left_out_is_said_when_the_part_is_ended() {
     act(&mut session, PartsAction::SkipSize.into());
     send(&mut session, WalkCommand::Skip("no gauge".to_owned()));
     act(&mut session, PartsAction::NextPart.into());
-    assert!(!session.parts().walking().is_begun());
+    assert!(!session.parts().walking.is_begun());
     assert_eq!(noticed(&session), "Not used for the part A-0099, which has ended\nC: no gauge");
 }
 
@@ -401,7 +401,7 @@ fn a_file_of_many_values_is_taken_by_a_large_plan() {
 
 /// What the part is, and of which sizes values contradict each other.
 fn decided(session: &Session) -> (Option<Status>, Option<&str>) {
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     (walking.status(), walking.contradicted().map(|(at, _)| walking.name(at)))
 }
 

@@ -143,8 +143,8 @@ fn named(action: Action, shortcut: Shortcut) -> String {
 fn told(session: &Session) -> String {
     let program = session.program();
     let Some(document) = program.shown() else { return format!("{session:?}") };
-    let run = program.run().map(|run| (run.state(), run.place(), run.blocks_run(), run.calls().count()));
-    let block = (document.selected(), program.has_breakpoint(document.selected()), program.look());
+    let run = program.run().map(|run| (run.state, run.place(), run.blocks_run(), run.calls().count()));
+    let block = (document.selected, program.has_breakpoint(document.selected), program.look());
     let over = (session.page(), session.dialog(), session.notices());
     format!("{run:?} {block:?} {over:?} {:?}", program.state_message())
 }

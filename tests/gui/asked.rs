@@ -102,7 +102,7 @@ fn a_serial_number_that_is_scanned_while_a_part_is_measured_is_no_value() {
     let ends = [(Key::F8, true), (Key::F8, false), (Key::F8, true), (Key::F8, false)];
     page.input_mut().events.extend(ends.map(|(of, pressed)| key(of, pressed)));
     scan(&mut page, "B-7001⏎25.01⏎");
-    let walking = page.state().session().parts().walking();
+    let walking = &page.state().session().parts().walking;
     assert_eq!((walking.serial(), walking.values(0).len()), ("B-7001", 1));
 }
 
@@ -114,7 +114,7 @@ fn a_serial_number_that_is_scanned_when_the_part_is_done_begins_the_next_one() {
     scan(&mut page, "25.01⏎");
     page.get_by_label("Every size has a value or is skipped");
     scan(&mut page, "A-0205⏎25.002⏎");
-    let walking = page.state().session().parts().walking();
+    let walking = &page.state().session().parts().walking;
     assert_eq!((walking.serial(), walking.values(0).len()), ("A-0205", 1));
 }
 

@@ -43,7 +43,7 @@ fn can_take(page: &Harnessed) -> bool {
 }
 
 fn measured(page: &Harnessed) -> usize {
-    page.state().session().parts().walking().standing().measured
+    page.state().session().parts().walking.standing().measured
 }
 
 fn is_open(page: &Harnessed) -> bool {

@@ -47,7 +47,7 @@ fn choose(window: &mut Harness<'_, App>, name: &str) {
 
 /// The name of a parameter's field: its key and the control's question.
 fn name(window: &Harness<'_, App>, key: &str) -> String {
-    let cycle = window.state().session().cycles().cycle();
+    let cycle = window.state().session().cycles().cycle;
     let parameter = cycle.parameter_named(key).unwrap_or_else(|| panic!("no {key}"));
     format!("{}  {}", parameter.key, parameter.question(window.state().session().language().dialogue()))
 }
@@ -433,7 +433,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
         assert!(window.state().session().workpiece().simulation().is_some(), "{kind}");
     }
     click(&mut window, Role::RadioButton, "Z/X");
-    assert_eq!(window.state().session().workpiece().plane(), fitcheck::probing::cycle::Plane::Zx);
+    assert_eq!(window.state().session().workpiece().plane, fitcheck::probing::cycle::Plane::Zx);
 }
 
 /// Presses the last of several buttons of the same name: the topmost one.
@@ -459,7 +459,7 @@ fn a_block_is_pasted_and_copied() {
     }
     window.run();
     click(&mut window, Role::Button, "Fill the form");
-    assert_eq!(window.state().session().cycles().cycle().code, "427");
+    assert_eq!(window.state().session().cycles().cycle.code, "427");
     key(&mut window, Modifiers::NONE, Key::F5);
     assert_eq!(result(&window, "Q160"), "5");
     window.get_by_role_and_label(Role::Button, "Copy as NC block").click_accesskit();
@@ -554,7 +554,7 @@ fn choices_are_made_by_typing_their_number_too() {
         window.run();
         window.get_by_role_and_label(Role::ComboBox, &name).type_text(typed);
         window.run();
-        let key = window.state().session().cycles().cycle().parameter_named(parameter).unwrap().key;
+        let key = window.state().session().cycles().cycle.parameter_named(parameter).unwrap().key;
         assert_eq!(window.state().session().text(CycleField::Parameter(key)), chosen, "{parameter} {typed}");
     }
 }
@@ -588,7 +588,7 @@ fn a_choice_by_key_keeps_the_focus_on_its_list() {
         key(&mut window, Modifiers::NONE, Key::Space);
         assert_eq!(focused(&window), list);
     }
-    assert_eq!(window.state().session().cycles().cycle().code, "422");
+    assert_eq!(window.state().session().cycles().cycle.code, "422");
     assert_eq!(window.state().session().text(CycleField::Parameter(301.into())), "1");
 }
 
@@ -686,7 +686,7 @@ fn the_names_of_questions_and_results_are_whole_in_every_language() {
             let rects: Vec<_> = window.get_all_by_label(&name).map(|node| node.rect()).collect();
             assert_whole(&window, &name, &rects);
         }
-        let cycle = window.state().session().cycles().cycle();
+        let cycle = window.state().session().cycles().cycle;
         for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
             let name = name(&window, &parameter.key.to_string());
             let field = window

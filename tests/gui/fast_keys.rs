@@ -139,7 +139,7 @@ fn a_walk_takes_serial_number_and_values_in_one_go() {
     let mut page = window_of(folder.path(), DESK).open();
     focus(&mut page, "Serial number");
     scan(&mut page, "A-0001⏎25.01⏎19.985⏎16.01⏎");
-    let walking = page.state().session().parts().walking();
+    let walking = &page.state().session().parts().walking;
     assert_eq!(walking.serial(), "A-0001");
     let measured = [0, 1, 2].map(|at| walking.values(at).len());
     assert_eq!(measured, [1, 1, 1]);
@@ -155,7 +155,7 @@ fn keys_go_from_the_list_of_sizes_into_the_value() {
     ctx.memory_mut(eframe::egui::Memory::stop_text_input);
     page.run();
     scan(&mut page, "25.01⏎");
-    assert_eq!(page.state().session().parts().walking().values(0).len(), 1);
+    assert_eq!(page.state().session().parts().walking.values(0).len(), 1);
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn cells_of_a_plan_are_typed_one_after_the_other() {
     page.run();
     click(&mut page, Role::GridCell, "Row 1, Name, BORE");
     scan(&mut page, "B1⏎B2⏎B3⇥width⏎");
-    let document = page.state().session().parts().document();
+    let document = &page.state().session().parts().document;
     let texts = |column| document.draft().rows.iter().take(3).map(move |row| row.cell(column).text.clone());
     assert_eq!(texts(Column::Name).collect::<Vec<_>>(), ["B1", "B2", "B3"]);
     assert_eq!(texts(Column::Kind).next_back().as_deref(), Some("width"));

@@ -93,7 +93,7 @@ fn cell(page: &mut Page, said: &str) {
 }
 
 fn texts(page: &Page, column: Column) -> Vec<String> {
-    let document = page.state().session().parts().document();
+    let document = &page.state().session().parts().document;
     document.draft().rows.iter().map(|row| row.cell(column).text.clone()).collect()
 }
 
@@ -192,7 +192,7 @@ fn rows_are_changed_by_buttons() {
     click(&mut page, Role::Button, "Delete rows");
     page.get_by_label("No faults in the plan");
     click(&mut page, Role::CheckBox, "All columns");
-    assert_eq!(page.state().session().parts().sheet().columns().len(), Column::ALL.len());
+    assert_eq!(page.state().session().parts().sheet().columns.len(), Column::ALL.len());
 }
 
 #[test]
@@ -510,8 +510,8 @@ fn balloons_have_the_verdicts_of_the_walk_and_lead_to_their_features() {
     page.get_by_label("Balloon 3, A10, not measured, next");
     page.get_by_label("Balloon 2, A2, REWORK").click();
     page.run();
-    let walking = page.state().session().parts().walking();
-    assert_eq!(walking.at(), Some(1), "the balloon leads to its feature");
+    let walking = &page.state().session().parts().walking;
+    assert_eq!(walking.at, Some(1), "the balloon leads to its feature");
     // On the plan they say the same.
     click(&mut page, Role::Button, "Plan");
     page.get_by_label("Balloon 1, A1, GOOD");

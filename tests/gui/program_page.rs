@@ -193,7 +193,7 @@ fn the_listing_is_walked_by_key() {
     select(&mut page, "3  Q1");
     for (pressed, line) in [(Key::ArrowDown, 4), (Key::ArrowUp, 3), (Key::End, 14), (Key::Home, 0)] {
         press(&mut page, pressed);
-        assert_eq!(page.state().session().program().shown().unwrap().selected(), line, "{pressed:?}");
+        assert_eq!(page.state().session().program().shown().unwrap().selected, line, "{pressed:?}");
     }
 }
 
@@ -274,7 +274,7 @@ fn an_error_is_shown_and_a_click_goes_to_its_block() {
     .click();
     page.run();
     page.get_by_label("Q4 = Q1 / Q2, error here");
-    assert_eq!(page.state().session().program().shown().unwrap().selected(), 103);
+    assert_eq!(page.state().session().program().shown().unwrap().selected, 103);
 }
 
 /// Whole machining programs of milling and turning, block by block from the first to the last.

@@ -486,7 +486,7 @@ fn a_million_records_are_walked_to_the_last_one_and_no_frame_waits() {
     assert!(last.contains("Record 2, ") && last.contains("P2"), "{last}");
     assert!(cursor(&window).starts_with("Record 2,"));
     // Rows around those in sight, and never more than the pages that are kept.
-    assert!(window.state().session().records().listing().read() <= 21 * 200);
+    assert!(window.state().session().records().listing.read() <= 21 * 200);
     assert!(fake.read.load(SeqCst) < 60 * 400, "{:?}", fake.read);
     // A frame's work is that of what is in sight: no more than with a few records, whatever the machine does besides.
     let (mut small, _fake) = page(2_000, Duration::ZERO);

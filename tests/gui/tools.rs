@@ -186,13 +186,13 @@ fn the_form_of_a_cycle_picks_its_tool_from_the_table() {
     for (name, text) in
         [("Q263", "35"), ("Q264", "45"), ("Q261", "5"), ("Q260", "20"), ("Q288", "5.1"), ("Q289", "4.9")]
     {
-        let cycle = page.state().session().cycles().cycle();
+        let cycle = page.state().session().cycles().cycle;
         let parameter = cycle.parameter_named(name).unwrap();
         let label = format!("{}  {}", parameter.key, parameter.question(fitcheck::words::Dialogue::En));
         type_into(&mut page, &label, text);
     }
     for name in ["Q272", "Q267"] {
-        let cycle = page.state().session().cycles().cycle();
+        let cycle = page.state().session().cycles().cycle;
         let parameter = cycle.parameter_named(name).unwrap();
         let label = format!("{}  {}", parameter.key, parameter.question(fitcheck::words::Dialogue::En));
         page.get_by_role_and_label(Role::ComboBox, &label).focus();

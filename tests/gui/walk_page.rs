@@ -74,7 +74,7 @@ pub fn begun(folder: &Path) -> Harnessed {
 }
 
 fn asked(page: &Harnessed) -> Option<String> {
-    page.state().session().parts().walking().asked().map(|size| size.name())
+    page.state().session().parts().walking.asked().map(|size| size.name())
 }
 
 fn value(page: &mut Harnessed, text: &str) {
@@ -140,9 +140,9 @@ fn twelve_features_are_measured_from_everywhere() {
     // The first Enter goes into the folder, the second takes it.
     press(&mut page, Key::Enter);
     press(&mut page, Key::Enter);
-    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    until(&mut page, |page| page.state().session().parts().watched.known.is_some());
     put(&drops.join("d.csv"), "name;measured\nD10;10.005\n");
-    until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+    until(&mut page, |page| page.state().session().parts().watched.count == 1);
     assert!(page.query_by_label_contains("d.csv").is_some());
     assert_eq!(asked(&page).as_deref(), Some("D11"));
     // Left out for a reason, by key.
@@ -169,7 +169,7 @@ fn twelve_features_are_measured_from_everywhere() {
     assert_eq!(page.state().session().text(fitcheck::session::WalkField::Serial), "A-0100");
     press(&mut page, Key::Enter);
     assert_eq!(asked(&page).as_deref(), Some("BORE"));
-    assert_eq!(page.state().session().parts().walking().serial(), "A-0100");
+    assert_eq!(page.state().session().parts().walking.serial(), "A-0100");
 }
 
 #[test]
@@ -212,16 +212,16 @@ fn the_watched_folder_takes_nothing_twice_and_an_idle_one_asks_for_no_frame() {
         let mut page = if round == 1 { begun(folder.path()) } else { window_of(folder.path(), DESK).open() };
         let ctx = page.ctx.clone();
         page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
-        until(&mut page, |page| page.state().session().parts().watched().known() == Some(known));
+        until(&mut page, |page| page.state().session().parts().watched.known == Some(known));
         if round == 1 {
-            until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+            until(&mut page, |page| page.state().session().parts().watched.count == 1);
         }
         // It looks a few times more, and then asks for no frame.
         std::thread::sleep(Duration::from_millis(600));
         until(&mut page, |page| page.output().viewport_output[&ViewportId::ROOT].repaint_delay == Duration::MAX);
         assert_eq!(recorded(folder.path()), 2, "round {round}");
         click(&mut page, Role::Button, "Stop watching");
-        assert!(page.state().session().parts().watched().folder().is_none());
+        assert!(page.state().session().parts().watched.folder().is_none());
     }
 }
 
@@ -233,7 +233,7 @@ fn a_watched_folder_is_watched_again_after_a_restart_and_by_one_window_alone() {
     let mut page = begun(folder.path());
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
-    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    until(&mut page, |page| page.state().session().parts().watched.known.is_some());
     let state = folder.path().join("state.toml");
     until(&mut page, |_| std::fs::read_to_string(&state).is_ok_and(|text| text.contains("drops")));
     let window = || Window { files: Vec::new(), ..window_of(folder.path(), DESK) };
@@ -243,9 +243,9 @@ fn a_watched_folder_is_watched_again_after_a_restart_and_by_one_window_alone() {
     until(&mut other, |other| other.query_by_label_contains("another program watches this folder").is_some());
     // The folder is free when the first one is gone.
     drop(page);
-    until(&mut other, |other| other.state().session().parts().watched().known().is_some());
+    until(&mut other, |other| other.state().session().parts().watched.known.is_some());
     put(&drops.join("d.csv"), "name;measured\nD10;10.005\n");
-    until(&mut other, |other| other.state().session().parts().watched().count() == 1);
+    until(&mut other, |other| other.state().session().parts().watched.count == 1);
     assert!(other.query_by_label_contains("another program watches this folder").is_none());
     assert_eq!(recorded(folder.path()), 1);
 }
@@ -269,9 +269,9 @@ fn prints_are_read_back_through_the_users_own_mask() {
     let drops = folder.path().join("drops");
     std::fs::create_dir(&drops).unwrap();
     page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
-    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    until(&mut page, |page| page.state().session().parts().watched.known.is_some());
     put(&drops.join("p.txt"), "Feature PIN     \nResult   19.985\n");
-    until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+    until(&mut page, |page| page.state().session().parts().watched.count == 1);
     assert!(verdict(&page).contains("PIN: 19.985 mm"), "{}", verdict(&page));
     assert_eq!(recorded(folder.path()), 2);
 }
@@ -282,14 +282,14 @@ fn a_scanner_types_the_serial_number_once_a_plan_is_open() {
     let mut page = window_of(folder.path(), DESK).open();
     page.event(eframe::egui::Event::Text("A-7".to_owned()));
     press(&mut page, Key::Enter);
-    assert_eq!(page.state().session().parts().walking().serial(), "A-7");
+    assert_eq!(page.state().session().parts().walking.serial(), "A-7");
     // The next part, too.
     for _ in 0..2 {
         press(&mut page, Key::F8);
     }
     page.event(eframe::egui::Event::Text("B-1".to_owned()));
     press(&mut page, Key::Enter);
-    assert_eq!(page.state().session().parts().walking().serial(), "B-1");
+    assert_eq!(page.state().session().parts().walking.serial(), "B-1");
 }
 
 /// Three sizes.
@@ -328,7 +328,7 @@ fn the_large_verdict_is_the_parts_once_nothing_is_open() {
     assert!(has_focus(&page, Role::Button, "Next part"));
     press(&mut page, Key::Enter);
     assert!(has_focus(&page, Role::TextInput, "Serial number"));
-    assert!(!page.state().session().parts().walking().is_begun());
+    assert!(!page.state().session().parts().walking.is_begun());
 }
 
 #[test]
@@ -430,11 +430,11 @@ fn the_focus_comes_back_to_the_value_and_the_ring_stays_where_it_is() {
     std::fs::create_dir(&drops).unwrap();
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
-    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    until(&mut page, |page| page.state().session().parts().watched.known.is_some());
     page.get_by_role_and_label(Role::Button, "Watch a folder…").focus();
     page.run();
     put(&drops.join("d.csv"), "name;measured\nC;16.005\n");
-    until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+    until(&mut page, |page| page.state().session().parts().watched.count == 1);
     assert!(has_focus(&page, Role::Button, "Watch a folder…"));
 }
 
@@ -457,7 +457,7 @@ fn touch_alone_does_the_walk() {
     let mut page = window_of(folder.path(), vec2(1024.0, 768.0)).open();
     click(&mut page, Role::Button, "Next number");
     click(&mut page, Role::Button, "Start part");
-    assert_eq!(page.state().session().parts().walking().serial(), "1");
+    assert_eq!(page.state().session().parts().walking.serial(), "1");
     click(&mut page, Role::Button, "Keypad");
     for key in ["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 1"] {
         click(&mut page, Role::Button, key);
@@ -475,7 +475,7 @@ fn touch_alone_does_the_walk() {
     for _ in 0..2 {
         click(&mut page, Role::Button, "Next part");
     }
-    assert!(!page.state().session().parts().walking().is_begun());
+    assert!(!page.state().session().parts().walking.is_begun());
     assert_eq!(page.state().session().text(fitcheck::session::WalkField::Serial), "2");
 }
 
@@ -523,12 +523,12 @@ fn a_key_that_is_held_ends_no_part_with_missing_sizes() {
         page.key_down(Key::F8);
         page.run();
     }
-    assert!(page.state().session().parts().walking().is_warned());
+    assert!(page.state().session().parts().walking.is_warned);
     page.get_by_label_contains("Choose Next part again to end this part");
     page.key_up(Key::F8);
     page.run();
     press(&mut page, Key::F8);
-    assert!(!page.state().session().parts().walking().is_begun());
+    assert!(!page.state().session().parts().walking.is_begun());
 }
 
 #[test]
@@ -545,7 +545,7 @@ fn a_serial_number_that_was_measured_already_is_asked_about_beside_its_field() {
         press(&mut page, Key::Enter);
     }
     page.get_by_label_contains("Serial number A-0099 has been measured already.");
-    assert!(!page.state().session().parts().walking().is_begun());
+    assert!(!page.state().session().parts().walking.is_begun());
 }
 
 /// From Enter to the verdict on screen, with recording.

@@ -377,8 +377,8 @@ impl Session {
 
     /// The rule that the next value of the check page is judged by, as far as it is known before the value is.
     pub fn rule_ahead(&self) -> Option<Rule> {
-        let asked = self.check.asked();
-        asked.worth().rule_ahead(asked.limits()?, self.used_budget())
+        let asked = &self.check.asked;
+        asked.worth.rule_ahead(asked.limits()?, self.used_budget())
     }
 
     /// The budget whose uncertainty checks may use.

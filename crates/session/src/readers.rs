@@ -122,7 +122,7 @@ impl Session {
 
     /// The files that were read last, the latest first.
     pub fn recent_files(&self) -> &[RecentFile] {
-        self.shared.places.recent()
+        &self.shared.places.recent
     }
 
     /// The folders that were used last, each once.
@@ -172,9 +172,9 @@ impl Session {
 
     /// The names of tables and of a budget with unsaved changes.
     pub fn unsaved(&self) -> Vec<String> {
-        let tables = self.tables.unsaved().map(|document| document.title().to_owned());
+        let tables = self.tables.unsaved().map(|document| document.title.clone());
         let budget = self.budget.is_unsaved().then(|| self.budget.name());
-        tables.chain(budget).chain(self.parts.is_unsaved().then(|| self.parts.document().name())).collect()
+        tables.chain(budget).chain(self.parts.is_unsaved().then(|| self.parts.document.name())).collect()
     }
 
     /// The user's own tables that are not open yet: number among [`Sources::own`], and table.

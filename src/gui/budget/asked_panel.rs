@@ -14,7 +14,7 @@ const NOTES: usize = 5;
 
 /// Size, contacts, readings, day.
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let asks = view.session.budget().asks();
+    let asks = view.session.budget().asks;
     if view.session.budget().read().is_none() {
         return;
     }

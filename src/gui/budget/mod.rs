@@ -65,7 +65,7 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn dropped(view: &View<'_>, path: &Path, _number: usize) -> Command {
     let purpose = match ending(path).as_str() {
         "toml" => Purpose::OpenBudget,
-        _ if view.session.budget().asks().readings => Purpose::OpenReadings,
+        _ if view.session.budget().asks.readings => Purpose::OpenReadings,
         _ => Purpose::Import,
     };
     open(purpose, path)

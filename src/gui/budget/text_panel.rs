@@ -25,7 +25,7 @@ pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The text has an id of its own for each budget that is opened: undo never brings back another one.
 pub(super) fn id(view: &View<'_>) -> Id {
-    Id::unique(("budget-text", view.session.budget().opened()))
+    Id::unique(("budget-text", view.session.budget().opened))
 }
 
 /// The text and its errors.

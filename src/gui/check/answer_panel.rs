@@ -91,7 +91,7 @@ fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &DoubtedText) {
 fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     let words = view.words;
     let said = |id: &'static str, count: usize| words.say(&Message::new(id).count("count", count));
-    heading(ui, words.say(&message!("lot-title").text("name", lot.name()).count("rows", lot.rows())));
+    heading(ui, words.say(&message!("lot-title").text("name", &lot.name).count("rows", lot.rows)));
     ui.horizontal_wrapped(|ui| {
         for (status, count) in lot.counts() {
             // Nothing is re-measured without a guard band, so a zero would only raise questions.
@@ -102,9 +102,7 @@ fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
             }
         }
     });
-    for (id, count) in
-        [("lot-unjudged", lot.unjudged()), ("lot-refused", lot.refused()), ("lot-doubted", lot.doubted())]
-    {
+    for (id, count) in [("lot-unjudged", lot.unjudged), ("lot-refused", lot.refused), ("lot-doubted", lot.doubted)] {
         if 0 < count {
             ui.label(said(id, count));
         }

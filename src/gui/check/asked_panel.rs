@@ -20,7 +20,7 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let features = callout_ui(ui, view);
     ui.add_space(space(1.0));
-    match view.session.check().asked().limits() {
+    match view.session.check().asked.limits() {
         Some(limits) => limits_ui(ui, view, limits),
         None => no_limits_ui(ui, view),
     }
@@ -43,7 +43,7 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>) -> Option<Rect> {
     field_ui(ui, view, CheckField::Callout, name.id, FieldStyle::large(width));
     error_ui(ui, view, CheckField::Callout);
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
-    let is_asked = view.session.check().asked().needs_feature();
+    let is_asked = view.session.check().asked.needs_feature();
     is_asked.then(|| ui.allocate_exact_size(row, Sense::hover()).0)
 }
 
@@ -101,7 +101,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
         feature_ui(ui, view, rect);
     }
     error_ui(ui, view, CheckField::Measured);
-    if view.session.check().is_repeated() {
+    if view.session.check().is_repeated {
         quiet(ui, view.text("measured-once"));
     }
     ui.horizontal(|ui| {

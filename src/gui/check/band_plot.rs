@@ -24,14 +24,14 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
     ui.horizontal(|ui| {
         heading(ui, view.text("limit-band"));
-        if let Some(limits) = view.session.check().asked().limits() {
+        if let Some(limits) = view.session.check().asked.limits() {
             quiet(ui, title(view, limits));
         }
         if record.is_some_and(|record| record.measurement.origin.is_simulated()) {
             ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
         }
     });
-    let Some(limits) = view.session.check().asked().limits() else {
+    let Some(limits) = view.session.check().asked.limits() else {
         quiet(ui, view.text("band-empty"));
         return;
     };
@@ -48,7 +48,7 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
 
 fn title(view: &View<'_>, limits: &Limits) -> String {
     let feature = view.text(feature_id(limits.feature));
-    match view.session.check().asked().callout() {
+    match view.session.check().asked.callout {
         Some(callout) => format!("{callout}, {feature}"),
         None => feature,
     }

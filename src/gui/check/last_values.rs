@@ -25,7 +25,7 @@ pub(super) fn last_values_ui(ui: &mut Ui, view: &View<'_>) {
             ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
         }
     });
-    let Some(limits) = view.session.check().asked().limits() else {
+    let Some(limits) = view.session.check().asked.limits() else {
         quiet(ui, view.text("last-values-empty"));
         return;
     };

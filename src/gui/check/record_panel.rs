@@ -27,7 +27,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Whether checks are recorded.
 fn keeping_ui(ui: &mut Ui, view: &View<'_>) {
-    match view.session.recording().keeping() {
+    match &view.session.recording().keeping {
         Keeping::Nowhere => _ = quiet(ui, view.text("records-page-nowhere")),
         Keeping::Off => _ = quiet(ui, view.text("records-page-off")),
         Keeping::Opening => _ = quiet(ui, view.text("records-page-opening")),

@@ -51,7 +51,7 @@ fn rows_of(words: &Words, rows: &Rows, places: Range<usize>) -> Vec<Row<u64>> {
     let row = |row: Listed<'_>| {
         let cells = LargeFileCells::of(words, rows, &row);
         Row {
-            is_cursor: rows.cursor() == Some(row.number),
+            is_cursor: rows.cursor == Some(row.number),
             is_open: rows.shown().is_some_and(|shown| shown.number == row.number),
             ..cells.into_row(words, &row)
         }

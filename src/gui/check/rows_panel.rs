@@ -33,7 +33,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
                 view.button(ui, action);
             }
         }
-        heading(ui, rows.name());
+        heading(ui, rows.name.as_str());
         state_ui(ui, view, rows);
         if view.session.check().judges_by_more_than_limits() {
             problem(ui, view.text("rows-by-limits"));
@@ -47,7 +47,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         }
         classes_ui(ui, view, rows);
         summary_ui(ui, view, rows);
-        if !rows.filter().is_all() {
+        if !rows.filter.is_all() {
             let listed = grouped(u64::try_from(rows.listed()).unwrap_or_default());
             let listed = message!("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
             quiet(ui, view.words.say(&listed));
@@ -72,9 +72,9 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// How far it is, or how it has ended: an answer that is not whole says so first.
 fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     let (words, count) = (view.words, grouped(rows.count()));
-    let (read, all) = rows.bytes();
+    let (read, all) = rows.bytes;
     let percent = (read * 100).checked_div(all).unwrap_or_default().min(100);
-    let seconds = words.number(&format!("{:.1}", std::time::Duration::from_millis(rows.elapsed_ms()).as_secs_f64()));
+    let seconds = words.number(&format!("{:.1}", std::time::Duration::from_millis(rows.elapsed_ms).as_secs_f64()));
     let rate = rows.rate().map(grouped).unwrap_or_default();
     let said = |id: &'static str| {
         let said = Message::new(id).text("count", &count).text("percent", percent).text("rate", &rate);
@@ -108,7 +108,7 @@ fn why_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
 
 /// Why the file is judged row by row, and what that means.
 fn why_text(words: &Words, rows: &Rows) -> String {
-    words.say(&match rows.large() {
+    words.say(&match rows.large {
         Large::Bytes(bytes) => message!("rows-why-bytes").text("size", bytes >> 20).text("limit", LARGE >> 20),
         Large::Packed => message!("rows-why-packed"),
     })
@@ -116,7 +116,7 @@ fn why_text(words: &Words, rows: &Rows) -> String {
 
 /// A count that lists its rows: a box with a check mark, the shape, the word and the number.
 fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (RowFate, u64)) {
-    let is_chosen = rows.filter().fates.contains(&fate);
+    let is_chosen = rows.filter.fates.contains(&fate);
     let (fill, colour) = palette(ui.ctx()).of_status(fate.status());
     let text = message!("rows-fate").text("fate", fate_text(view.words, fate)).text("count", grouped(count));
     let text = view.words.say(&text);
@@ -146,7 +146,7 @@ fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (RowFat
 
 /// The classes that occur, with how many rows each has.
 fn classes_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
-    let chosen = &rows.filter().classes;
+    let chosen = &rows.filter.classes;
     let name = |view: &View<'_>, class: Option<ToleranceClass>| {
         class.map_or_else(|| view.text("rows-no-class"), |class| class.to_string())
     };
@@ -205,7 +205,7 @@ fn summary_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
 }
 
 fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
-    let (words, tally) = (view.words, rows.tally());
+    let (words, tally) = (view.words, &rows.tally);
     for (id, count) in counts(tally) {
         if 0 < count {
             let number = usize::try_from(count).unwrap_or(usize::MAX);
@@ -252,7 +252,7 @@ fn counts(tally: &Tally) -> [(&'static str, u64); 9] {
 pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
     let Some(rows) = view.session.check().rows() else { return };
     let Some(row) = rows.shown() else { return };
-    heading(ui, view.words.say(&message!("rows-line").count("line", row.line).text("name", rows.name())));
+    heading(ui, view.words.say(&message!("rows-line").count("line", row.line).text("name", &rows.name)));
     if let Some(why) = &row.why {
         problem(ui, view.words.say(why));
     }

@@ -29,7 +29,7 @@ const OF_TEMPERATURE: [CheckField; 4] =
 
 /// The rule and the temperature, folded: their headers say what is in force.
 pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let name = view.text(&name_id(worth(view).judging().rule));
+    let name = view.text(&name_id(worth(view).judging.rule));
     let header = view.words.say(&message!("check-rule-header").text("rule", name));
     // An error is never folded away.
     let is_wrong =
@@ -47,7 +47,7 @@ pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 const fn worth<'a>(view: &View<'a>) -> &'a RuleFields {
-    view.session.check().asked().worth()
+    &view.session.check().asked.worth
 }
 
 /// The name of a rule in the locale files.
@@ -56,7 +56,7 @@ fn name_id(rule: RuleName) -> String {
 }
 
 fn rule_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let judging = worth(view).judging();
+    let judging = worth(view).judging;
     let name = quiet(ui, view.text("check-rule"));
     let width = ui.available_width();
     let rules = RuleName::ALL.map(|rule| (rule, view.text(&name_id(rule))));
@@ -87,7 +87,7 @@ fn rule_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// How uncertain a measured value is, and who says so.
 fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let judging = worth(view).judging();
+    let judging = worth(view).judging;
     quiet(ui, view.text("check-uncertainty"));
     ui.horizontal_wrapped(|ui| {
         for from in UncertaintyFrom::ALL {
@@ -131,7 +131,7 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Which values are accepted; nothing where the limits themselves decide.
 fn zones_ui(ui: &mut Ui, view: &View<'_>) {
-    let asked = view.session.check().asked();
+    let asked = &view.session.check().asked;
     let (Some(rule), Some(limits)) = (view.session.rule_ahead(), asked.limits()) else { return };
     if rule.is_plain() {
         return;
@@ -162,7 +162,7 @@ fn process_ui(ui: &mut Ui, view: &mut View<'_>) {
     if worth(view).wants_uncertainty_for_risks() {
         quiet(ui, view.text("risk-without-uncertainty"));
     }
-    if let Some(risks) = worth(view).risks() {
+    if let Some(risks) = worth(view).risks {
         for (text, risk) in [
             ("risk-nonconforming", risks.nonconforming),
             ("risk-consumer", risks.consumer),

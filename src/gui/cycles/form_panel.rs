@@ -33,7 +33,7 @@ fn title(view: &View<'_>, cycle: &Cycle) -> String {
 /// All cycles, by the control's names for them.
 fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("cycles-cycle"));
-    let chosen = view.session.cycles().cycle();
+    let chosen = view.session.cycles().cycle;
     let width = ui.available_width() - space(2.5);
     let all = CYCLES.iter().map(|cycle| (cycle.number, title(view, cycle)));
     let (picked, list) = one_of_ui(ui, "cycle", width, &chosen.number, all);
@@ -58,7 +58,7 @@ pub(super) const fn from_id(from: ContactsFrom) -> &'static str {
 /// Where contacts come from, and what belongs to it.
 fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
     quiet(ui, view.text("cycles-contacts-from"));
-    let from = view.session.cycles().from();
+    let from = view.session.cycles().from;
     ui.horizontal_wrapped(|ui| {
         for choice in ContactsFrom::ALL {
             if ui.radio(from == choice, view.text(from_id(choice))).clicked() {
@@ -156,7 +156,7 @@ pub(super) fn last_focused(ui: &Ui) -> Option<Key> {
 }
 
 fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let cycle = view.session.cycles().cycle();
+    let cycle = view.session.cycles().cycle;
     let mut focused = None;
     for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
         if parameter_ui(ui, view, parameter) {

@@ -36,7 +36,7 @@ pub(super) const PAGE: PageView = PageView { ui: cycles_ui, dropped };
 /// The page: left what is asked, middle what is seen, right the answer.
 fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("cycles-page"))
-        && let Some(first) = view.session.cycles().cycle().parameters.first()
+        && let Some(first) = view.session.cycles().cycle.parameters.first()
     {
         ui.memory_mut(|memory| memory.request_focus(field::id(CycleField::Parameter(first.key))));
     }

@@ -54,7 +54,7 @@ fn tool_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) {
     });
     let Some(tools) = view.session.tools() else { return };
     let page = view.session.cycles();
-    let named = NamedTool::of_inputs(page.cycle(), page.inputs());
+    let named = NamedTool::of_inputs(page.cycle, &page.inputs);
     let chosen = named.as_ref().and_then(|named| named.row(&tools.table));
     let message = message!("tools-pick-of").text("parameter", key);
     wide_row_ui(ui, view.words.say(&message), width, |ui, name| {

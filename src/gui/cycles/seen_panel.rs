@@ -32,7 +32,7 @@ const CRITERIA: f32 = 62.0;
 
 /// The panel.
 pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let cycle = view.session.cycles().cycle();
+    let cycle = view.session.cycles().cycle;
     let shown = last_focused(ui).and_then(|key| cycle.parameter(key)).or_else(|| cycle.parameters.first());
     if let Some(parameter) = shown {
         focused_ui(ui, view, parameter);
@@ -92,7 +92,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
 
 /// What the parameter is, drawn and in words: question, range, default.
 fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
-    let cycle = view.session.cycles().cycle();
+    let cycle = view.session.cycles().cycle;
     let is_wide = space(WIDE) < ui.available_width();
     let words_ui = |ui: &mut Ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -142,7 +142,7 @@ fn is_beside(ui: &Ui, view: &View<'_>, run: &CycleRun) -> bool {
 
 /// The buttons that step along the path, and the move in words.
 fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, beside: bool) {
-    let step = view.session.cycles().step();
+    let step = view.session.cycles().step;
     let Some(now) = run.path.get(step) else { return };
     let said = said(view.words, now, step, run.path.len());
     ui.horizontal(|ui| {
@@ -160,7 +160,7 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, beside: bool) {
 
 /// The path up to a move.
 fn path_picture(ui: &mut Ui, view: &View<'_>, run: &CycleRun, height: f32) {
-    let step = view.session.cycles().step();
+    let step = view.session.cycles().step;
     let around = Surroundings::of(run.nominal, run.ball_radius);
     of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, around));
 }

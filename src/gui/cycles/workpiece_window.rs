@@ -38,7 +38,7 @@ pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
 
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    let shape = view.session.workpiece().shape();
+    let shape = view.session.workpiece().shape;
     let is_new = just_opened(ui, Id::unique("workpiece-shape"));
     ui.horizontal_wrapped(|ui| {
         for choice in Shape::ALL {
@@ -71,7 +71,7 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn plane_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         quiet(ui, view.text("cycles-plane"));
-        let chosen = view.session.workpiece().plane();
+        let chosen = view.session.workpiece().plane;
         for plane in [Plane::Xy, Plane::Zx, Plane::Yz] {
             if ui.radio(chosen == plane, plane.axes().join("/")).clicked() {
                 view.send(WorkpieceCommand::ChoosePlane(plane));

@@ -53,7 +53,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let rows = f32::from(u8::try_from(map.grades().count()).unwrap_or(u8::MAX)) + 1.0;
     let row = ((left(ui) - space(1.0)) / rows).clamp(space(3.0), space(5.5));
     grid_ui(ui, view, map, chosen, row);
-    for class in map.others() {
+    for class in &map.others {
         if ui.add(Button::selectable(chosen == Some(*class), class.as_str())).clicked() {
             view.send(FitCommand::ChooseClass(*class));
         }

@@ -47,7 +47,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, paired: &Paired) {
 }
 
 fn rows(view: &View<'_>, paired: &Paired, places: Range<usize>) -> Vec<Row<usize>> {
-    let selected = view.session.pairing().selected();
+    let selected = view.session.pairing().selected;
     let row = |place: usize| {
         let cells = cells(view, paired, paired.row(place)?);
         let said = said(view, &cells);

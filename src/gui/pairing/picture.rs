@@ -21,7 +21,7 @@ const LINE: f32 = 16.0;
 
 /// Heading, legend and picture in the room that is left.
 pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, paired: &Paired) {
-    let sight = paired.picture.sight(view.session.pairing().selected());
+    let sight = paired.picture.sight(view.session.pairing().selected);
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.text("pairing-page-picture"));
         let middle = view.words.number(&paired.middle_um());
@@ -69,7 +69,7 @@ fn describe(view: &View<'_>, paired: &Paired, sight: &PairingView) -> String {
     if !sight.is_all {
         said.push(words.say(&message!("pairing-page-describe-part").count("pairs", sight.pairs.range.len())));
     }
-    let selected = view.session.pairing().selected().and_then(|at| paired.row(at));
+    let selected = view.session.pairing().selected.and_then(|at| paired.row(at));
     if let Some(PairRow { hole, shaft, clearance, .. }) = selected {
         let message = message!("pairing-page-describe-selected")
             .text("hole", paired.hole_name(hole, words))
@@ -135,7 +135,7 @@ impl<'a> Drawing<'a> {
         for at in self.sight.pairs.drawn() {
             self.pair(at, Stroke::new(1.0, self.palette.quiet.0));
         }
-        let selected = self.view.session.pairing().selected();
+        let selected = self.view.session.pairing().selected;
         if let Some(at) = selected {
             self.pair(at, Stroke::new(3.0, self.palette.accent.0));
         }
@@ -231,7 +231,7 @@ impl<'a> Drawing<'a> {
     /// is in sight.
     fn overview(&self, room: Rect) {
         let room = Rect::from_min_max(pos2(room.left(), self.body.top()), pos2(room.right(), self.body.bottom()));
-        let bins = self.paired.picture.bins();
+        let bins = &self.paired.picture.bins;
         let (centre, half) = (room.center().x, room.width() / 2.0);
         let y = |bin: usize| room.bottom() - room.height() * ratio(bin, bins.len());
         for (number, bin) in bins.iter().enumerate() {

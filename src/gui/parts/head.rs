@@ -20,10 +20,10 @@ pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
         for action in [PartsAction::NewPlan, PartsAction::OpenPlan, PartsAction::SavePlan(0)] {
             view.field_button(ui, action);
         }
-        if view.session.parts().view() == PartsView::Plan {
+        if view.session.parts().view == PartsView::Plan {
             view.field_button(ui, PartsAction::SavePlan(1));
         }
-        let document = view.session.parts().document();
+        let document = &view.session.parts().document;
         if document.is_unsaved() {
             quiet(ui, view.words.say(&message!("parts-page-not-saved").text("name", document.name())));
         } else if !document.is_empty() {

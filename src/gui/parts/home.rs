@@ -34,7 +34,7 @@ pub(super) fn home_ui(ui: &Ui, view: &View<'_>) {
         *last = focused.or(before);
         before
     });
-    if has_dialog || Popup::is_any_open(ui.ctx()) || session.parts().sheet().is_editing() {
+    if has_dialog || Popup::is_any_open(ui.ctx()) || session.parts().sheet().is_editing {
         return;
     }
     // Below a dialog that was there in the frame before nothing can have the focus: it is given twice.
@@ -59,15 +59,15 @@ pub(super) fn home_ui(ui: &Ui, view: &View<'_>) {
 fn stops(view: &View<'_>) -> Vec<Id> {
     let parts = view.session.parts();
     let field = |field: WalkField| field::id(field);
-    match parts.view() {
-        PartsView::Plan if parts.document().is_empty() => Vec::new(),
+    match parts.view {
+        PartsView::Plan if parts.document.is_empty() => Vec::new(),
         PartsView::Plan => {
             let heads = crate::part::HeadField::ALL.map(|head| field::id(PlanField::Head(head)));
             std::iter::once(plan_id()).chain(heads).collect()
         }
-        PartsView::Walk if parts.walking().is_skipping() => vec![field(WalkField::Reason)],
-        PartsView::Walk if parts.walking().at().is_some() => vec![field(WalkField::Value), sizes_id()],
-        PartsView::Walk if parts.walking().is_begun() => vec![sizes_id()],
-        PartsView::Walk => parts.document().plan().map(|_| field(WalkField::Serial)).into_iter().collect(),
+        PartsView::Walk if parts.walking.is_skipping => vec![field(WalkField::Reason)],
+        PartsView::Walk if parts.walking.at.is_some() => vec![field(WalkField::Value), sizes_id()],
+        PartsView::Walk if parts.walking.is_begun() => vec![sizes_id()],
+        PartsView::Walk => parts.document.plan().map(|_| field(WalkField::Serial)).into_iter().collect(),
     }
 }

@@ -35,7 +35,7 @@ pub(super) const PAGE: PageView = PageView { ui: parts_ui, dropped };
 /// The page.
 fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
     home::home_ui(ui, view);
-    let is_walk = view.session.parts().view() == PartsView::Walk;
+    let is_walk = view.session.parts().view == PartsView::Walk;
     // Where there is no room, the head scrolls with the walk: the verdict stays in sight.
     if !(is_walk && walk::has_head(ui, view)) {
         let frame = Frame::side_top_panel(ui.style());

@@ -14,7 +14,7 @@ use crate::session::PartsAction;
 const ROOM: [f32; 2] = [225.0, 160.0];
 
 pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if view.session.parts().document().is_empty() {
+    if view.session.parts().document.is_empty() {
         return none_ui(ui, view);
     }
     keypad_ui(ui, view);

@@ -72,7 +72,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
         simulated.into_iter().chain([word]).chain(measured).collect()
     });
-    let slip = view.session.program().run().and_then(Run::record);
+    let slip = view.session.program().run().and_then(|run| run.record);
     recorded_ui(ui, view, slip.and_then(|slip| view.session.recording().of_slip(slip)));
 }
 

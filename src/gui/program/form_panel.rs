@@ -147,7 +147,7 @@ const fn from_id(from: WorkpieceFrom, has_limits: bool) -> &'static str {
 
 fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("program-page-workpiece"));
-    let chosen = view.session.program().workpiece();
+    let chosen = view.session.program().workpiece;
     let has_limits = view.session.program().has_inputs();
     let width = ui.available_width() - space(2.0);
     let all = WorkpieceFrom::ALL.map(|from| (from, view.text(from_id(from, has_limits))));

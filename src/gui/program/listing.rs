@@ -43,13 +43,13 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     let rect = ui.available_rect_before_wrap();
     let listing = ui.interact(rect, id(), Sense::focusable_noninteractive());
     let name = message!("program-page-listing").text("name", document.title());
-    let name = view.words.say(&name.count("count", document.program().blocks().len()));
+    let name = view.words.say(&name.count("count", document.program.blocks().len()));
     listing.widget_info(|| WidgetInfo::labeled(Role::List, true, &name));
-    let area = ScrollArea::both().id_salt(("listing", document.path())).auto_shrink(false);
+    let area = ScrollArea::both().id_salt(("listing", &document.path)).auto_shrink(false);
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().scroll.fade.strength = 0.0;
-        area.show_rows(ui, row_height(), document.program().line_count(), |ui, rows| {
+        area.show_rows(ui, row_height(), document.program.line_count(), |ui, rows| {
             rows_ui(ui, view, document, rows, rect);
         });
     });
@@ -67,11 +67,11 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, document: &Document, rows: Range<us
     let width = width.max(ui.available_width());
     let program = view.session.program();
     let run = program.run();
-    let current = run.and_then(Run::place).filter(|place| place.program == *document.path()).map(|place| place.block);
-    let failed = run.is_some_and(|run| run.state() == State::Faulted);
+    let current = run.and_then(Run::place).filter(|place| place.program == document.path).map(|place| place.block);
+    let failed = run.is_some_and(|run| run.state == State::Faulted);
     for line in rows {
         let (rect, _) = ui.allocate_exact_size(vec2(width, row_height()), Sense::hover());
-        let block = document.program().block_at(line);
+        let block = document.program.block_at(line);
         let begins = block.is_some_and(|block| document.first_line(block) == line);
         let row = VisibleLine { rect, line, block, begins, is_current: block.is_some() && block == current, failed };
         row_ui(ui, view, document, &row, seen);
@@ -92,8 +92,8 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine, 
     let palette = palette(ui.ctx());
     let painter = ui.painter();
     let whole = Rect::from_x_y_ranges(seen.x_range(), row.rect.y_range());
-    let is_selected = row.block == Some(document.selected());
-    let body = row.block.and_then(|block| document.program().blocks().get(block)).map(|block| &block.body);
+    let is_selected = row.block == Some(document.selected);
+    let body = row.block.and_then(|block| document.program.blocks().get(block)).map(|block| &block.body);
     if row.is_current {
         painter.rect_filled(whole, 0.0, palette.selection.0);
     } else if is_selected {
@@ -105,8 +105,8 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine, 
         let bar = Rect::from_min_size(whole.left_top(), vec2(3.0, whole.height()));
         painter.rect_filled(bar, 0.0, palette.accent.0);
     }
-    let text = document.program().line(row.line);
-    let line = paint::line(document.program().notation(), text, row.begins, palette);
+    let text = document.program.line(row.line);
+    let line = paint::line(document.program.notation(), text, row.begins, palette);
     let galley = ui.fonts_mut(|fonts| fonts.layout_job(line));
     let y = row.rect.center().y - galley.size().y / 2.0;
     painter.galley(pos2(row.rect.left() + gutter(), y), galley, palette.text.0);
@@ -129,7 +129,7 @@ fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine
     }
     // Not focusable: the listing is one stop for Tab.
     let response = ui.interact(row.rect, id().with(("block", block)), Sense::CLICK);
-    let is_selected = block == document.selected();
+    let is_selected = block == document.selected;
     response.widget_info(|| WidgetInfo::labeled(Role::ListItem, true, said(view, document, row, has_breakpoint)));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_selected(is_selected));
     if response.clicked() {
@@ -144,7 +144,7 @@ fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine
 
 /// What a screen reader says: the line, and its marks in words.
 fn said(view: &View<'_>, document: &Document, row: &VisibleLine, has_breakpoint: bool) -> String {
-    let text = document.program().line(row.line).trim();
+    let text = document.program.line(row.line).trim();
     let text = text.get(..text.floor_char_boundary(WIDEST.min(text.len()))).unwrap_or_default();
     let mut said = text.to_owned();
     let marks = [

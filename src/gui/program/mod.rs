@@ -130,11 +130,11 @@ fn tick(ui: &Ui, view: &mut View<'_>) {
         return;
     }
     let (id, now) = (Id::unique("program-tick"), ui.input(|input| input.time));
-    let interval = program.speed().interval();
+    let interval = program.speed.interval();
     let last = ui.data(|data| data.get_temp::<f64>(id)).unwrap_or(f64::NEG_INFINITY);
     // A clock that was set back does not stop the run.
     let waited = (now - last).abs();
-    if program.speed() == Speed::Fast || interval <= waited {
+    if program.speed == Speed::Fast || interval <= waited {
         ui.data_mut(|data| data.insert_temp(id, now));
         view.send(ProgramCommand::Tick);
         ui.request_repaint_after(Duration::from_secs_f64(interval));

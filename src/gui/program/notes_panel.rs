@@ -57,8 +57,7 @@ pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let document = program.shown();
     let of_selected = |note: &Note| {
-        document
-            .is_some_and(|document| note.place.block == document.selected() && note.place.program == *document.path())
+        document.is_some_and(|document| note.place.block == document.selected && note.place.program == document.path)
     };
     // Only as far as a frame can look.
     let selected = (0..count.min(MOST_WHOLE * 10)).filter_map(|number| program.note(number)).find(of_selected);

@@ -5,19 +5,19 @@ use eframe::egui::Ui;
 
 use crate::gui::cycles::picture::{Surroundings, path_picture};
 use crate::gui::view::{View, heading, quiet};
-use crate::session::program::{Document, Run, WorkpieceFrom};
+use crate::session::program::{Run, WorkpieceFrom};
 
 /// Whether the open program gets room for a path: it has one, or may get one.
 pub(super) fn has_room(view: &View<'_>) -> bool {
     let program = view.session.program();
-    program.main().is_some_and(Document::may_measure) || program.run().is_some_and(Run::has_path)
+    program.main().is_some_and(|document| document.may_measure) || program.run().is_some_and(Run::has_path)
 }
 
 /// The picture in the room that is left; its room is kept while there is none. A part is shown before it is measured.
 pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
     heading(ui, view.text("program-page-path"));
     let program = view.session.program();
-    let part = view.session.part().filter(|_| program.workpiece() == WorkpieceFrom::Part).map(|open| &open.part);
+    let part = view.session.part().filter(|_| program.workpiece == WorkpieceFrom::Part).map(|open| &open.part);
     let run = program.run().filter(|run| run.has_path());
     if run.is_none() && part.is_none() {
         quiet(ui, view.text("program-page-no-path"));

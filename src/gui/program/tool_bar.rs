@@ -8,7 +8,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_height, list_ui, live, one_of_ui};
 use crate::nc::machine::Shipped;
 use crate::session::ProgramAction;
-use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
+use crate::session::program::{EntryKind, Origin, Speed, State, Switch};
 use crate::session::{Command, ProgramCommand, Purpose};
 
 /// The width of the list of places to go to.
@@ -83,7 +83,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
                 view.send(ProgramCommand::OpenShipped(file));
             }
         }
-        for path in view.session.program().recent() {
+        for path in &view.session.program().recent {
             let chosen = view.session.program().origin() == Some(&Origin::File(path.clone()));
             if ui.selectable_label(chosen, path.display().to_string()).clicked() {
                 // As if it were opened again: it may have changed.
@@ -121,7 +121,7 @@ const fn speed_id(speed: Speed) -> &'static str {
 }
 
 fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let speed = view.session.program().speed();
+    let speed = view.session.program().speed;
     let name = view.text("program-page-speed");
     let all = Speed::ALL.map(|speed| (speed, view.text(speed_id(speed))));
     let (chosen, list) = one_of_ui(ui, "program-speed", space(LIST), &speed, all);
@@ -143,7 +143,7 @@ fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn state_ui(ui: &mut Ui, view: &View<'_>) {
     let program = view.session.program();
     let (mark, _) = ui.allocate_exact_size(vec2(space(5.0), space(5.0)), Sense::hover());
-    paint::state(ui.painter(), mark, program.run().map(Run::state), palette(ui.ctx()));
+    paint::state(ui.painter(), mark, program.run().map(|run| run.state), palette(ui.ctx()));
     let said = view.words.say(&program.state_message());
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
     live(ui, &label, &said, Live::Polite);
@@ -152,9 +152,9 @@ fn state_ui(ui: &mut Ui, view: &View<'_>) {
 /// The programs that called one another; each can be shown.
 fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
-    let Some(run) = program.run().filter(|run| run.state() != State::Ended) else { return };
+    let Some(run) = program.run().filter(|run| run.state != State::Ended) else { return };
     let programs = run.programs();
-    if programs.len() < 2 && program.shown().map(Document::path) == programs.first() {
+    if programs.len() < 2 && program.shown().map(|document| &document.path) == programs.first() {
         return;
     }
     ui.separator();
@@ -162,7 +162,7 @@ fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
         if 0 < number {
             ui.label("→");
         }
-        let shown = program.shown().is_some_and(|document| *document.path() == path);
+        let shown = program.shown().is_some_and(|document| document.path == path);
         if ui.add(Button::selectable(shown, path.file_name())).clicked() {
             view.send(ProgramCommand::ShowProgram(path));
         }
@@ -172,12 +172,12 @@ fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Structure blocks and labels: the list jumps to them.
 fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(document) = view.session.program().shown() else { return };
-    let outline = document.outline();
+    let outline = &document.outline;
     if outline.is_empty() {
         return;
     }
     let name = ui.label(view.text("program-page-outline"));
-    let under = document.under(document.selected());
+    let under = document.under(document.selected);
     let text = under.and_then(|number| outline.get(number)).map(|entry| entry.text.clone());
     let text = text.unwrap_or_else(|| view.text("program-page-outline-none"));
     let height = list_height(ui);
@@ -192,7 +192,7 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
                     let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
                     let button = Button::selectable(under == Some(number), text).truncate();
                     if ui.add(button.min_size(vec2(0.0, control(ui)))).clicked() {
-                        let program = document.path().clone();
+                        let program = document.path.clone();
                         let place = crate::nc::machine::BlockPlace { program, block: entry.block };
                         view.send(ProgramCommand::GoTo(place));
                         ui.close();

@@ -9,7 +9,7 @@ use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::{Say as _, message};
 use crate::session::WorkpieceAction;
-use crate::session::program::{Document, Run, ToolOf};
+use crate::session::program::{Run, ToolOf};
 use crate::session::{ProgramCommand, ProgramField};
 
 /// The most tools and changes that are drawn.
@@ -21,7 +21,7 @@ const FIELD: f32 = 24.0;
 /// Which table is open, and for each tool of the program which one it is; a list to pick it where it is an input.
 pub(super) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
-    let may_measure = program.main().is_some_and(Document::may_measure);
+    let may_measure = program.main().is_some_and(|document| document.may_measure);
     if !may_measure && view.session.tools().is_none() {
         return;
     }

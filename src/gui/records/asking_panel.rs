@@ -74,10 +74,10 @@ fn more_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// How many records there are, as far as that is known.
 fn count_ui(ui: &mut Ui, view: &View<'_>) {
-    let listing = view.session.records().listing();
+    let listing = &view.session.records().listing;
     let count = listing.count();
     let number = grouped(u64::try_from(count).unwrap_or(u64::MAX));
-    let id = match (listing.is_stale(), listing.is_whole()) {
+    let id = match (listing.is_stale, listing.is_whole) {
         (true, _) => "records-page-looking",
         (false, true) => "records-page-count",
         (false, false) => "records-page-more",

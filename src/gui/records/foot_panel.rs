@@ -40,7 +40,7 @@ pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn place_ui(ui: &mut Ui, view: &View<'_>) {
     let recording = view.session.recording();
     let file = recording.file().map(|file| file.display().to_string()).unwrap_or_default();
-    let entries = recording.newest();
+    let entries = recording.newest;
     let said = message!("records-page-place").text("file", &file).text("entries", grouped(entries));
     let mut said = view.words.say(&said);
     if let Some(server) = recording.server() {
@@ -71,7 +71,7 @@ fn server_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// What is wrong, when something is.
 fn wrong_ui(ui: &mut Ui, view: &mut View<'_>) {
     let recording = view.session.recording();
-    if let Keeping::Failed(why) = recording.keeping() {
+    if let Keeping::Failed(why) = &recording.keeping {
         problem(ui, view.words.say(&message!("records-page-not-opened").message("why", why.clone())));
     }
     let failed = recording.failed();
@@ -90,7 +90,7 @@ fn wrong_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// How far the walk is, or what it has found.
 fn walk_ui(ui: &mut Ui, view: &View<'_>) {
     let words = view.words;
-    match view.session.records().walk() {
+    match &view.session.records().walk {
         Walk::None => {}
         Walk::Running { done, of } => {
             let bar = ProgressBar::new(share(*done, *of)).desired_width(space(25.0)).desired_height(space(3.0));

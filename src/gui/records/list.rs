@@ -33,13 +33,13 @@ pub(in crate::gui) const COLUMNS: [Column; 11] = [
 pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.records();
     let table = Table {
-        count: page.listing().count(),
+        count: page.listing.count(),
         look: page.look(),
         empty: nothing(view),
         ..Table::new(id(), "records-page-list", &COLUMNS)
     };
     let seen = table.show(ui, view, rows);
-    if view.session.records().listing().lacks(&seen.places) {
+    if view.session.records().listing.lacks(&seen.places) {
         view.send(RecordsCommand::See(seen.places));
     }
     if let Some((number, is_chosen)) = seen.chosen {
@@ -52,8 +52,8 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Why there are no rows.
 fn nothing(view: &View<'_>) -> String {
-    let listing = view.session.records().listing();
-    view.text(match (listing.is_whole(), view.session.recording().newest() <= 1) {
+    let listing = &view.session.records().listing;
+    view.text(match (listing.is_whole, view.session.recording().newest <= 1) {
         (false, _) => "records-page-looking",
         (true, true) => "records-page-empty",
         (true, false) => "records-page-none-found",
@@ -62,16 +62,16 @@ fn nothing(view: &View<'_>) -> String {
 
 fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<u64>> {
     let page = view.session.records();
-    let listing = page.listing();
+    let listing = &page.listing;
     let row = |number: u64| {
         let read = listing.row(number);
         let cells = read.map_or_else(|| RecordCells::missing(number), |row| RecordCells::of(view.words, row));
         let is_struck = cells.is_struck;
         Row {
-            is_cursor: page.cursor() == Some(number),
+            is_cursor: page.cursor == Some(number),
             is_open: page.opened().is_some_and(|open| open.number == number),
             is_struck,
-            is_quiet: read.is_none() || listing.is_stale(),
+            is_quiet: read.is_none() || listing.is_stale,
             ..cells.into_row(view.words, number, (page.is_chosen(number), read.is_some()))
         }
     };

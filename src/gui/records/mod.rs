@@ -71,7 +71,7 @@ fn nothing_ui(ui: &mut Ui, view: &View<'_>) {
     CentralPanel::default().show(ui, |ui| {
         column_ui(ui, "records-none", |ui| {
             heading(ui, view.text("page-records"));
-            let is_off = *view.session.recording().keeping() == Keeping::Off;
+            let is_off = view.session.recording().keeping == Keeping::Off;
             ui.label(view.text(if is_off { "records-page-off" } else { "records-page-nowhere" }));
             quiet(ui, view.text("records-page-how-on"));
         });

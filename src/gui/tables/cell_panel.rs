@@ -33,7 +33,7 @@ const MOST_TOLD: usize = 6;
 pub(super) fn cell_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.5);
     let Some(document) = view.session.tables().shown() else { return };
-    let Some((class, range)) = document.selected() else {
+    let Some((class, range)) = document.selected else {
         quiet(ui, view.text("tables-no-columns"));
         return;
     };
@@ -117,7 +117,7 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>, top: Pos2) {
         let ranges: Vec<_> = defined.iter().map(|range| range_text(view, *range)).collect();
         quiet(ui, view.words.say(&message!("tables-defined").text("ranges", ranges.join(", "))));
     }
-    if selected.document.origin() == Origin::Shipped {
+    if selected.document.origin == Origin::Shipped {
         quiet(ui, view.text("tables-shipped-hint"));
     }
     let range = range_text(view, selected.document.range(selected.range).unwrap_or_default());
@@ -135,7 +135,7 @@ fn range_text(view: &View<'_>, (over, to): (Length, Length)) -> String {
 /// `As in ISO 286`, or what differs by how much; for which sizes, where that is not the whole range.
 fn verdict(view: &View<'_>, selected: &Selected<'_>) -> Vec<String> {
     if selected.document.is_own_class(selected.class) {
-        let undefined = iso286::deviations(selected.class, Length::MAX, selected.document.options()).err();
+        let undefined = iso286::deviations(selected.class, Length::MAX, selected.document.options).err();
         return undefined.iter().map(|undefined| view.words.told(undefined)).collect();
     }
     if selected.differences.is_empty() {

@@ -23,10 +23,10 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let tables = view.session.tables();
     let Some(document) = tables.shown() else { return };
     let (head, cell) = (vec2(space(28.0), space(11.0)), vec2(space(17.0), space(10.0)));
-    let widths = tables.filter().columns().iter().map(|_| cell.x);
+    let widths = tables.filter.columns.iter().map(|_| cell.x);
     let grid = Grid::new(id(), tables.number(), head, widths, (document.table().ends().len(), cell.y));
     let rect = ui.available_rect_before_wrap();
-    let name = view.words.say(&message!("tables-grid").text("name", document.title()));
+    let name = view.words.say(&message!("tables-grid").text("name", &document.title));
     let place = grid.place_ui(ui, rect, &name);
     if just_opened(ui, id()) {
         place.request_focus();
@@ -46,9 +46,9 @@ type DrawnCell = (usize, ToleranceClass, usize);
 
 /// Draws the cells in sight.
 fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&Grid, &Cells<'_>), focused: bool) {
-    let filter = view.session.tables().filter();
+    let filter = &view.session.tables().filter;
     for place in cells.columns() {
-        let Some(&column) = filter.columns().get(place) else { continue };
+        let Some(&column) = filter.columns.get(place) else { continue };
         let Some(class) = document.table().columns().get(column) else { continue };
         let decimals = paint::decimals(ui.painter(), &class.cells);
         for range in cells.rows() {
@@ -60,8 +60,8 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
                 decimals,
                 cell,
                 differs: !document.differences(column, range).is_empty(),
-                cursor: (document.selected() == Some((class.class, range))).then_some(focused),
-                marked: filter.rows().contains(&range),
+                cursor: (document.selected == Some((class.class, range))).then_some(focused),
+                marked: filter.rows.contains(&range),
             };
             paint::cell(ui.painter(), rect, &look);
             cell_ui(ui, view, document, grid, ((column, class.class, range), rect));
@@ -72,7 +72,7 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
 /// A cell can be clicked; for a screen reader it has a name.
 fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (place, rect): (DrawnCell, Rect)) {
     let (_, class, range) = place;
-    let selected = document.selected() == Some((class, range));
+    let selected = document.selected == Some((class, range));
     let (salt, click) = ((class.as_str(), range), (rect, Sense::CLICK));
     let response = grid.cell_ui(ui, salt, click, selected, || cell_name(view, document, place));
     if response.clicked() {
@@ -100,17 +100,17 @@ fn cell_name(view: &View<'_>, document: &Document, (column, class, range): Drawn
 
 /// The selected cell, and a row that the filter names, come into sight when they change; afterwards scrolling is free.
 fn follow(ui: &Ui, view: &View<'_>, document: &Document, cells: &Cells<'_>) {
-    let filter = view.session.tables().filter();
-    let selected = document.selected().and_then(|(class, range)| {
+    let filter = &view.session.tables().filter;
+    let selected = document.selected.and_then(|(class, range)| {
         let column = document.column(class)?;
-        Some((filter.columns().binary_search(&column).ok()?, range))
+        Some((filter.columns.binary_search(&column).ok()?, range))
     });
     let changed = |key: &str, value: Option<(usize, usize)>| {
         let key = id().with((key, view.session.tables().number()));
         let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(key), value));
         value.filter(|value| before != Some(*value))
     };
-    if let Some((_, row)) = changed("row", filter.rows().first().map(|row| (0, *row))) {
+    if let Some((_, row)) = changed("row", filter.rows.first().map(|row| (0, *row))) {
         cells.look_at_row(ui, row);
     }
     if let Some((place, row)) = changed("cell", selected) {
@@ -121,10 +121,10 @@ fn follow(ui: &Ui, view: &View<'_>, document: &Document, cells: &Cells<'_>) {
 /// The heads above and on the left, moved along with the cells.
 fn heads_ui(ui: &Ui, view: &View<'_>, document: &Document, rect: Rect, cells: &Cells<'_>) {
     let palette = palette(ui.ctx());
-    let filter = view.session.tables().filter();
-    let selected = document.selected();
+    let filter = &view.session.tables().filter;
+    let selected = document.selected;
     let class_of = |place: usize| {
-        let column = *filter.columns().get(place)?;
+        let column = *filter.columns.get(place)?;
         Some((column, document.table().columns().get(column)?.class))
     };
     let corner = cells.heads_ui(
@@ -145,7 +145,7 @@ fn heads_ui(ui: &Ui, view: &View<'_>, document: &Document, rect: Rect, cells: &C
         |painter, head, range| {
             let (over, to) = document.range(range).unwrap_or_default();
             let text = format!("{} – {}", view.words.mm(over, 0), view.words.mm(to, 0));
-            let marked = filter.rows().contains(&range) || selected.is_some_and(|(_, selected)| selected == range);
+            let marked = filter.rows.contains(&range) || selected.is_some_and(|(_, selected)| selected == range);
             paint::head(painter, head, &paint::Head { palette, text: &text, remark: "", differs: false, marked });
         },
     );

@@ -65,11 +65,11 @@ fn told(view: &View<'_>, title: &str, origin: Origin) -> String {
 
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-choice"));
-    let shown = view.session.tables().shown().map(|document| told(view, document.title(), document.origin()));
+    let shown = view.session.tables().shown().map(|document| told(view, &document.title, document.origin));
     let list = list_ui(ui, "table-choice", shown.unwrap_or_default(), space(64.0), |ui| {
-        let open = view.session.tables().documents().iter().enumerate();
+        let open = view.session.tables().documents.iter().enumerate();
         let open = open.map(|(number, document)| {
-            let mut text = told(view, document.title(), document.origin());
+            let mut text = told(view, &document.title, document.origin);
             if document.is_unsaved() {
                 text = format!("{text}, {}", view.text("tables-unsaved"));
             }
@@ -94,12 +94,12 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let field = field_ui(ui, view, TablesField::Filter, name.id, look);
     field.on_hover_text(view.text("tables-filter-hint"));
     let Some(document) = view.session.tables().shown() else { return };
-    let (filter, all) = (view.session.tables().filter(), document.table().columns().len());
-    if filter.unmatched().is_empty() {
-        let count = message!("tables-shown").text("shown", filter.columns().len()).count("count", all);
+    let (filter, all) = (&view.session.tables().filter, document.table().columns().len());
+    if filter.unmatched.is_empty() {
+        let count = message!("tables-shown").text("shown", filter.columns.len()).count("count", all);
         quiet(ui, view.words.say(&count));
     } else {
-        let words = filter.unmatched().join(" ");
+        let words = filter.unmatched.join(" ");
         let text = view.words.say(&message!("tables-unmatched").text("words", words));
         let text = RichText::new(text).color(palette(ui.ctx()).error.0).size(sizes().small);
         ui.scope(|ui| {
@@ -112,7 +112,7 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Whether the table agrees with ISO 286: mark and sentence, and the way from difference to difference.
 fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
-    let comparison = document.comparison();
+    let comparison = &document.comparison;
     let (found, compared) = (document.differing(), comparison.compared);
     let palette = palette(ui.ctx());
     let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());

@@ -13,8 +13,8 @@ impl Session {
     pub fn answers(&self) -> Vec<Action> {
         let (question, meant, as_it_is): (_, Action, Action) = match self.page() {
             Page::Check => (self.check().question(), CheckAction::TakeMeant.into(), CheckAction::JudgeAnyway.into()),
-            Page::Parts if self.parts().view() == PartsView::Walk => {
-                let question = self.parts().walking().question();
+            Page::Parts if self.parts().view == PartsView::Walk => {
+                let question = self.parts().walking.question();
                 (question, PartsAction::TakeMeantValue.into(), PartsAction::TakeValue.into())
             }
             _ => return Vec::new(),

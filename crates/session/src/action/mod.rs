@@ -183,7 +183,7 @@ impl Session {
             Some(ColumnsCommand::Leave.into())
         } else if has_notice {
             Some(Command::Close)
-        } else if self.parts().walking().is_skipping() && is_on(Page::Parts) {
+        } else if self.parts().walking.is_skipping && is_on(Page::Parts) {
             Some(WalkCommand::AskSkip(false).into())
         } else if self.cycles().block().is_some() && is_on(Page::Cycles) {
             Some(CyclesCommand::ShowBlock(false).into())

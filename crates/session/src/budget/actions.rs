@@ -64,9 +64,9 @@ impl Actions for BudgetAction {
             Self::OwnContacts => of_page("budget-page-own-contacts", BudgetCommand::OwnContacts)
                 .when(|session| session.budget().contacts().is_some()),
             Self::OpenReadings => opening("budget-page-open-readings", Purpose::OpenReadings)
-                .when(|session| session.budget().asks().readings),
+                .when(|session| session.budget().asks.readings),
             Self::TakeReadings => of_page("budget-page-take-readings", BudgetCommand::TakeRecords)
-                .when(|session| session.budget().asks().readings && has_history(session)),
+                .when(|session| session.budget().asks.readings && has_history(session)),
             Self::OwnReadings => of_page("budget-page-own-readings", BudgetCommand::OwnReadings)
                 .when(|session| session.budget().readings().is_some()),
         }

@@ -60,14 +60,15 @@ pub struct BudgetPage {
     errors: BTreeMap<BudgetField, Message>,
     document: Document,
     /// How many texts were opened.
-    opened: u64,
+    pub opened: u64,
     /// What is opened once the user gives up the changes.
     waiting: Option<Document>,
     /// A file that is being written, with its text.
     saving: Option<(PathBuf, String)>,
     /// `None` while there is no text.
     read: Option<Result<Budget, Located<BudgetError>>>,
-    asks: Asks,
+    /// What the budget asks for besides its text.
+    pub asks: Asks,
     contacts: Option<TakenContacts>,
     source: Option<Source>,
     readings: Option<Readings>,
@@ -90,11 +91,6 @@ impl BudgetPage {
         self.document.name()
     }
 
-    /// A number that changes when another text is opened.
-    pub const fn opened(&self) -> u64 {
-        self.opened
-    }
-
     /// Whether there are changes that no file holds.
     pub fn is_unsaved(&self) -> bool {
         self.document.is_unsaved()
@@ -108,11 +104,6 @@ impl BudgetPage {
     /// What the text says; `None` while there is none.
     pub const fn read(&self) -> Option<&Result<Budget, Located<BudgetError>>> {
         self.read.as_ref()
-    }
-
-    /// What the budget asks for besides its text.
-    pub const fn asks(&self) -> Asks {
-        self.asks
     }
 
     /// The contacts that were taken over.

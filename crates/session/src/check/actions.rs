@@ -135,7 +135,7 @@ impl Actions for CheckAction {
             Self::ShowCheck => ActionRow::new(
                 ActionScope::Part(HISTORY),
                 "history-show",
-                Sends::FromState(|session| CheckCommand::Show(session.history().cursor().unwrap_or_default()).into()),
+                Sends::FromState(|session| CheckCommand::Show(session.history().cursor.unwrap_or_default()).into()),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
@@ -143,7 +143,7 @@ impl Actions for CheckAction {
                 ActionScope::Part(HISTORY),
                 "history-choose",
                 Sends::FromState(|session| {
-                    let id = session.history().cursor().unwrap_or_default();
+                    let id = session.history().cursor.unwrap_or_default();
                     CheckCommand::Choose(id, !session.history().is_chosen(id)).into()
                 }),
             )
@@ -172,7 +172,7 @@ impl Actions for CheckAction {
                 ActionScope::Part(ROWS),
                 "rows-show",
                 Sends::FromState(|session| {
-                    RowsCommand::Check(session.check().rows().and_then(Rows::cursor).unwrap_or_default()).into()
+                    RowsCommand::Check(session.check().rows().and_then(|rows| rows.cursor).unwrap_or_default()).into()
                 }),
             )
             .key(Shortcut::plain(Key::Enter))
@@ -207,7 +207,7 @@ impl Actions for CheckAction {
         Some(match *self {
             Self::ShowRows(shows_rows) => session.check().shows_rows() == shows_rows,
             Self::OnlyBad => session.history().listed().query().only_bad,
-            Self::MeasureBy(by) => session.check().by() == by,
+            Self::MeasureBy(by) => session.check().by == by,
             _ => return None,
         })
     }

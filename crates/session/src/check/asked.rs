@@ -19,7 +19,8 @@ use crate::texts::{Range, Texts, whole};
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone, Default)]
 pub struct CheckInputs {
-    callout: Option<Callout>,
+    /// The callout, when it can be read (its limits may still be refused).
+    pub callout: Option<Callout>,
     /// Where in the callout's text an error shows, in characters.
     culprit: Option<ops::Range<usize>>,
     limits: Option<Limits>,
@@ -30,7 +31,8 @@ pub struct CheckInputs {
     pub(super) seed: Option<u64>,
     /// The number of lobes of the simulated workpiece.
     pub(super) lobes: Option<u32>,
-    worth: RuleFields,
+    /// What a measured value is worth: rule, uncertainty, temperature.
+    pub worth: RuleFields,
     /// What is asked about first.
     doubted: Option<DoubtedText>,
     errors: BTreeMap<CheckField, Message>,
@@ -151,11 +153,6 @@ impl CheckInputs {
         whole(text).map_err(|error| self.errors.insert(field, error)).ok()
     }
 
-    /// The callout, when it can be read (its limits may still be refused).
-    pub const fn callout(&self) -> Option<Callout> {
-        self.callout
-    }
-
     /// Where in the callout's text an error shows: characters counted from 0.
     pub const fn culprit(&self) -> Option<&ops::Range<usize>> {
         self.culprit.as_ref()
@@ -174,11 +171,6 @@ impl CheckInputs {
     /// The length in a field, mm, when it can be read.
     pub fn length(&self, field: CheckField) -> Option<Length> {
         self.lengths.get(&field).copied()
-    }
-
-    /// What a measured value is worth: rule, uncertainty, temperature.
-    pub const fn worth(&self) -> &RuleFields {
-        &self.worth
     }
 
     /// The first text that may not mean what it says.

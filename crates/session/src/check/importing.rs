@@ -142,7 +142,7 @@ fn judge_contacts(
         PositionVerdict { axes: [axis(x, nominal_x), axis(y, nominal_y)] }
     });
     let record = record(page.text(CheckField::Part), asked, limits, (measurement, position), now);
-    asked.worth().judge(record, budget).map_err(|(_, problem)| problem)
+    asked.worth.judge(record, budget).map_err(|(_, problem)| problem)
 }
 
 /// Judges what a file holds by the user's rule, and says so. Its values are taken as they are: at which temperature each was

@@ -12,12 +12,17 @@ use crate::Step;
 /// A file of measurements that was imported.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Lot {
-    name: String,
-    rows: usize,
+    /// The file's name without its folder.
+    pub name: String,
+    /// How many rows or logs were read.
+    pub rows: usize,
     counts: [usize; Status::ALL.len()],
-    unjudged: usize,
-    refused: usize,
-    doubted: usize,
+    /// How many measurements were not judged, because nothing says what they should be.
+    pub unjudged: usize,
+    /// How many rows could not be used.
+    pub refused: usize,
+    /// How many judged values may be another quantity.
+    pub doubted: usize,
     /// Record in the history and line in the file of every row that was judged, worst first.
     order: Vec<(RecordId, usize)>,
     /// Which of them is shown.
@@ -48,34 +53,9 @@ impl Lot {
         }
     }
 
-    /// The file's name without its folder.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// How many rows or logs were read.
-    pub const fn rows(&self) -> usize {
-        self.rows
-    }
-
     /// How many rows have each status, best first.
     pub fn counts(&self) -> impl Iterator<Item = (Status, usize)> {
         Status::ALL.into_iter().zip(self.counts)
-    }
-
-    /// How many measurements were not judged, because nothing says what they should be.
-    pub const fn unjudged(&self) -> usize {
-        self.unjudged
-    }
-
-    /// How many rows could not be used.
-    pub const fn refused(&self) -> usize {
-        self.refused
-    }
-
-    /// How many judged values may be another quantity.
-    pub const fn doubted(&self) -> usize {
-        self.doubted
     }
 
     /// How many rows were judged.

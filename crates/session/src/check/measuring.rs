@@ -35,7 +35,7 @@ pub(super) fn measure(page: &CheckPage, budget: Option<&OpenBudget>, now: DateTi
         })?,
     };
     let record = record(page.text(CheckField::Part), asked, limits, (measurement, position), now);
-    asked.worth().judge(record, budget)
+    asked.worth.judge(record, budget)
 }
 
 /// The record of a measurement that was brought to 20 °C where a temperature is given.
@@ -46,8 +46,8 @@ pub(super) fn record(
     (measurement, position): (Measurement, Option<PositionVerdict>),
     now: DateTime,
 ) -> Record {
-    let callout = asked.callout().map(|callout| callout.of_part(limits.feature));
-    let correction = asked.worth().correction(measurement.diameter);
+    let callout = asked.callout.map(|callout| callout.of_part(limits.feature));
+    let correction = asked.worth.correction(measurement.diameter);
     let record = Record::judged(now, part.trim().to_owned(), callout, limits.clone(), measurement, position);
     match correction {
         Some(correction) => record.corrected(correction),

@@ -83,13 +83,15 @@ pub struct Question {
 #[expect(clippy::struct_excessive_bools, reason = "each answers another question about the page")]
 pub struct CheckPage {
     texts: Texts<CheckField>,
-    by: MeasureBy,
+    /// Where the next measurement comes from.
+    pub by: MeasureBy,
     /// Hole or shaft, and the callout that was meant: another one is asked about anew. Without one it is that of the first callout.
     feature: Option<(Option<Callout>, Feature)>,
     judging: RuleChoice,
     /// How the user wants the next part to be judged, while a shown record's own stands in its place.
     own_judging: Option<RuleChoice>,
-    asked: CheckInputs,
+    /// What the fields mean.
+    pub asked: CheckInputs,
     shown: Option<ShownCheck>,
     /// The record whose limits are on screen: it may come from tables that are no longer used, or from a log without a
     /// callout. Limits of the latter stay after its verdict is gone.
@@ -102,7 +104,7 @@ pub struct CheckPage {
     /// Whether the typed diameter was measured already: a new callout empties its field.
     measured_is_used: bool,
     /// Whether Enter came once more for a check that is shown already.
-    is_repeated: bool,
+    pub is_repeated: bool,
     /// When a typed value was judged last.
     judged: Asking,
     question: Option<Question>,
@@ -182,16 +184,6 @@ impl CheckPage {
         self.own_judging.unwrap_or(self.judging)
     }
 
-    /// What the fields mean.
-    pub const fn asked(&self) -> &CheckInputs {
-        &self.asked
-    }
-
-    /// Where the next measurement comes from.
-    pub const fn by(&self) -> MeasureBy {
-        self.by
-    }
-
     /// Hole or shaft, where the callout does not say it.
     pub fn feature(&self) -> Option<Feature> {
         self.feature.map(|(_, feature)| feature)
@@ -205,11 +197,6 @@ impl CheckPage {
     /// Says that it was asked for once more.
     pub(super) const fn say_repeated(&mut self) {
         self.is_repeated = self.would_repeat();
-    }
-
-    /// Whether the check that is shown was asked for once more, with nothing entered since: it is no second measurement.
-    pub const fn is_repeated(&self) -> bool {
-        self.is_repeated
     }
 
     /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
@@ -251,7 +238,7 @@ impl CheckPage {
 
     /// The callout of the part that is judged: one side of a fit.
     fn part_callout(&self) -> Option<Callout> {
-        let callout = self.asked.callout()?;
+        let callout = self.asked.callout?;
         Some(self.feature().map_or(callout, |feature| callout.of_part(feature)))
     }
 }

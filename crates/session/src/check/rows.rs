@@ -55,7 +55,7 @@ impl CheckPage {
             RowsCommand::Keep => {
                 if let Some((record, labels)) = rows.shown().and_then(|row| row.record.clone().zip(row.labels.clone()))
                 {
-                    let file = rows.sha256().and_then(|sha256| used(FileRole::Measurements, rows.name(), Some(sha256)));
+                    let file = rows.sha256.and_then(|sha256| used(FileRole::Measurements, &rows.name, Some(sha256)));
                     let id = shared.history.add(vec![Arc::clone(&record)]);
                     self.keep(id, (&[record], &[labels]), file.as_ref(), shared);
                     shared.note(message!("rows-kept"), Vec::new());

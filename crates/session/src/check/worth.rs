@@ -43,7 +43,8 @@ pub(super) fn is_of_temperature(field: CheckField) -> bool {
 /// What the fields mean.
 #[derive(Debug, Clone, Default)]
 pub struct RuleFields {
-    judging: RuleChoice,
+    /// What is chosen.
+    pub judging: RuleChoice,
     given: RuleInputs,
     /// Why there is no rule.
     no_rule: Option<Refusal>,
@@ -54,7 +55,7 @@ pub struct RuleFields {
     /// What the process makes.
     process: Option<(Option<Length>, f64)>,
     /// What goes wrong by the rule, for these limits and this process.
-    risks: Option<Risks>,
+    pub risks: Option<Risks>,
 }
 
 impl RuleFields {
@@ -123,11 +124,6 @@ impl RuleFields {
             made(rule, given)?;
         }
         Ok(given)
-    }
-
-    /// What is chosen.
-    pub const fn judging(&self) -> RuleChoice {
-        self.judging
     }
 
     /// The rule, where it is the same for every value; `None` where the fields give none, or a budget has to be asked.
@@ -241,11 +237,6 @@ impl RuleFields {
     /// From which temperature values are brought to 20 °C.
     pub(crate) fn temperature(&self) -> Option<Temperature> {
         self.warm.map(|(part, _scale)| part.temperature)
-    }
-
-    /// What goes wrong by the rule for what the process makes; `None` where process or uncertainty is not given.
-    pub const fn risks(&self) -> Option<Risks> {
-        self.risks
     }
 
     /// Computes the risks for limits.

@@ -47,7 +47,7 @@ impl Session {
 
     /// The plan that the values of the shown file are judged by.
     fn plan_of_columns(&self) -> Option<Arc<Plan>> {
-        let into = self.shared.columns.open().map(|open| open.asked().into);
+        let into = self.shared.columns.open().map(|open| open.asked.into);
         self.plan_for(into?)
     }
 
@@ -55,8 +55,8 @@ impl Session {
         match into {
             ImportInto::History => None,
             ImportInto::Part(run) => {
-                let walking = self.parts.walking();
-                walking.plan().filter(|_| run == walking.run()).map(Arc::clone)
+                let walking = &self.parts.walking;
+                walking.plan().filter(|_| run == walking.run).map(Arc::clone)
             }
         }
     }
@@ -68,7 +68,7 @@ impl Session {
             return self.shared.tell(message!("walk-page-import-late").text("name", &asked.name));
         }
         // Asked about a second time, a file begins anew.
-        self.shared.columns.open.retain(|open| open.asked().path != asked.path);
+        self.shared.columns.open.retain(|open| open.asked.path != asked.path);
         let open = OpenColumns::new(asked, &self.shared.sources, plan.as_deref(), now);
         self.shared.columns.open.push_back(open);
     }
@@ -81,7 +81,8 @@ impl Session {
             Arc::make_mut(&mut columns.remembered).keep(kept);
             self.shared.spread(News::Columns);
         }
-        let (asked, mapping) = (open.asked(), Box::new(open.mapping()));
+        let mapping = Box::new(open.mapping());
+        let asked = open.asked;
         vec![Effect::ReadColumns { into: asked.into, path: asked.path.clone(), mapping }]
     }
 }
@@ -94,6 +95,6 @@ impl Session {
 
     /// What is remembered of the columns of files.
     pub const fn remembered_columns(&self) -> &Arc<fitcheck_exchange::exchange::Remembered> {
-        self.shared.columns.remembered()
+        &self.shared.columns.remembered
     }
 }

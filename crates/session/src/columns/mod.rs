@@ -39,7 +39,7 @@ pub struct NoticeColumns {
 /// The columns of files.
 #[derive(Debug, Default)]
 pub(crate) struct Columns {
-    remembered: Arc<Remembered>,
+    pub remembered: Arc<Remembered>,
     /// Files whose columns are asked about, the first one is shown.
     open: VecDeque<OpenColumns>,
     /// What was said of the file whose content comes next.
@@ -54,10 +54,6 @@ impl Columns {
     /// What survives a restart.
     pub fn saved(&self) -> Remembered {
         (*self.remembered).clone()
-    }
-
-    pub const fn remembered(&self) -> &Arc<Remembered> {
-        &self.remembered
     }
 
     pub fn open(&self) -> Option<&OpenColumns> {

@@ -66,17 +66,23 @@ pub enum ColumnChoice {
 /// A file whose columns are being looked at.
 #[derive(Debug, Clone)]
 pub struct OpenColumns {
-    asked: ColumnsRequest,
-    choice: Choice,
-    rows: Vec<(usize, Vec<String>)>,
-    width: usize,
+    /// The file, where its values go, and whether the user asked to see its columns.
+    pub asked: ColumnsRequest,
+    /// What is chosen.
+    pub choice: Choice,
+    /// The first rows from the top, with their lines.
+    pub rows: Vec<(usize, Vec<String>)>,
+    /// How many columns there are.
+    pub width: usize,
     names: Vec<String>,
-    header: Option<usize>,
+    /// The line of the header.
+    pub header: Option<usize>,
     /// The lines of the shown rows that are read as values.
-    lines: Vec<usize>,
+    pub lines: Vec<usize>,
     /// What says the unit of sizes, as it stands in the file.
     unit_from: Option<String>,
-    read: usize,
+    /// How many of the shown rows become values.
+    pub read: usize,
     problem: Option<Message>,
     /// Why nothing can be taken.
     refusal: Option<Message>,
@@ -165,26 +171,6 @@ impl OpenColumns {
         &self.asked.name
     }
 
-    /// The file, where its values go, and whether the user asked to see its columns.
-    pub const fn asked(&self) -> &ColumnsRequest {
-        &self.asked
-    }
-
-    /// What is chosen.
-    pub const fn choice(&self) -> &Choice {
-        &self.choice
-    }
-
-    /// The first rows from the top, with their lines.
-    pub fn rows(&self) -> &[(usize, Vec<String>)] {
-        &self.rows
-    }
-
-    /// How many columns there are.
-    pub const fn width(&self) -> usize {
-        self.width
-    }
-
     /// The name of a column, from 0; empty where it has none.
     pub fn column_name(&self, at: usize) -> &str {
         self.names.get(at).map_or("", String::as_str)
@@ -195,16 +181,6 @@ impl OpenColumns {
         self.choice.roles.get(at).copied().flatten()
     }
 
-    /// The line of the header.
-    pub const fn header(&self) -> Option<usize> {
-        self.header
-    }
-
-    /// The lines of the shown rows that are read as values.
-    pub fn lines(&self) -> &[usize] {
-        &self.lines
-    }
-
     /// What says the unit of sizes, as it stands in the file.
     pub fn unit_from(&self) -> Option<&str> {
         self.unit_from.as_deref()
@@ -213,11 +189,6 @@ impl OpenColumns {
     /// Whether a column has a coordinate.
     pub fn has_place(&self) -> bool {
         [Role::X, Role::Y, Role::Z].into_iter().any(|role| self.choice.roles.contains(&Some(role)))
-    }
-
-    /// How many of the shown rows become values.
-    pub const fn read(&self) -> usize {
-        self.read
     }
 
     /// What is wrong with the first one that becomes none.

@@ -79,9 +79,9 @@ const fn open(purpose: Purpose) -> Command {
 }
 
 fn is_after_first(session: &Session) -> bool {
-    0 < session.cycles().step()
+    0 < session.cycles().step
 }
 
 fn is_before_last(session: &Session) -> bool {
-    session.cycles().step() < session.cycles().last()
+    session.cycles().step < session.cycles().last()
 }

@@ -100,7 +100,7 @@ impl PageState for CyclesPage {
     fn is_free_text(&self, field: CycleField) -> bool {
         // A tool may be called by its name.
         let CycleField::Parameter(key) = field else { return false };
-        self.cycle().parameter(key).is_some_and(|parameter| parameter.range == cycle::Range::Tool)
+        self.cycle.parameter(key).is_some_and(|parameter| parameter.range == cycle::Range::Tool)
     }
 }
 

@@ -72,19 +72,23 @@ pub enum ValueOrigin {
 /// The state of the cycles page.
 #[derive(Debug)]
 pub struct CyclesPage {
-    cycle: &'static Cycle,
+    /// The chosen cycle.
+    pub cycle: &'static Cycle,
     texts: BTreeMap<(u16, Key), String>,
     globals: BTreeMap<(u16, Key), String>,
     position: BTreeMap<Axis, String>,
     errors: BTreeMap<CycleField, Message>,
-    inputs: Inputs,
-    from: ContactsFrom,
+    /// What was typed, as far as it can be used.
+    pub inputs: Inputs,
+    /// Where contacts come from.
+    pub from: ContactsFrom,
     probes: Option<(String, ProbeTable)>,
     probe: Option<u32>,
     block: Option<String>,
     block_problem: Option<Message>,
     run: Option<CycleRun>,
-    step: usize,
+    /// The number of the move that is shown, from 0.
+    pub step: usize,
 }
 
 impl Default for CyclesPage {
@@ -117,11 +121,6 @@ impl CyclesPage {
         self.run.is_some() && self.from != ContactsFrom::Simulated
     }
 
-    /// The chosen cycle.
-    pub const fn cycle(&self) -> &'static Cycle {
-        self.cycle
-    }
-
     /// The value of a parameter: what was typed or its default, where that can be used.
     pub fn value(&self, parameter: &Parameter) -> Option<Value> {
         self.inputs.value(parameter.key).cloned().or_else(|| parameter.default_with(&self.inputs))
@@ -147,11 +146,6 @@ impl CyclesPage {
         self.inputs.value(key) == Some(&Value::Predef)
     }
 
-    /// What was typed, as far as it can be used.
-    pub const fn inputs(&self) -> &Inputs {
-        &self.inputs
-    }
-
     /// Whether every field can be used and none is missing.
     pub fn is_complete(&self) -> bool {
         self.errors.is_empty() && self.missing().next().is_none()
@@ -172,11 +166,6 @@ impl CyclesPage {
             parameter.unset == Unset::Refused && self.text(CycleField::Parameter(parameter.key)).trim().is_empty()
         };
         self.cycle.parameters.iter().filter(is_missing)
-    }
-
-    /// Where contacts come from.
-    pub const fn from(&self) -> ContactsFrom {
-        self.from
     }
 
     /// The name of the user's touch-probe table, where one was opened.
@@ -211,10 +200,5 @@ impl CyclesPage {
     /// What the last run found; it belongs to the inputs on screen.
     pub const fn run(&self) -> Option<&CycleRun> {
         self.run.as_ref()
-    }
-
-    /// The number of the move that is shown, from 0.
-    pub const fn step(&self) -> usize {
-        self.step
     }
 }

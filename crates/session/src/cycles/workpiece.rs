@@ -16,8 +16,9 @@ use crate::texts::whole;
 /// The simulated workpiece, its probe and its seed as they are typed.
 #[derive(Debug, Clone)]
 pub struct WorkpieceForm {
-    shape: Shape,
-    plane: Plane,
+    pub shape: Shape,
+    /// The plane of a round surface.
+    pub plane: Plane,
     texts: BTreeMap<WorkpieceField, String>,
     errors: BTreeMap<WorkpieceField, Message>,
     simulation: Option<Simulation>,
@@ -117,15 +118,6 @@ impl WorkpieceForm {
             self.put([F::OffsetX, F::OffsetY], offset);
         }
         self.fill_lobes([F::LobingCount, F::LobingHeight, F::LobingAngle], &probe.lobing);
-    }
-
-    pub const fn shape(&self) -> Shape {
-        self.shape
-    }
-
-    /// The plane of a round surface.
-    pub const fn plane(&self) -> Plane {
-        self.plane
     }
 
     pub fn text(&self, field: WorkpieceField) -> &str {

@@ -42,7 +42,7 @@ impl Actions for FilesAction {
                 ActionScope::Dialog,
                 "dialog-all-files",
                 Sends::FromState(|session| {
-                    FilesCommand::ShowAll(!free_dialog(session).is_some_and(|dialog| dialog.list.shows_all())).into()
+                    FilesCommand::ShowAll(!free_dialog(session).is_some_and(|dialog| dialog.list.shows_all)).into()
                 }),
             )
             .when(|session| free_dialog(session).is_some()),
@@ -61,7 +61,7 @@ impl Actions for FilesAction {
     }
 
     fn is_on(&self, session: &Session) -> Option<bool> {
-        (*self == Self::AllFiles).then(|| session.dialog().is_some_and(|dialog| dialog.list.shows_all()))
+        (*self == Self::AllFiles).then(|| session.dialog().is_some_and(|dialog| dialog.list.shows_all))
     }
 }
 

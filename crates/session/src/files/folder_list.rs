@@ -22,11 +22,12 @@ pub struct FolderList {
     read: Option<Box<Listing>>,
     problem: Option<Message>,
     filter: String,
-    shows_all: bool,
+    /// Whether files of other kinds and hidden ones are shown.
+    pub shows_all: bool,
     /// The entries that are shown, by their numbers.
     shown: Vec<usize>,
     /// Which of the shown entries is selected.
-    selected: Option<usize>,
+    pub selected: Option<usize>,
 }
 
 impl FolderList {
@@ -54,11 +55,6 @@ impl FolderList {
         self.read.as_ref().is_some_and(|listing| listing.has_more)
     }
 
-    /// Whether files of other kinds and hidden ones are shown.
-    pub const fn shows_all(&self) -> bool {
-        self.shows_all
-    }
-
     /// How many entries are left out, because they are hidden or of another kind, or because of what was typed.
     pub fn left_out(&self) -> usize {
         self.read.as_ref().map_or(0, |listing| listing.entries.len() - self.shown.len())
@@ -83,10 +79,6 @@ impl FolderList {
     pub(super) fn has_folder(&self, path: &Path) -> bool {
         let entries = self.read.iter().flat_map(|listing| &listing.entries);
         entries.into_iter().any(|entry| entry.is_folder && entry.path == path)
-    }
-
-    pub const fn selected(&self) -> Option<usize> {
-        self.selected
     }
 
     pub(super) fn selected_entry(&self) -> Option<&Entry> {

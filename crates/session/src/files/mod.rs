@@ -56,7 +56,7 @@ impl Session {
         match command {
             FilesCommand::Open(purpose, path) => return self.open_file(purpose, path, now),
             FilesCommand::OpenRecent(number) => {
-                let Some(file) = places.recent().get(number).cloned() else { return Vec::new() };
+                let Some(file) = places.recent.get(number).cloned() else { return Vec::new() };
                 return self.open_file(file.purpose, file.path, now);
             }
             FilesCommand::ForgetRecent => self.shared.places.forget(),
@@ -107,7 +107,7 @@ impl Session {
                 names::of_records(records.iter().map(Arc::as_ref), &several, now, ending(purpose))
             }
             Purpose::ReportPart(_) => self.parts.report(now).map_or_else(String::new, |report| {
-                let walking = self.parts.walking();
+                let walking = &self.parts.walking;
                 let part = report.part.unwrap_or_else(|| Words::new(self.shared.language).get("file-name-checks"));
                 let name = [part.as_str(), walking.serial()].into_iter().filter(|text| !text.is_empty());
                 names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, ending(purpose))
@@ -122,7 +122,7 @@ impl Session {
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             Purpose::SaveBudget => self.budget.name(),
-            Purpose::SavePlan(_) => names::with_ending(&self.parts.document().name(), ending(purpose)),
+            Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), ending(purpose)),
             Purpose::SavePairs(_) => {
                 let name = Words::new(self.shared.language).get("pairing-page-file-name");
                 names::dated(&names::allowed(&name), now, ending(purpose))
@@ -185,9 +185,8 @@ impl Session {
     /// Reads a file without a dialog, on the page that shows it.
     fn open_file(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Vec<Effect> {
         // Measurements that are dropped on a part that is being measured are its own.
-        let is_of_walk =
-            purpose == Purpose::Import && self.shared.page == Page::Parts && self.parts.walking().is_begun();
-        let purpose = if is_of_walk { Purpose::ImportValues(self.parts.walking().run()) } else { purpose };
+        let is_of_walk = purpose == Purpose::Import && self.shared.page == Page::Parts && self.parts.walking.is_begun();
+        let purpose = if is_of_walk { Purpose::ImportValues(self.parts.walking.run) } else { purpose };
         if let Some(page) = purpose.page(self.shared.page) {
             self.shared.open(page);
         }

@@ -26,7 +26,7 @@ pub(crate) struct Places {
     folders: BTreeMap<String, PathBuf>,
     /// The one that was used last.
     last: Option<PathBuf>,
-    recent: Vec<RecentFile>,
+    pub recent: Vec<RecentFile>,
 }
 
 impl Places {
@@ -68,10 +68,6 @@ impl Places {
             }
         }
         folders
-    }
-
-    pub fn recent(&self) -> &[RecentFile] {
-        &self.recent
     }
 
     pub fn forget(&mut self) {

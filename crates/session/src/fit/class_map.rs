@@ -25,7 +25,8 @@ pub struct MapCell {
 pub struct ClassMap {
     cells: BTreeMap<(Grade, Letter), MapCell>,
     grades: BTreeSet<Grade>,
-    others: Vec<ToleranceClass>,
+    /// Classes of own tables that the standard does not have.
+    pub others: Vec<ToleranceClass>,
 }
 
 impl ClassMap {
@@ -70,11 +71,6 @@ impl ClassMap {
     /// The class of a letter and a grade, where it is defined.
     pub fn cell(&self, letter: Letter, grade: Grade) -> Option<&MapCell> {
         self.cells.get(&(grade, letter))
-    }
-
-    /// Classes of own tables that the standard does not have.
-    pub fn others(&self) -> &[ToleranceClass] {
-        &self.others
     }
 
     /// Whether a class is defined.

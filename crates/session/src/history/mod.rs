@@ -34,7 +34,7 @@ pub struct History {
     /// How many of the chosen ones the list does not show.
     hidden: usize,
     /// The row of the list at which the keys are.
-    cursor: Option<RecordId>,
+    pub cursor: Option<RecordId>,
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
     undo: VecDeque<(ChangeId, Change)>,
@@ -104,11 +104,6 @@ impl History {
     /// How many of the chosen checks the list does not show.
     pub const fn hidden_count(&self) -> usize {
         self.hidden
-    }
-
-    /// The row of the list at which the keys are; it may have been filtered out.
-    pub const fn cursor(&self) -> Option<RecordId> {
-        self.cursor
     }
 
     /// Where to look: a number that goes up whenever a row has to come into sight, and its place.

@@ -56,7 +56,7 @@ pub struct PairingPage {
     at_work: Option<u64>,
     paired: Option<Arc<Paired>>,
     /// The place of the selected pair.
-    selected: Option<usize>,
+    pub selected: Option<usize>,
     /// Goes up whenever the selected pair has to come into sight.
     look: u64,
     errands: Vec<Effect>,
@@ -116,11 +116,6 @@ impl PairingPage {
     /// The answer to what the page asks now.
     pub fn paired(&self) -> Option<&Paired> {
         self.paired.as_deref()
-    }
-
-    /// The place of the selected pair in the list.
-    pub const fn selected(&self) -> Option<usize> {
-        self.selected
     }
 
     /// Where to look: a number that goes up whenever a pair has to come into sight, and its place.

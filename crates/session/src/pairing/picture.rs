@@ -31,7 +31,8 @@ pub struct PairsPicture {
     shafts: Vec<f64>,
     low: f64,
     high: f64,
-    bins: Vec<Bin>,
+    /// The overview, from the lower end of the whole scale.
+    pub bins: Vec<Bin>,
 }
 
 /// How many parts lie in a part of the scale, as shares of the fullest one.
@@ -138,11 +139,6 @@ impl PairsPicture {
     /// A leftover shaft.
     pub fn shaft(&self, at: usize) -> Option<f64> {
         self.shafts.get(at).copied()
-    }
-
-    /// The overview, from the lower end of the whole scale.
-    pub fn bins(&self) -> &[Bin] {
-        &self.bins
     }
 
     /// Where a place is on the whole scale, from 0 to 1.

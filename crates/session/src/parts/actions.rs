@@ -128,17 +128,17 @@ impl Actions for PartsAction {
                 let row = on(Page::Parts, text, Command::OpenDialog(Purpose::SavePlan(number)));
                 // What could not be read of its file is not lost by the way.
                 let row = row.when(|session| {
-                    let document = session.parts().document();
-                    !document.is_empty() && document.problems().is_empty()
+                    let document = &session.parts().document;
+                    !document.is_empty() && document.problems.is_empty()
                 });
                 if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
             }
             Self::UndoPlan => of_page("parts-page-undo", PartsCommand::Plan(PlanCommand::Undo))
                 .key(Shortcut::ctrl('Z'))
-                .when(|session| has_table(session) && session.parts().document().can_undo().0),
+                .when(|session| has_table(session) && session.parts().document.can_undo().0),
             Self::RedoPlan => of_page("parts-page-redo", PartsCommand::Plan(PlanCommand::Redo))
                 .key(Shortcut::ctrl('Y'))
-                .when(|session| has_table(session) && session.parts().document().can_undo().1),
+                .when(|session| has_table(session) && session.parts().document.can_undo().1),
             Self::MoveInPlan(step) => in_table("parts-page-move", PlanCommand::Move(step, false)).key(keys(step)),
             Self::ExtendInPlan(step) => {
                 in_table("parts-page-extend", PlanCommand::Move(step, true)).key(with_shift(keys(step)))
@@ -146,7 +146,7 @@ impl Actions for PartsAction {
             Self::EditPlanCell => in_table("parts-page-edit", PlanCommand::Edit(None))
                 .keys(Shortcut::plain(Key::Enter), Shortcut::plain(Key::Function(2))),
             Self::TakePlanCell => of_table("parts-page-take", PlanCommand::Take(Some(Step::Down)))
-                .when(|session| has_table(session) && session.parts().sheet().is_editing()),
+                .when(|session| has_table(session) && session.parts().sheet().is_editing),
             Self::EmptyPlanCells => {
                 in_table("parts-page-empty", PlanCommand::Empty).key(Shortcut::plain(Key::Delete)).when(is_on_feature)
             }
@@ -156,7 +156,7 @@ impl Actions for PartsAction {
             Self::PastePlanCells => in_table("parts-page-paste", PlanCommand::AskForPaste).key(Shortcut::ctrl('V')),
             Self::InsertPlanRow => in_table("parts-page-insert", PlanCommand::Insert)
                 .key(Shortcut::ctrl('I'))
-                .when(|session| has_table(session) && session.parts().document().draft().rows.len() < MOST_FEATURES),
+                .when(|session| has_table(session) && session.parts().document.draft().rows.len() < MOST_FEATURES),
             Self::DeletePlanRows => {
                 in_table("parts-page-delete", PlanCommand::Delete).key(Shortcut::ctrl('D')).when(is_on_feature)
             }
@@ -173,7 +173,7 @@ impl Actions for PartsAction {
                 ActionScope::Page(Page::Parts),
                 "parts-page-all-columns",
                 Sends::FromState(|session| {
-                    PartsCommand::Plan(PlanCommand::ShowAll(!session.parts().sheet().shows_all())).into()
+                    PartsCommand::Plan(PlanCommand::ShowAll(!session.parts().sheet().shows_all)).into()
                 }),
             )
             .when(has_table),
@@ -186,21 +186,21 @@ impl Actions for PartsAction {
             Self::LeaveOutOfPlan => of_table("parts-page-leave-out", PlanCommand::LeaveOut)
                 .hint("parts-page-leave-out-hint")
                 .key(Shortcut::ctrl('L'))
-                .when(|session| has_table(session) && !session.parts().document().problems().is_empty()),
+                .when(|session| has_table(session) && !session.parts().document.problems.is_empty()),
             Self::TakeMeantCell => of_table("parts-page-take-meant", PlanCommand::TakeMeant)
                 .when(|session| has_table(session) && session.parts().meant_here().is_some()),
             Self::ChoosePicture => {
                 on(Page::Parts, "parts-page-choose-picture", Command::OpenDialog(Purpose::OpenPicture)).when(has_table)
             }
             Self::BeginPart => of_walk("walk-page-begin", WalkCommand::Begin).when(|session| {
-                is_walk(session) && !session.parts().walking().is_begun() && session.parts().document().plan().is_some()
+                is_walk(session) && !session.parts().walking.is_begun() && session.parts().document.plan().is_some()
             }),
             Self::CountUp => of_walk("walk-page-count-up", WalkCommand::CountUp)
-                .when(|session| is_walk(session) && !session.parts().walking().is_begun()),
+                .when(|session| is_walk(session) && !session.parts().walking.is_begun()),
             Self::TakeValue => of_walk("walk-page-take", WalkCommand::Take).when(is_asked),
             Self::TakeMeantValue => of_walk("walk-page-take-meant", WalkCommand::TakeMeant).when(|session| {
                 is_walk(session)
-                    && session.parts().walking().question().is_some_and(|asked| asked.doubt.meant().is_some())
+                    && session.parts().walking.question().is_some_and(|asked| asked.doubt.meant().is_some())
             }),
             Self::SimulateValue => {
                 let row = of_walk("walk-page-simulate", WalkCommand::Simulate).hint("walk-page-simulate-hint");
@@ -208,9 +208,9 @@ impl Actions for PartsAction {
             }
             Self::SizeAgain => of_walk("walk-page-again", WalkCommand::Again)
                 .key(Shortcut::plain(Key::Function(6)))
-                .when(|session| is_walk(session) && session.parts().walking().shown().is_some()),
+                .when(|session| is_walk(session) && session.parts().walking.shown().is_some()),
             Self::CountNewest => of_walk("walk-page-count-newest", WalkCommand::CountNewest)
-                .when(|session| is_walk(session) && session.parts().walking().contradicted().is_some()),
+                .when(|session| is_walk(session) && session.parts().walking.contradicted().is_some()),
             Self::SkipSize => of_walk("walk-page-skip", WalkCommand::AskSkip(true))
                 .key(Shortcut::plain(Key::Function(7)))
                 .when(is_asked),
@@ -225,14 +225,13 @@ impl Actions for PartsAction {
                 within(SIZES, "walk-page-move", WalkCommand::Move(step)).when(is_measured).key(keys(step))
             }
             Self::ImportValues => {
-                let open =
-                    |session: &Session| Command::OpenDialog(Purpose::ImportValues(session.parts().walking().run()));
+                let open = |session: &Session| Command::OpenDialog(Purpose::ImportValues(session.parts().walking.run));
                 ActionRow::new(ActionScope::Page(Page::Parts), "walk-page-import", Sends::FromState(open))
                     .when(is_measured)
             }
             Self::ImportValuesColumns => {
                 let open = |session: &Session| {
-                    Command::OpenDialog(Purpose::AskColumns(ImportInto::Part(session.parts().walking().run())))
+                    Command::OpenDialog(Purpose::AskColumns(ImportInto::Part(session.parts().walking.run)))
                 };
                 let row = ActionRow::new(ActionScope::Page(Page::Parts), "columns-page-import", Sends::FromState(open));
                 row.hint("columns-page-hint").when(is_measured)
@@ -242,11 +241,11 @@ impl Actions for PartsAction {
                     of_walk("walk-page-watch", Command::OpenDialog(Purpose::WatchFolder)).hint("walk-page-watch-hint");
                 row.when(|session| {
                     let parts = session.parts();
-                    is_walk(session) && (parts.document().plan().is_some() || parts.walking().is_begun())
+                    is_walk(session) && (parts.document.plan().is_some() || parts.walking.is_begun())
                 })
             }
             Self::StopWatch => of_walk("walk-page-watch-stop", WalkCommand::StopWatch)
-                .when(|session| is_walk(session) && session.parts().watched().folder().is_some()),
+                .when(|session| is_walk(session) && session.parts().watched.folder().is_some()),
             Self::ReportPart(number) => of_walk("walk-page-report", Command::OpenDialog(Purpose::ReportPart(number))),
         }
     }
@@ -259,7 +258,7 @@ impl Actions for PartsAction {
                 Some(words.say(&Message::new(self.row().text).text("meant", meant)))
             }
             Self::TakeMeantValue => {
-                let meant = session.parts().walking().question().and_then(|question| question.doubt.meant());
+                let meant = session.parts().walking.question().and_then(|question| question.doubt.meant());
                 let meant = meant.map_or_else(String::new, |meant| words.mm(meant, 3));
                 Some(words.say(&Message::new(self.row().text).text("meant", meant)))
             }
@@ -269,8 +268,8 @@ impl Actions for PartsAction {
 
     fn is_on(&self, session: &Session) -> Option<bool> {
         Some(match *self {
-            Self::ShowParts(view) => session.parts().view() == view,
-            Self::ShowAllColumns => session.parts().sheet().shows_all(),
+            Self::ShowParts(view) => session.parts().view == view,
+            Self::ShowAllColumns => session.parts().sheet().shows_all,
             _ => return None,
         })
     }
@@ -292,16 +291,16 @@ fn of_page(text: &'static str, command: PartsCommand) -> ActionRow {
 
 /// The table of the plan is in sight.
 fn has_table(session: &Session) -> bool {
-    !session.parts().document().is_empty() && session.parts().view() == PartsView::Plan
+    !session.parts().document.is_empty() && session.parts().view == PartsView::Plan
 }
 
 /// The keys are on a feature, and not below the last one.
 fn is_on_feature(session: &Session) -> bool {
-    has_table(session) && session.parts().sheet().at().0 < session.parts().document().draft().rows.len()
+    has_table(session) && session.parts().sheet().at().0 < session.parts().document.draft().rows.len()
 }
 
 fn has_findings(session: &Session) -> bool {
-    has_table(session) && !session.parts().document().findings().is_empty()
+    has_table(session) && !session.parts().document.findings().is_empty()
 }
 
 /// Its keys are heard while the table has the focus, and not in a field of the part.
@@ -320,19 +319,19 @@ fn of_walk(text: &'static str, command: impl Into<Command>) -> ActionRow {
 }
 
 fn is_walk(session: &Session) -> bool {
-    session.parts().view() == PartsView::Walk
+    session.parts().view == PartsView::Walk
 }
 
 fn is_measured(session: &Session) -> bool {
-    is_walk(session) && session.parts().walking().is_begun()
+    is_walk(session) && session.parts().walking.is_begun()
 }
 
 fn is_asked(session: &Session) -> bool {
-    is_walk(session) && session.parts().walking().at().is_some()
+    is_walk(session) && session.parts().walking.at.is_some()
 }
 
 fn is_skipping(session: &Session) -> bool {
-    is_walk(session) && session.parts().walking().is_skipping()
+    is_walk(session) && session.parts().walking.is_skipping
 }
 
 /// The same keys with Shift held down as well.

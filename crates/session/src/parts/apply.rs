@@ -121,7 +121,7 @@ impl PageState for PartsPage {
     fn error(&self, field: PartsField) -> Option<&Message> {
         match field {
             PartsField::Walk(field) => self.errors.get(&field),
-            PartsField::Plan(PlanField::Head(field)) => self.document().head_error(field),
+            PartsField::Plan(PlanField::Head(field)) => self.document.head_error(field),
             PartsField::Plan(PlanField::Cell) => None,
         }
     }
@@ -195,7 +195,7 @@ impl PartsPage {
             PartsView::Plan if self.document.is_empty() => None,
             PartsView::Plan => Some(Effect::FocusTable),
             PartsView::Walk if self.walking.is_begun() => {
-                self.walking.at().map(|_| Effect::Focus(WalkField::Value.into()))
+                self.walking.at.map(|_| Effect::Focus(WalkField::Value.into()))
             }
             PartsView::Walk => self.document.plan().map(|_| Effect::Focus(WalkField::Serial.into())),
         };

@@ -36,7 +36,7 @@ impl PartsPage {
         let Some(items) = shared.file_answered(result) else { return };
         let sha256 = shared.recording.of_file(name);
         // It was read for a part that has been ended meanwhile.
-        let Some(plan) = self.walking.plan().filter(|_| run == self.walking.run()).map(Arc::clone) else {
+        let Some(plan) = self.walking.plan().filter(|_| run == self.walking.run).map(Arc::clone) else {
             return shared.tell(message!("walk-page-import-late").text("name", name));
         };
         let by_plan = ByPlan::new(&plan);

@@ -41,13 +41,13 @@ pub struct PlanDocument {
     /// What the last change goes on with.
     typing: Option<Typing>,
     /// What its file has that a draft has no place for.
-    problems: Vec<PlanError>,
+    pub problems: Vec<PlanError>,
     /// Whether some of that was left out: its file says more than the draft until it is saved.
     has_left_out: bool,
     /// What it does not take over of its file on purpose: told when it is opened.
     remarks: Vec<Message>,
     /// How many comments its file has.
-    comments: usize,
+    pub comments: usize,
     review: Review,
     /// The first finding of every cell, by its place among all of them.
     by_cell: BTreeMap<(usize, Option<Column>), usize>,
@@ -108,16 +108,6 @@ impl PlanDocument {
     /// The feature of a row, where nothing is wrong with it.
     pub fn feature(&self, row: usize) -> Option<&PlanFeature> {
         self.review.features.get(row)?.as_ref()
-    }
-
-    /// What its file has that could not be read. There is no plan until it is left out.
-    pub fn problems(&self) -> &[PlanError] {
-        &self.problems
-    }
-
-    /// How many comments its file has: lost when it is saved.
-    pub const fn comments(&self) -> usize {
-        self.comments
     }
 
     /// How much is wrong: with the plan, and with its file.

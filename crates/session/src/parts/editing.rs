@@ -185,7 +185,7 @@ impl PartsPage {
         self.sheet.follow(&self.document);
         if let Some(Spot::Feature(row, column)) = spot {
             let (_, here) = self.sheet.at();
-            let column = column.filter(|column| self.sheet.columns().contains(column)).unwrap_or(here);
+            let column = column.filter(|column| self.sheet.columns.contains(column)).unwrap_or(here);
             self.sheet.go(row, column, false, &self.document);
         }
     }

@@ -33,7 +33,7 @@ impl PartsPage {
         if let Some(waiting) = self.give_up_resuming() {
             shared.tell(message!("walk-page-given-up").text("serial", waiting.serial));
         }
-        self.walking.begin(&plan, path, serial, shared.recording.newest());
+        self.walking.begin(&plan, path, serial, shared.recording.newest);
         self.clear_value();
         self.errors.clear();
         self.watch_plan(&plan, shared);

@@ -45,7 +45,7 @@ impl Walking {
         let status = self.status();
         let decides =
             |step: &Step| step.counts().is_some_and(|taken| Some(taken.status) == status && !taken.is_simulated);
-        status.is_some() && !self.walk().steps().iter().any(decides)
+        status.is_some() && !self.walk.steps().iter().any(decides)
     }
 
     fn whole(&self) -> FinishedPart {
@@ -78,7 +78,7 @@ impl Walking {
     /// The names of the sizes of which something is true.
     fn named(&self, is_it: impl Fn(&Step) -> bool) -> String {
         let all: Vec<&str> =
-            (0..).zip(self.walk().steps()).filter(|(_, step)| is_it(step)).map(|(at, _)| self.name(at)).collect();
+            (0..).zip(self.walk.steps()).filter(|(_, step)| is_it(step)).map(|(at, _)| self.name(at)).collect();
         let more = if NAMED < all.len() { " …" } else { "" };
         format!("{}{more}", all.get(..NAMED).unwrap_or(&all).join(", "))
     }

@@ -39,7 +39,7 @@ impl PartsPage {
             }
             WalkCommand::Move(step) => {
                 if let Some(last) = self.walking.count().checked_sub(1) {
-                    self.walking.go(step.place(self.walking.at(), last));
+                    self.walking.go(step.place(self.walking.at, last));
                 }
             }
             WalkCommand::Take => self.take_typed(shared, now),
@@ -63,7 +63,7 @@ impl PartsPage {
             }
             WalkCommand::AskSkip(is_open) => {
                 self.walking.quiet();
-                self.walking.is_skipping = is_open && self.walking.at().is_some();
+                self.walking.is_skipping = is_open && self.walking.at.is_some();
                 if !is_open {
                     return vec![Effect::Focus(WalkField::Value.into())];
                 }
@@ -82,7 +82,7 @@ impl PartsPage {
     /// Reads the field, asks about a doubtful value, and takes it.
     fn take_typed(&mut self, shared: &mut Shared, now: DateTime) {
         let asked_about = self.walking.question.take();
-        let Some(at) = self.walking.at() else { return };
+        let Some(at) = self.walking.at else { return };
         // A value is of the size that it was typed for, and of no other one.
         if let Some(typed_at) = self.walking.typed_elsewhere() {
             let [name, asked] = [typed_at, at].map(|at| self.walking.name(at));
@@ -175,7 +175,7 @@ impl PartsPage {
     /// Measures the feature by its cycle. The cycle of a pocket or boss measures both sides: the other one is taken where it is open.
     fn simulate(&mut self, shared: &mut Shared, now: DateTime) {
         self.walking.quiet();
-        let Some(at) = self.walking.at() else { return };
+        let Some(at) = self.walking.at else { return };
         match self.simulated(at, shared, now) {
             Ok(taken) => {
                 self.walking.seed += 1;
@@ -196,7 +196,7 @@ impl PartsPage {
         let size = self.walking.asked().ok_or_else(|| message!("walk-page-nothing-asked"))?;
         let measured = size.feature.simulated(self.walking.seed + 1)?;
         let first = at.saturating_sub(size.side);
-        let steps = self.walking.walk().steps();
+        let steps = self.walking.walk.steps();
         let mut taken = Vec::new();
         for ((place, size), measurement) in (first..).zip(size.feature.sizes()).zip(measured) {
             if place == at || steps.get(place).is_some_and(Step::is_open) {
@@ -274,7 +274,7 @@ impl PartsPage {
     }
 
     fn skip(&mut self, reason: &str) -> Vec<Effect> {
-        let Some(at) = self.walking.at() else { return Vec::new() };
+        let Some(at) = self.walking.at else { return Vec::new() };
         if !self.walking.skip(at, reason) {
             self.walking.is_skipping = true;
             self.errors.insert(WalkField::Reason, message!("walk-page-no-reason"));

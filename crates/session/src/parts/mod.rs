@@ -82,25 +82,28 @@ impl PartsView {
 
 #[derive(Debug, Default)]
 pub struct PartsPage {
-    view: PartsView,
+    /// The open view.
+    pub view: PartsView,
     /// Whether it is the open page.
     is_shown: bool,
     texts: Texts<WalkField>,
     errors: BTreeMap<WalkField, Message>,
-    document: PlanDocument,
+    pub document: PlanDocument,
     sheet: Sheet,
     shown: picture::PlanPicture,
     /// How many plans were opened.
     opened: u64,
     walk_picture: Option<picture::WalkPicture>,
-    walking: Walking,
+    /// The part that is being measured.
+    pub walking: Walking,
     asking: Asking,
     /// The parts that were measured since the window was opened, by their names and serial numbers.
     ended: BTreeSet<(String, String)>,
     /// The serial number that is to be begun once more, after the question about it.
     again: Option<String>,
     resume: Resume,
-    watched: Watched,
+    /// The folder that is watched, and what came from it.
+    pub watched: Watched,
     /// What has to be done outside because of what happened elsewhere.
     errands: Vec<Effect>,
     /// A plan that is to be opened, once it is said what becomes of the changes.
@@ -136,25 +139,6 @@ impl PartsPage {
     pub fn watched_plan(&self) -> Option<String> {
         let path = self.watched.plan_path()?;
         (Some(path) != self.document.path()).then(|| name_of(path))
-    }
-
-    /// The folder that is watched, and what came from it.
-    pub const fn watched(&self) -> &Watched {
-        &self.watched
-    }
-
-    /// The open view.
-    pub const fn view(&self) -> PartsView {
-        self.view
-    }
-
-    pub const fn document(&self) -> &PlanDocument {
-        &self.document
-    }
-
-    /// The part that is being measured.
-    pub const fn walking(&self) -> &Walking {
-        &self.walking
     }
 
     /// Whether it is asked what becomes of changes.

@@ -97,7 +97,7 @@ impl PartsPage {
     /// The shown columns from the upper left corner of what is selected.
     fn columns_from_corner(&self) -> Vec<Option<Column>> {
         let corner = self.sheet.selected_columns().first().copied().unwrap_or(Column::Name);
-        let shown = self.sheet.columns().iter().skip_while(|column| **column != corner);
+        let shown = self.sheet.columns.iter().skip_while(|column| **column != corner);
         shown.copied().map(Some).collect()
     }
 

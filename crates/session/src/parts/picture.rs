@@ -209,7 +209,7 @@ impl PartsPage {
 
     /// What is known of every feature of the part that is measured, in the order of its plan.
     fn steps_by_name(&self) -> Vec<KnownFeature> {
-        self.walking.plan().map_or_else(Vec::new, |plan| known(plan, self.walking.walk().steps(), self.walking.at()))
+        self.walking.plan().map_or_else(Vec::new, |plan| known(plan, self.walking.walk.steps(), self.walking.at))
     }
 }
 

@@ -17,7 +17,7 @@ impl PartsPage {
         let plan = self.walking.plan()?;
         let values = (0..self.walking.count()).map(|at| self.walking.values(at));
         let values = values.map(|values| values.iter().map(|value| Arc::clone(&value.record)).collect());
-        let mut sheet = PartSheet::of_walk(plan, self.walking.walk().clone(), values.collect());
+        let mut sheet = PartSheet::of_walk(plan, self.walking.walk.clone(), values.collect());
         sheet.picture = (!plan.head.picture.is_empty()).then(|| self.image());
         let records: Vec<Arc<Record>> = sheet.records().map(Arc::clone).collect();
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());

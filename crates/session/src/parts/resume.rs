@@ -96,7 +96,7 @@ impl PartsPage {
         let Some(saved) = &self.resume.saved else { return };
         let is_its = self.document.path() == saved.plan.as_deref();
         let Some(plan) = self.document.plan().filter(|_| is_its).map(Arc::clone) else { return };
-        match shared.recording.keeping() {
+        match shared.recording.keeping {
             // Nobody has said yet where records are kept.
             Keeping::Nowhere if !shared.recording.has_begun() => return,
             Keeping::Opening => return,
@@ -105,9 +105,9 @@ impl PartsPage {
         let Some(saved) = self.resume.saved.take() else { return };
         self.walking.begin(&plan, saved.plan.clone(), saved.serial.clone(), saved.since);
         let is_other_plan = self.walking.planned.sizes != saved.sizes;
-        let is_open = *shared.recording.keeping() == Keeping::Open;
+        let is_open = shared.recording.keeping == Keeping::Open;
         if is_other_plan && is_open {
-            self.walking.planned.since = shared.recording.newest();
+            self.walking.planned.since = shared.recording.newest;
         } else {
             // Without a journal it cannot be said from which record on the plan is another one: the next time finds that out.
             self.walking.planned = Planned { sizes: saved.sizes.clone(), since: saved.planned };
@@ -125,7 +125,7 @@ impl PartsPage {
             return shared.tell(message!("walk-page-no-journal").text("serial", &saved.serial));
         }
         self.resume.run += 1;
-        self.resume.until = shared.recording.newest();
+        self.resume.until = shared.recording.newest;
         self.resume.is_asked = true;
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
         let serial = Some(saved.serial).filter(|serial| !serial.is_empty());

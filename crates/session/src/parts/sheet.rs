@@ -18,15 +18,18 @@ const PAGE: usize = 10;
 /// Where the keys are in the table of a plan. Below the last feature is a row in which the next one is begun.
 #[derive(Debug, Clone)]
 pub struct Sheet {
-    columns: Vec<Column>,
-    shows_all: bool,
+    /// The shown columns, the usual ones first.
+    pub columns: Vec<Column>,
+    /// Whether every column is shown, also those that nothing is written in.
+    pub shows_all: bool,
     row: usize,
     column: usize,
     /// The other corner of what is selected.
     from: (usize, usize),
-    is_editing: bool,
+    /// Whether something is typed into the cell.
+    pub is_editing: bool,
     /// Counts how often the keys moved.
-    moves: u64,
+    pub moves: u64,
 }
 
 impl Default for Sheet {
@@ -42,16 +45,6 @@ impl Sheet {
         let mut sheet = Self::default();
         sheet.follow(document);
         sheet
-    }
-
-    /// The shown columns, the usual ones first.
-    pub fn columns(&self) -> &[Column] {
-        &self.columns
-    }
-
-    /// Whether every column is shown, also those that nothing is written in.
-    pub const fn shows_all(&self) -> bool {
-        self.shows_all
     }
 
     /// How many rows the table has: one more than there are features, while there may be more.
@@ -80,16 +73,6 @@ impl Sheet {
     /// Whether more than one cell is selected.
     pub fn is_block(&self) -> bool {
         self.from != (self.row, self.column)
-    }
-
-    /// Whether something is typed into the cell.
-    pub const fn is_editing(&self) -> bool {
-        self.is_editing
-    }
-
-    /// A number that changes when the cell has to come into sight.
-    pub const fn moves(&self) -> u64 {
-        self.moves
     }
 
     pub(super) fn edit(&mut self, is_editing: bool) {

@@ -52,19 +52,20 @@ pub struct Walking {
     plan: Option<Arc<Plan>>,
     /// Its file, where it has one.
     pub(super) path: Option<PathBuf>,
-    walk: Walk,
+    /// What was measured so far.
+    pub walk: Walk,
     values: Vec<Vec<Value>>,
     names: Vec<String>,
     /// The positions of the sizes by their names.
     places: BTreeMap<String, usize>,
     /// The number of the part among all that were begun: what was read for another one is not taken.
-    run: u64,
+    pub run: u64,
     /// What its plan asks for, as a hash, and since which record of the journal it does.
     pub(super) planned: Planned,
     /// The part that a file without serial numbers has named, where that is another name than the plan's.
     pub(super) label: Option<String>,
     /// The size that is asked for.
-    at: Option<usize>,
+    pub at: Option<usize>,
     /// Whether somebody chose that size: no value that comes from elsewhere moves on from it.
     is_chosen: bool,
     /// How many values it had then: one that is typed now takes their place.
@@ -82,9 +83,9 @@ pub struct Walking {
     /// Why the last simulation was refused.
     pub(super) refusal: Option<Message>,
     /// Whether it is asked why the size is left out.
-    pub(super) is_skipping: bool,
+    pub is_skipping: bool,
     /// Whether it was said that something is missing, so that the next part may come.
-    pub(super) is_warned: bool,
+    pub is_warned: bool,
     /// The newest record of the journal when the part was begun.
     pub(super) since: u64,
     /// How many features were simulated.
@@ -116,11 +117,6 @@ impl Walking {
         *self = Self { look: self.look + 1, run: self.run, ..Self::default() };
     }
 
-    /// The number of the part among all that were begun.
-    pub const fn run(&self) -> u64 {
-        self.run
-    }
-
     /// Whether a part was begun.
     pub const fn is_begun(&self) -> bool {
         self.plan.is_some()
@@ -129,11 +125,6 @@ impl Walking {
     /// The plan that it is measured by; `None` before a part is begun.
     pub const fn plan(&self) -> Option<&Arc<Plan>> {
         self.plan.as_ref()
-    }
-
-    /// What was measured so far.
-    pub const fn walk(&self) -> &Walk {
-        &self.walk
     }
 
     /// Its serial number; empty where it has none.
@@ -165,11 +156,6 @@ impl Walking {
     /// The name of a size.
     pub fn name(&self, at: usize) -> &str {
         self.names.get(at).map_or("", String::as_str)
-    }
-
-    /// The position of the size that is asked for.
-    pub const fn at(&self) -> Option<usize> {
-        self.at
     }
 
     /// Where to look: a number that goes up whenever the size that is asked for has to come into sight, and its place.
@@ -249,16 +235,6 @@ impl Walking {
     /// Why the last simulation was refused.
     pub const fn refusal(&self) -> Option<&Message> {
         self.refusal.as_ref()
-    }
-
-    /// Whether it is asked why the size is left out.
-    pub const fn is_skipping(&self) -> bool {
-        self.is_skipping
-    }
-
-    /// Whether it was said that something is missing.
-    pub const fn is_warned(&self) -> bool {
-        self.is_warned
     }
 
     /// The verdict of the part as a card may say it: nothing is good while something is missing, left out or simulated.

@@ -49,10 +49,13 @@ pub struct Watched {
     is_late: bool,
     /// Whether it waits for checks that are not on disk yet.
     is_unwritten: bool,
-    known: Option<usize>,
+    /// How many files and parts of files were known when it began; `None` before that.
+    pub known: Option<usize>,
     files: VecDeque<TakenFile>,
-    count: usize,
-    waiting: Vec<(String, Message)>,
+    /// How many files were taken.
+    pub count: usize,
+    /// The files that are not ready, with the reasons.
+    pub waiting: Vec<(String, Message)>,
     trouble: Option<Message>,
     /// The look that is being recorded, and the batch of the journal.
     pending: Option<(u64, u64)>,
@@ -69,24 +72,9 @@ impl Watched {
         self.plan_path.as_deref().filter(|_| self.folder.is_some())
     }
 
-    /// How many files and parts of files were known when it began; `None` before that.
-    pub const fn known(&self) -> Option<usize> {
-        self.known
-    }
-
     /// The files that were taken, the latest first.
     pub fn files(&self) -> impl Iterator<Item = &TakenFile> {
         self.files.iter()
-    }
-
-    /// How many files were taken.
-    pub const fn count(&self) -> usize {
-        self.count
-    }
-
-    /// The files that are not ready, with the reasons.
-    pub fn waiting(&self) -> &[(String, Message)] {
-        &self.waiting
     }
 
     /// Why nothing is watched at the moment.
@@ -167,7 +155,7 @@ impl PartsPage {
     pub(super) fn begin_watch(&mut self, shared: &mut Shared) {
         let watched = &mut self.watched;
         let (Some(folder), Some(plan)) = (watched.folder.clone(), watched.plan.clone()) else { return };
-        if !watched.is_late || *shared.recording.keeping() == Keeping::Opening {
+        if !watched.is_late || shared.recording.keeping == Keeping::Opening {
             return;
         }
         if shared.recording.has_failed_to_open() {

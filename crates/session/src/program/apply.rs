@@ -5,7 +5,7 @@ use fitcheck_nc::machine::{BlockPlace, NcPath};
 use jiff::civil::DateTime;
 
 use super::running::Mode;
-use super::{Document, ProgramCommand, ProgramPage, Run, Switch, WorkpieceFrom};
+use super::{ProgramCommand, ProgramPage, Run, Switch, WorkpieceFrom};
 use crate::Step;
 use crate::effect::Effect;
 use crate::page::Page;
@@ -106,11 +106,11 @@ impl ProgramPage {
 
     fn toggle_breakpoint(&mut self, block: Option<usize>) {
         let Some(document) = self.shown() else { return };
-        let block = block.unwrap_or_else(|| document.selected());
-        if document.program().blocks().len() <= block {
+        let block = block.unwrap_or(document.selected);
+        if document.program.blocks().len() <= block {
             return;
         }
-        let place = BlockPlace { program: document.path().clone(), block };
+        let place = BlockPlace { program: document.path.clone(), block };
         if !self.breakpoints.remove(&place) {
             self.breakpoints.insert(place.clone());
         }
@@ -121,7 +121,7 @@ impl ProgramPage {
 
     fn go(&mut self, step: Step) {
         let Some(document) = self.shown() else { return };
-        let (here, last) = (document.selected(), document.program().blocks().len().saturating_sub(1));
+        let (here, last) = (document.selected, document.program.blocks().len().saturating_sub(1));
         let block = match step {
             Step::Up => here.saturating_sub(1),
             Step::Down => here + 1,
@@ -131,7 +131,7 @@ impl ProgramPage {
             Step::Last | Step::Bottom => last,
             Step::Left | Step::Right => here,
         };
-        let place = BlockPlace { program: document.path().clone(), block: block.min(last) };
+        let place = BlockPlace { program: document.path.clone(), block: block.min(last) };
         self.look_at(&place, true);
     }
 
@@ -139,7 +139,7 @@ impl ProgramPage {
     fn show_program(&mut self, path: NcPath) {
         let calls = self.run.iter().flat_map(Run::calls);
         let place = calls.filter(|place| place.program == path).last();
-        let block = self.documents.get(&path).map_or(0, Document::selected);
+        let block = self.documents.get(&path).map_or(0, |document| document.selected);
         self.look_at(&place.unwrap_or(BlockPlace { program: path, block }), false);
     }
 }

@@ -14,16 +14,20 @@ use super::tokens::comment;
 /// A shown program.
 #[derive(Debug, Clone)]
 pub struct Document {
-    path: NcPath,
-    program: Arc<Program>,
-    outline: Vec<Entry>,
+    /// Its path, as programs write it.
+    pub path: NcPath,
+    pub program: Arc<Program>,
+    /// Structure blocks and labels, in the order of the program.
+    pub outline: Vec<Entry>,
     names: BTreeMap<Parameter, String>,
     /// Plain values that the program assigns before it does anything else.
     assigned: BTreeMap<Parameter, String>,
-    may_measure: bool,
+    /// Whether a run of it may move the probe: it measures or calls a program.
+    pub may_measure: bool,
     /// The tools that its cycles name in Q330.
     tools: Vec<ToolOf>,
-    selected: usize,
+    /// The selected block.
+    pub selected: usize,
     longest: usize,
 }
 
@@ -68,23 +72,9 @@ impl Document {
         Self { path, program, outline, names, assigned, may_measure, tools, selected: 0, longest }
     }
 
-    /// Its path, as programs write it.
-    pub const fn path(&self) -> &NcPath {
-        &self.path
-    }
-
     /// Its file name.
     pub fn title(&self) -> &str {
         self.path.file_name()
-    }
-
-    pub const fn program(&self) -> &Arc<Program> {
-        &self.program
-    }
-
-    /// Structure blocks and labels, in the order of the program.
-    pub fn outline(&self) -> &[Entry] {
-        &self.outline
     }
 
     /// The structure or label that a block is under, as its number in the outline.
@@ -102,19 +92,9 @@ impl Document {
         &self.assigned
     }
 
-    /// Whether a run of it may move the probe: it measures or calls a program.
-    pub const fn may_measure(&self) -> bool {
-        self.may_measure
-    }
-
     /// The tools that its cycles name in Q330, each once.
     pub(super) fn tools(&self) -> &[ToolOf] {
         &self.tools
-    }
-
-    /// The selected block.
-    pub const fn selected(&self) -> usize {
-        self.selected
     }
 
     pub(super) fn select(&mut self, block: usize) {

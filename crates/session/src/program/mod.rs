@@ -64,7 +64,7 @@ pub use watching::{Name, Watched};
 pub struct ProgramPage {
     origin: Option<Origin>,
     /// Files that were opened, newest first.
-    recent: Vec<PathBuf>,
+    pub recent: Vec<PathBuf>,
     main: Option<NcPath>,
     shown: Option<NcPath>,
     documents: BTreeMap<NcPath, Document>,
@@ -72,7 +72,8 @@ pub struct ProgramPage {
     warnings: Vec<ProgramWarning>,
     texts: BTreeMap<ProgramField, String>,
     errors: BTreeMap<ProgramField, Message>,
-    workpiece: WorkpieceFrom,
+    /// What is measured.
+    pub workpiece: WorkpieceFrom,
     /// What the user typed for parameters, in the form or under "Start with": the only place for both.
     typed: BTreeMap<Parameter, String>,
     /// The values of these texts, for the start of a run.
@@ -80,7 +81,8 @@ pub struct ProgramPage {
     pinned: BTreeSet<Parameter>,
     breakpoints: BTreeSet<BlockPlace>,
     switches: BTreeSet<Switch>,
-    speed: Speed,
+    /// How fast a run goes.
+    pub speed: Speed,
     run: Option<Run>,
     /// SHA-256 of the open program's file.
     sha256: Option<Hash>,
@@ -98,11 +100,6 @@ impl ProgramPage {
         self.origin.as_ref()
     }
 
-    /// Files that were opened, newest first.
-    pub fn recent(&self) -> &[PathBuf] {
-        &self.recent
-    }
-
     /// The open program.
     pub fn main(&self) -> Option<&Document> {
         self.main.as_ref().and_then(|path| self.documents.get(path))
@@ -115,16 +112,6 @@ impl ProgramPage {
 
     fn shown_mut(&mut self) -> Option<&mut Document> {
         self.shown.as_ref().and_then(|path| self.documents.get_mut(path))
-    }
-
-    /// What is measured.
-    pub const fn workpiece(&self) -> WorkpieceFrom {
-        self.workpiece
-    }
-
-    /// How fast a run goes.
-    pub const fn speed(&self) -> Speed {
-        self.speed
     }
 
     /// Whether something is switched on.

@@ -56,13 +56,13 @@ impl ProgramPage {
                 return None;
             }
             let file = run?.file(number.checked_sub(self.warnings.len())?)?;
-            let place = BlockPlace { program: main.path().clone(), block: 0 };
+            let place = BlockPlace { program: main.path.clone(), block: 0 };
             return Some(Note { kind: NoteKind::File, place, message: file.message() });
         };
         // A line between blocks belongs to the block before it.
         let line = warning.place.line.unwrap_or_default().saturating_sub(1);
-        let block = main.program().blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);
-        let place = BlockPlace { program: main.path().clone(), block };
+        let block = main.program.blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);
+        let place = BlockPlace { program: main.path.clone(), block };
         Some(Note { kind: NoteKind::Warning, place, message: warning.message() })
     }
 
@@ -79,7 +79,7 @@ impl ProgramPage {
 
     fn block_number(&self, place: &BlockPlace) -> Option<u32> {
         let program = match self.documents.get(&place.program) {
-            Some(document) => std::sync::Arc::clone(document.program()),
+            Some(document) => std::sync::Arc::clone(&document.program),
             None => self.run.as_ref()?.program(&place.program)?,
         };
         program.blocks().get(place.block)?.number

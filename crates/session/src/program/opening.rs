@@ -55,7 +55,7 @@ impl ProgramPage {
     }
 
     fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &Shared) {
-        let path = document.path().clone();
+        let path = document.path.clone();
         let sign = shared.language.decimal_sign().to_string();
         self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
         for (parameter, text) in document.assigned() {

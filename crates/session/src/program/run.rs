@@ -82,7 +82,8 @@ pub(super) enum Goal {
 #[derive(Debug)]
 pub struct Run {
     pub(super) machine: Machine,
-    pub(super) state: State,
+    /// What it does.
+    pub state: State,
     pub(super) goal: Goal,
     /// Why it waits.
     pub(super) reason: Message,
@@ -96,7 +97,7 @@ pub struct Run {
     /// How many of its cycles were looked at for the journal.
     pub(super) recorded: usize,
     /// The number under which the last of them was sent to the journal, and its place there.
-    pub(super) record: Option<(u64, u64)>,
+    pub record: Option<(u64, u64)>,
 }
 
 impl Run {
@@ -115,11 +116,6 @@ impl Run {
             recorded: 0,
             record: None,
         }
-    }
-
-    /// What it does.
-    pub const fn state(&self) -> State {
-        self.state
     }
 
     pub fn is_over(&self) -> bool {
@@ -198,11 +194,6 @@ impl Run {
     /// The tool table as the run has changed it; `None` where it has changed nothing.
     pub fn changed_tools(&self) -> Option<&ToolTable> {
         self.machine.tool_table().filter(|_| !self.tool_changes().is_empty())
-    }
-
-    /// Under which number the last judged cycle was sent to the journal; `None` where none was.
-    pub const fn record(&self) -> Option<(u64, u64)> {
-        self.record
     }
 
     /// The worst status of what was measured.

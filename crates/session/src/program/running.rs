@@ -66,7 +66,7 @@ impl ProgramPage {
             return Err(message!("program-page-refused-inputs"));
         }
         let document = self.main().ok_or_else(|| message!("program-page-refused-none"))?;
-        let (path, program) = (document.path().to_string(), Arc::clone(document.program()));
+        let (path, program) = (document.path.to_string(), Arc::clone(&document.program));
         let contacts = self.contacts(shared)?;
         let folders = match &self.origin {
             Some(Origin::File(path)) => (shared.program_files.0)(path),
@@ -111,7 +111,7 @@ impl ProgramPage {
             self.run = None;
         }
         let selected =
-            self.shown().map(|document| BlockPlace { program: document.path().clone(), block: document.selected() });
+            self.shown().map(|document| BlockPlace { program: document.path.clone(), block: document.selected });
         let speed = self.speed;
         let Some(run) = self.ready_run(shared, now) else { return };
         if run.state == State::Running {

@@ -101,11 +101,13 @@ pub struct OpenJournal {
 #[derive(Debug, Default)]
 pub struct Recording {
     settings: SavedRecords,
-    keeping: Keeping,
+    /// Whether records are kept.
+    pub keeping: Keeping,
     /// Whether it was said where records are kept.
     has_begun: bool,
     file: Option<PathBuf>,
-    station: String,
+    /// The station's name.
+    pub station: String,
     journal: Option<OpenJournal>,
     people: People,
     /// What the user names beside the next check.
@@ -119,7 +121,7 @@ pub struct Recording {
     /// Part and serial number of what was read from the journal when it was opened.
     parts: BTreeSet<(String, String)>,
     /// The newest number that this window has seen.
-    newest: u64,
+    pub newest: u64,
     /// The file that was read last, with SHA-256 of its bytes.
     measured: Option<(String, Hash)>,
     server: Server,
@@ -254,19 +256,9 @@ impl Recording {
         self.has_begun
     }
 
-    /// Whether records are kept.
-    pub const fn keeping(&self) -> &Keeping {
-        &self.keeping
-    }
-
     /// The file that they are kept in.
     pub fn file(&self) -> Option<&Path> {
         self.file.as_deref()
-    }
-
-    /// The station's name.
-    pub fn station(&self) -> &str {
-        &self.station
     }
 
     /// The journal, once it was opened.
@@ -274,19 +266,14 @@ impl Recording {
         self.journal.as_ref()
     }
 
-    /// The newest number that this window has seen.
-    pub const fn newest(&self) -> u64 {
-        self.newest
-    }
-
     /// Who is measuring; empty where nobody said.
     pub fn who(&self) -> &str {
-        self.people.who()
+        &self.people.who
     }
 
     /// The names that were used last, the latest first.
     pub fn names(&self) -> &[String] {
-        self.people.names()
+        &self.people.names
     }
 
     pub(super) fn use_name(&mut self, name: &str) {

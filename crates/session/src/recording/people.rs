@@ -8,8 +8,8 @@ pub const MOST_NAMES: usize = 8;
 /// Names, the latest first.
 #[derive(Debug, Default)]
 pub(super) struct People {
-    who: String,
-    names: Vec<String>,
+    pub who: String,
+    pub names: Vec<String>,
 }
 
 impl People {
@@ -22,14 +22,6 @@ impl People {
 
     pub fn saved(&self) -> (String, Vec<String>) {
         (self.who.clone(), self.names.clone())
-    }
-
-    pub fn who(&self) -> &str {
-        &self.who
-    }
-
-    pub fn names(&self) -> &[String] {
-        &self.names
     }
 
     /// Somebody else measures from now on; an empty name is nobody.

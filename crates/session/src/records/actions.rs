@@ -87,7 +87,7 @@ impl Actions for RecordsAction {
             Self::OpenRecord => ActionRow::new(
                 ActionScope::Part(RECORDS),
                 "records-page-open",
-                Sends::FromState(|session| RecordsCommand::Open(session.records().cursor().unwrap_or_default()).into()),
+                Sends::FromState(|session| RecordsCommand::Open(session.records().cursor.unwrap_or_default()).into()),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
@@ -95,7 +95,7 @@ impl Actions for RecordsAction {
                 ActionScope::Part(RECORDS),
                 "records-page-choose",
                 Sends::FromState(|session| {
-                    let number = session.records().cursor().unwrap_or_default();
+                    let number = session.records().cursor.unwrap_or_default();
                     RecordsCommand::Choose(number, !session.records().is_chosen(number)).into()
                 }),
             )
@@ -105,7 +105,7 @@ impl Actions for RecordsAction {
             Self::WithSimulated => ActionRow::new(
                 ActionScope::Page(Page::Records),
                 "records-page-with-simulated",
-                Sends::FromState(|session| RecordsCommand::WithSimulated(!session.records().with_simulated()).into()),
+                Sends::FromState(|session| RecordsCommand::WithSimulated(!session.records().with_simulated).into()),
             )
             .hint("records-page-with-simulated-hint"),
             Self::CopyRecords => within(RECORDS, "records-page-copy", RecordsCommand::Copy)
@@ -169,7 +169,7 @@ impl Actions for RecordsAction {
     fn is_on(&self, session: &Session) -> Option<bool> {
         Some(match *self {
             Self::AskRecords(shorthand) => session.records().has(shorthand),
-            Self::WithSimulated => session.records().with_simulated(),
+            Self::WithSimulated => session.records().with_simulated,
             Self::WithdrawRecord => session.records().correcting().is_some_and(|form| form.withdraws),
             _ => return None,
         })
@@ -186,7 +186,7 @@ impl Actions for RecordsAction {
 }
 
 fn has_records(session: &Session) -> bool {
-    0 < session.records().listing().count()
+    0 < session.records().listing.count()
 }
 
 fn has_cursor(session: &Session) -> bool {
@@ -198,5 +198,5 @@ fn has_chosen(session: &Session) -> bool {
 }
 
 fn is_walking(session: &Session) -> bool {
-    matches!(session.records().walk(), Walk::Running { .. })
+    matches!(session.records().walk, Walk::Running { .. })
 }

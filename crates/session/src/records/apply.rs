@@ -173,7 +173,7 @@ impl RecordsPage {
         }
         match result {
             Ok(found) => {
-                let is_first = self.listing.is_stale();
+                let is_first = self.listing.is_stale;
                 self.listing.take(found);
                 self.look += u64::from(is_first);
             }

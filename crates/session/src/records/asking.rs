@@ -84,7 +84,7 @@ impl RecordsPage {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;
-                self.asked_at = shared.recording.newest();
+                self.asked_at = shared.recording.newest;
                 self.listing.ask();
                 self.errands.push(Effect::AskRecords { run: self.asks, question: Box::new(question), rests });
             }

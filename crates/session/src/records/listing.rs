@@ -47,9 +47,9 @@ pub struct FoundNumbers {
 pub struct Listing {
     numbers: Numbers,
     /// Whether every number is known.
-    is_whole: bool,
+    pub is_whole: bool,
     /// Whether the answer to the newest question is still out: these rows belong to the one before.
-    is_stale: bool,
+    pub is_stale: bool,
     rows: BTreeMap<u64, Arc<RecordRow>>,
     /// What was read together, the latest used last.
     pages: VecDeque<Vec<u64>>,
@@ -103,16 +103,6 @@ impl Listing {
             }
             Numbers::These(numbers) => numbers.len(),
         }
-    }
-
-    /// Whether every one of them is known.
-    pub const fn is_whole(&self) -> bool {
-        self.is_whole
-    }
-
-    /// Whether the answer to the newest question is still out.
-    pub const fn is_stale(&self) -> bool {
-        self.is_stale
     }
 
     /// Why records cannot be read.

@@ -110,20 +110,23 @@ pub struct RecordsPage {
     runs: u64,
     /// The number of the question that is asked.
     asks: u64,
-    listing: Listing,
+    /// Which records are listed, and those that were read.
+    pub listing: Listing,
     /// The newest number when the question was asked.
     asked_at: u64,
     /// The row of the list at which the keys are.
-    cursor: Option<u64>,
+    pub cursor: Option<u64>,
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
     chosen: BTreeMap<u64, Arc<RecordRow>>,
-    with_simulated: bool,
+    /// Whether simulated checks are taken into the report.
+    pub with_simulated: bool,
     open: Option<OpenRecord>,
     correcting: Option<Correcting>,
     /// The number of the walk that goes on.
     walks: u64,
-    walk: Walk,
+    /// The walk along the chain.
+    pub walk: Walk,
     /// The time of the last command.
     now: DateTime,
     /// Where its days begin; UTC until that is known.
@@ -132,16 +135,6 @@ pub struct RecordsPage {
 }
 
 impl RecordsPage {
-    /// Which records are listed, and those that were read.
-    pub const fn listing(&self) -> &Listing {
-        &self.listing
-    }
-
-    /// The row of the list at which the keys are.
-    pub const fn cursor(&self) -> Option<u64> {
-        self.cursor
-    }
-
     /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
     pub fn look(&self) -> (u64, Option<usize>) {
         (self.look, self.cursor.and_then(|number| self.listing.place_of(number)))
@@ -150,11 +143,6 @@ impl RecordsPage {
     /// Whether a record is chosen for a report.
     pub fn is_chosen(&self, number: u64) -> bool {
         self.chosen.contains_key(&number)
-    }
-
-    /// Whether simulated checks are taken into the report.
-    pub const fn with_simulated(&self) -> bool {
-        self.with_simulated
     }
 
     pub const fn opened(&self) -> Option<&OpenRecord> {
@@ -169,11 +157,6 @@ impl RecordsPage {
     /// The correction that is being made.
     pub const fn correcting(&self) -> Option<&Correcting> {
         self.correcting.as_ref()
-    }
-
-    /// The walk along the chain.
-    pub const fn walk(&self) -> &Walk {
-        &self.walk
     }
 
     /// What time it is: a question may ask for today.

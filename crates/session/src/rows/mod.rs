@@ -11,7 +11,7 @@ mod apply;
 mod command;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
@@ -32,9 +32,12 @@ pub const LARGE: u64 = 1 << 20;
 #[derive(Debug)]
 pub struct Rows {
     run: u64,
-    name: String,
-    path: PathBuf,
-    large: Large,
+    /// The file's name without its folder.
+    pub name: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Why it is judged row by row.
+    pub large: Large,
     layout: Option<Arc<Layout>>,
     parts: Vec<Arc<Part>>,
     /// How many listed rows come before each part, and how many there are.
@@ -42,17 +45,21 @@ pub struct Rows {
     classes: Vec<ToleranceClass>,
     /// How many rows of each class have each fate; the first one has no class.
     counts: Vec<[u64; FATES]>,
-    tally: Tally,
-    bytes: (u64, u64),
-    elapsed_ms: u64,
+    /// What is said of the rows so far.
+    pub tally: Tally,
+    /// How many bytes of the file were read, and how many it has.
+    pub bytes: (u64, u64),
+    /// For how long it was judged, in milliseconds.
+    pub elapsed_ms: u64,
     end: Option<End>,
     /// SHA-256 of the file, once it was read to its end.
-    sha256: Option<Hash>,
-    filter: Filter,
+    pub sha256: Option<Hash>,
+    /// Which rows are listed.
+    pub filter: Filter,
     /// The same for the classes so far.
     sieve: Sieve,
     /// The row at which the keys are.
-    cursor: Option<u64>,
+    pub cursor: Option<u64>,
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
     /// The rows that were read again, by their numbers.
@@ -126,26 +133,6 @@ impl Rows {
         }
     }
 
-    /// The file's name without its folder.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// SHA-256 of the file, once it was read to its end.
-    pub const fn sha256(&self) -> Option<Hash> {
-        self.sha256
-    }
-
-    /// The file.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
-    /// Why it is judged row by row.
-    pub const fn large(&self) -> Large {
-        self.large
-    }
-
     /// What its rows are, once that is known.
     pub fn layout(&self) -> Option<&Layout> {
         self.layout.as_deref()
@@ -185,29 +172,9 @@ impl Rows {
             .filter(|(_, _, counts)| counts.iter().any(|count| 0 < *count))
     }
 
-    /// What is said of the rows so far.
-    pub const fn tally(&self) -> &Tally {
-        &self.tally
-    }
-
-    /// How many bytes of the file were read, and how many it has.
-    pub const fn bytes(&self) -> (u64, u64) {
-        self.bytes
-    }
-
     /// How many rows were judged in a second; `None` before that can be said.
     pub fn rate(&self) -> Option<u64> {
         (self.count() * 1000).checked_div(self.elapsed_ms)
-    }
-
-    /// For how long it was judged, in milliseconds.
-    pub const fn elapsed_ms(&self) -> u64 {
-        self.elapsed_ms
-    }
-
-    /// Which rows are listed.
-    pub const fn filter(&self) -> &Filter {
-        &self.filter
     }
 
     /// How many rows are listed.
@@ -252,11 +219,6 @@ impl Rows {
         let found = part.listed(&self.sieve).take_while(|row| *row <= in_part);
         let (count, last) = found.fold((0, None), |(count, _), row| (count + 1, Some(row)));
         (last == Some(in_part)).then(|| before + count - 1)
-    }
-
-    /// The row at which the keys are.
-    pub const fn cursor(&self) -> Option<u64> {
-        self.cursor
     }
 
     /// Where to look: a number that goes up whenever a row has to come into sight, and its place.

@@ -141,7 +141,7 @@ type Selected<'a> = (&'a Document, (ToleranceClass, usize));
 
 fn selected(session: &Session) -> Option<Selected<'_>> {
     let document = session.tables().shown()?;
-    Some((document, document.selected()?))
+    Some((document, document.selected?))
 }
 
 fn has_cell(session: &Session) -> bool {

@@ -25,17 +25,22 @@ pub enum Origin {
 /// An open table.
 #[derive(Debug, Clone)]
 pub struct Document {
-    title: String,
-    origin: Origin,
+    /// What it is called; it may differ from the name within the table.
+    pub title: String,
+    /// Where it came from.
+    pub origin: Origin,
     edit: TableEdit,
     /// As it was last read or saved.
     kept: Option<DeviationTable>,
-    options: iso286::Options,
-    comparison: Comparison,
+    /// The options of the comparison with ISO 286.
+    pub options: iso286::Options,
+    /// How it compares with ISO 286.
+    pub comparison: Comparison,
     /// The cells that differ, column by column: column number, size range number, and the numbers of the differences. A
     /// range may cover several steps of the standard and differ in each.
     differing: Vec<(usize, usize, Range<usize>)>,
-    selected: Option<(ToleranceClass, usize)>,
+    /// The selected cell: class, and number of the size range.
+    pub selected: Option<(ToleranceClass, usize)>,
 }
 
 impl Document {
@@ -73,24 +78,9 @@ impl Document {
         Self { title, selected, ..copy }
     }
 
-    /// What it is called; it may differ from the name within the table.
-    pub fn title(&self) -> &str {
-        &self.title
-    }
-
-    /// Where it came from.
-    pub const fn origin(&self) -> Origin {
-        self.origin
-    }
-
     /// The table as it is now.
     pub const fn table(&self) -> &DeviationTable {
         self.edit.table()
-    }
-
-    /// How it compares with ISO 286.
-    pub const fn comparison(&self) -> &Comparison {
-        &self.comparison
     }
 
     /// How many cells differ.
@@ -128,11 +118,6 @@ impl Document {
         self.comparison.unknown.contains(&class)
     }
 
-    /// The selected cell: class, and number of the size range.
-    pub const fn selected(&self) -> Option<(ToleranceClass, usize)> {
-        self.selected
-    }
-
     pub fn cell(&self, class: ToleranceClass, range: usize) -> Option<Deviations> {
         let column = self.table().columns().iter().find(|column| column.class == class)?;
         column.cells.get(range).copied().flatten()
@@ -151,11 +136,6 @@ impl Document {
         let (over, to) = self.range(range)?;
         let ends = if Length::ZERO < over { vec![over, to] } else { vec![to] };
         standard_column(class, &ends, self.options).cells.last().copied().flatten()
-    }
-
-    /// The options of the comparison with ISO 286.
-    pub const fn options(&self) -> iso286::Options {
-        self.options
     }
 
     /// The size ranges in which ISO 286 defines a class: above and up to, mm.

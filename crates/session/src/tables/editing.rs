@@ -38,7 +38,7 @@ impl TablesPage {
     fn cell_texts(&self, language: Language) -> [(TablesField, String); 2] {
         let document = self.shown();
         let cell =
-            document.and_then(|document| document.selected().and_then(|(class, range)| document.cell(class, range)));
+            document.and_then(|document| document.selected.and_then(|(class, range)| document.cell(class, range)));
         let text = |length: Option<Length>| length.map(|length| plain(length, language)).unwrap_or_default();
         [
             (TablesField::CellUpper, text(cell.map(|cell| cell.upper()))),
@@ -87,7 +87,7 @@ impl TablesPage {
 
     pub(super) fn put_into_cell(&mut self, value: Option<Deviations>, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
-        let Some((class, range)) = document.selected() else { return };
+        let Some((class, range)) = document.selected else { return };
         if document.cell(class, range) != value {
             self.change(shared, |edit| _ = edit.set(class, range, value));
         }
@@ -96,7 +96,7 @@ impl TablesPage {
 
     pub(super) fn take_standard(&mut self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
-        let standard = document.selected().and_then(|(class, range)| document.standard(class, range));
+        let standard = document.selected.and_then(|(class, range)| document.standard(class, range));
         if standard.is_some() {
             self.put_into_cell(standard, shared);
         }
@@ -112,8 +112,8 @@ impl TablesPage {
     /// Changes the shown table, or a copy of it where it is built in.
     fn change<T>(&mut self, shared: &mut Shared, change: impl FnOnce(&mut TableEdit) -> T) -> Option<T> {
         let document = self.shown()?;
-        if document.origin() == Origin::Shipped {
-            let stem = document.title().rsplit_once('.').map_or(document.title(), |(stem, _)| stem);
+        if document.origin == Origin::Shipped {
+            let stem = document.title.rsplit_once('.').map_or(document.title.as_str(), |(stem, _)| stem);
             // No blank: in a control's table a blank ends the name.
             let copy = document.copy(self.free_title(&format!("{stem}_copy.tab")));
             let Some(number) = self.add(copy) else {
@@ -180,7 +180,7 @@ impl TablesPage {
     }
 
     pub(super) fn remove_column(&mut self, shared: &mut Shared) {
-        let selected = self.shown().and_then(Document::selected);
+        let selected = self.shown().and_then(|document| document.selected);
         if let Some((class, _)) = selected {
             self.change(shared, |edit| _ = edit.remove_column(class));
         }

@@ -6,9 +6,12 @@ use fitcheck_core::tolerance::{DeviationTable, ToleranceClass};
 /// The columns that are shown and the rows that are marked.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Filter {
-    columns: Vec<usize>,
-    rows: Vec<usize>,
-    unmatched: Vec<String>,
+    /// The numbers of the columns that are shown, ascending.
+    pub columns: Vec<usize>,
+    /// The numbers of the rows that are marked.
+    pub rows: Vec<usize>,
+    /// The words that match no column or row.
+    pub unmatched: Vec<String>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,21 +56,6 @@ impl Filter {
         let chosen = shown.iter().enumerate().filter(|(_, shown)| **shown || !chooses);
         filter.columns = chosen.map(|(column, _)| column).collect();
         filter
-    }
-
-    /// The numbers of the columns that are shown, ascending.
-    pub fn columns(&self) -> &[usize] {
-        &self.columns
-    }
-
-    /// The numbers of the rows that are marked.
-    pub fn rows(&self) -> &[usize] {
-        &self.rows
-    }
-
-    /// The words that match no column or row.
-    pub fn unmatched(&self) -> &[String] {
-        &self.unmatched
     }
 
     fn mark(&mut self, size: Length, table: &DeviationTable) -> bool {

@@ -7,7 +7,7 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::DeviationTable;
 use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
 
-use super::{Document, Origin, TablesPage};
+use super::{Origin, TablesPage};
 use crate::shared::Shared;
 
 /// A table that is being written to a file.
@@ -27,7 +27,7 @@ fn renamed(table: &DeviationTable, name: &str) -> DeviationTable {
 impl TablesPage {
     /// The proposed name of a file in a format of the list.
     pub(crate) fn file_name(&self, format: usize) -> String {
-        let title = self.shown().map(Document::title).unwrap_or_default();
+        let title = self.shown().map_or("", |document| document.title.as_str());
         let stem = title.rsplit_once('.').map_or(title, |(stem, _)| stem);
         let ending = TABLE_FORMATS.get(format).and_then(|format| format.endings.first()).copied().unwrap_or("tab");
         format!("{stem}.{ending}")
@@ -45,8 +45,8 @@ impl TablesPage {
         let name = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_whitespace, "_");
         let bytes = (format.write)(&renamed(document.table(), &name)).map_err(|error| error.message())?;
         // A built-in table never changes; a file in another format cannot be opened again. Neither counts as saving.
-        let saves = format.endings.contains(&"tab") && document.origin() != Origin::Shipped;
-        let (document, table) = (document.title().to_owned(), document.table().clone());
+        let saves = format.endings.contains(&"tab") && document.origin != Origin::Shipped;
+        let (document, table) = (document.title.clone(), document.table().clone());
         self.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
         Ok(bytes)
     }
@@ -75,7 +75,7 @@ impl TablesPage {
     /// The shown table becomes the first of the user's own.
     pub(super) fn use_shown(&self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
-        let title = document.title().to_owned();
+        let title = document.title.clone();
         let table = Arc::new(renamed(document.table(), &title));
         let others = shared.sources.own().iter().filter(|own| !own.name().eq_ignore_ascii_case(&title)).cloned();
         let own = std::iter::once(table).chain(others).collect::<Vec<_>>();

@@ -43,9 +43,11 @@ use super::texts::Texts;
 #[derive(Debug, Default)]
 pub struct TablesPage {
     texts: Texts<TablesField>,
-    documents: Vec<Document>,
+    /// The open tables, the two built-in ones first.
+    pub documents: Vec<Document>,
     shown: usize,
-    filter: Filter,
+    /// What the filter makes of the shown table.
+    pub filter: Filter,
     errors: BTreeMap<TablesField, Message>,
     saving: Option<Saving>,
 }
@@ -54,11 +56,6 @@ pub struct TablesPage {
 const MOST_DOCUMENTS: usize = 32;
 
 impl TablesPage {
-    /// The open tables, the two built-in ones first.
-    pub fn documents(&self) -> &[Document] {
-        &self.documents
-    }
-
     /// The open tables with unsaved changes.
     pub fn unsaved(&self) -> impl Iterator<Item = &Document> {
         self.documents.iter().filter(|document| document.is_unsaved())
@@ -74,15 +71,10 @@ impl TablesPage {
         self.shown
     }
 
-    /// What the filter makes of the shown table.
-    pub const fn filter(&self) -> &Filter {
-        &self.filter
-    }
-
     /// Whether limits are looked up in the shown table first, as it stands.
     pub fn is_used(&self, sources: &Sources) -> bool {
         let (Some(document), Some(own)) = (self.shown(), sources.own().first()) else { return false };
-        own.name() == document.title() && document.holds_what(own)
+        own.name() == document.title && document.holds_what(own)
     }
 
     fn shown_mut(&mut self) -> Option<&mut Document> {
@@ -92,7 +84,7 @@ impl TablesPage {
     /// The open table with a title. Built-in ones do not count: a user's own may have the same title.
     pub(super) fn by_title(&self, title: &str) -> Option<usize> {
         let is_it =
-            |document: &Document| document.origin() != Origin::Shipped && document.title().eq_ignore_ascii_case(title);
+            |document: &Document| document.origin != Origin::Shipped && document.title.eq_ignore_ascii_case(title);
         self.documents.iter().position(is_it)
     }
 
@@ -107,7 +99,7 @@ impl TablesPage {
     /// Adds a table and returns its number, closing an old one without unsaved edits where there is no room.
     fn add(&mut self, document: Document) -> Option<usize> {
         if MOST_DOCUMENTS <= self.documents.len() {
-            let old = self.documents.iter().position(|old| old.origin() != Origin::Shipped && !old.is_unsaved())?;
+            let old = self.documents.iter().position(|old| old.origin != Origin::Shipped && !old.is_unsaved())?;
             self.documents.remove(old);
         }
         self.documents.push(document);

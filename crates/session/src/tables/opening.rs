@@ -77,7 +77,7 @@ impl TablesPage {
     pub(super) fn own_tables_changed(&mut self, shared: &Shared) {
         let options = shared.sources.options();
         for document in &mut self.documents {
-            let own = shared.sources.own().iter().find(|own| own.name().eq_ignore_ascii_case(document.title()));
+            let own = shared.sources.own().iter().find(|own| own.name().eq_ignore_ascii_case(&document.title));
             if let Some(own) = own.filter(|own| document.is_replaceable() && !document.holds_what(own)) {
                 *document = Document::kept(own.as_ref().clone(), Origin::Own, options);
             }

@@ -23,11 +23,11 @@ impl TablesPage {
     pub(super) fn filter_changed(&mut self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
         let filter = Filter::of(self.text(TablesField::Filter), document.table());
-        let Some((class, range)) = document.selected() else { return };
-        let is_shown = document.column(class).is_some_and(|column| filter.columns().contains(&column));
-        let first = filter.columns().first().and_then(|&column| document.table().columns().get(column));
+        let Some((class, range)) = document.selected else { return };
+        let is_shown = document.column(class).is_some_and(|column| filter.columns.contains(&column));
+        let first = filter.columns.first().and_then(|&column| document.table().columns().get(column));
         let wanted = first.filter(|_| !is_shown).map_or(class, |column| column.class);
-        let row = filter.rows().first().copied().unwrap_or(range);
+        let row = filter.rows.first().copied().unwrap_or(range);
         self.filter = filter;
         if (wanted, row) != (class, range) && self.settle_cell(shared) {
             self.select(wanted, row, shared);
@@ -37,8 +37,8 @@ impl TablesPage {
     /// Moves by a step among the shown columns. A selected cell that the filter hides counts as the nearest shown one.
     pub(super) fn move_by(&mut self, step: Step, shared: &Shared) {
         let Some(document) = self.shown() else { return };
-        let (table, shown) = (document.table(), self.filter.columns());
-        let Some((class, range)) = document.selected() else { return };
+        let (table, shown) = (document.table(), &self.filter.columns);
+        let Some((class, range)) = document.selected else { return };
         let here = table.columns().iter().position(|column| column.class == class).unwrap_or_default();
         let place = shown.partition_point(|&column| column < here);
         let is_shown = shown.get(place) == Some(&here);
@@ -65,7 +65,7 @@ impl TablesPage {
     /// Selects the next or previous cell that differs, column by column and round again. A hidden one ends the filter.
     pub(super) fn select_difference(&mut self, forwards: bool, shared: &Shared) {
         let Some(document) = self.shown() else { return };
-        let here = document.selected().and_then(|(class, range)| Some((document.column(class)?, range)));
+        let here = document.selected.and_then(|(class, range)| Some((document.column(class)?, range)));
         let mut cells = document.differing_cells();
         let next = if forwards {
             cells.find(|cell| here < Some(*cell)).or_else(|| document.differing_cells().next())
@@ -75,7 +75,7 @@ impl TablesPage {
         drop(cells);
         let Some((column, range)) = next else { return };
         let Some(class) = document.table().columns().get(column).map(|column| column.class) else { return };
-        if !self.filter.columns().contains(&column) {
+        if !self.filter.columns.contains(&column) {
             self.filter = Filter::of("", document.table());
             self.texts.set(TablesField::Filter, "");
         }

@@ -14,7 +14,7 @@ use crate::session::parts::PlanCommand;
 
 /// Whether there is anything to list.
 pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
-    let document = view.session.parts().document();
+    let document = &view.session.parts().document;
     0 < document.faults()
 }
 
@@ -22,7 +22,7 @@ pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
 pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &mut View<'_>) {
     let parts = view.session.parts();
     let (row, column) = parts.sheet().at();
-    let finding = parts.document().finding(row, Some(column)).or_else(|| parts.document().finding(row, None));
+    let finding = parts.document.finding(row, Some(column)).or_else(|| parts.document.finding(row, None));
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(space(5.0));
         if let Some(finding) = finding {
@@ -36,12 +36,12 @@ pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// How much is wrong, and the buttons that lead there.
 pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let document = view.session.parts().document();
+    let document = &view.session.parts().document;
     let count = document.faults();
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(control(ui));
         let text = match count {
-            0 if view.session.parts().document().is_blank() => view.text("parts-page-blank"),
+            0 if view.session.parts().document.is_blank() => view.text("parts-page-blank"),
             0 => view.text("parts-page-no-fault"),
             count => view.words.say(&message!("parts-page-faults").count("count", count)),
         };
@@ -52,11 +52,11 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
             view.field_button(ui, PartsAction::PreviousFinding);
             view.field_button(ui, PartsAction::NextFinding);
         }
-        if !document.problems().is_empty() {
+        if !document.problems.is_empty() {
             view.field_button(ui, PartsAction::LeaveOutOfPlan);
         }
-        if 0 < document.comments() {
-            let comments = message!("parts-page-comments").count("count", document.comments());
+        if 0 < document.comments {
+            let comments = message!("parts-page-comments").count("count", document.comments);
             quiet(ui, view.words.say(&comments));
         }
     });
@@ -64,8 +64,8 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The list; only the rows in sight are drawn.
 pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let document = view.session.parts().document();
-    let (problems, findings) = (document.problems(), document.findings());
+    let document = &view.session.parts().document;
+    let (problems, findings) = (&document.problems, document.findings());
     // What the file had and the plan has no place for comes last, below a line of its own.
     let all = findings.len() + problems.len() + usize::from(!problems.is_empty());
     let height = control(ui);

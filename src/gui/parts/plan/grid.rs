@@ -65,14 +65,14 @@ fn columns(view: &View<'_>) -> Vec<PlanColumn> {
         let limits = (*column == Column::Callout).then_some(PlanColumn::Limits);
         std::iter::once(PlanColumn::Of(*column)).chain(limits)
     };
-    view.session.parts().sheet().columns().iter().flat_map(of).collect()
+    view.session.parts().sheet().columns.iter().flat_map(of).collect()
 }
 
 /// The table in the room that is left.
 pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let columns = columns(view);
     let widths = columns.iter().map(|shown| space(shown.width()));
-    let rows = (Sheet::rows(view.session.parts().document().draft()), control(ui));
+    let rows = (Sheet::rows(view.session.parts().document.draft()), control(ui));
     let grid = Grid::new(grid_id(), 0, vec2(space(14.0), space(8.0)), widths, rows);
     let rect = ui.available_rect_before_wrap();
     if ui.data(|data| data.get_temp::<u64>(soon()).is_some_and(|frame| frame < ui.ctx().cumulative_frame_nr())) {
@@ -82,7 +82,7 @@ pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     leave(ui, view);
     let is_focused = grid.place_ui(ui, rect, &view.text("parts-page-table")).has_focus();
     // The field of the cell takes the focus where it is drawn, which is after this.
-    if is_focused && !view.session.parts().sheet().is_editing() {
+    if is_focused && !view.session.parts().sheet().is_editing {
         typed(ui, view);
     }
     let cells = grid.cells_ui(ui, rect, |ui, cells| body_ui(ui, view, &columns, (&grid, cells), is_focused));
@@ -99,7 +99,7 @@ fn leave(ui: &Ui, view: &View<'_>) {
     let has_focus = ui.memory(|memory| memory.has_focus(grid_id()));
     let forwards = ui.input(|input| input.key_pressed(Key::Tab).then_some(!input.modifiers.shift));
     if let Some(forwards) = forwards.filter(|_| has_focus)
-        && !parts.sheet().can_tab(forwards, parts.document().draft())
+        && !parts.sheet().can_tab(forwards, parts.document.draft())
     {
         let direction = if forwards { FocusDirection::Next } else { FocusDirection::Previous };
         ui.memory_mut(|memory| memory.move_focus(direction));
@@ -124,8 +124,7 @@ fn typed(ui: &Ui, view: &mut View<'_>) {
     if !text.is_empty() {
         commands.push(PlanCommand::Edit(Some(text)));
     }
-    let can =
-        |forwards: &bool| view.session.parts().sheet().can_tab(*forwards, view.session.parts().document().draft());
+    let can = |forwards: &bool| view.session.parts().sheet().can_tab(*forwards, view.session.parts().document.draft());
     commands.extend(tabs.into_iter().filter(can).map(PlanCommand::Tab));
     for command in commands {
         view.send(PartsCommand::Plan(command));
@@ -154,14 +153,14 @@ fn body_ui(
     let (row, column) = view.session.parts().sheet().at();
     let Some(place) = columns.iter().position(|shown| *shown == PlanColumn::Of(column)) else { return };
     follow(ui, view, cells, (row, place));
-    if view.session.parts().sheet().is_editing() {
+    if view.session.parts().sheet().is_editing {
         editor::editor_ui(ui, view, cells.rect(row, place));
     }
 }
 
 /// The cell comes into sight when the keys have moved, or the table has become lower; afterwards scrolling is free.
 fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usize)) {
-    let moves = (view.session.parts().sheet().moves(), lines_of(cells.seen.height()));
+    let moves = (view.session.parts().sheet().moves, lines_of(cells.seen.height()));
     let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(grid_id().with("moves")), moves));
     if before != moves {
         cells.look_at(ui, row, place);
@@ -171,10 +170,10 @@ fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usi
 /// A cell can be clicked; for a screen reader it has a name.
 fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column): (usize, Column), is_focused: bool) {
     let parts = view.session.parts();
-    let (document, sheet) = (parts.document(), parts.sheet());
+    let (document, sheet) = (&parts.document, parts.sheet());
     let text = document.draft().rows.get(row).map_or("", |cells| &cells.cell(column).text);
     let finding = document.finding(row, Some(column));
-    let place = sheet.columns().iter().position(|of| *of == column).unwrap_or_default();
+    let place = sheet.columns.iter().position(|of| *of == column).unwrap_or_default();
     let is_in = sheet.selected_rows().contains(&row) && sheet.selected_places().contains(&place);
     let is_at = sheet.at() == (row, column);
     let look = paint::PlanCellView {
@@ -213,7 +212,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column):
 }
 
 fn limits_ui(ui: &Ui, view: &View<'_>, grid: &Grid, rect: Rect, row: usize) {
-    let feature = view.session.parts().document().feature(row);
+    let feature = view.session.parts().document.feature(row);
     let text = feature.map(|feature| limits(view.words, feature)).unwrap_or_default();
     let palette = palette(ui.ctx());
     let look = paint::PlanCellView {
@@ -255,16 +254,16 @@ fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[PlanColumn], rect: Rect, cell
             }
         },
         |painter, head, at| {
-            let is_new = at == parts.document().draft().rows.len();
+            let is_new = at == parts.document.draft().rows.len();
             let text = if is_new { view.text("parts-page-new-row") } else { (at + 1).to_string() };
-            paint::head(painter, head, palette, &text, (at == row, parts.document().is_wrong(at)));
+            paint::head(painter, head, palette, &text, (at == row, parts.document.is_wrong(at)));
             if ui.interact(head.intersect(painter.clip_rect()), grid_id().with((at, "head")), Sense::CLICK).clicked() {
                 rows.push(at);
             }
         },
     );
     // The head of a row selects all of it; with Shift, all rows between.
-    let columns = parts.sheet().columns();
+    let columns = &parts.sheet().columns;
     if let (Some(at), Some(first), Some(last)) = (rows.pop(), columns.first(), columns.last()) {
         let extends = ui.input(|input| input.modifiers.shift);
         let from = if extends { parts.sheet().at().0 } else { at };

@@ -54,7 +54,7 @@ pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.end_row();
         }
         view.checkbox(ui, PartsAction::ShowAllColumns);
-        let count = view.session.parts().document().draft().rows.len();
+        let count = view.session.parts().document.draft().rows.len();
         quiet(ui, view.words.say(&message!("parts-page-features").count("count", count)));
     });
 }

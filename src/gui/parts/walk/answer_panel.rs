@@ -27,7 +27,7 @@ const MOST: f32 = 0.62;
 /// The card, or a question about the value; below it a strip, and the number of the record.
 pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     let room = room(ui, view);
     if let Some(question) = walking.question() {
         return question_ui(ui, view, question, room);
@@ -173,7 +173,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
 /// What can be done with the part; then by which rule, what a gauge said besides, and what is missing.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     actions_ui(ui, view, walking);
     let contradicted = walking.contradicted();
     if let Some((at, values)) = &contradicted {
@@ -203,7 +203,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         standing_ui(ui, view, walking);
     }
     if !session.recording().is_on() {
-        let id = if *session.recording().keeping() == Keeping::Off { "walk-page-off" } else { "walk-page-nowhere" };
+        let id = if session.recording().keeping == Keeping::Off { "walk-page-off" } else { "walk-page-nowhere" };
         quiet(ui, view.text(id));
     }
 }
@@ -234,7 +234,7 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
                 });
             });
             view.field_button(ui, PartsAction::WatchFolder);
-            if view.session.parts().watched().folder().is_some() {
+            if view.session.parts().watched.folder().is_some() {
                 view.field_button(ui, PartsAction::StopWatch);
             }
         });

@@ -19,14 +19,14 @@ use crate::session::{PartsAction, WalkField, WindowAction};
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let session = view.session;
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     if !walking.is_begun() {
         return begin_ui(ui, view);
     }
     part_ui(ui, view);
     ui.separator();
     // Nothing else is asked until that is answered: the buttons come back in their places.
-    if let (Some(size), true) = (walking.asked(), walking.is_skipping()) {
+    if let (Some(size), true) = (walking.asked(), walking.is_skipping) {
         name_ui(ui, &size);
         return skip_ui(ui, view);
     }
@@ -47,7 +47,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         });
     });
-    if walking.is_warned() {
+    if walking.is_warned {
         let missing = walking.standing().missing;
         problem(ui, view.words.say(&message!("walk-page-next-warned").count("count", missing)));
     }
@@ -71,7 +71,7 @@ fn next_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Before a part: which plan, and which serial number.
 fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let document = session.parts().document();
+    let document = &session.parts().document;
     if document.plan().is_none() {
         if document.is_empty() || document.is_blank() {
             quiet(ui, view.text("walk-page-no-plan"));
@@ -120,7 +120,7 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn part_ui(ui: &mut Ui, view: &View<'_>) {
-    let walking = view.session.parts().walking();
+    let walking = &view.session.parts().walking;
     let part = walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
     let message = match (part.is_empty(), walking.serial().is_empty()) {
         (_, true) => message!("walk-page-part-no-serial").text("part", &part),
@@ -167,7 +167,7 @@ fn name_ui(ui: &mut Ui, size: &Size<'_>) {
 
 /// What is wrong with the value; else what there is of the size already. The lines are there in any case: the buttons keep their places.
 fn note_ui(ui: &mut Ui, view: &View<'_>) {
-    let walking = view.session.parts().walking();
+    let walking = &view.session.parts().walking;
     // The keypad leaves no room to spare.
     let lines = match (view.session.has_keypad(), is_low(ui)) {
         (true, _) => 0.0,
@@ -179,11 +179,11 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
         ui.set_min_height(lines * space(5.0));
         error_ui(ui, view, WalkField::Value);
         // The verdict stays with its size; the next value is of this one.
-        if let Some(next) = walking.asked().filter(|_| walking.faced() != walking.at()) {
+        if let Some(next) = walking.asked().filter(|_| walking.faced() != walking.at) {
             let said = message!("walk-page-next-size").text("name", next.name());
             ui.label(view.words.say(&said.text("asked", asked_text(view.words, &next))));
         }
-        let Some(at) = walking.at().filter(|_| view.session.error(WalkField::Value).is_none()) else { return };
+        let Some(at) = walking.at.filter(|_| view.session.error(WalkField::Value).is_none()) else { return };
         let count = walking.values(at).len();
         if 0 < count {
             quiet(ui, view.words.say(&message!("walk-page-measured-before").count("count", count)));

@@ -54,7 +54,7 @@ fn asked_text(words: &Words, size: &Size<'_>) -> String {
 /// Whether the part that is measured has a picture.
 fn has_picture(view: &View<'_>) -> bool {
     let parts = view.session.parts();
-    parts.walking().is_begun() && parts.walk_sight().is_some()
+    parts.walking.is_begun() && parts.walk_sight().is_some()
 }
 
 /// The picture above the sizes, where the plan has one.
@@ -69,9 +69,9 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// What a scanner or gauge types while no field has the focus goes into the field of the serial number or of the value.
 fn catch_typing(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
-    let walking = session.parts().walking();
+    let walking = &session.parts().walking;
     let field = if walking.is_begun() { WalkField::Value } else { WalkField::Serial };
-    let is_other = walking.is_skipping() || session.dialog().is_some() || Popup::is_any_open(ui.ctx());
+    let is_other = walking.is_skipping || session.dialog().is_some() || Popup::is_any_open(ui.ctx());
     let is_text = |event: &Event| matches!(event, Event::Text(text) if !text.trim().is_empty());
     if is_other || ui.ctx().text_edit_focused() || !ui.input(|input| input.events.iter().any(is_text)) {
         return;

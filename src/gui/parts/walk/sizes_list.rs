@@ -30,7 +30,7 @@ const STRETCH: f32 = 1.6;
 
 /// The list in the room that is left.
 pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let walking = view.session.parts().walking();
+    let walking = &view.session.parts().walking;
     if !walking.is_begun() {
         quiet(ui, view.text("walk-page-no-part"));
         return;
@@ -51,7 +51,7 @@ pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn rows(view: &View<'_>, walking: &Walking, places: Range<usize>) -> Vec<Row<usize>> {
     let row = |place: usize| {
-        let is_selected = walking.at() == Some(place);
+        let is_selected = walking.at == Some(place);
         let row = walking.with_row(place, |row| row_of(view, place, &row))?;
         Some(Row { is_cursor: is_selected, is_open: is_selected, ..row })
     };

@@ -14,14 +14,14 @@ const MOST: usize = 50;
 
 pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
     let session = view.session;
-    let watched = session.parts().watched();
+    let watched = &session.parts().watched;
     heading(ui, view.text("walk-page-watched"));
     if let Some(folder) = watched.folder() {
         ui.label(folder.display().to_string());
         if let Some(name) = session.parts().watched_plan() {
             quiet(ui, view.words.say(&message!("walk-page-judged-by-plan").text("name", name)));
         }
-        match watched.known() {
+        match watched.known {
             Some(known) => quiet(ui, view.words.say(&message!("walk-page-known").count("count", known))),
             None => quiet(ui, view.text("walk-page-watch-begins")),
         };
@@ -41,12 +41,12 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
     if watched.is_recording() {
         quiet(ui, view.text("walk-page-watch-recording"));
     }
-    for (name, why) in watched.waiting() {
+    for (name, why) in &watched.waiting {
         let message = message!("walk-page-waiting").text("name", name).message("why", why.clone());
         quiet(ui, view.words.say(&message));
     }
-    if 0 < watched.count() {
-        ui.label(view.words.say(&message!("walk-page-watch-count").count("count", watched.count())));
+    if 0 < watched.count {
+        ui.label(view.words.say(&message!("walk-page-watch-count").count("count", watched.count)));
     }
     for file in watched.files().take(MOST) {
         file_ui(ui, view, file);
