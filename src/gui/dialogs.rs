@@ -40,7 +40,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
 }
 
 /// A question over the page that loses something by one of its answers.
-struct Asked {
+struct LossQuestion {
     id: &'static str,
     head: &'static str,
     /// The answer that loses nothing: Enter gives it. Then the other one.
@@ -48,7 +48,7 @@ struct Asked {
     answer: fn(bool) -> Command,
 }
 
-impl Asked {
+impl LossQuestion {
     fn show(&self, ui: &Ui, view: &mut View<'_>, said: impl FnOnce(&mut Ui, &View<'_>)) {
         Modal::new(Id::unique(self.id)).show(ui, |ui| {
             ui.set_width(space(110.0));
@@ -73,7 +73,7 @@ impl Asked {
 /// Nothing is lost without a question to the user.
 fn leaving_ui(ui: &Ui, view: &mut View<'_>) {
     let answers = ["leave-stay", "leave-anyway"];
-    let asked = Asked { id: "leaving", head: "leave", answers, answer: Command::Leave };
+    let asked = LossQuestion { id: "leaving", head: "leave", answers, answer: Command::Leave };
     asked.show(ui, view, |ui, view| {
         let names = view.session.unsaved().join(", ");
         if !names.is_empty() {
@@ -92,12 +92,12 @@ fn discarding_ui(ui: &Ui, view: &mut View<'_>) {
     let (asked, question, name) = if session.budget().is_asking() {
         let answers = ["budget-page-discard-no", "budget-page-discard-yes"];
         let answer = |lose| BudgetCommand::Discard(lose).into();
-        let asked = Asked { id: "discarding", head: "budget-page-discard", answers, answer };
+        let asked = LossQuestion { id: "discarding", head: "budget-page-discard", answers, answer };
         (asked, "budget-page-unsaved", session.budget().name())
     } else {
         let answers = ["parts-page-discard-no", "parts-page-discard-yes"];
         let answer = |lose| PartsCommand::Plan(PlanCommand::Discard(lose)).into();
-        let asked = Asked { id: "discarding", head: "parts-page-discard", answers, answer };
+        let asked = LossQuestion { id: "discarding", head: "parts-page-discard", answers, answer };
         (asked, "parts-page-unsaved", session.parts().document.name())
     };
     asked.show(ui, view, |ui, view| {
