@@ -1,9 +1,10 @@
 //! Where a journal is: `--journal`, the variable, or the user's own.
 
+use std::path::PathBuf;
+
 use super::CliError;
 use crate::store::is_server;
 use crate::store::local::{self};
-use std::path::PathBuf;
 
 pub(super) const JOURNAL: &str =
     "Journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own journal";

@@ -1,5 +1,9 @@
 //! What files are read with, and what is known of one that was read.
 
+use std::path::Path;
+
+use jiff::civil::DateTime;
+
 use super::working::Job;
 use crate::control::mask::Mask;
 use crate::exchange::Remembered;
@@ -9,8 +13,6 @@ use crate::message::{Message, Say as _};
 use crate::session::Command;
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
-use jiff::civil::DateTime;
-use std::path::Path;
 
 /// What files are read with.
 #[derive(Clone, Copy)]

@@ -13,7 +13,7 @@ use fitcheck::exchange::batch::{
 };
 use fitcheck::exchange::import;
 use fitcheck::message::Message;
-use fitcheck::session::action::{Action, Part as Place};
+use fitcheck::session::action::Action;
 use fitcheck::session::{CheckCommand, Command, Effect, End, Large, News, Rows, RowsCommand, Session, Step};
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
@@ -234,11 +234,7 @@ fn a_cancelled_run_keeps_its_rows_and_says_that_it_is_not_whole() {
     assert!(0 < count && count < 101, "{count}");
     // Escape does it, also while somebody types.
     let escape = Action::from(CheckAction::CancelRows).shortcuts().next().unwrap();
-    for (is_typing, part) in [
-        (false, None),
-        (true, None),
-        (false, Place::of(fitcheck::session::Page::Check).find(|part| part.name == "rows-list")),
-    ] {
+    for (is_typing, part) in [(false, None), (true, None), (false, Some(fitcheck::session::focused::ROWS))] {
         let keys = session.keys(part, is_typing);
         let first = keys.iter().find(|(shortcut, _)| *shortcut == escape).map(|(_, action)| *action);
         assert_eq!(first, Some(CheckAction::CancelRows.into()));

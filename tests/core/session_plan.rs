@@ -518,7 +518,7 @@ fn keys_of_the_table_do_nothing_where_it_is_not_shown_or_a_field_of_the_part_is_
     let of_rows = [PartsAction::InsertPlanRow, PartsAction::DeletePlanRows, PartsAction::MovePlanRows(Step::Up)];
     let of_rows = of_rows.map(Action::from);
     let undo = PartsAction::UndoPlan.into();
-    let table = heard(&session, Part::of(Page::Parts).find(|part| part.name == "plan-grid"), false);
+    let table = heard(&session, Some(fitcheck::session::focused::PLAN), false);
     assert!(of_rows.iter().all(|action| table.contains(action)) && table.contains(&undo));
     let field = heard(&session, None, true);
     assert!(!of_rows.iter().any(|action| field.contains(action)), "{field:?}");

@@ -34,7 +34,7 @@
 //!
 //! 1. Write its folder: `mod.rs` (state), `field.rs` (text fields), `command.rs` and `apply.rs` (what can be done, and how: the trait
 //!    `PageState` in `state.rs`), `actions.rs` (menus, buttons, keys, what Enter does, and the [`action::Part`] of a list or table that
-//!    takes keys). `pairing` is a small one to read first.
+//!    takes keys; add that to [`focused`]). `pairing` is a small one to read first.
 //! 2. Add its line to `page.rs`, its `mod` and `pub use` here. Ctrl with a digit opens the first nine pages.
 //! 3. Add what survives a restart beside texts to `saved.rs`, with a default where a state file lacks it.
 //! 4. Test it without a window in `tests/core/session_NAME.rs`.
@@ -149,6 +149,17 @@ use self::files::Places;
 use self::page::pages;
 use self::shared::Shared;
 use self::state::PageState as _;
+
+/// What takes the focus as a whole on the pages.
+pub mod focused {
+    pub use super::check::{HISTORY, ROWS};
+    pub use super::fit::CLASSES;
+    pub use super::pairing::PAIRS;
+    pub use super::parts::{PLAN, SIZES};
+    pub use super::program::LISTING;
+    pub use super::records::RECORDS;
+    pub use super::tables::CELLS;
+}
 
 macro_rules! session {
     ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {

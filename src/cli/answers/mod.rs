@@ -6,13 +6,12 @@ pub(super) use lines::LONGEST_LINE;
 
 use std::fmt::Display;
 
+use lines::{Line, NextLine};
 use serde::Serialize;
 
 use super::rows::{Columns, csv_line, line, names};
 use super::{CliError, CliRemark, Format, Io};
 use crate::text::decode;
-
-use lines::{Line, NextLine};
 
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;

@@ -1,8 +1,9 @@
 //! What was found of a chain, and how far it is.
 
+use indicatif::{ProgressBar, ProgressStyle};
+
 use crate::journal::chain::Head;
 use crate::journal::inspection::{Break, Inspected};
-use indicatif::{ProgressBar, ProgressStyle};
 
 /// A line that changes; nothing where standard error is no terminal.
 pub(super) fn bar() -> ProgressBar {

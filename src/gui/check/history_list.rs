@@ -5,17 +5,19 @@ use std::sync::Arc;
 
 use eframe::egui::{Id, Ui};
 
+use crate::gui::key_names::part_id;
 use crate::gui::table::{Cell, Column, Row, Table};
 use crate::gui::view::{Digits, View};
 use crate::journal::Record;
 use crate::journal::query::{Column as By, RecordId, TIME, callout};
 use crate::message::{Message, Say as _, message};
 use crate::session::CheckAction;
+use crate::session::focused::HISTORY;
 use crate::session::{Action, CheckCommand, status_text};
 
 /// The id of the list: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("history-list")
+    part_id(HISTORY)
 }
 
 /// The columns of the history, behind the choice for export. What is left over goes to where a value comes from, which gives way first.

@@ -6,16 +6,18 @@ use eframe::egui::{Id, Ui};
 
 use super::row_texts::{fate_text, grouped};
 use crate::exchange::batch::Picked;
+use crate::gui::key_names::part_id;
 use crate::gui::table::{Cell, Column, Row, Table, joined};
 use crate::gui::view::View;
 use crate::length::Length;
 use crate::message::message;
+use crate::session::focused::ROWS;
 use crate::session::{Listed, Rows, RowsCommand};
 use crate::words::Words;
 
 /// The id of the list: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("rows-list")
+    part_id(ROWS)
 }
 
 /// The columns of the list; last what is to be done, or why there is no verdict. Where there is too little room, the part gives way first.

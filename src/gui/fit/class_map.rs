@@ -11,10 +11,12 @@ use eframe::egui::{
 use super::letter_columns::Columns;
 use super::staircase::staircase_ui;
 use crate::gui::class_chooser::feature_classes_id;
+use crate::gui::key_names::part_id;
 use crate::gui::theme::{self, Palette, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
 use crate::session::FitAction;
+use crate::session::focused::CLASSES;
 use crate::session::{ClassMap, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
@@ -69,7 +71,7 @@ pub(super) fn letter_text(letter: Letter, side: Feature) -> String {
 
 /// The id of a side's map: it takes the focus as a whole.
 pub(in crate::gui) fn map_id() -> Id {
-    Id::unique("fit-map")
+    part_id(CLASSES)
 }
 
 fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<ToleranceClass>, row: f32) {

@@ -4,14 +4,16 @@ use std::ops::Range;
 
 use eframe::egui::{Id, Ui};
 
+use crate::gui::key_names::part_id;
 use crate::gui::table::{Cell, Column, Row, Table};
 use crate::gui::view::View;
 use crate::message::message;
+use crate::session::focused::PAIRS;
 use crate::session::{PairRow, Paired, PairingCommand};
 
 /// The id of the list: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("pairs-list")
+    part_id(PAIRS)
 }
 
 /// The columns of the list. The distance from the middle gives way first, then the sizes; a remark is only wanted where there is one.

@@ -7,12 +7,14 @@ use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{Id, Rect, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::paint;
+use crate::gui::key_names::part_id;
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
 use crate::nc::program::Body;
 use crate::session::ProgramCommand;
+use crate::session::focused::LISTING;
 use crate::session::program::{Document, Run, State};
 
 /// How many lines around a block come into sight with it.
@@ -23,7 +25,7 @@ const WIDEST: usize = 2_000;
 
 /// The id of the listing: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("program-listing")
+    part_id(LISTING)
 }
 
 fn row_height() -> f32 {

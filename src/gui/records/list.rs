@@ -5,13 +5,15 @@ use std::ops::Range;
 use eframe::egui::{Id, Ui};
 
 use super::cells::RecordCells;
+use crate::gui::key_names::part_id;
 use crate::gui::table::{Column, Row, Table};
 use crate::gui::view::View;
 use crate::session::RecordsCommand;
+use crate::session::focused::RECORDS;
 
 /// The id of the list: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("records-list")
+    part_id(RECORDS)
 }
 
 /// The columns of the list, behind the choice for a report.

@@ -3,19 +3,21 @@
 use eframe::egui::{Align2, Id, Rect, Sense, Ui, vec2};
 
 use super::paint;
+use crate::gui::key_names::part_id;
 use crate::gui::over_page::just_opened;
 use crate::gui::shapes::focus_ring;
 use crate::gui::table::grid::{Cells, Grid};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::{Message, message};
+use crate::session::focused::CELLS;
 use crate::session::tables::Document;
 use crate::session::{TablesAction, TablesCommand};
 use crate::tolerance::ToleranceClass;
 
 /// The id of the grid: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("table-grid")
+    part_id(CELLS)
 }
 
 /// The grid in the room that is left.

@@ -39,7 +39,7 @@ use fitcheck_core::verdict::rules::RuleName;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
 
-pub use actions::CheckAction;
+pub use actions::{CheckAction, HISTORY, ROWS};
 pub use asked::CheckInputs;
 pub(super) use asked::{class_text, nominal_text};
 pub use choices::{MeasureBy, RuleChoice, UncertaintyFrom};

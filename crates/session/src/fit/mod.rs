@@ -35,7 +35,7 @@ use fitcheck_core::verdict::{Doubt, doubt};
 
 use super::texts::Texts;
 
-pub use actions::FitAction;
+pub use actions::{CLASSES, FitAction};
 pub use class_map::{ClassMap, MapCell};
 pub use command::FitCommand;
 pub use field::FitField;

@@ -28,7 +28,7 @@ use fitcheck_core::message::{Message, Say};
 use fitcheck_core::tolerance::Feature;
 use fitcheck_exchange::report::pairing::PairingParts;
 
-pub use actions::PairingAction;
+pub use actions::{PAIRS, PairingAction};
 pub use apply::usable;
 pub use command::PairingCommand;
 pub use field::PairingField;

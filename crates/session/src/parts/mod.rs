@@ -49,7 +49,7 @@ use std::sync::Arc;
 use fitcheck_core::message::Message;
 use fitcheck_core::part::Draft;
 
-pub use actions::PartsAction;
+pub use actions::{PLAN, PartsAction, SIZES};
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
 pub use document::PlanDocument;
 pub use field::{PartsField, PlanField, WalkField};

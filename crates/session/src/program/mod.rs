@@ -47,7 +47,7 @@ use fitcheck_nc::control::variables::{Parameter, Value};
 use fitcheck_nc::machine::{BlockPlace, NcPath};
 use fitcheck_nc::program::ProgramWarning;
 
-pub use actions::ProgramAction;
+pub use actions::{LISTING, ProgramAction};
 pub use command::{Origin, ProgramCommand, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use field::ProgramField;

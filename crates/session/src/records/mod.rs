@@ -28,7 +28,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-pub use actions::RecordsAction;
+pub use actions::{RECORDS, RecordsAction};
 pub use asking::Shorthand;
 pub use choosing::{LeftOut, RowTexts};
 pub use command::RecordsCommand;

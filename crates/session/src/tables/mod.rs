@@ -30,7 +30,7 @@ use std::collections::BTreeMap;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::Sources;
 
-pub use actions::TablesAction;
+pub use actions::{CELLS, TablesAction};
 pub use command::{TableChoice, TablesCommand};
 pub use document::{Document, Origin};
 pub use field::TablesField;

@@ -1,8 +1,9 @@
 //! A path as it is drawn: its moves, and the direction that it is seen from.
 
+use std::f64::consts::{PI, TAU};
+
 use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::{Outline, PartFeature, Surface};
-use std::f64::consts::{PI, TAU};
 
 /// Points on an arc of the path.
 const STEPS: u8 = 48;

@@ -15,7 +15,9 @@ pub(super) mod grid;
 mod paint;
 pub(super) mod tools;
 
+use crate::gui::key_names::part_id;
 use crate::part::{Column, HeadField};
+use crate::session::focused::PLAN;
 use eframe::egui::Id;
 
 /// The id of a column's name.
@@ -30,5 +32,5 @@ pub(super) fn head_id(field: HeadField) -> String {
 
 /// The id of the table: it takes the focus as a whole.
 pub(in crate::gui) fn grid_id() -> Id {
-    Id::unique("plan-grid")
+    part_id(PLAN)
 }

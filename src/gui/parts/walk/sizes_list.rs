@@ -5,14 +5,16 @@ use std::ops::Range;
 use eframe::egui::{Id, Ui};
 
 use super::asked_text;
+use crate::gui::key_names::part_id;
 use crate::gui::table::{Cell, Column, Row, Table, joined};
 use crate::gui::view::{Digits, View, quiet};
 use crate::message::message;
+use crate::session::focused::SIZES;
 use crate::session::parts::{WalkCommand, WalkRow, Walking};
 
 /// The id of the list.
 pub(in crate::gui) fn id() -> Id {
-    Id::unique("walk-sizes")
+    part_id(SIZES)
 }
 
 /// Verdict, name, what is asked, value, deviation, remark. The remark, which is narrower first, gives way before the others.
