@@ -11,9 +11,8 @@ use super::over_page::{fixed_window, just_opened, title_id};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
-use crate::message::{Message, message};
-use crate::session::parts::PlanCommand;
-use crate::session::{BudgetCommand, Command, Dialog, Notice, PartsCommand};
+use crate::message::message;
+use crate::session::{Command, Dialog, Notice};
 use crate::session::{FilesAction, WindowAction};
 
 /// Draws the open dialog, or the oldest notice.
@@ -21,8 +20,8 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     if view.session.is_leaving() {
         leaving_ui(ui, view);
-    } else if session.budget().is_asking() || session.parts().is_asking() {
-        discarding_ui(ui, view);
+    } else if let Some(name) = session.asks_about() {
+        discarding_ui(ui, view, &name);
     } else if let Some(dialog) = session.dialog() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
     } else if let Some(open) = session.open_columns() {
@@ -86,22 +85,12 @@ fn leaving_ui(ui: &Ui, view: &mut View<'_>) {
     });
 }
 
-/// Another file takes the place of one with changes.
-fn discarding_ui(ui: &Ui, view: &mut View<'_>) {
-    let session = view.session;
-    let (asked, question, name) = if session.budget().is_asking() {
-        let answers = ["budget-page-discard-no", "budget-page-discard-yes"];
-        let answer = |lose| BudgetCommand::Discard(lose).into();
-        let asked = LossQuestion { id: "discarding", head: "budget-page-discard", answers, answer };
-        (asked, "budget-page-unsaved", session.budget().name())
-    } else {
-        let answers = ["parts-page-discard-no", "parts-page-discard-yes"];
-        let answer = |lose| PartsCommand::Plan(PlanCommand::Discard(lose)).into();
-        let asked = LossQuestion { id: "discarding", head: "parts-page-discard", answers, answer };
-        (asked, "parts-page-unsaved", session.parts().document.name())
-    };
+/// Another document takes the place of one with changes.
+fn discarding_ui(ui: &Ui, view: &mut View<'_>, name: &str) {
+    let answers = ["discard-no", "discard-yes"];
+    let asked = LossQuestion { id: "discarding", head: "discard", answers, answer: Command::Discard };
     asked.show(ui, view, |ui, view| {
-        ui.label(view.words.say(&Message::new(question).text("name", name)));
+        ui.label(view.words.say(&message!("discard-unsaved").text("name", name)));
     });
 }
 

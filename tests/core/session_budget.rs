@@ -51,7 +51,7 @@ fn open(session: &mut Session, name: &str, result: Result<String, Message>) {
 }
 
 fn edit(session: &mut Session, from: &str, to: &str) {
-    let text = session.budget().toml().to_owned();
+    let text = session.budget().document.text.to_owned();
     assert!(text.contains(from), "{from} is not in {text}");
     send(session, BudgetCommand::Edit(text.replacen(from, to, 1)));
 }
@@ -132,11 +132,11 @@ fn the_figures_are_those_of_the_command_line() {
 #[test]
 fn the_template_has_every_kind_and_is_dated_today() {
     let mut session = Session::new(Language::En);
-    assert_eq!((session.budget().toml(), session.budget().read()), ("", None));
+    assert_eq!((session.budget().document.text.as_str(), session.budget().read()), ("", None));
     send(&mut session, BudgetCommand::New);
     let budget = session.budget().read().unwrap().as_ref().unwrap();
     assert_eq!((budget.date, budget.valid_until), (date(2026, 11, 21), date(2027, 11, 20)));
-    let text = session.budget().toml().to_owned();
+    let text = session.budget().document.text.to_owned();
     for kind in ["scatter", "part-temperature", "scale-temperature", "part-expansion", "scale-expansion", "resolution"]
     {
         assert!(text.contains(&format!("kind = \"{kind}\"")), "{kind}");
@@ -144,7 +144,7 @@ fn the_template_has_every_kind_and_is_dated_today() {
     for law in ["normal", "rectangular", "u-shaped", "triangular"] {
         assert!(text.contains(&format!("law = \"{law}\"")), "{law}");
     }
-    assert!(session.budget().found().is_some() && !session.budget().is_unsaved());
+    assert!(session.budget().found().is_some() && !session.budget().document.is_unsaved());
     // Its commented table is one, too.
     let (head, _) = text.split_once("# How much").unwrap();
     let piece: String = text.split_once("# [calibrated]").map(|(_, piece)| format!("[calibrated]{piece}")).unwrap();
@@ -171,7 +171,7 @@ fn no_answer_stays_beside_a_text_that_it_was_not_made_with() {
     assert!(session.budget().answer().is_none() && session.error(BudgetField::Size).is_some());
     // A field that the budget does not ask for refuses nothing.
     open(&mut session, "ring30.toml", Ok(sample("ring30.toml")));
-    send(&mut session, BudgetCommand::Discard(true));
+    send(&mut session, Command::Discard(true));
     assert!(session.budget().found().is_some() && session.error(BudgetField::Size).is_none());
 }
 
@@ -258,7 +258,7 @@ fn the_budget_that_checks_use_is_read_again_at_the_next_start() {
     send(&mut again, read.clone());
     assert_eq!(again.used_budget().unwrap().file, "station3.toml");
     assert_eq!(
-        (again.budget().name().as_str(), again.budget().toml()),
+        (again.budget().document.name().as_str(), again.budget().document.text.as_str()),
         ("station3.toml", sample("station3.toml").as_str())
     );
     assert_eq!((notices(&again), again.saved()), (Vec::new(), saved.clone()));
@@ -278,12 +278,12 @@ fn the_budget_that_checks_use_is_read_again_at_the_next_start() {
     let (mut session, _) = Session::restore(saved.clone());
     send(&mut session, BudgetCommand::Leave);
     send(&mut session, read.clone());
-    assert!(session.used_budget().is_none() && session.budget().toml().is_empty());
+    assert!(session.used_budget().is_none() && session.budget().document.text.is_empty());
     let (mut session, _) = Session::restore(saved);
     open(&mut session, "ring30.toml", Ok(sample("ring30.toml")));
     send(&mut session, read);
     assert_eq!(
-        (session.budget().name().as_str(), session.used_budget().unwrap().file.as_str()),
+        (session.budget().document.name().as_str(), session.used_budget().unwrap().file.as_str()),
         ("ring30.toml", "station3.toml")
     );
 }
@@ -310,13 +310,13 @@ fn changes_are_asked_about_and_late_files_change_nothing_unasked() {
     assert!(session.is_leaving());
     send(&mut session, Command::Leave(false));
     open(&mut session, "ring30.toml", Ok(sample("ring30.toml")));
-    assert!(session.budget().is_asking() && session.budget().toml().contains("probe 2"));
-    send(&mut session, BudgetCommand::Discard(false));
-    assert!(!session.budget().is_asking() && session.budget().toml().contains("probe 2"));
+    assert!(session.asks_about().is_some() && session.budget().document.text.contains("probe 2"));
+    send(&mut session, Command::Discard(false));
+    assert!(!session.asks_about().is_some() && session.budget().document.text.contains("probe 2"));
     send(&mut session, BudgetCommand::New);
-    assert!(session.budget().is_asking());
-    send(&mut session, BudgetCommand::Discard(true));
-    assert!(session.budget().toml().contains("Station 1") && session.unsaved().is_empty());
+    assert!(session.asks_about().is_some());
+    send(&mut session, Command::Discard(true));
+    assert!(session.budget().document.text.contains("Station 1") && session.unsaved().is_empty());
     assert_eq!(send(&mut session, Command::AskToLeave), [Effect::Leave]);
 }
 
@@ -325,7 +325,7 @@ fn a_budget_is_saved_as_its_text_with_its_line_ends() {
     let mut session = Session::new(Language::En);
     let text = sample("station3.toml").replace('\n', "\r\n");
     open(&mut session, "station3.toml", Ok(text.clone()));
-    assert!(!session.budget().toml().contains('\r') && !session.budget().is_unsaved());
+    assert!(!session.budget().document.text.contains('\r') && !session.budget().document.is_unsaved());
     edit(&mut session, "probe 1", "probe 2");
     send(&mut session, BudgetCommand::Use);
     assert_eq!(session.saved().budget, None);
@@ -339,10 +339,10 @@ fn a_budget_is_saved_as_its_text_with_its_line_ends() {
     // What is typed while it is written is not in the file.
     edit(&mut session, "probe 2", "probe 3");
     send(&mut session, Command::Saved { path: path.clone(), result: Ok(()) });
-    assert!(session.budget().is_unsaved());
-    assert_eq!(session.budget().name(), "new.toml");
+    assert!(session.budget().document.is_unsaved());
+    assert_eq!(session.budget().document.name(), "new.toml");
     edit(&mut session, "probe 3", "probe 2");
-    assert!(!session.budget().is_unsaved());
+    assert!(!session.budget().document.is_unsaved());
     send(&mut session, Command::OpenDialog(Purpose::SaveBudget));
     send(&mut session, Command::TypePath("/somewhere/new.toml".to_owned()));
     send(&mut session, Command::Confirm);

@@ -84,7 +84,7 @@ fn a_word_typed_into_a_cell_is_one_change() {
     act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
     assert!(!session.can(PartsAction::UndoPlan));
-    assert!(!session.parts().is_unsaved(), "back to what the file holds, with its lines");
+    assert!(!session.parts().document.is_unsaved(), "back to what the file holds, with its lines");
     act(&mut session, PartsAction::RedoPlan.into());
     act(&mut session, PartsAction::RedoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["30 H7", "18 H8", "16 H7"]);
@@ -254,7 +254,7 @@ fn a_word_begun_below_the_last_feature_and_erased_leaves_no_row() {
     plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
     plan(&mut session, PlanCommand::Take(None));
     assert_eq!((draft(&session).rows.len(), session.parts().document.faults()), (3, 0));
-    assert!(!session.can(PartsAction::UndoPlan) && !session.parts().is_unsaved());
+    assert!(!session.can(PartsAction::UndoPlan) && !session.parts().document.is_unsaved());
 }
 
 #[test]
@@ -467,7 +467,7 @@ fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_o
         assert!(said(&notice.message).contains("left out of the plan"), "{}", said(&notice.message));
         assert_eq!(notice.details.len(), count);
         // The file has it still, so that this plan is one that no file holds.
-        assert!(session.parts().document.plan().is_some() && session.parts().is_unsaved(), "{text}");
+        assert!(session.parts().document.plan().is_some() && session.parts().document.is_unsaved(), "{text}");
         assert!(session.can(PartsAction::SavePlan(0)) && !session.can(PartsAction::LeaveOutOfPlan), "{text}");
         apply(&mut session, PartsCommand::Show(PartsView::Walk));
         assert!(session.can(PartsAction::BeginPart) && session.can(PartsAction::WatchFolder), "{text}");
@@ -576,10 +576,10 @@ fn a_plan_as_csv_is_a_copy_where_it_has_less_and_says_what_is_left_out() {
     go(&mut session, 0, Column::Callout);
     type_cell(&mut session, "30 H7");
     save(&mut session, 1, "/plans/other.csv");
-    assert!(!session.parts().is_unsaved() && session.notices().last().unwrap().details.is_empty());
+    assert!(!session.parts().document.is_unsaved() && session.notices().last().unwrap().details.is_empty());
     plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Part), "Plate".to_owned()));
     assert!(save(&mut session, 0, "/plans/plate.toml").contains("part = \"Plate\""));
-    assert!(!session.parts().is_unsaved());
+    assert!(!session.parts().document.is_unsaved());
 }
 
 #[test]
@@ -672,7 +672,7 @@ fn a_verdict_is_shown_on_the_plan_that_it_was_made_by_alone() {
     // The same feature in another plan is one of another part.
     let other = Document::read(text.as_bytes()).unwrap();
     plan(&mut session, PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) });
-    plan(&mut session, PlanCommand::Discard(true));
+    apply(&mut session, Command::Discard(true));
     assert_eq!(status(&session), None);
     assert_eq!(session.parts().walk_balloons()[0].status, Some(Status::Good));
 }

@@ -104,8 +104,8 @@ impl Pair {
         if self.session.dialog().is_some() {
             self.send(Command::Close);
         }
-        if self.session.parts().is_asking() {
-            self.send(PartsCommand::Plan(PlanCommand::Discard(false)));
+        if self.session.asks_about().is_some() {
+            self.send(Command::Discard(false));
         }
         if self.session.page() != page {
             self.send(Command::OpenPage(page));

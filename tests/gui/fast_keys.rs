@@ -184,7 +184,7 @@ fn a_budget_is_typed_with_its_line_breaks() {
     page.get_by_role_and_label(Role::MultilineTextInput, "Budget as TOML").focus();
     page.run();
     scan(&mut page, "a = 1⏎b = 2⏎");
-    assert_eq!(page.state().session().budget().toml(), "a = 1\nb = 2\n");
+    assert_eq!(page.state().session().budget().document.text.as_str(), "a = 1\nb = 2\n");
 }
 
 #[test]

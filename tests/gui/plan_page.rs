@@ -142,7 +142,7 @@ fn cells_are_typed_moved_and_left_by_key() {
     }
     assert_eq!(texts(&page, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
     assert_eq!(texts(&page, Column::Name), ["A1", "A2", "A10"]);
-    assert!(!page.state().session().parts().is_unsaved());
+    assert!(!page.state().session().parts().document.is_unsaved());
     page.key_press_modifiers(Modifiers::COMMAND, Key::Y);
     page.run();
     assert_eq!(texts(&page, Column::Callout)[0], "30 H7");

@@ -9,10 +9,6 @@ budget-page-dialog-open = Open a budget
 budget-page-dialog-save = Save the budget
 budget-page-dialog-readings = Readings of the calibrated piece
 budget-page-not-saved = { $name }, not saved
-budget-page-discard = Discard the changes?
-budget-page-unsaved = Not saved: { $name }
-budget-page-discard-no = Keep editing
-budget-page-discard-yes = Discard changes
 
 budget-page-for = Evaluated for
 budget-page-size = Measured size

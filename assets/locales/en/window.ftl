@@ -482,6 +482,10 @@ materials-refused = Own materials cannot be used: { $path }, { $reason }
 
 ## Leaving
 leave = Close Fitcheck?
+discard = Discard the changes?
+discard-unsaved = { $name } has unsaved changes.
+discard-no = Keep editing
+discard-yes = Discard changes
 leave-unsaved = Not saved: { $names }
 leave-stay = Keep working
 leave-anyway = Close without saving

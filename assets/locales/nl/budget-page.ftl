@@ -9,10 +9,6 @@ budget-page-dialog-open = Een budget openen
 budget-page-dialog-save = Het budget opslaan
 budget-page-dialog-readings = Aflezingen van het gekalibreerde werkstuk
 budget-page-not-saved = { $name }, niet opgeslagen
-budget-page-discard = De wijzigingen verwerpen?
-budget-page-unsaved = Niet opgeslagen: { $name }
-budget-page-discard-no = Verder bewerken
-budget-page-discard-yes = Wijzigingen verwerpen
 
 budget-page-for = Berekend voor
 budget-page-size = Gemeten maat

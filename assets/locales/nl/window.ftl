@@ -482,6 +482,10 @@ materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, 
 
 ## Leaving
 leave = Fitcheck afsluiten?
+discard = De wijzigingen weggooien?
+discard-unsaved = { $name } heeft niet-opgeslagen wijzigingen.
+discard-no = Verder bewerken
+discard-yes = Wijzigingen weggooien
 leave-unsaved = Niet opgeslagen: { $names }
 leave-stay = Verder werken
 leave-anyway = Afsluiten zonder opslaan

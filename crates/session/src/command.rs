@@ -66,7 +66,9 @@ macro_rules! command {
             Confirm,
             /// Closes the dialog or the oldest notice.
             Close,
-            /// Asks whether the window may be closed: at once, unless a table or a budget has unsaved changes.
+            /// The answer to the question whether unsaved changes may be lost to another document.
+            Discard(bool),
+            /// Asks whether the window may be closed: at once, unless something has unsaved changes.
             AskToLeave,
             /// Closes the window without saving, or keeps it open.
             Leave(bool),

@@ -20,6 +20,7 @@
 //! | `parts` | plans of whole parts, and the walk through them |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
+//! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
 //! | `asking` | questions that Enter answers, and none in passing |
 //! | `page`, `state` | the list of the pages; what every page is |
 //! | `command`, `effect` | every command, and what it asks of the outside world |
@@ -57,6 +58,7 @@ mod check;
 mod columns;
 mod command;
 mod cycles;
+mod document;
 mod effect;
 mod field;
 mod files;
@@ -83,14 +85,16 @@ mod tools;
 mod typing;
 mod workpiece;
 
+use std::path::Path;
 use std::sync::Arc;
 
+use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
 pub use action::{Action, WindowAction, WorkpieceAction};
 pub use budget::{
-    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetField, BudgetPage, OpenBudget, Readings, TakenContacts,
-    UseOf, advice, bars,
+    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetDocument, BudgetField, BudgetPage, OpenBudget, Readings,
+    TakenContacts, UseOf, advice, bars,
 };
 pub use check::{
     CheckAction, CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, Lot, MeasureBy, Question, RuleChoice,
@@ -104,6 +108,7 @@ pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesAction, CyclesCommand, CyclesPage, RunLog, ValueOrigin,
     WorkpieceField, WorkpieceForm,
 };
+pub use document::OpenDocument;
 pub use effect::Effect;
 pub use field::Field;
 pub use files::{
@@ -199,6 +204,30 @@ macro_rules! session {
                 let mut errands = Vec::new();
                 $(errands.extend(self.$folder.take_errands());)+
                 errands
+            }
+
+            /// The names of documents with unsaved changes.
+            pub fn unsaved(&self) -> Vec<String> {
+                let mut names = Vec::new();
+                $(names.extend(self.$folder.unsaved());)+
+                names
+            }
+
+            /// The name of the document whose changes are asked about before another one takes its place.
+            pub fn asks_about(&self) -> Option<String> {
+                None$(.or_else(|| self.$folder.asks_about()))+
+            }
+
+            /// The answer to that question.
+            fn discard(&mut self, loses: bool) {
+                $(self.$folder.discard(loses, &mut self.shared);)+
+            }
+
+            /// A file was written, or not; what the pages say of it.
+            fn file_written(&mut self, path: &Path, is_whole: bool) -> Vec<Message> {
+                let mut said = Vec::new();
+                $(said.extend(self.$folder.file_written(path, is_whole, &mut self.shared));)+
+                said
             }
 
             $($(#[$doc])*
@@ -363,6 +392,7 @@ impl Session {
                 }
                 self.shared.leaving = true;
             }
+            Command::Discard(loses) => self.discard(loses),
             Command::Leave(false) => shared.leaving = false,
             Command::Leave(true) => return vec![Effect::Leave],
             Command::MaskRead { path, result } => self.mask_read(path, result),

@@ -170,13 +170,6 @@ impl Session {
         self.shared.recording.of_check(self.check.shown()?.id?)
     }
 
-    /// The names of tables and of a budget with unsaved changes.
-    pub fn unsaved(&self) -> Vec<String> {
-        let tables = self.tables.unsaved().map(|document| document.title.clone());
-        let budget = self.budget.is_unsaved().then(|| self.budget.name());
-        tables.chain(budget).chain(self.parts.is_unsaved().then(|| self.parts.document.name())).collect()
-    }
-
     /// The user's own tables that are not open yet: number among [`Sources::own`], and table.
     pub fn unopened_tables(&self) -> impl Iterator<Item = (usize, &Arc<DeviationTable>)> {
         let own = self.shared.sources.own().iter().enumerate();

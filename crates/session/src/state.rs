@@ -1,6 +1,7 @@
 //! What every page is: a state that commands and news change, with text fields.
 
 use std::ops::Range;
+use std::path::Path;
 
 use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
@@ -43,6 +44,24 @@ pub(super) trait PageState: Sized {
 
     /// Where in a field's text its error shows: characters counted from 0.
     fn culprit(&self, _field: Self::Field) -> Option<&Range<usize>> {
+        None
+    }
+
+    /// The names of documents with changes that no file holds.
+    fn unsaved(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// The name of a document with such changes that waits for the answer whether another one may take its place.
+    fn asks_about(&self) -> Option<String> {
+        None
+    }
+
+    /// The answer: its changes may be lost, or are kept.
+    fn discard(&mut self, _loses: bool, _shared: &mut Shared) {}
+
+    /// A file was written whole, or not at all: of its document. What is to be said of that comes back.
+    fn file_written(&mut self, _path: &Path, _is_whole: bool, _shared: &mut Shared) -> Option<Message> {
         None
     }
 

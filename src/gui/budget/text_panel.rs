@@ -25,7 +25,7 @@ pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The text has an id of its own for each budget that is opened: undo never brings back another one.
 pub(super) fn id(view: &View<'_>) -> Id {
-    Id::unique(("budget-text", view.session.budget().opened))
+    Id::unique(("budget-text", view.session.budget().document.opened))
 }
 
 /// The text and its errors.
@@ -36,17 +36,17 @@ pub(super) fn text_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         name = Some(heading(ui, view.text("budget-page-text")).id);
-        if budget.is_unsaved() {
-            quiet(ui, view.words.say(&message!("budget-page-not-saved").text("name", budget.name())));
-        } else if !budget.toml().is_empty() {
-            quiet(ui, budget.name());
+        if budget.document.is_unsaved() {
+            quiet(ui, view.words.say(&message!("budget-page-not-saved").text("name", budget.document.name())));
+        } else if !budget.document.text.is_empty() {
+            quiet(ui, budget.document.name());
         }
     });
     let error = budget.read().and_then(|read| read.as_ref().err());
     let line = error.and_then(|error| error.place.line);
     let part = if is_low(ui) { 0.3 } else { 0.46 };
     let height = (ui.ctx().content_rect().height() * part).max(space(32.0));
-    let mut text = budget.toml().to_owned();
+    let mut text = budget.document.text.clone();
     ScrollArea::vertical().id_salt("budget-text").max_height(height).show(ui, |ui| {
         let marked = |ui: &Ui, buffer: &dyn TextBuffer, width: f32| {
             let job = layout(ui, buffer.as_str(), width, line);
@@ -76,7 +76,7 @@ pub(super) fn text_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     match error {
         Some(error) => _ = problem(ui, view.words.told(error)),
-        None if budget.toml().is_empty() => _ = quiet(ui, view.text("budget-page-none")),
+        None if budget.document.text.is_empty() => _ = quiet(ui, view.text("budget-page-none")),
         None => {}
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn home_ui(ui: &Ui, view: &View<'_>) {
     let has_dialog = session.dialog().is_some()
         || session.open_columns().is_some()
         || session.is_leaving()
-        || session.parts().is_asking();
+        || session.asks_about().is_some();
     let now = Over { has_dialog, notices: session.notices().len() };
     let key = Id::unique("parts-home");
     let before: Over = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(key), now));

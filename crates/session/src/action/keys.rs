@@ -41,8 +41,7 @@ impl Session {
         let is_covered = self.dialog().is_some()
             || self.open_columns().is_some()
             || self.is_leaving()
-            || self.budget().is_asking()
-            || self.parts().is_asking();
+            || self.asks_about().is_some();
         let is_heard = |action: Action| match action.place() {
             ActionScope::Everywhere => true,
             // The workpiece's window lies over the listing, and takes Escape.

@@ -44,13 +44,12 @@ use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use self::row::{ActionRow, Actions};
-use super::budget::BudgetCommand;
 use super::columns::ColumnsCommand;
 use super::cycles::CyclesCommand;
 use super::field::Field;
 use super::files::FilesAction;
 use super::page::pages;
-use super::parts::{PartsCommand, PlanCommand, WalkCommand};
+use super::parts::WalkCommand;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Page, RecordsCommand, Session};
 
@@ -173,10 +172,8 @@ impl Session {
         let has_notice = !self.notices().is_empty();
         if self.is_leaving() {
             Some(Command::Leave(false))
-        } else if self.budget().is_asking() {
-            Some(BudgetCommand::Discard(false).into())
-        } else if self.parts().is_asking() {
-            Some(PartsCommand::Plan(PlanCommand::Discard(false)).into())
+        } else if self.asks_about().is_some() {
+            Some(Command::Discard(false))
         } else if self.dialog().is_some() {
             Some(Command::Close)
         } else if self.open_columns().is_some() {

@@ -48,7 +48,7 @@ impl Actions for BudgetAction {
             Self::OpenBudget => opening("budget-page-open", Purpose::OpenBudget).key(Shortcut::ctrl('O')),
             Self::SaveBudget => opening("budget-page-save", Purpose::SaveBudget)
                 .key(Shortcut::ctrl('S'))
-                .when(|session| !session.budget().toml().is_empty()),
+                .when(|session| !session.budget().document.text.is_empty()),
             Self::UseBudget => of_page("budget-page-use", BudgetCommand::Use).when(can_use_budget),
             Self::LeaveBudget => {
                 of_page("budget-page-leave", BudgetCommand::Leave).when(|session| session.used_budget().is_some())

@@ -7,9 +7,9 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::simulated::LARGEST;
 use jiff::civil::DateTime;
 
-use super::document::Document;
 use super::readings::Source;
-use super::{BudgetCommand, BudgetField, BudgetPage, TakenContacts};
+use super::{BudgetCommand, BudgetDocument, BudgetField, BudgetPage, TakenContacts};
+use crate::document::Document as _;
 use crate::effect::Effect;
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
@@ -39,14 +39,9 @@ impl PageState for BudgetPage {
                 self.document.text = text;
                 self.read_anew();
             }
-            BudgetCommand::New => self.open_or_ask(Document::new(now.date())),
+            BudgetCommand::New => self.open_or_ask(BudgetDocument::new(now.date())),
             BudgetCommand::Read { path, result } => self.budget_read(path, result, shared),
             BudgetCommand::UsedRead { path, result } => self.used_read(path, result, shared),
-            BudgetCommand::Discard(discards) => {
-                if let Some(document) = self.waiting.take().filter(|_| discards) {
-                    self.open(document);
-                }
-            }
             BudgetCommand::TakeContacts(record) => self.take(TakenContacts::of_check(&record), shared),
             BudgetCommand::TakeRecorded => {
                 if let Some(recorded) = shared.workpiece.recorded.clone() {
@@ -88,6 +83,27 @@ impl PageState for BudgetPage {
     fn error(&self, field: BudgetField) -> Option<&Message> {
         self.errors.get(&field)
     }
+
+    fn unsaved(&self) -> Vec<String> {
+        self.document.unsaved()
+    }
+
+    fn asks_about(&self) -> Option<String> {
+        self.document.asks_about()
+    }
+
+    fn discard(&mut self, loses: bool, _shared: &mut Shared) {
+        if self.document.answer(loses) {
+            self.opened();
+        }
+    }
+
+    fn file_written(&mut self, path: &Path, is_whole: bool, shared: &mut Shared) -> Option<Message> {
+        if self.document.written(path, is_whole) {
+            self.used_is_saved(shared);
+        }
+        None
+    }
 }
 
 impl BudgetPage {
@@ -105,25 +121,21 @@ impl BudgetPage {
         let result =
             result.and_then(|text| if LARGEST < text.len() { Err(BudgetError::TooLarge.message()) } else { Ok(text) });
         if let Some(text) = shared.file_answered(result) {
-            let mut document = Document::read(path, &text);
+            let mut document = BudgetDocument::read(path, &text);
             document.sha256 = shared.recording.of_file(&document.name());
             self.open_or_ask(document);
         }
     }
 
-    /// Opens a budget; changes that no file holds are asked about first.
-    fn open_or_ask(&mut self, document: Document) {
-        if self.is_unsaved() {
-            self.waiting = Some(document);
-        } else {
-            self.open(document);
+    fn open_or_ask(&mut self, document: BudgetDocument) {
+        if self.document.open_or_ask(document) {
+            self.opened();
         }
     }
 
-    /// Shows another budget. Readings were those of the one before.
-    pub(super) fn open(&mut self, document: Document) {
-        (self.document, self.source, self.waiting) = (document, None, None);
-        self.opened += 1;
+    /// Another budget is shown. Readings were those of the one before.
+    pub(super) fn opened(&mut self) {
+        self.source = None;
         self.read_anew();
     }
 
@@ -150,24 +162,5 @@ impl BudgetPage {
         if let Some(readings) = &self.readings {
             shared.note_details(readings.from.clone(), readings.notes.clone());
         }
-    }
-
-    /// The bytes for a file.
-    pub(crate) fn bytes(&mut self, path: &Path) -> Vec<u8> {
-        self.saving = Some((path.to_owned(), self.document.text.clone()));
-        self.document.bytes()
-    }
-
-    /// A file was written. If it was the budget's, it holds the text as it was then.
-    pub(crate) fn saved(&mut self, path: &Path, shared: &Shared) {
-        if let Some((_, text)) = self.saving.take_if(|(saving, _)| saving == path) {
-            self.document.saved(path, text);
-            self.used_is_saved(shared);
-        }
-    }
-
-    /// A file was not written: whatever is written under its name later is not this text.
-    pub(crate) fn not_saved(&mut self, path: &Path) {
-        self.saving.take_if(|(saving, _)| saving == path);
     }
 }

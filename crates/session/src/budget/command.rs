@@ -21,8 +21,6 @@ pub enum BudgetCommand {
     Read { path: PathBuf, result: Result<String, Message> },
     /// The budget that checks used the last time was read, or not.
     UsedRead { path: PathBuf, result: Result<String, Message> },
-    /// Opens what waits and loses the changes, or keeps them.
-    Discard(bool),
     /// Evaluates for the contacts of a check.
     TakeContacts(Arc<Record>),
     /// Evaluates for the recorded contacts.

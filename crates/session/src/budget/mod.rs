@@ -33,14 +33,15 @@ use jiff::civil::Date;
 pub use actions::BudgetAction;
 pub use command::BudgetCommand;
 pub use contacts::TakenContacts;
+pub use document::BudgetDocument;
 pub use field::BudgetField;
 pub use open::OpenBudget;
 pub use picture::{Bar, advice, bars};
 pub use readings::{BothSizes, Readings};
 pub use using::UseOf;
 
-use self::document::Document;
 use self::readings::Source;
+use super::document::OpenDocument;
 use super::texts::Texts;
 
 /// What a budget asks for besides its text: as long as the text cannot be read, what it asked for before.
@@ -58,13 +59,7 @@ pub struct Asks {
 pub struct BudgetPage {
     texts: Texts<BudgetField>,
     errors: BTreeMap<BudgetField, Message>,
-    document: Document,
-    /// How many texts were opened.
-    pub opened: u64,
-    /// What is opened once the user gives up the changes.
-    waiting: Option<Document>,
-    /// A file that is being written, with its text.
-    saving: Option<(PathBuf, String)>,
+    pub document: OpenDocument<BudgetDocument>,
     /// `None` while there is no text.
     read: Option<Result<Budget, Located<BudgetError>>>,
     /// What the budget asks for besides its text.
@@ -82,25 +77,6 @@ pub struct BudgetPage {
 }
 
 impl BudgetPage {
-    pub fn toml(&self) -> &str {
-        &self.document.text
-    }
-
-    /// The name of its file without the folder, or the one that it would get.
-    pub fn name(&self) -> String {
-        self.document.name()
-    }
-
-    /// Whether there are changes that no file holds.
-    pub fn is_unsaved(&self) -> bool {
-        self.document.is_unsaved()
-    }
-
-    /// Whether the user is asked about changes before another budget is opened.
-    pub const fn is_asking(&self) -> bool {
-        self.waiting.is_some()
-    }
-
     /// What the text says; `None` while there is none.
     pub const fn read(&self) -> Option<&Result<Budget, Located<BudgetError>>> {
         self.read.as_ref()

@@ -7,8 +7,8 @@ use fitcheck_core::budget::template::Placeholder;
 use fitcheck_core::budget::{Basis, Budget, Validity};
 use fitcheck_core::message::{Message, Say as _, message};
 
-use super::document::Document;
-use super::{BudgetPage, OpenBudget, Readings};
+use super::{BudgetDocument, BudgetPage, OpenBudget, Readings};
+use crate::document::Document as _;
 use crate::shared::{News, Shared};
 
 /// Which budget checks use, seen from the page.
@@ -77,7 +77,7 @@ impl BudgetPage {
         details.extend(warning(&budget, budget.validity(self.today)));
         // The page says which budget is in use; a notice only tells what is not seen there.
         shared.note_details(message!("budget-page-used").text("name", &budget.name), details);
-        let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.is_unsaved());
+        let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.document.is_unsaved());
         shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
         shared.spread(News::Budget);
     }
@@ -112,7 +112,7 @@ impl BudgetPage {
         }
         self.awaits_used = false;
         let shown = path.display().to_string();
-        let document = result.map(|text| Document::read(path, &text));
+        let document = result.map(|text| BudgetDocument::read(path, &text));
         let read = document.and_then(|document| match Budget::read(&document.text) {
             Ok(budget) => Ok((document, budget)),
             Err(error) => Err(error.message()),
@@ -128,8 +128,9 @@ impl BudgetPage {
                 shared.budget = Some(Arc::new(OpenBudget { file: document.name(), budget, sha256 }));
                 shared.spread(News::Budget);
                 // What was opened meanwhile stays.
-                if self.document == Document::default() {
-                    self.open(document);
+                if *self.document == BudgetDocument::default() {
+                    self.document.open(document);
+                    self.opened();
                 }
             }
             // A file that cannot be read now may be there the next time.

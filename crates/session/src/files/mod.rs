@@ -121,7 +121,7 @@ impl Session {
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
-            Purpose::SaveBudget => self.budget.name(),
+            Purpose::SaveBudget => self.budget.document.name(),
             Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), ending(purpose)),
             Purpose::SavePairs(_) => {
                 let name = Words::new(self.shared.language).get("pairing-page-file-name");
@@ -214,8 +214,8 @@ impl Session {
             Purpose::ReportPart(format) => self.report_part(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveTools => self.tools_bytes()?.into(),
-            Purpose::SaveBudget => self.budget.bytes(&path).into(),
-            Purpose::SavePlan(_) => self.parts.bytes(&path).into(),
+            Purpose::SaveBudget => self.budget.document.save(&path).into(),
+            Purpose::SavePlan(_) => self.parts.document.save(&path).into(),
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| message!("cycles-no-log"))?;
                 log.bytes.clone().into()
@@ -319,13 +319,9 @@ impl Session {
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
+        let details = self.file_written(path, result.is_ok());
         let dialog = self.shared.answered_dialog().filter(|dialog| dialog.busy);
         let purpose = dialog.as_ref().map(|dialog| dialog.purpose);
-        if result.is_err() {
-            self.tables.not_saved(path);
-            self.budget.not_saved(path);
-            self.parts.not_saved(path);
-        }
         let result = match (result, dialog) {
             // The user is asked, or taken to the folder whose name was typed.
             (Err(FileError::Exists { path }), Some(dialog)) => return dialog.ask(path),
@@ -335,9 +331,6 @@ impl Session {
         if self.shared.file_answered(result).is_none() {
             return;
         }
-        self.tables.saved(path);
-        self.budget.saved(path, &self.shared);
-        let details = self.parts.saved(path).into_iter().collect();
         if let Some(purpose) = purpose {
             self.shared.places.used(purpose, path);
         }

@@ -10,7 +10,7 @@ use jiff::civil::DateTime;
 use super::document::PlanDocument;
 use super::picture::PlanPicture;
 use super::sheet::Sheet;
-use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving, serials};
+use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, serials};
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::parts::PlanField;
@@ -64,10 +64,7 @@ impl PageState for PartsPage {
             PartsCommand::Plan(command) => effects.extend(self.apply_plan(command, shared)),
             PartsCommand::Walk(command) => effects = self.apply_walk(command, shared, now),
         }
-        // While a name is typed it is not yet that of a file.
-        let picture = if self.document.is_typing() { None } else { self.ask_for_picture() };
-        effects.extend(picture.map(Effect::ReadPicture));
-        self.keep_picture();
+        effects.extend(self.follow_picture());
         effects
     }
 
@@ -126,6 +123,35 @@ impl PageState for PartsPage {
         }
     }
 
+    fn unsaved(&self) -> Vec<String> {
+        self.document.unsaved()
+    }
+
+    fn asks_about(&self) -> Option<String> {
+        self.document.asks_about()
+    }
+
+    fn discard(&mut self, loses: bool, shared: &mut Shared) {
+        if self.document.answer(loses) {
+            self.opened(shared);
+        }
+        let picture = self.follow_picture();
+        self.errands.extend(picture);
+    }
+
+    fn file_written(&mut self, path: &Path, is_whole: bool, _shared: &mut Shared) -> Option<Message> {
+        if let Some(left) = self.document.copied(path, is_whole) {
+            return Some(message!("parts-page-csv-copy").text("keys", left.join(", ")));
+        }
+        let name = self.document.name();
+        if !self.document.written(path, is_whole) {
+            return None;
+        }
+        self.watched.saved_as(self.document.plan(), path);
+        let lost = std::mem::take(&mut self.document.comments);
+        (0 < lost).then(|| message!("parts-page-comments-lost").text("name", name).count("count", lost))
+    }
+
     fn is_free_text(&self, field: PartsField) -> bool {
         // A callout, a name and a place are typed into the same cell.
         field != PartsField::Walk(WalkField::Value)
@@ -141,12 +167,6 @@ impl PartsPage {
                 self.open_or_ask(PlanDocument::new(draft, &sources), shared);
             }
             PlanCommand::Read { path, result } => self.plan_read(path, result, shared),
-            PlanCommand::Discard(true) => {
-                if let Some(document) = self.waiting.take() {
-                    self.open(document, shared);
-                }
-            }
-            PlanCommand::Discard(false) => self.waiting = None,
             PlanCommand::Undo => self.step_back(true, &sources),
             PlanCommand::Redo => self.step_back(false, &sources),
             command => return self.edit(command, shared),
@@ -163,29 +183,31 @@ impl PartsPage {
         }
     }
 
-    /// Opens a plan; changes that no file holds are asked about first.
     fn open_or_ask(&mut self, document: PlanDocument, shared: &mut Shared) {
-        if self.document.is_unsaved() {
-            self.waiting = Some(document);
-        } else {
-            self.open(document, shared);
+        if self.document.open_or_ask(document) {
+            self.opened(shared);
         }
     }
 
-    fn open(&mut self, mut document: PlanDocument, shared: &mut Shared) {
-        let remarks = document.take_remarks();
-        let opened = message!("parts-page-opened").text("name", document.name()).count("count", remarks.len());
+    /// Another plan is shown.
+    fn opened(&mut self, shared: &mut Shared) {
+        let remarks = self.document.take_remarks();
+        let opened = message!("parts-page-opened").text("name", self.document.name()).count("count", remarks.len());
         shared.note_details(opened, remarks);
-        self.document = document;
-        // What is still being written is another plan.
-        self.saving = None;
         if self.document.is_blank() {
             self.view = PartsView::Plan;
         }
         self.sheet = Sheet::of(&self.document);
         self.shown = PlanPicture::default();
-        self.opened += 1;
         self.ask_for_keys();
+    }
+
+    /// Asks for the picture that the plan names now, and keeps the one of the part that is measured.
+    fn follow_picture(&mut self) -> Option<Effect> {
+        // While a name is typed it is not yet that of a file.
+        let picture = if self.document.is_typing() { None } else { self.ask_for_picture() };
+        self.keep_picture();
+        picture.map(Effect::ReadPicture)
     }
 
     /// Gives the keys to what is typed next: the table of the plan, the value of the size that is asked for, or the serial number where a
@@ -200,30 +222,5 @@ impl PartsPage {
             PartsView::Walk => self.document.plan().map(|_| Effect::Focus(WalkField::Serial.into())),
         };
         self.errands.extend(effect.filter(|_| self.is_shown));
-    }
-
-    /// The bytes for a file.
-    pub(crate) fn bytes(&mut self, path: &Path) -> Vec<u8> {
-        let (draft, left) = (self.document.to_save(), self.document.left_out_of(path));
-        self.saving = Some(Saving { path: path.to_owned(), draft, left });
-        self.document.bytes(path)
-    }
-
-    /// A file was written. If it was the plan's, it holds the plan as it was then; returns what is to be said of one with less in it.
-    pub(crate) fn saved(&mut self, path: &Path) -> Option<Message> {
-        let Saving { draft, left, .. } = self.saving.take_if(|saving| saving.path == path)?;
-        if left.is_empty() {
-            let name = self.document.name();
-            let lost = self.document.saved(path, draft);
-            self.watched.saved_as(self.document.plan(), path);
-            let said = message!("parts-page-comments-lost").text("name", name).count("count", lost);
-            return (0 < lost).then_some(said);
-        }
-        Some(message!("parts-page-csv-copy").text("keys", left.join(", ")))
-    }
-
-    /// A file was not written: whatever is written under its name later is not this plan.
-    pub(crate) fn not_saved(&mut self, path: &Path) {
-        self.saving.take_if(|saving| saving.path == path);
     }
 }

@@ -37,8 +37,6 @@ pub enum PlanCommand {
         /// What it holds.
         result: Result<Box<Document>, Message>,
     },
-    /// Opens what waits and loses the changes, or keeps them.
-    Discard(bool),
     /// Replaces the text of a field of the plan.
     Type(PlanField, String),
     /// What was typed into a field of the part is complete.

@@ -6,9 +6,11 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::part::{
-    Column, Document, Draft, DraftFeature, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Spot,
+    self, Column, Draft, DraftFeature, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Spot,
 };
 use fitcheck_core::tolerance::Sources;
+
+use crate::document::{Document, DocumentFile};
 
 /// What a plan is called that no file holds yet.
 const NEW: &str = "plan.toml";
@@ -30,9 +32,9 @@ pub(super) enum Typing {
 #[derive(Debug, Clone, Default)]
 pub struct PlanDocument {
     draft: Arc<Draft>,
-    /// The draft that its file holds.
-    kept: Arc<Draft>,
-    path: Option<PathBuf>,
+    file: DocumentFile<Arc<Draft>>,
+    /// A file that is being written with less than the plan, and what it has no place for.
+    copying: Option<(PathBuf, Vec<&'static str>)>,
     /// The drafts before the changes, and those that were taken back.
     before: Vec<Arc<Draft>>,
     after: Vec<Arc<Draft>>,
@@ -59,20 +61,21 @@ pub struct PlanDocument {
 impl PlanDocument {
     /// A plan that no file holds.
     pub(super) fn new(draft: Draft, sources: &Sources) -> Self {
-        let mut new = Self::default();
-        new.kept = Arc::new(draft.clone());
-        new.show(Arc::new(draft), sources);
+        let draft = Arc::new(draft);
+        let mut new = Self { file: DocumentFile::unnamed(Arc::clone(&draft)), ..Self::default() };
+        new.show(draft, sources);
         new
     }
 
     /// What a file holds.
-    pub(super) fn read(path: PathBuf, document: Document, sources: &Sources) -> Self {
-        let Document { draft, problems, remarks, comments } = document;
-        let (draft, remarks) = (Arc::new(draft), remarks.iter().map(Say::message).collect());
-        let mut read =
-            Self { kept: Arc::clone(&draft), path: Some(path), problems, remarks, comments, ..Self::default() };
-        read.show(draft, sources);
-        read
+    pub(super) fn read(path: PathBuf, read: part::Document, sources: &Sources) -> Self {
+        let part::Document { draft, problems, remarks, comments } = read;
+        let draft = Arc::new(draft);
+        let file = DocumentFile::read(path, Arc::clone(&draft));
+        let remarks = remarks.iter().map(Say::message).collect();
+        let mut document = Self { file, problems, remarks, comments, ..Self::default() };
+        document.show(draft, sources);
+        document
     }
 
     /// The plan as it is written.
@@ -134,15 +137,9 @@ impl PlanDocument {
         std::mem::take(&mut self.remarks)
     }
 
-    /// The file's name without the folder.
-    pub fn name(&self) -> String {
-        let name = self.path.as_deref().and_then(Path::file_name);
-        name.map_or_else(|| NEW.to_owned(), |name| name.to_string_lossy().into_owned())
-    }
-
     /// The file that it is from, or that it was saved to last.
     pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
+        self.file.path()
     }
 
     /// Whether there is a plan at all.
@@ -152,15 +149,10 @@ impl PlanDocument {
 
     /// Whether it is a new plan that nothing was written into: nothing is wrong with it yet.
     pub fn is_blank(&self) -> bool {
-        self.path.is_none()
+        self.path().is_none()
             && self.before.is_empty()
             && !self.draft.rows.is_empty()
             && *self.draft == Draft::of(vec![DraftFeature::default(); self.draft.rows.len()])
-    }
-
-    /// Whether there are changes that no file holds.
-    pub fn is_unsaved(&self) -> bool {
-        self.draft != self.kept || self.has_left_out
     }
 
     /// Whether a change can be taken back, and made again.
@@ -248,28 +240,29 @@ impl PlanDocument {
         self.show(Arc::clone(&self.draft), sources);
     }
 
-    /// What a file with this name has no place for: CSV has the features alone.
-    pub(super) fn left_out_of(&self, path: &Path) -> Vec<&'static str> {
+    /// It is being written: the text of its file. CSV has the features alone.
+    pub(crate) fn save(&mut self, path: &Path) -> Vec<u8> {
+        let is_csv = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
         let is_left = |field: &HeadField| self.draft.text(*field).is_some() && field.column().is_none();
-        let left = HeadField::ALL.into_iter().filter(|field| is_csv(path) && is_left(field));
-        left.map(HeadField::key).collect()
+        let left: Vec<_> = HeadField::ALL.into_iter().filter(|field| is_csv && is_left(field)).collect();
+        if left.is_empty() {
+            self.file.save(path, Arc::clone(&self.draft));
+        } else {
+            self.copying = Some((path.to_owned(), left.into_iter().map(HeadField::key).collect()));
+        }
+        if is_csv { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
     }
 
-    /// The text for a file with this name.
-    pub(super) fn bytes(&self, path: &Path) -> Vec<u8> {
-        if is_csv(path) { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
+    /// A file was written, or not; whether this plan was saved by that, as it was then.
+    pub(super) fn written(&mut self, path: &Path, is_whole: bool) -> bool {
+        let is_saved = self.file.written(path, is_whole);
+        self.has_left_out &= !is_saved;
+        is_saved
     }
 
-    /// A file holds a draft from now on; returns how many comments are not in it.
-    pub(super) fn saved(&mut self, path: &Path, draft: Arc<Draft>) -> usize {
-        (self.path, self.kept) = (Some(path.to_owned()), draft);
-        self.has_left_out = false;
-        std::mem::take(&mut self.comments)
-    }
-
-    /// The draft that is saved now.
-    pub(super) fn to_save(&self) -> Arc<Draft> {
-        Arc::clone(&self.draft)
+    /// A file with less than the plan was written, or not: what it has no place for.
+    pub(super) fn copied(&mut self, path: &Path, is_whole: bool) -> Option<Vec<&'static str>> {
+        self.copying.take_if(|(copying, _)| copying == path).filter(|_| is_whole).map(|(_, left)| left)
     }
 
     fn show(&mut self, draft: Arc<Draft>, sources: &Sources) {
@@ -291,8 +284,14 @@ impl PlanDocument {
     }
 }
 
-fn is_csv(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+impl Document for PlanDocument {
+    fn name(&self) -> String {
+        self.file.name(NEW)
+    }
+
+    fn is_unsaved(&self) -> bool {
+        self.file.kept() != Some(&self.draft) || self.has_left_out
+    }
 }
 
 /// The first place in which two drafts differ.

@@ -43,11 +43,9 @@ mod watch_news;
 mod watched;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
-use fitcheck_core::part::Draft;
 
 pub use actions::{PLAN, PartsAction, SIZES};
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
@@ -62,6 +60,7 @@ pub use watched::{TakenFile, Watched};
 
 use self::resume::Resume;
 use super::asking::Asking;
+use super::document::OpenDocument;
 use super::effect::Effect;
 use crate::texts::Texts;
 
@@ -88,11 +87,9 @@ pub struct PartsPage {
     is_shown: bool,
     texts: Texts<WalkField>,
     errors: BTreeMap<WalkField, Message>,
-    pub document: PlanDocument,
+    pub document: OpenDocument<PlanDocument>,
     sheet: Sheet,
     shown: picture::PlanPicture,
-    /// How many plans were opened.
-    opened: u64,
     walk_picture: Option<picture::WalkPicture>,
     /// The part that is being measured.
     pub walking: Walking,
@@ -106,18 +103,6 @@ pub struct PartsPage {
     pub watched: Watched,
     /// What has to be done outside because of what happened elsewhere.
     errands: Vec<Effect>,
-    /// A plan that is to be opened, once it is said what becomes of the changes.
-    waiting: Option<PlanDocument>,
-    saving: Option<Saving>,
-}
-
-/// A plan that is being written.
-#[derive(Debug)]
-struct Saving {
-    path: PathBuf,
-    draft: Arc<Draft>,
-    /// What the file has no place for: with less than the plan it is a copy.
-    left: Vec<&'static str>,
 }
 
 impl PartsPage {
@@ -139,16 +124,6 @@ impl PartsPage {
     pub fn watched_plan(&self) -> Option<String> {
         let path = self.watched.plan_path()?;
         (Some(path) != self.document.path()).then(|| name_of(path))
-    }
-
-    /// Whether it is asked what becomes of changes.
-    pub const fn is_asking(&self) -> bool {
-        self.waiting.is_some()
-    }
-
-    /// Whether the plan has changes that no file holds.
-    pub fn is_unsaved(&self) -> bool {
-        self.document.is_unsaved()
     }
 }
 

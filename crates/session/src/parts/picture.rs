@@ -117,7 +117,7 @@ impl PartsPage {
         match self.walking.plan() {
             Some(plan) if of.is_some_and(|of| Arc::ptr_eq(of, plan)) => {}
             plan => {
-                let kept = |plan| WalkPicture { plan, shown: self.shown.clone(), opened: self.opened };
+                let kept = |plan| WalkPicture { plan, shown: self.shown.clone(), opened: self.document.opened };
                 self.walk_picture = plan.map(Arc::clone).map(kept);
             }
         }
@@ -172,7 +172,7 @@ impl PartsPage {
 
     /// The balloons of the plan that is edited. Verdicts are those of the part that was begun by it, of features with the same limits.
     pub fn balloons(&self) -> Vec<Balloon> {
-        let is_its = self.walk_picture.as_ref().is_some_and(|kept| kept.opened == self.opened);
+        let is_its = self.walk_picture.as_ref().is_some_and(|kept| kept.opened == self.document.opened);
         let steps = if is_its { self.steps_by_name() } else { Vec::new() };
         let features = self.walking.plan().map(|plan| plan.features()).unwrap_or_default();
         let steps: BTreeMap<&str, (&KnownFeature, &PlanFeature)> =

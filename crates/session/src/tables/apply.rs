@@ -1,5 +1,7 @@
 //! How commands and news change the table page.
 
+use std::path::Path;
+
 use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
@@ -88,6 +90,16 @@ impl PageState for TablesPage {
 
     fn error(&self, field: TablesField) -> Option<&Message> {
         self.errors.get(&field)
+    }
+
+    fn unsaved(&self) -> Vec<String> {
+        let unsaved = self.documents.iter().filter(|document| document.is_unsaved());
+        unsaved.map(|document| document.title.clone()).collect()
+    }
+
+    fn file_written(&mut self, path: &Path, is_whole: bool, _shared: &mut Shared) -> Option<Message> {
+        self.table_written(path, is_whole);
+        None
     }
 
     fn is_free_text(&self, field: TablesField) -> bool {

@@ -1,11 +1,14 @@
 //! An open table: its edits, the selected cell, and how it compares with ISO 286.
 
 use std::ops::Range;
+use std::path::Path;
 
 use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::compare::{Comparison, Difference, compare};
 use fitcheck_core::tolerance::table_edit::{TableEdit, standard_column};
 use fitcheck_core::tolerance::{DeviationTable, Deviations, ToleranceClass, iso286};
+
+use crate::document::DocumentFile;
 
 /// Where an open table came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,8 +33,7 @@ pub struct Document {
     /// Where it came from.
     pub origin: Origin,
     edit: TableEdit,
-    /// As it was last read or saved.
-    kept: Option<DeviationTable>,
+    file: DocumentFile<DeviationTable>,
     /// The options of the comparison with ISO 286.
     pub options: iso286::Options,
     /// How it compares with ISO 286.
@@ -46,7 +48,7 @@ pub struct Document {
 impl Document {
     /// A table that is stored somewhere in this state.
     pub(super) fn kept(table: DeviationTable, origin: Origin, options: iso286::Options) -> Self {
-        Self { kept: Some(table.clone()), ..Self::unsaved(table, origin, options) }
+        Self { file: DocumentFile::unnamed(table.clone()), ..Self::unsaved(table, origin, options) }
     }
 
     /// A table that is not stored anywhere.
@@ -55,7 +57,7 @@ impl Document {
             title: table.name().to_owned(),
             origin,
             edit: TableEdit::new(table),
-            kept: None,
+            file: DocumentFile::missing(),
             options,
             comparison: Comparison::default(),
             differing: Vec::new(),
@@ -147,7 +149,12 @@ impl Document {
 
     /// Whether there are edits that no file holds.
     pub fn is_unsaved(&self) -> bool {
-        self.kept.as_ref().is_none_or(|kept| !self.holds_what(kept))
+        self.file.kept().is_none_or(|kept| !self.holds_what(kept))
+    }
+
+    /// Whether it is the user's own and has a title.
+    pub(super) fn is_titled(&self, title: &str) -> bool {
+        self.origin != Origin::Shipped && self.title.eq_ignore_ascii_case(title)
     }
 
     /// Whether a table that is read under the same name may replace it.
@@ -207,14 +214,26 @@ impl Document {
         answer
     }
 
-    /// It was saved as a table under a name.
-    pub(super) fn saved(&mut self, title: String, table: DeviationTable) {
-        (self.title, self.origin, self.kept) = (title, Origin::File, Some(table));
+    /// It is being written as it is now.
+    pub(super) fn save(&mut self, path: &Path) {
+        let table = self.table().clone();
+        self.file.save(path, table);
     }
 
-    /// Its file was overwritten.
+    /// A file was written, or not; whether this table was saved by that, as it was then. It takes the file's name.
+    pub(super) fn written(&mut self, path: &Path, is_whole: bool) -> bool {
+        let is_saved = self.file.written(path, is_whole);
+        if is_saved {
+            self.title = self.file.name(&self.title);
+            self.origin = Origin::File;
+        }
+        is_saved
+    }
+
+    /// Its file was overwritten by another table.
     pub(super) fn lose_file(&mut self, title: String) {
-        (self.title, self.kept) = (title, None);
+        self.title = title;
+        self.file = DocumentFile::missing();
     }
 
     /// Compares with ISO 286 under these options.

@@ -1,6 +1,6 @@
 //! Saving the shown table, and using it for limits.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
@@ -9,14 +9,6 @@ use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
 
 use super::{Origin, TablesPage};
 use crate::shared::Shared;
-
-/// A table that is being written to a file.
-#[derive(Debug)]
-pub(super) struct Saving {
-    document: String,
-    path: PathBuf,
-    table: DeviationTable,
-}
 
 /// The table under another name.
 fn renamed(table: &DeviationTable, name: &str) -> DeviationTable {
@@ -46,30 +38,27 @@ impl TablesPage {
         let bytes = (format.write)(&renamed(document.table(), &name)).map_err(|error| error.message())?;
         // A built-in table never changes; a file in another format cannot be opened again. Neither counts as saving.
         let saves = format.endings.contains(&"tab") && document.origin != Origin::Shipped;
-        let (document, table) = (document.title.clone(), document.table().clone());
-        self.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
+        if let Some(document) = self.shown_mut().filter(|_| saves) {
+            document.save(path);
+        }
         Ok(bytes)
     }
 
-    /// A file was written. If it was a table's, the table is saved as it was then and takes the file's name.
-    pub(crate) fn saved(&mut self, path: &Path) {
-        let Some(saving) = self.saving.take_if(|saving| saving.path == path) else { return };
-        let title = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let Some(number) = self.by_title(&saving.document) else { return };
-        // Another open table of that name no longer has a file.
-        let other = self.by_title(&title).filter(|other| *other != number);
+    /// A file was written, or not. If it was a table's, no other open table has that file and its name any longer.
+    pub(super) fn table_written(&mut self, path: &Path, is_whole: bool) {
+        let mut saved = None;
+        for (number, document) in self.documents.iter_mut().enumerate() {
+            if document.written(path, is_whole) {
+                saved = Some((number, document.title.clone()));
+            }
+        }
+        let Some((number, title)) = saved else { return };
         let free = self.free_title(&title);
-        if let Some(other) = other.and_then(|other| self.documents.get_mut(other)) {
-            other.lose_file(free);
+        for (other, document) in self.documents.iter_mut().enumerate() {
+            if other != number && document.is_titled(&title) {
+                document.lose_file(free.clone());
+            }
         }
-        if let Some(document) = self.documents.get_mut(number) {
-            document.saved(title, saving.table);
-        }
-    }
-
-    /// A file was not written: whatever is written under its name later is not this table.
-    pub(crate) fn not_saved(&mut self, path: &Path) {
-        self.saving.take_if(|saving| saving.path == path);
     }
 
     /// The shown table becomes the first of the user's own.

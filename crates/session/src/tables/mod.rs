@@ -36,7 +36,6 @@ pub use document::{Document, Origin};
 pub use field::TablesField;
 pub use filter::Filter;
 
-use self::keeping::Saving;
 use super::texts::Texts;
 
 /// The state of the table page.
@@ -49,18 +48,12 @@ pub struct TablesPage {
     /// What the filter makes of the shown table.
     pub filter: Filter,
     errors: BTreeMap<TablesField, Message>,
-    saving: Option<Saving>,
 }
 
 /// How many tables are open at most; beyond that the oldest without unsaved edits is closed.
 const MOST_DOCUMENTS: usize = 32;
 
 impl TablesPage {
-    /// The open tables with unsaved changes.
-    pub fn unsaved(&self) -> impl Iterator<Item = &Document> {
-        self.documents.iter().filter(|document| document.is_unsaved())
-    }
-
     /// The shown table; `None` before the page was opened for the first time.
     pub fn shown(&self) -> Option<&Document> {
         self.documents.get(self.shown)
@@ -83,9 +76,7 @@ impl TablesPage {
 
     /// The open table with a title. Built-in ones do not count: a user's own may have the same title.
     pub(super) fn by_title(&self, title: &str) -> Option<usize> {
-        let is_it =
-            |document: &Document| document.origin != Origin::Shipped && document.title.eq_ignore_ascii_case(title);
-        self.documents.iter().position(is_it)
+        self.documents.iter().position(|document| document.is_titled(title))
     }
 
     /// A title that no open table has: `own.tab`, `own_2.tab`.
