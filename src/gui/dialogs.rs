@@ -7,7 +7,7 @@ use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, vec
 use super::columns_panel::columns_ui;
 use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
-use super::over_page::{fixed_window, just_opened, title_id};
+use super::over_page::{fixed_window, just_opened};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
@@ -98,7 +98,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let screen = ui.ctx().content_rect().size();
     ui.set_width(space(160.0).min(screen.x - space(10.0)));
     let mut content_ui = |ui: &mut Ui| {
-        heading(ui, view.text(title_id(dialog.purpose)));
+        heading(ui, view.text(dialog.purpose.title()));
         ui.add_enabled_ui(dialog.exists.is_none(), |ui| {
             path_ui(ui, view, dialog);
             folder_list_ui(ui, view, dialog);

@@ -2,7 +2,6 @@
 
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
-use super::over_page::title_id;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use super::who::{names_ui, who_ui};
@@ -141,7 +140,7 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
                 let folder = file.path.parent().map(|folder| folder.display().to_string()).unwrap_or_default();
                 let told = message!("recent-file")
                     .text("name", name)
-                    .text("what", view.text(title_id(file.purpose)))
+                    .text("what", view.text(file.purpose.title()))
                     .text("folder", folder);
                 if ui.button(view.words.say(&told)).clicked() {
                     view.send(FilesCommand::OpenRecent(number));

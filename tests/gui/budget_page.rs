@@ -193,7 +193,7 @@ fn changes_are_asked_about_before_another_budget_is_opened_and_when_the_window_c
     append(&mut page, "# changed\n");
     click(&mut page, Role::Button, "New budget");
     page.get_by_label("Discard the changes?");
-    page.get_by_label("budget.toml has unsaved changes.");
+    page.get_by_label("station3.toml has unsaved changes.");
     // The safe answer has the focus.
     press(&mut page, Key::Enter);
     assert!(text(&page).ends_with("# changed\n"));

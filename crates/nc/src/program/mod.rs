@@ -31,7 +31,7 @@
 //!    other places: comments (here), `unread.rs`, and `document.rs` and `tokens.rs` in `session/program`.
 //! 3. Look at each place that asks for `Notation::DinPlus` alone (`cursor.rs`; `around/mod.rs`, `moves.rs` and `run/mod.rs` in `nc/machine`):
 //!    the compiler does not name it.
-//! 4. Add its endings to `session/files/kinds.rs`, in `endings` and in `of_file`.
+//! 4. Add its endings to `OpenProgram` in `crates/session/src/purpose.rs`, and to `of_file` in `files/kinds.rs` there.
 //! 5. Add a fuzz target as `iso` and `lathe` are (`fuzz/src/targets/mod.rs`), with a dictionary.
 //! 6. Test it in `tests/core/programs`; `iso_like_klartext` runs the same measurement in two notations.
 //!

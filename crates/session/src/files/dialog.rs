@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use fitcheck_core::message::{Message, Say as _};
 
 use super::command::FilesCommand;
-use super::ending;
 use super::folder_list::FolderList;
 use crate::purpose::Purpose;
 
@@ -162,7 +161,7 @@ impl Dialog {
         // What follows the point of `bore 12.5H7` is no ending.
         let has_ending = self.purpose.is_reading() || Purpose::knows_ending(&path);
         if let Some(mut name) = path.file_name().filter(|_| !has_ending).map(OsStr::to_owned) {
-            name.push(format!(".{}", ending(self.purpose)));
+            name.push(format!(".{}", self.purpose.ending()));
             path.set_file_name(name);
         }
         Some(path)

@@ -6,7 +6,7 @@
 //! | `content` | what a file gets |
 //! | `dialog` | the open dialog: its path, its list, its question |
 //! | `folder_list` | the list of a folder |
-//! | `kinds` | kinds of files, their endings, and what a file is opened for |
+//! | `kinds` | what a file given from outside is opened for |
 //! | `names` | proposed names |
 //! | `places` | last folders and recent files |
 //! | `working` | the file that is being read or written |
@@ -99,22 +99,22 @@ impl Session {
             Purpose::Export(_) => {
                 let several = Words::new(self.shared.language).get("file-name-checks");
                 let records = self.shared.history.for_report().map(Arc::as_ref);
-                names::of_records(records, &several, now, ending(purpose))
+                names::of_records(records, &several, now, purpose.ending())
             }
             Purpose::ReportRecords(_) => {
                 let several = Words::new(self.shared.language).get("file-name-checks");
                 let records = self.records.for_report();
-                names::of_records(records.iter().map(Arc::as_ref), &several, now, ending(purpose))
+                names::of_records(records.iter().map(Arc::as_ref), &several, now, purpose.ending())
             }
             Purpose::ReportPart(_) => self.parts.report(now).map_or_else(String::new, |report| {
                 let walking = &self.parts.walking;
                 let part = report.part.unwrap_or_else(|| Words::new(self.shared.language).get("file-name-checks"));
                 let name = [part.as_str(), walking.serial()].into_iter().filter(|text| !text.is_empty());
-                names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, ending(purpose))
+                names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, purpose.ending())
             }),
             Purpose::ExportStatus => {
                 let part = self.check.shown().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
-                names::dated(&names::allowed(&format!("{part}-status")), now, ending(purpose))
+                names::dated(&names::allowed(&format!("{part}-status")), now, purpose.ending())
             }
             // A control knows a table and a log by these names.
             Purpose::SaveTable(format) => self.tables.file_name(format),
@@ -122,10 +122,10 @@ impl Session {
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             Purpose::SaveBudget => self.budget.document.name(),
-            Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), ending(purpose)),
+            Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), purpose.ending()),
             Purpose::SavePairs(_) => {
                 let name = Words::new(self.shared.language).get("pairing-page-file-name");
-                names::dated(&names::allowed(&name), now, ending(purpose))
+                names::dated(&names::allowed(&name), now, purpose.ending())
             }
             _ => String::new(),
         };
@@ -342,9 +342,4 @@ impl Session {
         let file = Some(path.to_owned());
         self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });
     }
-}
-
-/// The ending that a name gets which has none.
-fn ending(purpose: Purpose) -> &'static str {
-    purpose.endings().first().copied().unwrap_or("txt")
 }
