@@ -395,7 +395,7 @@ fn a_program_is_opened_by_the_dialog() {
     session.apply(Command::Answered(number, Box::new(refused.into())), now());
     assert_eq!(session.dialog().unwrap().problem, Some(problem));
     assert_eq!(session.program().main().unwrap().title(), "8255_en.h");
-    assert!(session.program().recent.is_empty());
+    assert!(session.recent_files().is_empty());
 }
 
 #[test]

@@ -15,6 +15,7 @@ use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile, Working};
 use super::history::History;
 use super::page::Page;
+use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
 use super::settings::{Density, Theme};
 use super::shared::{MaskChoice, Notice, ProgramFiles};
@@ -123,6 +124,12 @@ impl Session {
     /// The files that were read last, the latest first.
     pub fn recent_files(&self) -> &[RecentFile] {
         &self.shared.places.recent
+    }
+
+    /// Those that were read for one purpose, each with its number in that list.
+    pub fn recent_of(&self, purpose: Purpose) -> impl Iterator<Item = (usize, &Path)> {
+        let files = self.recent_files().iter().enumerate().filter(move |(_, file)| file.purpose == purpose);
+        files.map(|(number, file)| (number, file.path.as_path()))
     }
 
     /// The folders that were used last, each once.

@@ -9,7 +9,7 @@ use crate::gui::view::{View, list_height, list_ui, live, one_of_ui};
 use crate::nc::machine::Shipped;
 use crate::session::ProgramAction;
 use crate::session::program::{EntryKind, Origin, Speed, State, Switch};
-use crate::session::{Command, ProgramCommand, Purpose};
+use crate::session::{FilesCommand, ProgramCommand, Purpose};
 
 /// The width of the list of places to go to.
 const OUTLINE: f32 = 78.0;
@@ -83,12 +83,11 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
                 view.send(ProgramCommand::OpenShipped(file));
             }
         }
-        for path in &view.session.program().recent {
-            let chosen = view.session.program().origin() == Some(&Origin::File(path.clone()));
-            if ui.selectable_label(chosen, path.display().to_string()).clicked() {
-                // As if it were opened again: it may have changed.
-                view.send(Command::OpenDialog(Purpose::OpenProgram));
-                view.send(Command::Picked(Some(path.clone())));
+        for (number, path) in view.session.recent_of(Purpose::OpenProgram) {
+            let is_open = matches!(view.session.program().origin(), Some(Origin::File(open)) if open == path);
+            if ui.selectable_label(is_open, path.display().to_string()).clicked() {
+                // It may have changed.
+                view.send(FilesCommand::OpenRecent(number));
             }
         }
     });

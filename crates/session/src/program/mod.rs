@@ -39,7 +39,6 @@ mod watching;
 mod workpiece;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 
 use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::chain::Hash;
@@ -63,8 +62,6 @@ pub use watching::{Name, Watched};
 #[derive(Debug, Default)]
 pub struct ProgramPage {
     origin: Option<Origin>,
-    /// Files that were opened, newest first.
-    pub recent: Vec<PathBuf>,
     main: Option<NcPath>,
     shown: Option<NcPath>,
     documents: BTreeMap<NcPath, Document>,

@@ -10,9 +10,6 @@ use fitcheck_nc::program::ProgramWarning;
 use super::{Document, Input, Origin, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::shared::Shared;
 
-/// How many files are remembered.
-const MOST_RECENT: usize = 8;
-
 impl ProgramPage {
     /// Opens the page; the first time with the built-in program of the window's language.
     pub(super) fn opened(&mut self, shared: &mut Shared) {
@@ -45,9 +42,6 @@ impl ProgramPage {
         shared: &mut Shared,
     ) {
         if let Some((document, warnings)) = shared.file_answered(result) {
-            self.recent.retain(|known| *known != path);
-            self.recent.insert(0, path.clone());
-            self.recent.truncate(MOST_RECENT);
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             self.open_program(Origin::File(path), *document, warnings, shared);
             self.sha256 = shared.recording.of_file(&name);

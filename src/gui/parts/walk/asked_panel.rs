@@ -103,17 +103,16 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The plans that were read last.
 fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let plans = (0..).zip(session.recent_files()).filter(|(_, file)| file.purpose == Purpose::OpenPlan);
-    let plans: Vec<_> = plans.collect();
+    let plans: Vec<_> = session.recent_of(Purpose::OpenPlan).collect();
     if plans.is_empty() {
         return;
     }
     ui.add_space(space(2.0));
     heading(ui, view.text("walk-page-recent"));
-    for (number, file) in plans {
-        let name = file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy().into_owned();
+    for (number, path) in plans {
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         let button = Button::new(name).min_size(vec2(0.0, control(ui)));
-        if ui.add(button).on_hover_text(file.path.display().to_string()).clicked() {
+        if ui.add(button).on_hover_text(path.display().to_string()).clicked() {
             view.send(FilesCommand::OpenRecent(number));
         }
     }
