@@ -1,4 +1,4 @@
-//! The file dialog with its typed path and its question, and notices.
+//! The file dialog with its typed path and its question, and questions about what would be lost.
 
 use std::path::Path;
 
@@ -7,15 +7,15 @@ use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, vec
 use super::columns_panel::columns_ui;
 use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
+use super::notices::notices_ui;
 use super::over_page::{fixed_window, just_opened};
-use super::theme::{control, sizes, space};
+use super::theme::{control, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
 use crate::message::message;
-use crate::session::{Command, Dialog, Notice};
-use crate::session::{FilesAction, WindowAction};
+use crate::session::{Command, Dialog, FilesAction};
 
-/// Draws the open dialog, or the oldest notice.
+/// Draws the open dialog, or what stands under it.
 pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     if view.session.is_leaving() {
@@ -32,9 +32,8 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
             ui.set_max_width(space(150.0));
             working_ui(ui, view, working);
         });
-    } else if let Some(notice) = view.session.notices().first().cloned() {
-        let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
-        fixed_window("notice", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| notice_ui(ui, view, &notice));
+    } else {
+        notices_ui(ui, view);
     }
 }
 
@@ -185,48 +184,4 @@ fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
         keep.request_focus();
     }
     view.wide_button(ui, FilesAction::ReplaceFile);
-}
-
-fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
-    ui.set_max_width(space(150.0));
-    let text = view.words.say(&notice.message);
-    if notice.is_problem {
-        problem(ui, text)
-    } else {
-        ui.label(text)
-    };
-    if !notice.details.is_empty() {
-        ScrollArea::vertical().max_height(space(60.0)).show_rows(
-            ui,
-            sizes().body + 4.0,
-            notice.details.len(),
-            |ui, rows| {
-                for detail in notice.details.get(rows).unwrap_or_default() {
-                    quiet(ui, view.words.say(detail));
-                }
-            },
-        );
-    }
-    ui.horizontal_wrapped(|ui| {
-        // Only what undo would take back now: other changes may have followed.
-        if notice.change.is_some() && notice.change == view.session.history().last_change() {
-            let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
-            view.button_as(ui, WindowAction::Undo, undo);
-        }
-        if notice.records {
-            view.wide_button(ui, WindowAction::RecordAgain);
-        }
-        let of_columns = notice.columns.iter().flat_map(|columns| {
-            let forget = columns.shape.is_some().then_some(WindowAction::ForgetColumns);
-            std::iter::once(WindowAction::CorrectColumns).chain(forget)
-        });
-        for action in of_columns {
-            view.field_button(ui, action);
-        }
-        let of_file =
-            [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
-        for action in of_file.chain([WindowAction::Close]) {
-            view.wide_button(ui, action);
-        }
-    });
 }

@@ -13,14 +13,15 @@
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
 //! | `over_page` | what lies over a page |
-//! | `top_bar`, `dialogs`, `folder_list`, `columns_panel` | what belongs to every page |
+//! | `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys`, `key_names` | actions as buttons, entries of menus and keys |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
 //! | `table` | a list of rows with heads |
-//! | `columns` | three columns, and how they fold |
+//! | `columns`, `split` | three columns, a list with what is open of it, and how both fold |
+//! | `empty` | what stands where there is nothing yet |
 //! | `card`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
@@ -47,6 +48,7 @@ mod columns_panel;
 mod cycles;
 mod dialogs;
 mod effects;
+mod empty;
 mod errands;
 mod field;
 mod field_id;
@@ -62,6 +64,7 @@ mod keys;
 mod limits;
 mod material;
 mod measurements;
+mod notices;
 mod over_page;
 mod page;
 mod pages;
@@ -74,6 +77,7 @@ mod reading;
 mod records;
 mod rows;
 mod shapes;
+mod split;
 mod store;
 mod table;
 mod tables;

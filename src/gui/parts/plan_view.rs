@@ -1,21 +1,23 @@
 //! The plan as a table, with its picture beside it and what is wrong with it below.
 
-use eframe::egui::{CentralPanel, Frame, Ui, vec2};
+use eframe::egui::{CentralPanel, Frame, Ui};
 
 use super::picture;
 use super::plan::{faults, form, grid, tools};
 use crate::gui::columns::{Side, column_ui, of_height, panel_ui};
+use crate::gui::empty::empty_ui;
 use crate::gui::keypad::keypad_ui;
-use crate::gui::theme::{control, space};
-use crate::gui::view::{View, quiet};
-use crate::session::PartsAction;
+use crate::gui::theme::space;
+use crate::gui::view::View;
+use crate::session::{Action, PartsAction};
 
 /// The least size of a window in which table, picture and faults stand beside each other.
 const ROOM: [f32; 2] = [225.0, 160.0];
 
 pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.parts().document.is_empty() {
-        return none_ui(ui, view);
+        let actions = [PartsAction::OpenPlan, PartsAction::NewPlan].map(Action::from);
+        return empty_ui(ui, view, "parts-page-no-plan", &actions);
     }
     keypad_ui(ui, view);
     let size = ui.ctx().content_rect().size();
@@ -25,20 +27,6 @@ pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
     } else {
         large_ui(ui, view);
     }
-}
-
-/// No plan yet: what can be done about it, in the middle.
-fn none_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.add_space(ui.available_height() * 0.3);
-    ui.vertical_centered(|ui| {
-        quiet(ui, view.text("parts-page-no-plan"));
-        let actions = [PartsAction::OpenPlan, PartsAction::NewPlan];
-        let size = vec2(view.width_of(ui, &actions), control(ui));
-        for action in actions {
-            let button = view.named(action).min_size(size);
-            view.button_as(ui, action, button);
-        }
-    });
 }
 
 /// Everything below each other; the page scrolls.

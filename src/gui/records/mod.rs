@@ -23,10 +23,9 @@ use crate::gui::page::{PageView, measurements};
 #[cfg(test)]
 pub(super) use list::COLUMNS;
 
-use super::columns::{Side, column_ui, panel_ui};
-use super::keypad::keypad_ui;
+use super::columns::column_ui;
 use super::over_page::just_opened;
-use super::theme::space;
+use super::split::{Split, split_ui};
 use super::view::{View, heading, quiet};
 use crate::session::Keeping;
 
@@ -45,25 +44,13 @@ fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let frame = Frame::side_top_panel(ui.style());
     Panel::bottom("records-foot").frame(frame).resizable(false).show(ui, |ui| foot_panel::foot_ui(ui, view));
-    let width = ui.available_width();
-    let is_open = view.session.records().opened().is_some();
-    if is_open && space(BESIDE) <= width {
-        let sizes = (width * 0.42, space(90.0)..=width * 0.6);
-        panel_ui(ui, view, Side::Right, "records-open", sizes, |ui, view| {
-            keypad_ui(ui, view);
-            record_panel::record_ui(ui, view);
-        });
-    } else if is_open {
-        keypad_ui(ui, view);
-        CentralPanel::default().show(ui, |ui| record_panel::record_ui(ui, view));
-        return;
-    } else {
-        keypad_ui(ui, view);
-    }
-    CentralPanel::default().show(ui, |ui| {
-        asking_panel::asking_ui(ui, view);
-        list::list_ui(ui, view);
-    });
+    let split = Split { name: "records-open", beside: BESIDE, list: listed_ui, detail: record_panel::record_ui };
+    split_ui(ui, view, &split, view.session.records().opened().is_some());
+}
+
+fn listed_ui(ui: &mut Ui, view: &mut View<'_>) {
+    asking_panel::asking_ui(ui, view);
+    list::list_ui(ui, view);
 }
 
 /// Nothing is recorded, and why.
