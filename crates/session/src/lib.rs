@@ -153,6 +153,7 @@ use self::asking::Asking;
 use self::files::Places;
 use self::page::pages;
 use self::shared::Shared;
+use self::state::PageQuestion;
 use self::state::PageState as _;
 
 /// What takes the focus as a whole on the pages.
@@ -204,6 +205,25 @@ macro_rules! session {
                 let mut errands = Vec::new();
                 $(errands.extend(self.$folder.take_errands());)+
                 errands
+            }
+
+            /// What the open page asks before it does something.
+            fn page_asks(&self) -> Option<PageQuestion> {
+                match self.page() {
+                    $(Page::$page => self.$folder.asks(),)+
+                }
+            }
+
+            /// Whether an action would only do once more what stands on screen: Enter repeats nothing, its button and keys do.
+            fn repeats(&self, action: Action) -> bool {
+                [$(self.$folder.repeated()),+].contains(&Some(action))
+            }
+
+            /// The command that closes the topmost thing over the open page.
+            fn closes_on_page(&self) -> Option<Command> {
+                match self.page() {
+                    $(Page::$page => self.$folder.closes(),)+
+                }
             }
 
             /// The names of documents with unsaved changes.
@@ -420,6 +440,18 @@ impl Session {
     pub fn rule_ahead(&self) -> Option<Rule> {
         let asked = &self.check.asked;
         asked.worth.rule_ahead(asked.limits()?, self.used_budget())
+    }
+
+    /// The answers to what the open page asks, the highlighted one first; none where nothing is asked.
+    pub fn answers(&self) -> Vec<Action> {
+        self.page_asks().map_or_else(Vec::new, |question| question.answers)
+    }
+
+    /// What Enter does in a text field of the open page now: what it always does, or the highlighted answer where the page asks about that.
+    pub fn on_enter(&self, field: Field) -> Option<Action> {
+        let usual = Action::on_enter(field, self.page())?;
+        let question = self.page_asks().filter(|question| question.about == usual);
+        question.and_then(|question| question.answers.first().copied()).or(Some(usual))
     }
 
     /// The budget whose uncertainty checks may use.

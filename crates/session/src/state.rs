@@ -6,9 +6,21 @@ use std::path::Path;
 use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
+use super::action::Action;
+use super::command::Command;
 use super::effect::Effect;
 use super::saved::Saved;
 use super::shared::{News, Shared};
+
+/// A question of a page before something is done. One rule for all of them: the first answer is the highlighted one, and Enter in the field
+/// gives that one and no other.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct PageQuestion {
+    /// What Enter would do without the question.
+    pub about: Action,
+    /// The answers, the highlighted one first.
+    pub answers: Vec<Action>,
+}
 
 /// The state of a page.
 pub(super) trait PageState: Sized {
@@ -44,6 +56,21 @@ pub(super) trait PageState: Sized {
 
     /// Where in a field's text its error shows: characters counted from 0.
     fn culprit(&self, _field: Self::Field) -> Option<&Range<usize>> {
+        None
+    }
+
+    /// What the page asks before it does something; `None` where nothing is asked.
+    fn asks(&self) -> Option<PageQuestion> {
+        None
+    }
+
+    /// What Enter would do only once more, because its result stands on screen already: it does not do that.
+    fn repeated(&self) -> Option<Action> {
+        None
+    }
+
+    /// The command that closes the topmost thing over the page.
+    fn closes(&self) -> Option<Command> {
         None
     }
 

@@ -12,7 +12,6 @@
 //! | `place` | where an action applies |
 //! | `shortcut` | keys, without a window |
 //! | `keys` | which keys are heard and shown |
-//! | `answers` | what a page asks, and what Enter answers |
 //!
 //! Choices among what a user has (a class, a table of the list, a block) are not actions: they send commands.
 //!
@@ -24,7 +23,6 @@
 //! 3. Name the action in one line of `gui/` where it is a button or an entry of a menu. Keys and tooltips follow from the row.
 //! 4. Write a new key into the tables of `docs/manual/window.md`: the test `session_actions` compares them.
 
-mod answers;
 mod keys;
 mod place;
 pub(crate) mod possible;
@@ -45,13 +43,11 @@ use fitcheck_core::words::Words;
 
 use self::row::{ActionRow, Actions};
 use super::columns::ColumnsCommand;
-use super::cycles::CyclesCommand;
 use super::field::Field;
 use super::files::FilesAction;
 use super::page::pages;
-use super::parts::WalkCommand;
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Page, RecordsCommand, Session};
+use super::{Command, Page, Session};
 
 macro_rules! action {
     ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
@@ -168,8 +164,6 @@ impl Session {
 
     /// The command that closes the topmost thing over the page.
     fn uppermost(&self) -> Option<Command> {
-        let is_on = |page| self.page() == page;
-        let has_notice = !self.notices().is_empty();
         if self.is_leaving() {
             Some(Command::Leave(false))
         } else if self.asks_about().is_some() {
@@ -178,20 +172,11 @@ impl Session {
             Some(Command::Close)
         } else if self.open_columns().is_some() {
             Some(ColumnsCommand::Leave.into())
-        } else if has_notice {
+        } else if !self.notices().is_empty() {
             Some(Command::Close)
-        } else if self.parts().walking.is_skipping && is_on(Page::Parts) {
-            Some(WalkCommand::AskSkip(false).into())
-        } else if self.cycles().block().is_some() && is_on(Page::Cycles) {
-            Some(CyclesCommand::ShowBlock(false).into())
-        } else if self.workpiece_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
-            Some(WorkpieceCommand::Show(false).into())
-        } else if self.records().correcting().is_some() && is_on(Page::Records) {
-            Some(RecordsCommand::Correct(false).into())
-        } else if self.records().opened().is_some() && is_on(Page::Records) {
-            Some(RecordsCommand::CloseRecord.into())
         } else {
-            None
+            let of_workpiece = self.workpiece_is_open() && matches!(self.page(), Page::Cycles | Page::Program);
+            self.closes_on_page().or_else(|| of_workpiece.then(|| WorkpieceCommand::Show(false).into()))
         }
     }
 }

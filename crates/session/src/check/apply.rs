@@ -15,16 +15,17 @@ use fitcheck_exchange::journal::{Record, status_window};
 use jiff::civil::DateTime;
 
 use super::{
-    CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, MeasureBy, Question, RuleChoice, RuleFields,
-    ShownCheck, UncertaintyFrom, class_text, measuring, nominal_text, worth,
+    CheckAction, CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, MeasureBy, Question, RuleChoice,
+    RuleFields, ShownCheck, UncertaintyFrom, class_text, measuring, nominal_text, worth,
 };
+use crate::action::Action;
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::recording::used;
 use crate::rows::Rows;
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
-use crate::state::PageState;
+use crate::state::{PageQuestion, PageState};
 
 impl PageState for CheckPage {
     type Command = CheckCommand;
@@ -172,6 +173,16 @@ impl PageState for CheckPage {
 
     fn culprit(&self, field: CheckField) -> Option<&Range<usize>> {
         self.asked.culprit().filter(|_| field == CheckField::Callout)
+    }
+
+    fn asks(&self) -> Option<PageQuestion> {
+        let meant = self.question()?.doubt.meant().map(|_| CheckAction::TakeMeant.into());
+        let answers = meant.into_iter().chain([CheckAction::JudgeAnyway.into()]).collect();
+        Some(PageQuestion { about: CheckAction::Measure.into(), answers })
+    }
+
+    fn repeated(&self) -> Option<Action> {
+        self.would_repeat().then_some(CheckAction::Measure.into())
     }
 
     fn is_free_text(&self, field: CheckField) -> bool {

@@ -5,7 +5,9 @@ use fitcheck_core::message::message;
 use fitcheck_core::probing::cycle;
 use jiff::civil::DateTime;
 
-use super::{ContactsFrom, CycleField, CyclesCommand, CyclesPage};
+use super::{ContactsFrom, CycleField, CyclesAction, CyclesCommand, CyclesPage};
+use crate::action::Action;
+use crate::command::Command;
 use crate::effect::Effect;
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
@@ -95,6 +97,14 @@ impl PageState for CyclesPage {
 
     fn error(&self, field: CycleField) -> Option<&Message> {
         self.errors.get(&field)
+    }
+
+    fn repeated(&self) -> Option<Action> {
+        self.would_repeat().then_some(CyclesAction::RunCycle.into())
+    }
+
+    fn closes(&self) -> Option<Command> {
+        self.block().map(|_| CyclesCommand::ShowBlock(false).into())
     }
 
     fn is_free_text(&self, field: CycleField) -> bool {

@@ -10,7 +10,8 @@ use jiff::civil::DateTime;
 use super::document::PlanDocument;
 use super::picture::PlanPicture;
 use super::sheet::Sheet;
-use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, serials};
+use super::{PartsAction, PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, WalkCommand, serials};
+use crate::command::Command;
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::parts::PlanField;
@@ -18,7 +19,7 @@ use crate::parts::WalkField;
 use crate::parts::resume::Resume;
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
-use crate::state::PageState;
+use crate::state::{PageQuestion, PageState};
 use crate::texts::KeptField as _;
 use crate::texts::Texts;
 
@@ -121,6 +122,17 @@ impl PageState for PartsPage {
             PartsField::Plan(PlanField::Head(field)) => self.document.head_error(field),
             PartsField::Plan(PlanField::Cell) => None,
         }
+    }
+
+    fn asks(&self) -> Option<PageQuestion> {
+        let question = self.walking.question().filter(|_| self.view == PartsView::Walk)?;
+        let meant = question.doubt.meant().map(|_| PartsAction::TakeMeantValue.into());
+        let answers = meant.into_iter().chain([PartsAction::TakeValue.into()]).collect();
+        Some(PageQuestion { about: PartsAction::TakeValue.into(), answers })
+    }
+
+    fn closes(&self) -> Option<Command> {
+        self.walking.is_skipping.then(|| WalkCommand::AskSkip(false).into())
     }
 
     fn unsaved(&self) -> Vec<String> {

@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::{OpenRecord, RecordRow, RecordsCommand, RecordsField, RecordsPage};
 use crate::Step;
+use crate::command::Command;
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::recording::{OpenJournal, RESTORED};
@@ -111,6 +112,11 @@ impl PageState for RecordsPage {
 
     fn culprit(&self, field: RecordsField) -> Option<&Range<usize>> {
         self.culprit.as_ref().filter(|_| field == RecordsField::Question)
+    }
+
+    fn closes(&self) -> Option<Command> {
+        let correcting = self.correcting().map(|_| RecordsCommand::Correct(false));
+        correcting.or_else(|| self.opened().map(|_| RecordsCommand::CloseRecord)).map(Command::from)
     }
 
     fn is_free_text(&self, field: RecordsField) -> bool {
