@@ -47,10 +47,11 @@ pub struct Setup {
 impl Setup {
     /// The settings for a user.
     pub fn for_user() -> Self {
-        let language = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale)).unwrap_or_default();
+        let own = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale));
         Self {
             store: Store::of_user(),
-            language,
+            // Who speaks none of the languages of the window gets English.
+            language: own.unwrap_or(Language::En),
             words: Words::new,
             errands: Errands::OnThread,
             clock: || files::now().datetime(),

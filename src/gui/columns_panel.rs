@@ -91,7 +91,8 @@ fn choices_ui(
     salt: (&'static str, usize),
     (width, entries): (f32, Vec<Entry>),
 ) -> eframe::egui::Response {
-    let shown = entries.iter().find(|(_, is_chosen, _)| *is_chosen).map(|(text, ..)| text.clone()).unwrap_or_default();
+    // At first none is chosen.
+    let shown = entries.iter().find(|(_, is_chosen, _)| *is_chosen).map_or_else(String::new, |(text, ..)| text.clone());
     let mut chosen = None;
     let list = list_ui(ui, salt, shown, width, |ui| {
         ui.spacing_mut().interact_size.y = control(ui);

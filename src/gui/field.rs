@@ -2,7 +2,7 @@
 //!
 //! Text is read at every change and committed with Enter; nothing is removed or altered while typing.
 
-pub(super) use super::field_id::id;
+pub(super) use super::field_id::{id, select};
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, St
 
 use super::keypad;
 use super::theme::{self, control, space};
-use super::view::{View, problem, quiet};
+use super::view::{View, problem, quiet, remembered};
 use crate::session::{Command, Field};
 
 /// How a field looks.
@@ -107,8 +107,7 @@ fn is_entered(ui: &Ui, response: &Response) -> bool {
         // A press and its release in one frame: a touch, or a loaded machine.
         return !by_pointer || response.clicked();
     }
-    let was_pressed = ui.data_mut(|data| data.get_temp(pressed)).unwrap_or(false);
-    if was_pressed && !ui.input(|input| input.pointer.any_down()) {
+    if remembered(ui, pressed) && !ui.input(|input| input.pointer.any_down()) {
         ui.data_mut(|data| data.insert_temp(pressed, false));
         let range = TextEditState::load(ui.ctx(), response.id).and_then(|state| state.cursor.char_range());
         return response.has_focus() && range.is_none_or(|range| range.is_empty());
@@ -183,10 +182,7 @@ pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
 
 /// Selects the whole text of a field.
 pub(super) fn select_all(ctx: &Context, id: Id, text: &str) {
-    let mut state = TextEditState::load(ctx, id).unwrap_or_default();
-    let all = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
-    state.cursor.set_char_range(Some(all));
-    state.store(ctx, id);
+    select(ctx, id, CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count())));
 }
 
 /// What is wrong with a field, below it.

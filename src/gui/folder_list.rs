@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
 use super::theme::{control, palette, space};
-use super::view::{View, problem, quiet, quiet_cut};
+use super::view::{View, problem, quiet, quiet_cut, remembered};
 use crate::files::{Entry, MOST_ENTRIES};
 use crate::message::{Message, message};
 use crate::session::FilesAction;
@@ -104,8 +104,7 @@ fn follow(ui: &Ui, selected: Option<usize>, row: f32, height: f32) -> Option<f32
     let number = selected.filter(|_| before != selected)?;
     // The list holds some thousand entries: exact in any number.
     let top = f32::from(u16::try_from(number).unwrap_or(u16::MAX)) * row;
-    let offset: f32 = ui.data(|data| data.get_temp(offset_id())).unwrap_or_default();
-    Some(offset.clamp((top + row - height).max(0.0), top))
+    Some(remembered::<f32>(ui, offset_id()).clamp((top + row - height).max(0.0), top))
 }
 
 /// One click shows a folder or takes a file's name; a second one does with the file what the dialog is for.

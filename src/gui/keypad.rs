@@ -12,7 +12,7 @@ use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
 
 use super::field_id;
 use super::theme::{self, sizes, space};
-use super::view::View;
+use super::view::{View, remembered};
 use crate::session::TablesAction;
 use crate::session::{CheckField, Command, Field, Page};
 
@@ -109,7 +109,7 @@ pub(super) fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
     let room = ui.available_height() * 0.45;
     Panel::bottom("keypad").resizable(false).show(ui, |ui| {
         let field = target(ui);
-        let mut state: State = ui.data(|data| data.get_temp(state_id())).unwrap_or_default();
+        let mut state: State = remembered(ui, state_id());
         ui.spacing_mut().item_spacing = vec2(space(1.0), space(1.0));
         let rows = rows(state, ui.available_width());
         let longest = rows.iter().map(Vec::len).max().unwrap_or(1);
@@ -227,10 +227,7 @@ fn give_focus(ctx: &Context) {
     let asked = ctx.data_mut(|data| data.get_temp_mut_or_default::<Option<(Field, Range<usize>)>>(focus_id()).take());
     let Some((field, selected)) = asked else { return };
     let id = field_id::id(field);
-    let mut state = TextEditState::load(ctx, id).unwrap_or_default();
-    let range = CCursorRange::two(CCursor::new(selected.start), CCursor::new(selected.end));
-    state.cursor.set_char_range(Some(range));
-    state.store(ctx, id);
+    field_id::select(ctx, id, CCursorRange::two(CCursor::new(selected.start), CCursor::new(selected.end)));
     ctx.memory_mut(|memory| memory.request_focus(id));
     ctx.data_mut(|data| data.insert_temp(given_id(), Some(id)));
 }
@@ -254,8 +251,8 @@ pub(super) fn has_given_focus(ctx: &Context, field: Id) -> bool {
 /// text may have any.
 fn edited(text: &str, selected: Range<usize>, typed: Option<char>, is_free: bool) -> (String, usize) {
     let characters: Vec<char> = text.chars().collect();
-    let (before, after) = (characters.get(..selected.start), characters.get(selected.end..));
-    let (before, after) = (before.unwrap_or_default(), after.unwrap_or_default());
+    let (before, _) = characters.split_at(selected.start.min(characters.len()));
+    let (_, after) = characters.split_at(selected.end.min(characters.len()));
     let joined = |before: &[char], typed: Option<char>| {
         before.iter().copied().chain(typed).chain(after.iter().copied()).collect()
     };

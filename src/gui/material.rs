@@ -27,8 +27,8 @@ pub(super) fn material_ui(
             let text = format!("{}  {value}", material.name_in(language));
             let is = Some(material.expansion) == now;
             let certainty = view.words.told(&material.certainty);
-            let source = material.source.as_deref().unwrap_or_default();
-            let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
+            let source = material.source.as_deref().filter(|source| !source.is_empty());
+            let hint = source.map_or_else(|| certainty.clone(), |source| format!("{certainty}: {source}"));
             let degrees = |temperature: Temperature| view.words.number(&temperature.to_string());
             let hint = format!("{hint}\n{} … {} °C", degrees(material.range.least), degrees(material.range.most));
             if ui.selectable_label(is, text).on_hover_text(hint).clicked() {

@@ -147,7 +147,8 @@ impl Looked {
     fn ask(self, is_wanted: bool, with: With<'_>) -> FileContents {
         let Self { path, name, into, sha256, first, .. } = self;
         let Some(first) = first else { return FileContents { before: None, command: Command::Picked(None), sha256 } };
-        let mapping = with.columns.find(&first).map(|(.., mapping)| mapping).unwrap_or_default();
+        // A file of a new shape begins without any column.
+        let mapping = with.columns.find(&first).map_or_else(Mapping::default, |(.., mapping)| mapping);
         let asked = ColumnsRequest { name, path, into, first, mapping, is_wanted };
         FileContents { before: None, command: ColumnsCommand::Ask(Box::new(asked)).into(), sha256: None }
     }

@@ -6,6 +6,7 @@ use super::over_page::fixed_window;
 use super::theme::{control, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::session::{Notice, WindowAction};
+use crate::text::Within as _;
 
 pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
     let Some(notice) = view.session.notices().first().cloned() else { return };
@@ -27,7 +28,7 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             sizes().body + 4.0,
             notice.details.len(),
             |ui, rows| {
-                for detail in notice.details.get(rows).unwrap_or_default() {
+                for detail in notice.details.within(rows) {
                     quiet(ui, view.words.say(detail));
                 }
             },

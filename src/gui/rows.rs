@@ -18,6 +18,7 @@ use crate::files;
 use crate::journal::chain::FileHash;
 use crate::message::{Message, Say as _, message};
 use crate::session::{End, LARGE, Large, News};
+use crate::text::{Within as _, long};
 use crate::tolerance::Sources;
 
 /// How often a run says what it has found.
@@ -145,7 +146,7 @@ impl Runs {
         let failed = |error: &io::Error| system(path, error);
         let (file, size) = files::open(path).map_err(|error| error.message())?;
         let before = file.metadata().map(|metadata| stamp(&metadata)).map_err(|error| failed(&error))?;
-        found.news.bytes.1 = size.unwrap_or_default();
+        found.news.bytes.1 = size;
         let seen = Arc::<Mutex<FileHash>>::default();
         let counted = Counted { file, read: found.read, seen: Arc::clone(&seen) };
         let mut stream = Stream::of(Box::new(counted)).map_err(|error| failed(&error))?;
@@ -155,7 +156,7 @@ impl Runs {
         let mut text = Text {
             file: Mutex::new(File::open(path).map_err(|error| failed(&error))?),
             stamp: Some(before),
-            start: u64::try_from(layout.skip).unwrap_or_default(),
+            start: long(layout.skip),
             layout: Arc::clone(&layout),
             sources: Arc::clone(sources),
             _name: None,
@@ -170,7 +171,7 @@ impl Runs {
         found.news.layout = Some(Arc::clone(&layout));
         let court = StreamJudging::new(&layout, sources);
         let cutter = Cutter::new(layout.separator(), BLOCK, true);
-        let rows = Cursor::new(stream.head.get(layout.skip..).unwrap_or_default()).chain(stream.input);
+        let rows = Cursor::new(stream.head.within(layout.skip..)).chain(stream.input);
         let mut rows = Copied { rows, copy, length: 0 };
         let input = Input { stream: &mut rows, cutter };
         let making: (usize, &(dyn Fn() -> Marks + Sync)) = (batch::workers(), &Marks::default);
@@ -203,7 +204,7 @@ impl Runs {
         for (part, rows) in wanted {
             let bytes = text.bytes(part).map_err(|error| unread(&error))?;
             let picked = pick(bytes, part, rows, &court).ok_or_else(changed)?;
-            let number = |row: &Picked| part.first + u64::try_from(row.number).unwrap_or_default();
+            let number = |row: &Picked| part.first + long(row.number);
             all.extend(picked.into_iter().map(|row| (number(&row), Arc::new(row))));
         }
         Ok(all)
@@ -249,8 +250,8 @@ struct Counted<'a> {
 impl Read for Counted<'_> {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
         let read = self.file.read(to)?;
-        lock(&self.seen).see(to.get(..read).unwrap_or_default());
-        self.read.fetch_add(u64::try_from(read).unwrap_or_default(), Relaxed);
+        lock(&self.seen).see(to.within(..read));
+        self.read.fetch_add(long(read), Relaxed);
         Ok(read)
     }
 }
@@ -266,13 +267,13 @@ impl<R: Read> Read for Copied<R> {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
         let read = self.rows.read(to)?;
         if let Some(copy) = &mut self.copy {
-            self.length += u64::try_from(read).unwrap_or_default();
+            self.length += long(read);
             if MOST_UNPACKED < self.length {
                 return Err(io::Error::other(
                     message!("rows-too-much").with("most", &(MOST_UNPACKED >> 30)).to_string(),
                 ));
             }
-            copy.write_all(to.get(..read).unwrap_or_default())?;
+            copy.write_all(to.within(..read))?;
         }
         Ok(read)
     }

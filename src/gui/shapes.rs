@@ -4,6 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
 use super::theme::palette;
+use crate::text::long;
 use crate::tolerance::Feature;
 use crate::tolerance::fit::FitKind;
 use crate::verdict::Status;
@@ -46,8 +47,7 @@ pub(super) fn share(part: u64, all: u64) -> f32 {
 
 /// The same of places.
 pub(super) fn ratio(part: usize, all: usize) -> f32 {
-    let wide = |number: usize| u64::try_from(number).unwrap_or(u64::MAX);
-    share(wide(part), wide(all))
+    share(long(part), long(all))
 }
 
 /// The ring around a part of a page that has the focus as a whole.

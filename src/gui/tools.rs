@@ -16,7 +16,7 @@ use crate::length::Length;
 use crate::message::message;
 use crate::session::WorkpieceAction;
 use crate::session::{NamedTool, text_of_tool, tool_message};
-use crate::text::cut;
+use crate::text::{Within as _, cut};
 
 /// The widths of the list's columns in characters: T and NAME, then the lengths.
 const NUMBER: usize = 8;
@@ -90,11 +90,11 @@ fn rows_ui(ui: &mut Ui, view: &View<'_>, table: &ToolTable, pick: &Pick) -> Opti
         .filter_map(|(row, tool)| Some((row, tool, text_of_tool(pick.parameter, tool, row, table)?)))
         .collect();
     let mut picked = None;
-    // The keys begin at the tool that is named now.
+    // The keys begin at the tool that is named now; where none is, at the first one.
     let is_new = just_opened(ui, Id::unique("tools-list"));
-    let focused = tools.iter().position(|(row, ..)| pick.chosen == Some(*row)).unwrap_or_default();
+    let focused = tools.iter().position(|(row, ..)| pick.chosen == Some(*row)).unwrap_or(0);
     let mut list_rows = |ui: &mut Ui, rows: Range<usize>| {
-        for (number, (row, tool, text)) in rows.clone().zip(tools.get(rows).unwrap_or_default()) {
+        for (number, (row, tool, text)) in rows.clone().zip(tools.within(rows)) {
             let shown = RichText::new(line(view, tool)).font(font.clone());
             let button = Button::selectable(pick.chosen == Some(*row), shown).truncate();
             let button = ui.add(button.min_size(vec2(0.0, control(ui))));

@@ -1,9 +1,11 @@
 //! Top: pages, import and export, and the menu of settings.
 
+use std::path::Path;
+
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
 use super::theme::{self, control, sizes, space};
-use super::view::{View, quiet};
+use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::message;
 use crate::report::RENDERINGS;
@@ -19,7 +21,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.set_min_height(control(ui));
             let id = Id::unique("top-bar");
             // The widths of the last frame: what has no room goes into the menus.
-            let [pages, buttons] = ui.data(|data| data.get_temp::<[f32; 2]>(id)).unwrap_or([0.0; 2]);
+            let [pages, buttons]: [f32; 2] = remembered(ui, id);
             let all = ui.available_width();
             let has_room = pages + buttons + space(4.0) <= all;
             let before = ui.cursor().left();
@@ -36,7 +38,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
             let pages = if has_room { ui.cursor().left() - before } else { pages };
             // As wide as the buttons, so that they end at the right edge in reading order.
-            let width = if has_room { buttons } else { ui.data(|data| data.get_temp(id.with("few"))).unwrap_or(0.0) };
+            let width = if has_room { buttons } else { remembered(ui, id.with("few")) };
             ui.add_space((ui.available_width() - width).max(0.0));
             let shown = ui.horizontal(|ui| {
                 if has_room {
@@ -137,7 +139,7 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.menu_button(view.text("recent-files"), |ui| {
             for (number, file) in recent.iter().enumerate() {
                 let name = file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy();
-                let folder = file.path.parent().map(|folder| folder.display().to_string()).unwrap_or_default();
+                let folder = file.path.parent().unwrap_or(Path::new("")).display();
                 let told = message!("recent-file")
                     .text("name", name)
                     .text("what", view.text(file.purpose.title()))

@@ -271,10 +271,13 @@ pub(super) fn half(words: &Words, digits: Digits, length: Length) -> String {
 
 /// Half of a length in µm, exact.
 fn half_um(length: Length) -> String {
-    let nm = length.nanometres();
-    let whole =
-        Length::from_nanometres(nm / 2).unwrap_or_default().exact(Unit::Micrometre, if nm % 2 == 0 { 0 } else { 3 });
-    if nm % 2 == 0 { whole } else { format!("{whole}5") }
+    let odd = Length::constant(length.nanometres() % 2);
+    let whole = length.saturating_sub(odd).midpoint(Length::ZERO);
+    if odd == Length::ZERO {
+        whole.exact(Unit::Micrometre, 0)
+    } else {
+        format!("{}5", whole.exact(Unit::Micrometre, 3))
+    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What every panel gets: the state, the words, and a place to put its commands.
 
+use std::any::Any;
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -299,7 +300,8 @@ pub(super) fn one_of_ui<T: PartialEq>(
     entries: impl IntoIterator<Item = (T, String)>,
 ) -> (Option<T>, Response) {
     let entries: Vec<(T, String)> = entries.into_iter().collect();
-    let shown = entries.iter().find(|(of, _)| of == now).map(|(_, text)| text.clone()).unwrap_or_default();
+    // None is chosen where what counts now is no entry.
+    let shown = entries.iter().find(|(of, _)| of == now).map_or_else(String::new, |(_, text)| text.clone());
     let mut chosen = None;
     let list = list_ui(ui, salt, shown, width, |ui| {
         for (of, text) in entries {
@@ -343,6 +345,11 @@ pub(super) fn keep_focus(ui: &Ui, list: &Response) {
 /// A part of a page whose widgets keep their ids, whatever stands before it: the focus stays where it is.
 pub(super) fn steady<T>(ui: &mut Ui, id: impl Hash + Debug, content: impl FnOnce(&mut Ui) -> T) -> T {
     ui.scope_builder(egui::UiBuilder::new().scope_id(egui::Id::unique(("steady", id))), content).inner
+}
+
+/// What the window remembers under an id. Nobody has put anything there at first: then it is empty, false or zero.
+pub(super) fn remembered<T: Any + Clone + Default + Send + Sync>(ui: &Ui, id: egui::Id) -> T {
+    ui.data_mut(|data| data.get_temp_mut_or_default::<T>(id).clone())
 }
 
 /// Makes a widget a live region: a screen reader reads it whenever it changes.

@@ -19,6 +19,7 @@ use crate::exchange::Body;
 use crate::message::{Message, message};
 use crate::session::WindowAction;
 use crate::session::Working;
+use crate::text::long;
 
 /// Before this nothing is said: most files are done by then.
 const PATIENCE: Duration = Duration::from_millis(300);
@@ -131,7 +132,7 @@ impl<B: Body + ?Sized> Read for Watched<'_, B> {
             return Err(stopped());
         }
         let count = self.body.read(buffer)?;
-        self.at += u64::try_from(count).unwrap_or_default();
+        self.at += long(count);
         self.job.at(self.at);
         Ok(count)
     }
@@ -150,7 +151,7 @@ impl<B: Write + ?Sized> Write for Watched<'_, B> {
             return Err(stopped());
         }
         let count = self.body.write(bytes)?;
-        self.at += u64::try_from(count).unwrap_or_default();
+        self.at += long(count);
         self.job.at(self.at);
         Ok(count)
     }
@@ -178,17 +179,17 @@ pub(super) fn working_ui(ui: &mut Ui, view: &mut View<'_>, working: &Working) {
 fn message(view: &View<'_>, working: &Working) -> Message {
     let tenths = |bytes: u64| view.words.number(&format!("{}.{}", bytes / 1_000_000, bytes / 100_000 % 10));
     let seconds = Duration::from_millis(working.elapsed_ms).as_secs_f64();
-    let id = match (working.is_writing, working.rate()) {
-        (true, _) => "working-writing",
-        (false, Some(_)) => "working-reading",
-        (false, None) => "working-reading-bytes",
+    let message = match (working.is_writing, working.rate()) {
+        (true, _) => message!("working-writing"),
+        (false, Some(rate)) => message!("working-reading").text("rate", grouped(rate)),
+        (false, None) => message!("working-reading-bytes"),
     };
-    Message::new(id)
+    message
         .text("name", &working.name)
         .text("rows", grouped(working.rows))
-        .text("rate", grouped(working.rate().unwrap_or_default()))
         .text("done", tenths(working.bytes))
-        .text("all", tenths(working.all.unwrap_or_default()))
+        // What is read has told its size before anything is said of it; what is written has none.
+        .text("all", tenths(working.all.unwrap_or(0)))
         .text("seconds", view.words.number(&format!("{seconds:.1}")))
 }
 

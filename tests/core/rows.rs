@@ -179,7 +179,7 @@ fn news(text: &str, take: usize, end: Option<End>) -> News {
         parts: found.parts.into_iter().take(take).collect(),
         classes: found.store.classes,
         tally: found.tally,
-        bytes: (1, 2),
+        bytes: (1, Some(2)),
         elapsed_ms: 10,
         end,
         sha256: None,

@@ -64,10 +64,8 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
         cells.fold(width(head), f32::max).ceil()
     };
     let widths: Vec<f32> = heads.iter().enumerate().map(|(number, head)| widest(number, head)).collect();
-    let room = |from: usize| {
-        let columns = widths.get(from..).unwrap_or_default();
-        columns.iter().fold(ui.available_width(), |room, width| room - width - space(GAP))
-    };
+    let room =
+        |from: usize| widths.iter().skip(from).fold(ui.available_width(), |room, width| room - width - space(GAP));
     // A short name leaves no gap before its figures.
     let head = view.text("budget-page-column-name");
     let names = rows.iter().map(|row| width(&row.name)).fold(width(&head), f32::max).ceil();

@@ -108,10 +108,12 @@ fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
         }
     }
     let Some((place, line)) = lot.shown() else { return };
-    let part = view.session.check().shown().map(|shown| shown.record.id.clone()).unwrap_or_default();
-    let shown = Message::new(if part.is_empty() { "lot-shown" } else { "lot-shown-part" });
-    let shown = shown.count("place", place).count("judged", lot.judged()).count("line", line).text("part", part);
-    ui.label(words.say(&shown));
+    let part = view.session.check().shown().map(|shown| &shown.record.id).filter(|part| !part.is_empty());
+    let shown = match part {
+        Some(part) => message!("lot-shown-part").text("part", part),
+        None => message!("lot-shown"),
+    };
+    ui.label(words.say(&shown.count("place", place).count("judged", lot.judged()).count("line", line)));
     ui.horizontal(|ui| {
         for step in Step::PATH {
             view.field_button(ui, CheckAction::ShowInLot(step));

@@ -13,6 +13,7 @@ use crate::length::Length;
 use crate::message::message;
 use crate::report::band::{Band, GuardBand, Guarded, Marker, Side};
 use crate::tolerance::{Feature, Limits};
+use crate::verdict::Rule;
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -38,11 +39,12 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     let measured = record.map(|record| record.measurement.diameter);
     // The rule that judged; before anything is measured the one that will.
     let rule = record.map(|record| record.verdict.rule).or_else(|| view.session.rule_ahead());
-    if rule.is_none() {
-        // The limits are drawn, and a rule is chosen that will not judge by them alone.
+    let rule = rule.unwrap_or_else(|| {
+        // The limits are drawn as if they alone counted, and a rule is chosen that will not judge so.
         quiet(ui, view.text("band-no-guards"));
-    }
-    let band = Band::by(&rule.unwrap_or_default(), limits, measured);
+        Rule::default()
+    });
+    let band = Band::by(&rule, limits, measured);
     plot_ui(ui, view.words, &band, limits, record, height);
 }
 

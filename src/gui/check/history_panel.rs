@@ -10,7 +10,7 @@ use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::colours;
-use crate::gui::view::{Digits, View, heading, quiet};
+use crate::gui::view::{Digits, View, heading, quiet, remembered};
 use crate::journal::Record;
 use crate::journal::query::callout;
 use crate::message::{Message, message};
@@ -32,7 +32,7 @@ pub(super) fn is_unfolded(ui: &Ui) -> bool {
     if ui.memory(|memory| memory.has_focus(field::id(CheckField::HistoryFilter))) {
         ui.data_mut(|data| data.insert_temp(unfolded_id(), true));
     }
-    ui.data(|data| data.get_temp(unfolded_id())).unwrap_or(false)
+    remembered(ui, unfolded_id())
 }
 
 /// The heading; on a small window a button that folds and unfolds.

@@ -13,6 +13,7 @@ use crate::length::Length;
 use crate::message::message;
 use crate::session::focused::ROWS;
 use crate::session::{Listed, Rows, RowsCommand};
+use crate::text::long;
 use crate::words::Words;
 
 /// The id of the list: it takes the focus as a whole.
@@ -76,7 +77,8 @@ impl LargeFileCells {
     fn of(words: &Words, rows: &Rows, row: &Listed<'_>) -> Self {
         let status = fate_text(words, row.fate);
         let Some(picked) = row.read else {
-            let class = row.class.map(|class| class.to_string()).unwrap_or_default();
+            // A row that is not read yet shows the class that it was judged by, if any.
+            let class = row.class.map_or_else(String::new, |class| class.to_string());
             let wait = || "…".to_owned();
             return Self {
                 line: wait(),
@@ -91,13 +93,13 @@ impl LargeFileCells {
         let line = rows.layout().map_or(0, |layout| layout.line) + picked.line;
         let [part, callout] = picked.named.clone();
         let mut cells = Self {
-            line: grouped(u64::try_from(line).unwrap_or_default()),
+            line: grouped(long(line)),
             part,
             callout: Self::callout(row, picked).unwrap_or(callout),
             measured: String::new(),
             deviation: String::new(),
             status,
-            what: picked.why.as_ref().map(|why| words.say(why)).unwrap_or_default(),
+            what: picked.why.as_ref().map_or_else(String::new, |why| words.say(why)),
         };
         if let Some(judged) = picked.judged {
             cells.measured = words.mm(judged.measured, 4);

@@ -16,6 +16,7 @@ use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
 use crate::session::CheckAction;
 use crate::session::{End, LARGE, Large, Rows, RowsCommand};
+use crate::text::long;
 use crate::tolerance::ToleranceClass;
 use crate::verdict::Status;
 use crate::words::Words;
@@ -48,7 +49,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         classes_ui(ui, view, rows);
         summary_ui(ui, view, rows);
         if !rows.filter.is_all() {
-            let listed = grouped(u64::try_from(rows.listed()).unwrap_or_default());
+            let listed = grouped(long(rows.listed()));
             let listed = message!("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
             quiet(ui, view.words.say(&listed));
         }
@@ -73,16 +74,20 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     let (words, count) = (view.words, grouped(rows.count()));
     let (read, all) = rows.bytes;
-    let percent = (read * 100).checked_div(all).unwrap_or_default().min(100);
+    // Of a file whose size is not known no share can be said: it counts as not begun.
+    let percent = all.and_then(|all| (read * 100).checked_div(all)).map_or(0, |percent| percent.min(100));
     let seconds = words.number(&format!("{:.1}", std::time::Duration::from_millis(rows.elapsed_ms).as_secs_f64()));
-    let rate = rows.rate().map(grouped).unwrap_or_default();
+    // Within the first millisecond there is none.
+    let rate = rows.rate().map_or_else(String::new, grouped);
     let said = |id: &'static str| {
         let said = Message::new(id).text("count", &count).text("percent", percent).text("rate", &rate);
         said.text("seconds", &seconds)
     };
     match rows.end() {
         None => {
-            let bar = ProgressBar::new(share(read, all)).desired_width(space(25.0)).desired_height(space(3.0));
+            let bar = ProgressBar::new(all.map_or(0.0, |all| share(read, all)))
+                .desired_width(space(25.0))
+                .desired_height(space(3.0));
             let text = words.say(&said("rows-running"));
             let shown = ui.add(bar);
             shown.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, view.text("rows-progress")));

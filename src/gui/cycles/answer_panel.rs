@@ -111,7 +111,8 @@ fn others_ui(ui: &mut Ui, words: &Words, result: &CycleResult) {
         let (name, rest) = lines.split_first().map_or(("", [].as_slice()), |(name, rest)| (name.as_str(), rest));
         let rest = rest.get(..1).filter(|_| !is_rework).unwrap_or(rest);
         ui.separator();
-        ui.label(RichText::new(format!("{name} {}", value.unwrap_or_default())).font(theme::bold(sizes().body)));
+        let title = value.map_or_else(|| name.to_owned(), |value| format!("{name} {value}"));
+        ui.label(RichText::new(title).font(theme::bold(sizes().body)));
         for line in instruction.iter().map(|(what, rest)| format!("{what} {rest}")).chain(rest.iter().cloned()) {
             ui.label(RichText::new(line).font(theme::font(sizes().body)));
         }
@@ -196,7 +197,7 @@ fn decimals(result: &CycleResult) -> usize {
         }
         _ => 0,
     };
-    result.results.iter().map(of_value).max().unwrap_or_default()
+    result.results.iter().map(of_value).fold(0, usize::max)
 }
 
 /// The result parameters, their values aligned.

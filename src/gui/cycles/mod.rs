@@ -28,7 +28,7 @@ use super::field;
 use super::over_page::just_opened;
 use super::theme::space;
 use super::verdict_card::least_width;
-use super::view::View;
+use super::view::{View, remembered};
 use crate::session::{Action, Command, CycleField, CyclesCommand};
 
 pub(super) const PAGE: PageView = PageView { ui: cycles_ui, dropped };
@@ -68,8 +68,7 @@ fn asked_id() -> Id {
 /// The field that gets the focus because the requested run cannot begin with it: the last focused one if it is wrong,
 /// else the first wrong one.
 fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
-    let has_run = ui.data(|data| data.get_temp(asked_id()).unwrap_or(false));
-    if !has_run {
+    if !remembered::<bool>(ui, asked_id()) {
         return None;
     }
     let page = view.session.cycles();

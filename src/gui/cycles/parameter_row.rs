@@ -164,7 +164,8 @@ fn number_ui(ui: &mut Ui, view: &mut View<'_>, of: CycleField, name: Id, paramet
         required_mark(ui, response.rect);
     }
     describe(ui, view, of, &standing, &response);
-    quiet(ui, parameter.range.unit().unwrap_or_default());
+    // Where there is no unit its place stays.
+    quiet(ui, parameter.range.unit().unwrap_or(""));
     lead_here(ui, view, of.into(), &response);
     response.has_focus()
 }

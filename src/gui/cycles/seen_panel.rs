@@ -126,7 +126,8 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
         return view.words.told(&parameter.range);
     }
     let range = view.words.say(&parameter.range.short());
-    let unit = parameter.range.unit().unwrap_or_default();
+    // A range without a unit ends the line.
+    let unit = parameter.range.unit().unwrap_or("");
     view.words.say(&message!("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
@@ -221,10 +222,12 @@ fn said(words: &Words, now: &Move, step: usize, count: usize) -> String {
         .count("number", step + 1)
         .count("count", count)
         .message("phase", Message::new(phase_id(now.phase)))
-        .count("touch", now.touch.unwrap_or_default())
         .text("from", place(now.from))
         .text("to", place(now.to));
-    words.say(&message)
+    words.say(&match now.touch {
+        Some(touch) => message.count("touch", touch),
+        None => message,
+    })
 }
 
 /// Millimetres to four decimals, as a control shows them, without a sign on zero.

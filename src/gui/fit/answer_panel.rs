@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, WidgetInfo, vec2};
 
+use super::part_text;
 use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::class_chooser::feature_picture;
 use crate::gui::columns::{is_low, is_tiny};
@@ -113,9 +114,7 @@ fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
 /// Both parts' limits, where they come from, and the way to the check page.
 fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
     for limits in [fit.hole(), fit.shaft()] {
-        let class = view.session.fit().class(limits.feature);
-        let class = class.map(|class| class.to_string()).unwrap_or_default();
-        let name = format!("{} {class}", view.text(feature_id(limits.feature)));
+        let name = part_text(view, limits.feature);
         let action = FitAction::CheckPart(limits.feature);
         // Where both have no room in one line the button goes below the name.
         let width =

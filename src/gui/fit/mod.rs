@@ -25,10 +25,18 @@ use super::field;
 use super::over_page::just_opened;
 use super::theme::space;
 use super::view::View;
+use crate::gui::limits::feature_id;
 use crate::gui::page::{PageView, measurements};
 use crate::session::FitField;
+use crate::tolerance::Feature;
 
 pub(super) const PAGE: PageView = PageView { ui: fit_ui, dropped: measurements };
+
+/// A part and its class: `Hole H7`. What has been typed may not name a class yet.
+fn part_text(view: &View<'_>, part: Feature) -> String {
+    let class = view.session.fit().class(part).map_or_else(String::new, |class| class.to_string());
+    format!("{} {class}", view.text(feature_id(part)))
+}
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -4,6 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
+use super::part_text;
 use crate::gui::limits::feature_id;
 use crate::gui::shapes::{self, Hatch, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
@@ -65,7 +66,8 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
 }
 
 fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
-    let class = view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
+    // What has been typed may not name a class yet.
+    let class = view.session.fit().class(limits.feature).map_or_else(String::new, |class| class.to_string());
     let message = message!("fit-describe-zone")
         .text("part", view.text(feature_id(limits.feature)))
         .text("class", class)
@@ -221,12 +223,7 @@ impl<'a> Drawing<'a> {
     }
 
     fn name(&self, x: Rangef, limits: &Limits) {
-        let class = self.view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
-        self.below(
-            x.center(),
-            &format!("{} {class}", self.words.get(feature_id(limits.feature))),
-            x.span() + space(4.0),
-        );
+        self.below(x.center(), &part_text(self.view, limits.feature), x.span() + space(4.0));
     }
 
     /// A name below the picture, on two lines where it is long; none where one of its words has no room: the answer names

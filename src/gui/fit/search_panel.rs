@@ -9,6 +9,7 @@ use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
 use crate::length::Length;
 use crate::message::message;
 use crate::session::{FitCommand, FitField};
+use crate::text::Within as _;
 use crate::tolerance::Feature;
 use crate::tolerance::fit::search::{Candidate, FitSearchResult, Scope};
 
@@ -74,7 +75,7 @@ fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &FitSearchResult) {
         shown,
         |ui, rows| {
             ui.set_max_width(ui.available_width() - space(2.5));
-            for candidate in found.candidates.get(rows).unwrap_or_default() {
+            for candidate in found.candidates.within(rows) {
                 row_ui(ui, view, candidate);
             }
         },
@@ -95,12 +96,16 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, candidate: &Candidate) {
     job.append(&pair, 0.0, text(bold, palette.text));
     job.append(&range, (space(16.0) - width).max(space(2.0)), text(theme::font(sizes().body), palette.text));
     let mut name = format!("{pair}  {range}");
-    let remark = remark(view, candidate).unwrap_or_default();
-    if !remark.is_empty() {
+    let remark = remark(view, candidate);
+    if let Some(remark) = &remark {
         name = format!("{name}  {remark}");
     }
     // Where room is short, the remark shrinks and the figures stay whole.
-    let remark = RichText::new(remark).size(sizes().small).color(palette.quiet.0).atom_shrink(true);
+    let remark = remark
+        .map_or_else(RichText::default, RichText::new)
+        .size(sizes().small)
+        .color(palette.quiet.0)
+        .atom_shrink(true);
     let chosen = (view.session.fit().class(Feature::Hole), view.session.fit().class(Feature::Shaft));
     let button = Button::new((job, Atom::grow(), remark)).truncate().selected(chosen == (Some(hole), Some(shaft)));
     let size = vec2(ui.available_width(), control(ui));

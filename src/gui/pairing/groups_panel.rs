@@ -8,6 +8,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem};
 use crate::message::{Message, message};
 use crate::pairing::{Group, Groups, PairClearances, Range};
+use crate::text::Within as _;
 
 /// How many groups are listed at once.
 const AT_ONCE: f32 = 4.0;
@@ -28,8 +29,7 @@ pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: P
     let height = line_height() * 4.0 + space(2.0);
     let area = ScrollArea::vertical().id_salt("pairing-groups").max_height((height + space(1.0)) * AT_ONCE);
     area.show_rows(ui, height, groups.all.len(), |ui, places| {
-        let all = groups.all.get(places.clone()).unwrap_or_default();
-        for (at, group) in places.zip(all) {
+        for (at, group) in places.clone().zip(groups.all.within(places)) {
             let (rect, response) =
                 ui.allocate_exact_size(vec2(ui.available_width() - space(2.5), height), Sense::hover());
             let lines = lines(view, at + 1, group, wanted);

@@ -70,7 +70,7 @@ fn cells(view: &View<'_>, paired: &Paired, row: PairRow<'_>) -> [String; 7] {
         shaft,
         clearance,
         from_middle,
-        row.remark().map(|remark| words.say(&remark)).unwrap_or_default(),
+        row.remark().map_or_else(String::new, |remark| words.say(&remark)),
     ]
 }
 

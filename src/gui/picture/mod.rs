@@ -68,6 +68,7 @@ fn dots(name: &str, bytes: &[u8], format: ImageFormat) -> Result<Dots, Message> 
     }
     let picture = if LONGEST < width.max(height) { picture.thumbnail(LONGEST, LONGEST) } else { picture };
     let picture = picture.into_rgba8();
-    let size = [picture.width(), picture.height()].map(|side| usize::try_from(side).unwrap_or_default());
+    let side = |dots: u32| usize::try_from(dots).map_err(|error| broken(name, &error));
+    let size = [side(picture.width())?, side(picture.height())?];
     Ok((size, picture.into_raw()))
 }

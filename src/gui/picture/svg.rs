@@ -34,11 +34,13 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
     };
     let fonts = Arc::make_mut(&mut options.fontdb);
     fonts.load_font_data(include_bytes!("../../../assets/fonts/sans-regular.ttf").to_vec());
-    let family = fonts.faces().find_map(|face| Some(face.families.first()?.0.clone())).unwrap_or_default();
-    fonts.set_sans_serif_family(family.clone());
-    fonts.set_serif_family(family.clone());
-    fonts.set_monospace_family(family.clone());
-    options.font_family = family;
+    let family = fonts.faces().find_map(|face| Some(face.families.first()?.0.clone()));
+    if let Some(family) = family {
+        fonts.set_sans_serif_family(family.clone());
+        fonts.set_serif_family(family.clone());
+        fonts.set_monospace_family(family.clone());
+        options.font_family = family;
+    }
     let tree = Tree::from_data(bytes, &options).map_err(|error| broken(name, &error))?;
     if !is_light(&tree) {
         return Err(message!("parts-page-picture-heavy").text("name", name));
@@ -60,8 +62,8 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
         let dot = dot.demultiply();
         [dot.red(), dot.green(), dot.blue(), dot.alpha()]
     });
-    let size = [scaled.width(), scaled.height()].map(|side| usize::try_from(side).unwrap_or_default());
-    Ok((size, dots.collect()))
+    let side = |dots: u32| usize::try_from(dots).map_err(|error| broken(name, &error));
+    Ok(([side(scaled.width())?, side(scaled.height())?], dots.collect()))
 }
 
 /// How much larger something is drawn.

@@ -114,8 +114,10 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     }
     for cycle in cycles.iter().rev().take(MOST).rev() {
         let status = cycle.result.verdict();
-        let value = main_value(view.words, cycle).unwrap_or_default();
-        let text = format!("{}  {}  {value}", cycle.cycle.code, view.text(status_id(status)));
+        let mut text = format!("{}  {}  ", cycle.cycle.code, view.text(status_id(status)));
+        if let Some(value) = main_value(view.words, cycle) {
+            text.push_str(&value);
+        }
         let line = marked_ui(ui, (status, palette(ui.ctx()).text.0), Button::new(text));
         if line.on_hover_text(view.text("program-page-show-block")).clicked() {
             view.send(ProgramCommand::GoTo(cycle.place.clone()));

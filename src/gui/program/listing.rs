@@ -16,6 +16,7 @@ use crate::nc::program::Body;
 use crate::session::ProgramCommand;
 use crate::session::focused::LISTING;
 use crate::session::program::{Document, Run, State};
+use crate::text::Within as _;
 
 /// How many lines around a block come into sight with it.
 const AROUND: f32 = 3.0;
@@ -147,7 +148,7 @@ fn marks_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine
 /// What a screen reader says: the line, and its marks in words.
 fn said(view: &View<'_>, document: &Document, row: &VisibleLine, has_breakpoint: bool) -> String {
     let text = document.program.line(row.line).trim();
-    let text = text.get(..text.floor_char_boundary(WIDEST.min(text.len()))).unwrap_or_default();
+    let text = text.within(..text.floor_char_boundary(WIDEST));
     let mut said = text.to_owned();
     let marks = [
         (has_breakpoint, "program-page-has-breakpoint"),

@@ -7,6 +7,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, Palette, sizes};
 use crate::nc::program::Notation;
 use crate::session::program::{State, Token, tokens_of};
+use crate::text::Within as _;
 use crate::verdict::Status;
 
 /// The most bytes of a line that are drawn.
@@ -14,11 +15,10 @@ const LONGEST: usize = 2_000;
 
 /// A line with its parts distinguished.
 pub(super) fn line(notation: Notation, text: &str, begins: bool, palette: &Palette) -> LayoutJob {
-    let end = text.floor_char_boundary(LONGEST.min(text.len()));
-    let text = text.get(..end).unwrap_or(text);
+    let text = text.within(..text.floor_char_boundary(LONGEST));
     let mut job = LayoutJob { break_on_newline: false, ..LayoutJob::default() };
     for (range, token) in tokens_of(notation, text, begins) {
-        let part = text.get(range).unwrap_or_default();
+        let part = text.within(range);
         // A control character has no shape.
         if part.contains(char::is_control) {
             let part: String = part.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();

@@ -5,10 +5,11 @@ use eframe::egui::{EventFilter, Id, Key, Label, Rect, RichText, ScrollArea, Sens
 
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{sizes, space};
-use crate::gui::view::{View, quiet};
+use crate::gui::view::{View, quiet, remembered};
 use crate::message::message;
 use crate::session::ProgramAction;
 use crate::session::feature_message;
+use crate::text::Within as _;
 
 /// How many features are visible without scrolling.
 const LINES: usize = 6;
@@ -33,7 +34,7 @@ pub(super) fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
     let shown = ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         area.show_rows(ui, row, features.len(), |ui, rows| {
-            for feature in features.get(rows).unwrap_or_default() {
+            for feature in features.within(rows) {
                 let said = view.words.say(&feature_message(feature));
                 ui.add(Label::new(RichText::new(said).size(sizes().small)).truncate().selectable(false));
             }
@@ -50,7 +51,7 @@ fn asked_offset(ui: &Ui, id: Id, row: f32, count: usize) -> Option<f32> {
     let arrows = EventFilter { vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
     let last = times(row, count.saturating_sub(LINES));
-    let now: f32 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let now: f32 = remembered(ui, id);
     let page = times(row, LINES);
     let steps = [
         (Key::ArrowDown, now + row),

@@ -23,10 +23,10 @@ pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
         quiet(ui, view.text("program-page-no-path"));
         return;
     }
-    let path = run.map(Run::path).unwrap_or_default();
+    let path = run.map_or_else(Vec::new, Run::path);
     let last = run.and_then(|run| run.cycles().last());
     let nominal = last.and_then(|cycle| cycle.cycle.nominal(&cycle.result.inputs).ok());
-    let features = part.map(|part| part.features.as_slice()).unwrap_or_default();
+    let features = part.map_or([].as_slice(), |part| part.features.as_slice());
     let ball_radius = part.map_or(0.0, |part| part.probe.ball_radius);
     path_picture(ui, view, &path, path.len(), Surroundings { nominal, features, ball_radius });
 }

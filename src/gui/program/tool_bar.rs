@@ -10,6 +10,7 @@ use crate::nc::machine::Shipped;
 use crate::session::ProgramAction;
 use crate::session::program::{EntryKind, Origin, Speed, State, Switch};
 use crate::session::{FilesCommand, ProgramCommand, Purpose};
+use crate::text::Within as _;
 
 /// The width of the list of places to go to.
 const OUTLINE: f32 = 78.0;
@@ -74,7 +75,8 @@ fn progress_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.text("program-page-choice");
-    let shown = view.session.program().main().map(|document| document.title().to_owned()).unwrap_or_default();
+    // Where no program is open, none is chosen.
+    let shown = view.session.program().main().map_or("", |document| document.title());
     let list = list_ui(ui, "program-choice", shown, space(36.0), |ui| {
         for (language, file) in Shipped::main_programs() {
             let chosen = view.session.program().origin() == Some(&Origin::Shipped(file));
@@ -186,7 +188,7 @@ fn outline_ui(ui: &mut Ui, view: &mut View<'_>) {
             // Only the entries in sight: there may be thousands.
             let area = ScrollArea::vertical().max_height(height).id_salt("outline");
             area.show_rows(ui, control(ui), outline.len(), |ui, rows| {
-                for (number, entry) in rows.clone().zip(outline.get(rows).unwrap_or_default()) {
+                for (number, entry) in rows.clone().zip(outline.within(rows)) {
                     let depth = entry.depth.saturating_sub(1) + usize::from(entry.kind == EntryKind::Label);
                     let text = format!("{}{}", "    ".repeat(depth.min(8)), entry.text);
                     let button = Button::selectable(under == Some(number), text).truncate();

@@ -57,7 +57,10 @@ fn input_ui(ui: &mut Ui, view: &mut View<'_>, parameter: Parameter) {
     let input = message!("tools-input").text("parameter", parameter);
     let name = quiet(ui, view.words.say(&input));
     ui.horizontal(|ui| {
-        let look = FieldStyle { hint: own.unwrap_or_default(), ..FieldStyle::number(space(FIELD)) };
+        let mut look = FieldStyle::number(space(FIELD));
+        if let Some(own) = own {
+            look.hint = own;
+        }
         field_ui(ui, view, field, name.id, look);
         let table = view.session.tools().map(|tools| &tools.table);
         let chosen = table.zip(named.as_ref()).and_then(|(table, named)| named.row(table));

@@ -13,6 +13,7 @@ use crate::nc::machine::shown;
 use crate::session::ProgramAction;
 use crate::session::program::{Name, Watched};
 use crate::session::{ProgramCommand, ProgramField};
+use crate::text::Within as _;
 
 /// The panel's content.
 pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -35,7 +36,7 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     let height = space(7.0);
     ui.spacing_mut().item_spacing.y = 0.0;
     ScrollArea::vertical().id_salt("watch").auto_shrink(false).show_rows(ui, height, watched.len(), |ui, rows| {
-        for watched in watched.get(rows).unwrap_or_default() {
+        for watched in watched.within(rows) {
             row_ui(ui, view, watched, height);
         }
     });

@@ -13,6 +13,7 @@ use crate::report::RENDERINGS;
 use crate::session::records::{LeftOut, Shorthand};
 use crate::session::{Field, RecordsField};
 use crate::session::{RecordsAction, WindowAction};
+use crate::text::long;
 
 /// The question, and what comes of it. In a very low window its buttons are in a menu, so that rows stay in sight.
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -76,7 +77,7 @@ fn more_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn count_ui(ui: &mut Ui, view: &View<'_>) {
     let listing = &view.session.records().listing;
     let count = listing.count();
-    let number = grouped(u64::try_from(count).unwrap_or(u64::MAX));
+    let number = grouped(long(count));
     let id = match (listing.is_stale, listing.is_whole) {
         (true, _) => "records-page-looking",
         (false, true) => "records-page-count",

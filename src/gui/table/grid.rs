@@ -14,6 +14,7 @@ use eframe::egui::{
 
 use crate::gui::shapes::{lines_of, times};
 use crate::gui::theme::{Hex, palette};
+use crate::text::Within as _;
 
 /// A grid as its page declares it.
 pub(in crate::gui) struct Grid {
@@ -68,7 +69,7 @@ impl Grid {
             ui.spacing_mut().scroll.fade.strength = 0.0;
             let area = ScrollArea::both().id_salt((self.id, self.number)).auto_shrink(false);
             area.show_viewport(ui, |ui, viewport| {
-                let size = vec2(self.ends.last().copied().unwrap_or_default(), times(self.height, self.rows));
+                let size = vec2(self.width_of(self.ends.len()), times(self.height, self.rows));
                 let (all, _) = ui.allocate_exact_size(size, Sense::hover());
                 content(ui, &Cells { grid: self, all, seen: viewport.translate(all.min.to_vec2()) });
                 all
@@ -76,6 +77,11 @@ impl Grid {
         });
         let output = output.inner;
         Cells { grid: self, all: output.inner, seen: output.inner_rect }
+    }
+
+    /// How wide the first so many columns are together.
+    fn width_of(&self, columns: usize) -> f32 {
+        self.ends.within(..columns).last().map_or(0.0, |end| *end)
     }
 
     /// A cell has a name for a screen reader, and may be selected. It is no stop for Tab: the grid is one.
@@ -108,9 +114,8 @@ impl Cells<'_> {
     }
 
     fn across(&self, column: usize) -> Rangef {
-        let end =
-            |column: Option<usize>| column.and_then(|column| self.grid.ends.get(column)).copied().unwrap_or_default();
-        Rangef::new(self.all.left() + end(column.checked_sub(1)), self.all.left() + end(Some(column)))
+        let edge = |columns: usize| self.all.left() + self.grid.width_of(columns);
+        Rangef::new(edge(column), edge(column + 1))
     }
 
     fn down(&self, row: usize) -> Rangef {

@@ -35,6 +35,7 @@ pub(super) fn across(ui: &Ui, table: &Table<'_>, room: (f32, f32)) -> Across {
 
 /// The widths that the user gave the columns; they are kept, also over a restart.
 fn own(ui: &Ui, table: &Table<'_>) -> Own {
+    // Who never moved an edge has given none.
     ui.data_mut(|data| data.get_persisted(table.id.with("widths"))).unwrap_or_default()
 }
 

@@ -5,6 +5,7 @@ use eframe::egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
 use super::Table;
 use crate::gui::shapes::{self, lines_of, part_of, times};
 use crate::gui::theme::{control, palette, space};
+use crate::gui::view::remembered;
 
 /// The first place in sight, and how many points of it are above.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -42,7 +43,7 @@ impl Top {
 pub(super) fn scrolled(ui: &Ui, table: &Table<'_>, rect: Rect, bar: f32) -> Top {
     let (id, height) = (table.id, control(ui));
     let key = id.with("top");
-    let (mut top, looked): (Top, u64) = ui.data(|data| data.get_temp(key)).unwrap_or_default();
+    let (mut top, looked): (Top, u64) = remembered(ui, key);
     let fit = lines_of((rect.height() / height).floor());
     let last = match table.count.checked_sub(fit + 1) {
         Some(place) => Top { place, hidden: height - (rect.height() - times(height, fit)) },

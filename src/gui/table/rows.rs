@@ -179,10 +179,9 @@ pub(super) fn text_in(
     let galley = painter.layout_job(job);
     let is_cut = galley.elided;
     let width = |text: &str| painter.layout_no_wrap(text.to_owned(), font.clone(), colour).size().x;
-    let left = match (kind, sign) {
+    let left = match (kind, sign.and_then(|sign| text.rsplit_once(sign))) {
         // A micrometre has its unit behind it, and no decimals as a rule.
-        (Kind::Number, Some(sign)) if !text.contains(' ') && text.contains(sign) => {
-            let behind = text.rsplit(sign).next().unwrap_or_default();
+        (Kind::Number, Some((_, behind))) if !text.contains(' ') => {
             let short = (width(DECIMALS) - width(behind)).max(0.0);
             (rect.right() - galley.size().x - short).max(rect.left())
         }

@@ -19,7 +19,8 @@ use crate::tolerance::{Deviations, ToleranceClass, iso286};
 struct Selected<'a> {
     document: &'a Document,
     class: ToleranceClass,
-    range: usize,
+    /// From where to where its range goes.
+    range: (Length, Length),
     cell: Option<Deviations>,
     /// What ISO 286 gives for the whole range, where it gives one thing.
     standard: Option<Deviations>,
@@ -37,9 +38,12 @@ pub(super) fn cell_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.text("tables-no-columns"));
         return;
     };
-    let (cell, standard) = (document.cell(class, range), document.standard(class, range));
-    let differences = document.column(class).map(|column| document.differences(column, range)).unwrap_or_default();
-    let selected = Selected { document, class, range, cell, standard, differences };
+    // The cell that is selected is one of the table.
+    let (Some(column), Some(ends)) = (document.column(class), document.range(range)) else { return };
+    let cell = document.cell(class, range);
+    let standard = document.standard(class, range);
+    let differences = document.differences(column, range);
+    let selected = Selected { document, class, range: ends, cell, standard, differences };
     let top = ui.cursor().min;
     title_ui(ui, view, &selected);
     figures_ui(ui, view, &selected);
@@ -48,7 +52,7 @@ pub(super) fn cell_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
-    let range = range_text(view, selected.document.range(selected.range).unwrap_or_default());
+    let range = range_text(view, selected.range);
     ui.horizontal(|ui| {
         ui.label(RichText::new(selected.class.as_str()).font(theme::bold(sizes().value)));
         ui.label(RichText::new(range).font(theme::font(sizes().limits)));
@@ -120,7 +124,7 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>, top: Pos2) {
     if selected.document.origin == Origin::Shipped {
         quiet(ui, view.text("tables-shipped-hint"));
     }
-    let range = range_text(view, selected.document.range(selected.range).unwrap_or_default());
+    let range = range_text(view, selected.range);
     let said = format!("{}, {range}. {}", selected.class, verdict.join(". "));
     let rect = Rect::from_min_max(top, ui.min_rect().right_bottom());
     let response = ui.interact(rect, ui.scope_id().with("cell-said"), Sense::hover());
@@ -142,11 +146,10 @@ fn verdict(view: &View<'_>, selected: &Selected<'_>) -> Vec<String> {
         let id = if selected.cell.is_some() { "tables-cell-agrees" } else { "tables-cell-empty" };
         return vec![view.text(id)];
     }
-    let whole = selected.document.range(selected.range);
     let told = selected.differences.iter().take(MOST_TOLD).map(|difference| {
         let said = view.words.say(&difference_text(view, difference));
         let range = (difference.over, difference.to);
-        if Some(range) == whole { said } else { format!("{}: {said}", range_text(view, range)) }
+        if range == selected.range { said } else { format!("{}: {said}", range_text(view, range)) }
     });
     let more = selected.differences.len().saturating_sub(MOST_TOLD);
     let more = (0 < more).then(|| view.words.say(&message!("tables-more-differences").count("count", more)));

@@ -9,6 +9,7 @@ use crate::gui::shapes::focus_ring;
 use crate::gui::table::grid::{Cells, Grid};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
+use crate::length::Length;
 use crate::message::{Message, message};
 use crate::session::focused::CELLS;
 use crate::session::tables::Document;
@@ -43,8 +44,8 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// A cell: its column among all, its class and its range.
-type DrawnCell = (usize, ToleranceClass, usize);
+/// A cell: its column among all, its class, its range, and from where to where that goes.
+type DrawnCell = (usize, ToleranceClass, usize, (Length, Length));
 
 /// Draws the cells in sight.
 fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&Grid, &Cells<'_>), focused: bool) {
@@ -54,7 +55,7 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
         let Some(class) = document.table().columns().get(column) else { continue };
         let decimals = paint::decimals(ui.painter(), &class.cells);
         for range in cells.rows() {
-            let Some(&cell) = class.cells.get(range) else { continue };
+            let (Some(&cell), Some(ends)) = (class.cells.get(range), document.range(range)) else { continue };
             let rect = cells.rect(range, place);
             let look = paint::TableCellView {
                 palette: palette(ui.ctx()),
@@ -66,14 +67,14 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
                 marked: filter.rows.contains(&range),
             };
             paint::cell(ui.painter(), rect, &look);
-            cell_ui(ui, view, document, grid, ((column, class.class, range), rect));
+            cell_ui(ui, view, document, grid, ((column, class.class, range, ends), rect));
         }
     }
 }
 
 /// A cell can be clicked; for a screen reader it has a name.
 fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (place, rect): (DrawnCell, Rect)) {
-    let (_, class, range) = place;
+    let (_, class, range, _) = place;
     let selected = document.selected == Some((class, range));
     let (salt, click) = ((class.as_str(), range), (rect, Sense::CLICK));
     let response = grid.cell_ui(ui, salt, click, selected, || cell_name(view, document, place));
@@ -87,8 +88,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (plac
 }
 
 /// `H7, over 18 up to 30 mm, +21 / 0 µm, differs from ISO 286`.
-fn cell_name(view: &View<'_>, document: &Document, (column, class, range): DrawnCell) -> String {
-    let (over, to) = document.range(range).unwrap_or_default();
+fn cell_name(view: &View<'_>, document: &Document, (column, class, range, (over, to)): DrawnCell) -> String {
     let figures = match document.cell(class, range) {
         Some(cell) => message!("tables-pair")
             .text("upper", view.words.signed_um(cell.upper()))
@@ -145,7 +145,7 @@ fn heads_ui(ui: &Ui, view: &View<'_>, document: &Document, rect: Rect, cells: &C
             paint::head(painter, head, &paint::Head { palette, text, remark: &remark, differs, marked });
         },
         |painter, head, range| {
-            let (over, to) = document.range(range).unwrap_or_default();
+            let Some((over, to)) = document.range(range) else { return };
             let text = format!("{} – {}", view.words.mm(over, 0), view.words.mm(to, 0));
             let marked = filter.rows.contains(&range) || selected.is_some_and(|(_, selected)| selected == range);
             paint::head(painter, head, &paint::Head { palette, text: &text, remark: "", differs: false, marked });

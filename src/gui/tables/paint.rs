@@ -65,7 +65,7 @@ fn figure(painter: &Painter, rect: Rect, y: f32, look: &TableCellView<'_>, lengt
 /// The room that the longest decimals of a column need, points.
 pub(super) fn decimals(painter: &Painter, cells: &[Option<Deviations>]) -> f32 {
     let lengths = cells.iter().flatten().flat_map(|pair| [pair.upper(), pair.lower()]);
-    let longest = lengths.map(|length| places(length.nanometres())).max().unwrap_or_default();
+    let longest = lengths.map(|length| places(length.nanometres())).fold(0, usize::max);
     let Some(digits) = [None, Some(".0"), Some(".00"), Some(".000")].get(longest).copied().flatten() else {
         return 0.0;
     };

@@ -65,8 +65,10 @@ fn told(view: &View<'_>, title: &str, origin: Origin) -> String {
 
 fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-choice"));
-    let shown = view.session.tables().shown().map(|document| told(view, &document.title, document.origin));
-    let list = list_ui(ui, "table-choice", shown.unwrap_or_default(), space(64.0), |ui| {
+    // Where no table is open none is chosen.
+    let shown = view.session.tables().shown();
+    let shown = shown.map_or_else(String::new, |document| told(view, &document.title, document.origin));
+    let list = list_ui(ui, "table-choice", shown, space(64.0), |ui| {
         let open = view.session.tables().documents.iter().enumerate();
         let open = open.map(|(number, document)| {
             let mut text = told(view, &document.title, document.origin);

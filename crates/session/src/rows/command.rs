@@ -73,8 +73,8 @@ pub struct News {
     pub classes: Vec<ToleranceClass>,
     /// Remarks so far.
     pub tally: Tally,
-    /// How many bytes of the file were read, and how many it has.
-    pub bytes: (u64, u64),
+    /// How many bytes of the file were read, and how many it has where that is known.
+    pub bytes: (u64, Option<u64>),
     /// For how long the run has been going on, in milliseconds.
     pub elapsed_ms: u64,
     pub end: Option<End>,

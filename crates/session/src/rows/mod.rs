@@ -47,8 +47,8 @@ pub struct Rows {
     counts: Vec<[u64; FATES]>,
     /// What is said of the rows so far.
     pub tally: Tally,
-    /// How many bytes of the file were read, and how many it has.
-    pub bytes: (u64, u64),
+    /// How many bytes of the file were read, and how many it has where that is known.
+    pub bytes: (u64, Option<u64>),
     /// For how long it was judged, in milliseconds.
     pub elapsed_ms: u64,
     end: Option<End>,
@@ -117,7 +117,7 @@ impl Rows {
             classes: Vec::new(),
             counts: vec![[0; FATES]],
             tally: Tally::default(),
-            bytes: (0, 0),
+            bytes: (0, None),
             elapsed_ms: 0,
             end: None,
             sha256: None,

@@ -78,20 +78,23 @@ impl Widths {
         let small = || theme::font(sizes().small);
         let room = ui.available_width() - gap * 4.0;
         let of_heads = HEADS.map(|head| width(&words.get(head), small()));
-        let columns = [0, 1, 2, 3].map(|column| pair(&of_heads, &values, column));
+        let columns = wider(of_heads, values);
         if name + columns.iter().sum::<f32>() <= room {
             return Self { name, columns };
         }
         let of_words =
             HEADS.map(|head| words.get(head).split(' ').map(|word| width(word, small())).fold(0.0, f32::max));
-        let columns = [0, 1, 2, 3].map(|column| pair(&of_words, &values, column));
+        let columns = wider(of_words, values);
         Self { name: (room - columns.iter().sum::<f32>()).clamp(space(20.0), name.max(space(20.0))), columns }
     }
 }
 
-fn pair(one: &[f32; 4], other: &[f32; 4], column: usize) -> f32 {
-    let at = |widths: &[f32; 4]| widths.get(column).copied().unwrap_or_default();
-    at(one).max(at(other))
+/// Of two widths of each column the wider one.
+fn wider(mut widths: [f32; 4], others: [f32; 4]) -> [f32; 4] {
+    for (width, other) in widths.iter_mut().zip(others) {
+        *width = width.max(other);
+    }
+    widths
 }
 
 /// One criterion.

@@ -56,8 +56,7 @@ pub(super) fn height(ui: &Ui) -> f32 {
 }
 
 fn is_finite(one: &Move) -> bool {
-    let about = one.about.unwrap_or_default();
-    one.from.iter().chain(&one.to).chain(&about).all(|value| value.abs() < 1e9)
+    one.from.iter().chain(&one.to).chain(one.about.iter().flatten()).all(|value| value.abs() < 1e9)
 }
 
 /// The features of a part by name, the first ones of many.

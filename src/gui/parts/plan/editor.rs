@@ -1,7 +1,6 @@
 //! The cell that is typed into.
 
 use eframe::egui::text::{CCursor, CCursorRange};
-use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Area, Button, Frame, Key, Order, Rect, TextEdit, Ui, WidgetInfo, accesskit::Role, vec2};
 
 use super::{column_id, grid_id};
@@ -19,9 +18,7 @@ pub(super) fn editor_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     let id = field::id(field);
     let mut text = view.session.text(field).to_owned();
     if just_opened(ui, id.with("editor")) {
-        let mut state = TextEditState::load(ui.ctx(), id).unwrap_or_default();
-        state.cursor.set_char_range(Some(CCursorRange::one(CCursor::new(text.chars().count()))));
-        state.store(ui.ctx(), id);
+        field::select(ui.ctx(), id, CCursorRange::one(CCursor::new(text.chars().count())));
         ui.memory_mut(|memory| memory.request_focus(id));
     }
     let edit = TextEdit::singleline(&mut text).id(id).lock_focus(true).font(theme::font(sizes().body));

@@ -74,7 +74,8 @@ pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
             match (findings.get(place), place.checked_sub(findings.len() + 1)) {
                 (Some(finding), _) => finding_ui(ui, view, place, finding),
                 (None, Some(place)) => {
-                    let text = problems.get(place).map(|problem| view.words.told(problem)).unwrap_or_default();
+                    let Some(problem) = problems.get(place) else { continue };
+                    let text = view.words.told(problem);
                     if line_ui(ui, &text, &text) {
                         view.send(PartsCommand::Plan(PlanCommand::GoToProblem(place)));
                         grid::focus_next(ui);

@@ -55,8 +55,8 @@ pub(in crate::gui::parts) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn one_ui(ui: &mut Ui, view: &mut View<'_>, field: HeadField, size: f32) {
     let name = quiet(ui, view.text(&head_id(field)));
-    let hint = hint(field).map(|id| view.text(id)).unwrap_or_default();
-    let hint = RichText::new(hint).color(palette(ui.ctx()).quiet.0);
+    let hint = hint(field).map_or_else(RichText::default, |id| RichText::new(view.text(id)));
+    let hint = hint.color(palette(ui.ctx()).quiet.0);
     ui.horizontal(|ui| {
         let chooses = field == HeadField::Picture;
         let look = FieldStyle { font: theme::font(sizes().body), hint, ..FieldStyle::large(size) };

@@ -173,8 +173,9 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column):
     let (document, sheet) = (&parts.document, parts.sheet());
     let text = document.draft().rows.get(row).map_or("", |cells| &cells.cell(column).text);
     let finding = document.finding(row, Some(column));
-    let place = sheet.columns.iter().position(|of| *of == column).unwrap_or_default();
-    let is_in = sheet.selected_rows().contains(&row) && sheet.selected_places().contains(&place);
+    let place = sheet.columns.iter().position(|of| *of == column);
+    let is_in =
+        sheet.selected_rows().contains(&row) && place.is_some_and(|place| sheet.selected_places().contains(&place));
     let is_at = sheet.at() == (row, column);
     let look = paint::PlanCellView {
         palette: palette(ui.ctx()),
@@ -213,7 +214,8 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column):
 
 fn limits_ui(ui: &Ui, view: &View<'_>, grid: &Grid, rect: Rect, row: usize) {
     let feature = view.session.parts().document.feature(row);
-    let text = feature.map(|feature| limits(view.words, feature)).unwrap_or_default();
+    // A row with a fault is no feature, and has no limits to show.
+    let text = feature.map_or_else(String::new, |feature| limits(view.words, feature));
     let palette = palette(ui.ctx());
     let look = paint::PlanCellView {
         palette,

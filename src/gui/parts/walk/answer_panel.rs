@@ -10,7 +10,7 @@ use crate::gui::theme::{control, sizes, space};
 use crate::gui::verdict_card::{
     Card, card_height, card_ui, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,
 };
-use crate::gui::view::{Digits, View, heading, problem, quiet, steady};
+use crate::gui::view::{Digits, View, heading, problem, quiet, remembered, steady};
 use crate::message::{Message, Say as _, message};
 use crate::report::RENDERINGS;
 use crate::session::PartsAction;
@@ -182,7 +182,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     if walking.question().is_none() {
         lines_below_ui(ui, &headline_card(view, walking));
     }
-    let below: Vec<String> = ui.data(|data| data.get_temp(below_id())).unwrap_or_default();
+    let below: Vec<String> = remembered(ui, below_id());
     for line in &below {
         ui.label(line);
     }

@@ -72,7 +72,7 @@ fn next_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let document = &session.parts().document;
-    if document.plan().is_none() {
+    let Some(plan) = document.plan() else {
         if document.is_empty() || document.is_blank() {
             quiet(ui, view.text("walk-page-no-plan"));
         } else {
@@ -80,9 +80,9 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
             problem(ui, view.words.say(&message!("walk-page-plan-wrong").count("count", count)));
         }
         return recent_ui(ui, view);
-    }
-    let part = document.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
-    heading(ui, if part.is_empty() { document.name() } else { part });
+    };
+    let part = &plan.head.part;
+    heading(ui, if part.is_empty() { document.name() } else { part.clone() });
     if document.path().is_none() || document.is_unsaved() {
         quiet(ui, view.text("walk-page-not-saved"));
     }
@@ -120,11 +120,12 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn part_ui(ui: &mut Ui, view: &View<'_>) {
     let walking = &view.session.parts().walking;
-    let part = walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+    let Some(plan) = walking.plan() else { return };
+    let part = &plan.head.part;
     let message = match (part.is_empty(), walking.serial().is_empty()) {
-        (_, true) => message!("walk-page-part-no-serial").text("part", &part),
+        (_, true) => message!("walk-page-part-no-serial").text("part", part),
         (true, false) => message!("walk-page-part-serial").text("serial", walking.serial()),
-        (false, false) => message!("walk-page-part").text("part", &part).text("serial", walking.serial()),
+        (false, false) => message!("walk-page-part").text("part", part).text("serial", walking.serial()),
     };
     heading(ui, view.words.say(&message).trim_start());
     if view.session.parts().has_other_plan() {

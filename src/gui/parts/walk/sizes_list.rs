@@ -79,11 +79,13 @@ fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow
         remarks.push(words.say(&message!("walk-page-skipped").text("reason", reason)));
     }
     let status = record.map(|record| record.verdict.status());
-    let shown = record.map(|record| digits.mm(words, record.measurement.diameter, 3)).unwrap_or_default();
-    let deviation = value.map(|value| format!("{} µm", digits.signed_um(words, Walking::deviation(value))));
-    let (deviation, remark) = (deviation.unwrap_or_default(), remarks.join(", "));
     let word = status.map_or_else(|| view.text("walk-page-open"), |status| words.told(&status));
+    // The cells of a size that was not measured are empty.
+    let shown = record.map_or_else(String::new, |record| digits.mm(words, record.measurement.diameter, 3));
     let measured = if shown.is_empty() { String::new() } else { format!("{shown} mm") };
+    let deviation = |value| format!("{} µm", digits.signed_um(words, Walking::deviation(value)));
+    let deviation = value.map_or_else(String::new, deviation);
+    let remark = remarks.join(", ");
     let said = joined([&name, &asked, &word, &measured, &deviation, &remark]);
     let mark = match status {
         Some(_) => Cell::Verdict { status, is_simulated, word },

@@ -84,7 +84,7 @@ fn label_of(cycle: &'static Cycle, key: Key, language: Language) -> String {
     let harness =
         drawn([300.0, 260.0], Theme::Light, language, |ui, view| parameter_picture(ui, view, cycle, key, false));
     let label = harness.get_by_role(Role::Figure).accesskit_node().label();
-    label.unwrap_or_default()
+    label.unwrap()
 }
 
 #[test]
@@ -189,7 +189,7 @@ fn path_label(path: &[Move], step: usize, nominal: Option<Surface>, ball_radius:
         "a drawing stands still"
     );
     let label = harness.get_by_role(Role::Figure).accesskit_node().label();
-    label.unwrap_or_default()
+    label.unwrap()
 }
 
 #[test]
@@ -237,7 +237,7 @@ fn contacts_label(result: &CycleResult, evaluation: Option<&Evaluation>, languag
         contacts_picture(ui, view, result, evaluation);
     });
     let label = harness.get_by_role(Role::Figure).accesskit_node().label();
-    label.unwrap_or_default()
+    label.unwrap()
 }
 
 #[test]
