@@ -79,16 +79,17 @@ impl Store {
         let Some(path) = &self.path else { return Ok(()) };
         let kept = || -> Result<Option<PathBuf>, Message> {
             let failed = |error: FileError| error.message();
+            let written = || after.write().map_err(|error| error.message());
             let folder = path.parent().unwrap_or(path);
             std::fs::create_dir_all(folder).map_err(|error| failed(files::system(folder, &error)))?;
             let _lock = lock(&path.with_extension("lock")).map_err(failed)?;
             let (bytes, aside) = match files::read_file(path) {
-                Err(FileError::Missing { .. }) => (after.write(), None),
+                Err(FileError::Missing { .. }) => (written()?, None),
                 there => match there.map(|there| after.write_over(before, &there)) {
                     Ok(Ok(bytes)) => (bytes, None),
                     // Another window of a later version keeps more than this one knows.
                     Ok(Err(error @ SavedError::Newer { .. })) => return Err(error.message()),
-                    _ => (after.write(), Some(files::set_aside(path).map_err(failed)?)),
+                    _ => (written()?, Some(files::set_aside(path).map_err(failed)?)),
                 },
             };
             files::write(path, &bytes).map_err(failed)?;

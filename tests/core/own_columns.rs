@@ -369,7 +369,7 @@ fn page_check_measures_by_an_own_column_and_keeps_it_over_a_restart() {
     assert_eq!(judged, ["SCRAP by table own_hole.tab, over 18 up to 30 mm"]);
     let classes = session.sources().classes(Feature::Hole);
     assert!(classes.iter().any(|class| class.as_str() == "PF"), "the chooser offers it");
-    let (mut again, effects) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (mut again, effects) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     assert_eq!(again.text(CheckField::Callout), "25 PF");
     assert_eq!(effects, [Effect::Read(Purpose::LoadTables, "/shop".into())]);
     let error = |session: &Session| session.error(CheckField::Callout).map(|error| Words::new(Language::En).say(error));

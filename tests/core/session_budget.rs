@@ -249,7 +249,7 @@ fn an_expired_budget_is_used_and_said() {
 
 #[test]
 fn the_budget_that_checks_use_is_read_again_at_the_next_start() {
-    let saved = Saved::read(&with_used().saved().write()).unwrap();
+    let saved = Saved::read(&with_used().saved().write().unwrap()).unwrap();
     let path = inputs().join("station3.toml");
     let (mut again, effects) = Session::restore(saved.clone());
     assert_eq!(effects, [Effect::Read(Purpose::UseBudget, path.clone())]);
@@ -294,7 +294,7 @@ fn what_is_tried_out_is_forgotten_at_the_end() {
     for (field, text) in [(BudgetField::Size, "40"), (BudgetField::Touches, "3"), (BudgetField::Day, "2030-01-01")] {
         give(&mut session, field, text);
     }
-    let (again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (again, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     assert_eq!(
         [BudgetField::Size, BudgetField::Touches, BudgetField::Day].map(|field| again.text(field)),
         ["40", "", ""]

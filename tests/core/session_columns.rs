@@ -95,7 +95,7 @@ fn what_is_taken_is_read_with_it_and_remembered() {
         assert!(toml.contains(said), "{toml}");
     }
     // A restart.
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     assert_eq!(saved.columns.len(), 1);
     let (session, _) = Session::restore(saved);
     let first = FirstRows::of("b.csv", ODD.as_bytes()).unwrap();

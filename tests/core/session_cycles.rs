@@ -100,7 +100,7 @@ fn what_is_typed_is_kept_for_each_cycle_and_over_a_restart() {
     fill(&mut session, &["Q263=1", "QS400=0.4-0.1"]);
     send(&mut session, CyclesCommand::Choose(427));
     assert_eq!(session.text(field(&session, "Q263")), "35,5");
-    let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (mut again, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     assert_eq!((again.cycles().cycle.number, again.text(field(&again, "Q263"))), (427, "35,5"));
     send(&mut again, CyclesCommand::Choose(444));
     assert_eq!(again.text(field(&again, "QS400")), "0.4-0.1");

@@ -152,7 +152,7 @@ fn hole_or_shaft_is_asked_for_each_callout_that_does_not_say_it() {
     typed(&mut session, CheckField::Callout, "40  0 -0,025");
     assert_eq!(session.check().feature(), Some(Feature::Shaft));
     // Nothing of it is there after a restart.
-    let (again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (again, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     assert_eq!((again.check().feature(), again.text(CheckField::Callout)), (None, "40  0 -0,025"));
 }
 

@@ -355,7 +355,7 @@ fn every_kind_begins_in_its_own_last_folder() {
     for (purpose, path) in [(Purpose::Import, "/parts/a.csv"), (Purpose::OpenProgram, "/nc/a.h")] {
         send(&mut session, FilesCommand::Seen { purpose, path: path.into(), fate: ReadOutcome::Read });
     }
-    let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (mut again, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     for (purpose, folder) in [(Purpose::Import, "/parts"), (Purpose::OpenProgram, "/nc"), (Purpose::LoadMask, "/nc")] {
         assert_eq!(send(&mut again, Command::OpenDialog(purpose)), [Effect::List(folder.into())], "{purpose:?}");
         send(&mut again, Command::Close);
@@ -386,7 +386,7 @@ fn a_name_that_is_no_text_is_read_as_it_is_and_kept_out_of_the_state_file() {
     assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::Import, odd.clone()));
     send(&mut session, FilesCommand::Seen { purpose: Purpose::Import, path: odd, fate: ReadOutcome::Read });
     assert_eq!(session.recent_files().len(), 1);
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     assert_eq!((saved.files.recent.len(), saved.files.last_folder), (0, Some("/tmp".into())));
     assert_eq!(saved.language, Language::En);
 }
@@ -432,7 +432,7 @@ fn a_recent_file_is_read_again_for_what_it_was_read_for_on_its_page() {
     ] {
         let mut session = session();
         seen(&mut session, purpose, "/a.b", ReadOutcome::Read);
-        let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+        let (mut again, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
         send(&mut again, Command::OpenPage(from));
         assert_eq!(send(&mut again, FilesCommand::OpenRecent(0)), [Effect::Read(purpose, "/a.b".into())]);
         assert_eq!(again.page(), page, "{purpose:?}");

@@ -377,7 +377,7 @@ fn the_state_file_keeps_what_was_typed_and_the_files() {
     let path: PathBuf = "/shop/holes.csv".into();
     let (purpose, fate) = (Purpose::OpenParts(Feature::Hole), fitcheck::session::ReadOutcome::Read);
     apply(&mut session, FilesCommand::Seen { purpose, path: path.clone(), fate });
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     let (session, effects) = Session::restore(saved);
     assert_eq!(effects, []);
     assert_eq!((session.text(PairingField::Wanted), session.text(PairingField::Groups)), ("25 H7/g6", "4"));

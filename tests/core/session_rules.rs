@@ -222,7 +222,7 @@ fn the_rule_survives_a_restart() {
     let mut session = Session::new(Language::En);
     run(&mut session, [CheckCommand::UseRule(RuleName::IlacG8), CheckCommand::LetProve(Prover::Customer)]);
     run(&mut session, [typed(CheckField::Uncertainty, "1.2"), typed(CheckField::GuardFactor, "0.83")]);
-    let bytes = session.saved().write();
+    let bytes = session.saved().write().unwrap();
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert!(text.contains("rule = \"ilac-g8\"") && text.contains("prover = \"customer\""), "{text}");
     let (again, _) = Session::restore(Saved::read(&bytes).unwrap());

@@ -23,7 +23,7 @@ fn inputs_survive_a_restart() {
     session.apply(CheckCommand::Type(CheckField::Callout, "25 H7".into()).into(), now());
     session.apply(CheckCommand::Type(CheckField::Measured, "25,012".into()).into(), now());
     session.apply(Command::SetTheme(Theme::Dark), now());
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     let (again, effects) = Session::restore(saved);
     assert_eq!(again.text(CheckField::Callout), "25 H7");
     assert_eq!(again.text(CheckField::Measured), "25,012");
@@ -104,7 +104,7 @@ fn an_old_state_is_read_and_written_with_the_same_keys() {
         assert_eq!(session.text(field), text, "{field:?}");
     }
     assert_eq!(session.saved(), saved);
-    let written = String::from_utf8(session.saved().write()).unwrap();
+    let written = String::from_utf8(session.saved().write().unwrap()).unwrap();
     for line in OLD.lines() {
         assert!(written.lines().any(|other| other == line), "{line} in {written}");
     }
@@ -256,5 +256,5 @@ fn a_window_writes_only_what_it_has_changed_over_what_another_has_written() {
     assert!(matches!(after.write_over(&before, b"language = ["), Err(SavedError::Broken { .. })));
     assert!(matches!(after.write_over(&before, b"version = 99"), Err(SavedError::Newer { .. })));
     // What another window has written already is written once more as it is.
-    assert_eq!(Saved::read(&after.write_over(&before, &after.write()).unwrap()), Ok(after));
+    assert_eq!(Saved::read(&after.write_over(&before, &after.write().unwrap()).unwrap()), Ok(after));
 }

@@ -388,7 +388,7 @@ fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
     act(&mut session, PartsAction::SizeAgain.into());
     entries.extend(kept(&take(&mut session, "12.03")).1);
     send(&mut session, WalkCommand::Skip("probe broken".to_owned()));
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     let (mut back, effects) = Session::restore(saved);
     assert_eq!(effects, [Effect::Read(Purpose::OpenPlan, "/plans/flange.toml".into())]);
     begin_records(&mut back);
@@ -622,7 +622,7 @@ fn a_folder_that_is_watched_by_a_plan_that_no_file_holds_is_not_watched_by_an_ol
 fn what_waits_for_a_plan_that_has_faults_now_is_told() {
     let mut session = walking();
     watched(&mut session);
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     let (mut back, _) = Session::restore(saved);
     begin_records(&mut back);
     open_journal(&mut back, 10);
@@ -643,7 +643,7 @@ fn watching_by_mask() -> Session {
     let mut session = walking();
     watched(&mut session);
     send(&mut session, own_mask());
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     let (mut back, effects) = Session::restore(saved);
     assert!(effects.contains(&Effect::Read(Purpose::LoadMask, "/masks/own.a".into())), "{effects:?}");
     begin_records(&mut back);
@@ -718,7 +718,7 @@ fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
     // It was measured again before the first value was corrected: what was measured last counts, after a restart as well.
     act(&mut session, PartsAction::SizeAgain.into());
     let (_, again) = kept(&take(&mut session, "12.03"));
-    let saved = Saved::read(&session.saved().write()).unwrap();
+    let saved = Saved::read(&session.saved().write().unwrap()).unwrap();
     let (mut back, _) = Session::restore(saved);
     begin_records(&mut back);
     read_plan(&mut back, PLAN);

@@ -74,7 +74,7 @@ fn told(entries: &[Entry]) -> Vec<String> {
 
 /// The same part after a restart, by a plan that may have changed meanwhile.
 fn restarted(session: &Session, entries: &[Entry], plan: &str) -> Session {
-    let (mut back, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (mut back, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     begin_records(&mut back);
     read_plan(&mut back, plan);
     let effects = open_journal(&mut back, 7 + u64::try_from(entries.len()).unwrap());
@@ -345,7 +345,7 @@ fn a_serial_number_among_the_newest_records_is_asked_about_after_a_restart() {
 fn an_interrupted_part_that_waits_for_its_plan_is_not_given_up_silently() {
     let mut session = walking();
     take(&mut session, "25.06");
-    let (mut back, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (mut back, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     begin_records(&mut back);
     open_journal(&mut back, 8);
     send(&mut back, Command::OpenPage(Page::Parts));
@@ -365,7 +365,7 @@ fn an_interrupted_part_that_waits_for_its_plan_is_not_given_up_silently() {
 fn an_answer_of_the_journal_for_a_part_that_was_ended_is_not_said() {
     let mut session = walking();
     let entries = kept(&take(&mut session, "25.06")).1;
-    let (mut back, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
+    let (mut back, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     begin_records(&mut back);
     read_plan(&mut back, PLAN);
     open_journal(&mut back, 8);

@@ -205,9 +205,12 @@ impl Saved {
     }
 
     /// The bytes to write.
-    pub fn write(&self) -> Vec<u8> {
-        // Nothing in the state can fail to serialise: texts, enums and a path.
-        toml::to_string(self).unwrap_or_default().into_bytes()
+    ///
+    /// # Errors
+    /// [`SavedError`] where the state has something that its format cannot say.
+    pub fn write(&self) -> Result<Vec<u8>, SavedError> {
+        let text = toml::to_string(self).map_err(|error| SavedError::Broken { reason: error.to_string() })?;
+        Ok(text.into_bytes())
     }
 }
 

@@ -80,6 +80,9 @@ pub(super) fn whole<T: std::str::FromStr>(text: &str) -> Result<T, Message> {
     text.parse().map_err(|_not_whole| message!("field-not-whole").text("given", text))
 }
 
+/// The largest length of a field, of either sign: 99999.9999 mm.
+const LARGEST: Length = Length::constant(99_999_999_900);
+
 /// What a field's length may be, within the control's ±99999.9999 mm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Range {
@@ -97,12 +100,11 @@ impl Range {
     /// What is shown beside the field where its text is not a length, or is one outside the range.
     pub(super) fn read(self, text: &str) -> Result<Length, Message> {
         let value = text.parse::<Length>().map_err(|error| error.message())?;
-        let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
-        let outside = |id| Err(Message::new(id).number("given", value).number("limit", largest));
+        let outside = |id| Err(Message::new(id).number("given", value).number("limit", LARGEST));
         match self {
             Self::ZeroOrMore if value < Length::ZERO => outside("field-not-negative"),
             Self::AboveZero if value <= Length::ZERO => outside("field-above-zero"),
-            _ if largest < value.abs() => outside("field-range"),
+            _ if LARGEST < value.abs() => outside("field-range"),
             _ => Ok(value),
         }
     }

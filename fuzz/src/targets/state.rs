@@ -10,10 +10,10 @@ pub fn run(bytes: &[u8]) {
         Ok(saved) => saved,
         Err(error) => return told(bytes, &error),
     };
-    assert_eq!(Saved::read(&saved.write()).as_ref(), Ok(&saved));
+    assert_eq!(Saved::read(&saved.write().unwrap()).as_ref(), Ok(&saved));
     let (session, effects) = Session::restore(saved.clone());
     assert_eq!(effects.len(), usize::from(saved.tables_folder.is_some()));
     let kept = session.saved();
-    assert_eq!(Saved::read(&kept.write()).as_ref(), Ok(&kept));
+    assert_eq!(Saved::read(&kept.write().unwrap()).as_ref(), Ok(&kept));
     assert_eq!(Session::restore(kept.clone()).0.saved(), kept);
 }

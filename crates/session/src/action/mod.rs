@@ -146,7 +146,7 @@ impl Action {
     /// The command that it sends now; `None` where it is not possible.
     pub fn command(self, session: &Session) -> Option<Command> {
         let row = self.row();
-        (row.possible)(session).then(|| row.sends.command(session))
+        if (row.possible)(session) { row.sends.command(session) } else { None }
     }
 }
 

@@ -86,13 +86,16 @@ pub(crate) enum Sends {
     Always(Command),
     /// A command that depends on the state: a switch is turned to its other side.
     FromState(fn(&Session) -> Command),
+    /// A command about the row at which the keys are; none where they are at no row.
+    AtCursor(fn(&Session) -> Option<Command>),
 }
 
 impl Sends {
-    pub fn command(self, session: &Session) -> Command {
+    pub fn command(self, session: &Session) -> Option<Command> {
         match self {
-            Self::Always(command) => command,
-            Self::FromState(command) => command(session),
+            Self::Always(command) => Some(command),
+            Self::FromState(command) => Some(command(session)),
+            Self::AtCursor(command) => command(session),
         }
     }
 }

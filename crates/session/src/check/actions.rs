@@ -135,16 +135,16 @@ impl Actions for CheckAction {
             Self::ShowCheck => ActionRow::new(
                 ActionScope::Part(HISTORY),
                 "history-show",
-                Sends::FromState(|session| CheckCommand::Show(session.history().cursor.unwrap_or_default()).into()),
+                Sends::AtCursor(|session| Some(CheckCommand::Show(session.history().cursor?).into())),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
             Self::ChooseCheck => ActionRow::new(
                 ActionScope::Part(HISTORY),
                 "history-choose",
-                Sends::FromState(|session| {
-                    let id = session.history().cursor.unwrap_or_default();
-                    CheckCommand::Choose(id, !session.history().is_chosen(id)).into()
+                Sends::AtCursor(|session| {
+                    let id = session.history().cursor?;
+                    Some(CheckCommand::Choose(id, !session.history().is_chosen(id)).into())
                 }),
             )
             .key(Shortcut::plain(Key::Space))
@@ -171,9 +171,7 @@ impl Actions for CheckAction {
             Self::ShowRow => ActionRow::new(
                 ActionScope::Part(ROWS),
                 "rows-show",
-                Sends::FromState(|session| {
-                    RowsCommand::Check(session.check().rows().and_then(|rows| rows.cursor).unwrap_or_default()).into()
-                }),
+                Sends::AtCursor(|session| Some(RowsCommand::Check(session.check().rows()?.cursor?).into())),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(|session| session.check().rows().is_some_and(|rows| rows.look().1.is_some())),

@@ -343,7 +343,8 @@ impl CheckPage {
 
     /// Asks for what a record asked for: callout, part, serial number and rule. Its value is to be measured.
     fn ask_again(&mut self, record: &Record, part: &str, serial: &str, shared: &Shared) {
-        let callout = record.callout.map(|callout| callout.to_string()).unwrap_or_default();
+        // Limits that came without a callout are asked for anew.
+        let callout = record.callout.map_or_else(String::new, |callout| callout.to_string());
         self.take_callout(&callout, &shared.sources);
         if self.asked.needs_feature() {
             self.mean(record.limits.feature);
@@ -423,8 +424,9 @@ impl CheckPage {
         self.keep(id, (&[record], &[]), None, shared);
         if self.by == MeasureBy::Simulating {
             self.inputs.keep(id, &self.texts);
-            let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
-            self.texts.set(CheckField::Seed, next.to_string());
+            if let Some(seed) = self.asked.seed {
+                self.texts.set(CheckField::Seed, seed.wrapping_add(1).to_string());
+            }
         }
         self.show(id, shared);
     }

@@ -41,7 +41,7 @@ impl CheckPage {
     ) {
         let Some(mut imported) = shared.file_answered(result) else { return };
         // The newest file is the one that is meant.
-        self.errands.extend(self.rows.as_mut().map(Rows::cancel).unwrap_or_default());
+        self.errands.extend(self.rows.iter_mut().flat_map(Rows::cancel));
         self.shows_rows = false;
         let sha256 = shared.recording.of_file(name);
         let file = used(FileRole::Measurements, name, sha256);

@@ -310,10 +310,11 @@ pub(super) fn of_record(record: &Record) -> (RuleChoice, Vec<(CheckField, String
     let from = if record.budget.is_some() { UncertaintyFrom::Budget } else { UncertaintyFrom::Standard };
     let first = |field: CheckField| field.declared().1.to_owned();
     let texts = vec![
-        (CheckField::Uncertainty, uncertainty.map(Uncertainty::um).unwrap_or_default()),
+        // What the rule does not use leaves its field empty, or as it is at first.
+        (CheckField::Uncertainty, uncertainty.map_or_else(String::new, Uncertainty::um)),
         (CheckField::Coverage, uncertainty.map_or_else(|| first(CheckField::Coverage), Uncertainty::k)),
         (CheckField::GuardFactor, factor.map_or_else(|| first(CheckField::GuardFactor), thousandths)),
-        (CheckField::GuardWidth, width.map(|width| width.exact(Unit::Micrometre, 0)).unwrap_or_default()),
+        (CheckField::GuardWidth, width.map_or_else(String::new, |width| width.exact(Unit::Micrometre, 0))),
     ];
     (RuleChoice { rule: rule.name(), prover, from }, texts)
 }
@@ -327,7 +328,8 @@ pub(super) fn temperatures_of(record: &Record) -> Vec<(CheckField, String)> {
         (part_temperature, part_expansion, record.correction.map(|correction| correction.part)),
         (scale_temperature, scale_expansion, scale),
     ] {
-        texts.push((temperature, warm.map(|warm| warm.temperature.to_string()).unwrap_or_default()));
+        // An empty temperature is 20 °C; an expansion stays as it is.
+        texts.push((temperature, warm.map_or_else(String::new, |warm| warm.temperature.to_string())));
         texts.extend(warm.map(|warm| (expansion, warm.expansion.to_string())));
     }
     texts

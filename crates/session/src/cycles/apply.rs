@@ -53,7 +53,11 @@ impl PageState for CyclesPage {
             CyclesCommand::Step(step) => self.go(step),
             CyclesCommand::StepTo(number) => self.step = number.min(self.last()),
             CyclesCommand::ShowBlock(is_open) => {
-                self.block = is_open.then(|| self.block.take().unwrap_or_default());
+                if is_open {
+                    self.block.get_or_insert_default();
+                } else {
+                    self.block = None;
+                }
                 self.block_problem = None;
             }
             CyclesCommand::TypeBlock(text) => (self.block, self.block_problem) = (Some(text), None),

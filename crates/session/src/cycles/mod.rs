@@ -182,9 +182,9 @@ impl CyclesPage {
         self.probes.as_ref().map_or_else(|| ProbeTable::shipped(), |(_, table)| table)
     }
 
-    /// The probe that measures.
+    /// The probe that measures; where the table has none, that of the built-in table.
     pub fn probe(&self) -> TouchProbe {
-        self.probe_table().probe(self.probe).copied().unwrap_or_default()
+        self.probe_table().probe(self.probe).map_or_else(TouchProbe::default, |probe| *probe)
     }
 
     /// The NC block that is being typed, where its field is open.

@@ -1,6 +1,7 @@
 //! The figures of the simulated workpiece and probe: their names, their units, and which one an error means.
 
 use fitcheck_core::probing::simulated::{Figure, Shape, WorkpieceError};
+use fitcheck_core::text::Within as _;
 
 /// The declaration of a figure.
 struct Declared {
@@ -141,7 +142,7 @@ impl WorkpieceField {
     /// The figures from one to another, in the order of the list.
     fn between(first: Self, last: Self) -> &'static [Self] {
         let place = |field: Self| Self::ALL.partition_point(|other| *other < field);
-        Self::ALL.get(place(first)..=place(last)).unwrap_or_default()
+        Self::ALL.within(place(first)..=place(last))
     }
 
     /// Whether it may be empty.

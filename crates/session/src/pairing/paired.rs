@@ -81,10 +81,11 @@ impl FromMiddle {
 
     /// Micrometres with a sign, for machines: `+3`, `-0.0005`, `0`.
     pub fn signed_um(self) -> String {
-        let nanometres = self.twice.abs().nanometres();
-        let whole = Length::from_nanometres(nanometres / 2).unwrap_or_default();
-        let amount = match nanometres % 2 {
-            0 => whole.exact(Unit::Micrometre, 0),
+        let twice = self.twice.abs();
+        let odd = Length::constant(twice.nanometres() % 2);
+        let whole = twice.saturating_sub(odd).midpoint(Length::ZERO);
+        let amount = match odd {
+            Length::ZERO => whole.exact(Unit::Micrometre, 0),
             _ => whole.exact(Unit::Micrometre, 3) + "5",
         };
         let sign = match self.twice.nanometres().signum() {
@@ -205,7 +206,7 @@ impl Paired {
                 mm(row.shaft),
                 number(row.clearance.exact(Unit::Micrometre, 0)),
                 number(row.from_middle.signed_um()),
-                row.remark().map(|remark| words.say(&remark)).unwrap_or_default(),
+                row.remark().map_or_else(String::new, |remark| words.say(&remark)),
             ]
         };
         let lines = self.answer.pairing.pairs.iter().filter_map(|pair| self.row_of(pair)).map(line);

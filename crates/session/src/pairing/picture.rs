@@ -87,7 +87,8 @@ impl PairsPicture {
     pub(super) fn of(answer: &PairingAnswer) -> Self {
         let (holes, shafts, wanted) =
             (&answer.asked.holes.measured, &answer.asked.shafts.measured, answer.asked.wanted);
-        let zero = holes.iter().min().or_else(|| shafts.iter().min()).copied().unwrap_or_default();
+        // Any zero will do where there is no part to place.
+        let zero = holes.iter().min().or_else(|| shafts.iter().min()).map_or(Length::ZERO, |smallest| *smallest);
         let um = |length: Length| length.to_mm_f64() * 1e3;
         let middle = f64::midpoint(um(wanted.minimum()), um(wanted.maximum()));
         let hole = |at: usize| holes.get(at).map(|size| um(size.saturating_sub(zero)));
@@ -115,15 +116,15 @@ impl PairsPicture {
             [|pair: &[f64; 2]| pair[0], |pair: &[f64; 2]| pair[1]].map(|of| self.pairs.iter().map(of).collect());
         let counts = [&holes, &self.holes, &shafts, &self.shafts].map(|places| in_each(places, &ends));
         let most = counts.iter().flatten().copied().fold(1.0, f64::max);
-        let at = |kind: &[f64], bin: usize| kind.get(bin).copied().unwrap_or_default() / most;
-        let [holes, left_holes, shafts, left_shafts] = &counts;
-        let bin = |bin| Bin {
-            holes: at(holes, bin),
-            left_holes: at(left_holes, bin),
-            shafts: at(shafts, bin),
-            left_shafts: at(left_shafts, bin),
+        let [holes, left_holes, shafts, left_shafts] = counts;
+        let bins = holes.into_iter().zip(left_holes).zip(shafts.into_iter().zip(left_shafts));
+        let bin = |((hole, left_hole), (shaft, left_shaft))| Bin {
+            holes: hole / most,
+            left_holes: left_hole / most,
+            shafts: shaft / most,
+            left_shafts: left_shaft / most,
         };
-        (0..ends.len() - 1).map(bin).collect()
+        bins.map(bin).collect()
     }
 
     /// The hole and the shaft of a pair.
@@ -146,10 +147,10 @@ impl PairsPicture {
         ((um - self.low) / (self.high - self.low)).clamp(0.0, 1.0)
     }
 
-    /// What is in sight while a pair is selected, or none: all, or what lies around it.
+    /// What is in sight while a pair is selected, or none: all, or what lies around it; around the first one where none is.
     pub fn sight(&self, selected: Option<usize>) -> PairingView {
         let count = self.pairs.len() + self.holes.len() + self.shafts.len();
-        let here = selected.unwrap_or_default();
+        let here = selected.unwrap_or(0);
         let around = self.pairs.get(here.saturating_sub(AROUND)..(here + AROUND + 1).min(self.pairs.len()));
         let Some(around) = around.filter(|around| MOST_AT_ONCE < count && !around.is_empty()) else {
             let all = |places: &[f64]| Marks::of(0..places.len());

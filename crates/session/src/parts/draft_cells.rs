@@ -10,9 +10,12 @@ pub(super) fn write(row: &mut DraftFeature, column: Column, text: &str) {
 }
 
 /// The selected features.
-pub(super) fn selected<'a>(draft: &'a mut Draft, rows: &std::ops::RangeInclusive<usize>) -> &'a mut [DraftFeature] {
+pub(super) fn selected<'a>(
+    draft: &'a mut Draft,
+    rows: &std::ops::RangeInclusive<usize>,
+) -> impl Iterator<Item = &'a mut DraftFeature> + use<'a> {
     let rows = clamped(rows, draft.rows.len());
-    draft.rows.get_mut(rows).unwrap_or_default()
+    draft.rows.iter_mut().skip(rows.start).take(rows.len())
 }
 
 /// Selected rows as far as there are features.

@@ -62,9 +62,10 @@ impl PartsPage {
             self.walking.is_warned = true;
             return Vec::new();
         }
-        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
-        if 0 < standing.measured {
-            self.ended.insert((part, self.walking.serial().to_owned()));
+        if let Some(plan) = self.walking.plan()
+            && 0 < standing.measured
+        {
+            self.ended.insert((plan.head.part.clone(), self.walking.serial().to_owned()));
         }
         self.say_left_out(shared);
         let next = serials::next(self.walking.serial());

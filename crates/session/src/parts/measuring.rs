@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
-use fitcheck_core::part::Step;
+use fitcheck_core::part::{Plan, Step};
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::gauge;
@@ -138,9 +138,9 @@ impl PartsPage {
     /// A serial number that was scanned into the field of the value is told, and does not stay there. Returns whether it was one.
     pub(super) fn refuse_serial(&mut self, shared: &Shared) -> bool {
         let text = self.texts.text(WalkField::Value).trim().to_owned();
-        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let is_measured = |plan: &Plan| self.is_measured_already(&plan.head.part, &text, shared);
         let is_serial =
-            serials::is_like(&text, self.walking.serial()) || self.is_measured_already(&part, &text, shared);
+            serials::is_like(&text, self.walking.serial()) || self.walking.plan().is_some_and(|plan| is_measured(plan));
         if is_serial {
             self.clear_value();
             self.errors.insert(WalkField::Value, message!("walk-page-is-serial").text("given", text));
@@ -256,20 +256,21 @@ impl PartsPage {
     /// What a value is named in the journal: by its file, and what that does not say by this part.
     fn named(&self, value: &Arriving, words: &Words) -> Named {
         let (is_own, of_file) = (value.at.is_some(), value.labels.as_deref());
-        let part = self.walking.plan().or(self.watched.plan()).map(|plan| plan.head.part.clone()).unwrap_or_default();
-        let given = |text: Option<&String>| text.filter(|text| !text.is_empty()).cloned();
-        let label = given(of_file.map(|labels| &labels.part)).unwrap_or_default();
+        // What nobody said is empty in the journal.
+        let said = |text: Option<&String>| text.map_or_else(String::new, String::clone);
+        let label = said(of_file.map(|labels| &labels.part));
+        let part = said(self.walking.plan().or(self.watched.plan()).map(|plan| &plan.head.part));
         let part = if part.is_empty() { label.clone() } else { part };
         // What the file calls the part stays findable where that is another name.
         let is_other = !label.is_empty() && !label.trim().eq_ignore_ascii_case(&part);
-        let remark = is_other.then(|| words.say(&message!("walk-page-remark-label").text("part", label.trim())));
+        let remark = || words.say(&message!("walk-page-remark-label").text("part", label.trim()));
+        let serial = said(of_file.map(|labels| &labels.serial));
         Named {
             part,
-            serial: given(of_file.map(|labels| &labels.serial))
-                .unwrap_or_else(|| if is_own { self.walking.serial().to_owned() } else { String::new() }),
+            serial: if serial.is_empty() && is_own { self.walking.serial().to_owned() } else { serial },
             feature: value.record.id.clone(),
-            who: given(of_file.map(|labels| &labels.who)).unwrap_or_default(),
-            remark: remark.unwrap_or_default(),
+            who: said(of_file.map(|labels| &labels.who)),
+            remark: if is_other { remark() } else { String::new() },
         }
     }
 

@@ -6,10 +6,12 @@ use fitcheck_exchange::report::csv::harmless;
 /// The cells of a text. A cell in quotation marks may hold tabs, line ends and doubled quotation marks; marks that do not
 /// end are signs like any other.
 pub(super) fn cells(text: &str) -> Vec<Vec<String>> {
-    read(text, true).or_else(|| read(text, false)).unwrap_or_default()
+    let (rows, is_quoted) = read(text, true);
+    if is_quoted { read(text, false).0 } else { rows }
 }
 
-fn read(text: &str, with_marks: bool) -> Option<Vec<Vec<String>>> {
+/// The cells, and whether the last one is in marks that do not end.
+fn read(text: &str, with_marks: bool) -> (Vec<Vec<String>>, bool) {
     let mut rows = vec![vec![String::new()]];
     let mut signs = text.chars().peekable();
     let mut is_quoted = false;
@@ -37,7 +39,7 @@ fn read(text: &str, with_marks: bool) -> Option<Vec<Vec<String>>> {
     if 1 < rows.len() && rows.last().is_some_and(|row| row.iter().all(String::is_empty)) {
         rows.pop();
     }
-    (!is_quoted).then_some(rows)
+    (rows, is_quoted)
 }
 
 /// The first row of a block, which names its columns.

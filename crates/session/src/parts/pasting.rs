@@ -50,7 +50,7 @@ impl PartsPage {
             rows.pop();
         }
         let lost_rows = (row + rows.len()).saturating_sub(MOST_FEATURES);
-        let wide = rows.iter().map(Vec::len).max().unwrap_or_default();
+        let wide = rows.iter().map(Vec::len).fold(0, usize::max);
         let nowhere = |at: &usize| columns.get(*at).is_none_or(Option::is_none);
         let has_text = |at: &usize| rows.iter().any(|row| row.get(*at).is_some_and(|cell| !cell.trim().is_empty()));
         // A column without a name is one that is meant to be left out, unless it holds something; those with a name are told by it.

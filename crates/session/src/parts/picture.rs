@@ -156,7 +156,7 @@ impl PartsPage {
 
     /// The name of a chosen picture, or why it cannot be the plan's: a plan and its picture are moved together.
     pub(super) fn choose_picture(&mut self, path: &Path) -> Result<String, Message> {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         match self.document.path() {
             Some(plan) if plan.parent().unwrap_or(Path::new("")) != folder => {
@@ -174,7 +174,7 @@ impl PartsPage {
     pub fn balloons(&self) -> Vec<Balloon> {
         let is_its = self.walk_picture.as_ref().is_some_and(|kept| kept.opened == self.document.opened);
         let steps = if is_its { self.steps_by_name() } else { Vec::new() };
-        let features = self.walking.plan().map(|plan| plan.features()).unwrap_or_default();
+        let features = self.walking.plan().into_iter().flat_map(|plan| plan.features());
         let steps: BTreeMap<&str, (&KnownFeature, &PlanFeature)> =
             steps.iter().zip(features).map(|(step, feature)| (step.name.as_str(), (step, feature))).collect();
         let rows = self.document.draft().rows.iter().enumerate();

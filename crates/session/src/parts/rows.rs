@@ -129,8 +129,9 @@ pub(super) fn fresh(draft: &Draft, at: usize) -> DraftFeature {
     if is_taken(&name_of_place(at)) {
         // Of one more names than there are rows, one is free.
         let count = draft.rows.len();
-        let free = (count..=2 * count).map(name_of_place).find(|name| !is_taken(name));
-        row.set(Column::Name, free.unwrap_or_default());
+        if let Some(free) = (count..=2 * count).map(name_of_place).find(|name| !is_taken(name)) {
+            row.set(Column::Name, free);
+        }
     }
     row
 }

@@ -1,15 +1,16 @@
 //! Serial numbers that are counted up.
 
+use fitcheck_core::text::behind;
+
 /// The next serial number: the last figures in it are one more, and as many as before. One without figures gets a 1.
 pub(super) fn next(serial: &str) -> String {
     let serial = serial.trim();
-    let Some(end) = serial.rfind(|c: char| c.is_ascii_digit()).map(|at| at + 1) else { return format!("{serial}1") };
-    let figures = serial.get(..end).unwrap_or_default();
-    let start = figures.rfind(|c: char| !c.is_ascii_digit()).map_or(0, |at| {
-        // The sign before the figures may be longer than a byte.
-        at + figures.get(at..).and_then(|rest| rest.chars().next()).map_or(1, char::len_utf8)
-    });
-    let mut counted: Vec<u8> = figures.get(start..).unwrap_or_default().bytes().collect();
+    let until = serial.trim_end_matches(|c: char| !c.is_ascii_digit());
+    if until.is_empty() {
+        return format!("{serial}1");
+    }
+    let before = until.trim_end_matches(|c: char| c.is_ascii_digit());
+    let mut counted: Vec<u8> = behind(until, before.len()).bytes().collect();
     let mut carries = true;
     for figure in counted.iter_mut().rev() {
         if !carries {
@@ -20,8 +21,7 @@ pub(super) fn next(serial: &str) -> String {
     }
     let more = if carries { "1" } else { "" };
     let counted = String::from_utf8_lossy(&counted);
-    let before = figures.get(..start).unwrap_or_default();
-    format!("{before}{more}{counted}{}", serial.get(end..).unwrap_or_default())
+    format!("{before}{more}{counted}{}", behind(serial, until.len()))
 }
 
 /// Whether a text is a serial number and no value: it is `own`, the one after it, or of the same shape, which has a letter in it.

@@ -67,7 +67,8 @@ impl Sheet {
     }
 
     pub(super) fn selected_columns(&self) -> Vec<Column> {
-        self.columns.get(self.selected_places()).map(<[Column]>::to_vec).unwrap_or_default()
+        let places = self.selected_places();
+        self.columns.iter().skip(*places.start()).take(places.count()).copied().collect()
     }
 
     /// Whether more than one cell is selected.
@@ -104,9 +105,10 @@ impl Sheet {
         };
         let others = Column::ALL.into_iter().filter(|column| !USUAL.contains(column)).filter(has);
         self.columns = USUAL.into_iter().chain(others).collect();
-        let place = |column| self.columns.iter().position(|of| Some(*of) == column);
-        let place = (place(Some(at.1)).unwrap_or_default(), place(from).unwrap_or_default());
-        (self.column, self.from.1) = place;
+        // The keys go to the first column where theirs is not shown any more.
+        let place = |column| self.columns.iter().position(|of| Some(*of) == column).unwrap_or(0);
+        self.column = place(Some(at.1));
+        self.from.1 = place(from);
         let last = Self::rows(document.draft()).saturating_sub(1);
         (self.row, self.from.0) = (self.row.min(last), self.from.0.min(last));
     }

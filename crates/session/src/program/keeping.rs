@@ -1,5 +1,6 @@
 //! What the cycles of a run say goes to the journal, each once.
 
+use fitcheck_core::text::{Within as _, long};
 use fitcheck_exchange::journal::entry::{CycleCheck, CycleOrigin, FileRole, UsedFile};
 use fitcheck_nc::machine::CycleRun;
 
@@ -14,20 +15,20 @@ impl ProgramPage {
         let files = self.files(shared);
         let Some(run) = &mut self.run else { return };
         let all = run.machine.cycles();
-        let new = all.get(run.recorded..).unwrap_or_default().iter();
+        let new = all.within(run.recorded..).iter();
         let check = |cycle: &CycleRun| {
             let program = run.machine.program(&cycle.place.program);
             let line = program
                 .and_then(|program| program.blocks().get(cycle.place.block))
                 .map_or(0, |block| block.lines.start);
-            let line = u64::try_from(line).unwrap_or_default().saturating_add(1);
+            let line = long(line).saturating_add(1);
             let block = Some((cycle.place.program.to_string(), line));
             let is_judged = cycle.result.verdict().is_some();
             is_judged.then(|| CycleCheck { block, ..CycleCheck::of(cycle.cycle, &cycle.result, origin.clone()) })
         };
         let checks: Vec<_> = new.filter_map(check).collect();
         run.recorded = all.len();
-        let last = u64::try_from(checks.len()).unwrap_or_default().checked_sub(1);
+        let last = long(checks.len()).checked_sub(1);
         if let (Some(last), Some(sent)) = (last, shared.recording.keep_cycles(checks, &files)) {
             run.record = Some((sent, last));
         }
@@ -57,7 +58,7 @@ impl ProgramPage {
     /// The files that a run is made with.
     fn files(&self, shared: &Shared) -> Vec<UsedFile> {
         let name = match &self.origin {
-            Some(Origin::File(path)) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            Some(Origin::File(path)) => path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned(),
             Some(Origin::Shipped(name)) => (*name).to_owned(),
             None => return Vec::new(),
         };

@@ -59,8 +59,8 @@ impl ProgramPage {
             let place = BlockPlace { program: main.path.clone(), block: 0 };
             return Some(Note { kind: NoteKind::File, place, message: file.message() });
         };
-        // A line between blocks belongs to the block before it.
-        let line = warning.place.line.unwrap_or_default().saturating_sub(1);
+        // A line between blocks belongs to the block before it; what is about the whole file is told at its beginning.
+        let line = warning.place.line.map_or(0, |line| line.saturating_sub(1));
         let block = main.program.blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);
         let place = BlockPlace { program: main.path.clone(), block };
         Some(Note { kind: NoteKind::Warning, place, message: warning.message() })

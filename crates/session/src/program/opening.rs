@@ -42,7 +42,7 @@ impl ProgramPage {
         shared: &mut Shared,
     ) {
         if let Some((document, warnings)) = shared.file_answered(result) {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
             self.open_program(Origin::File(path), *document, warnings, shared);
             self.sha256 = shared.recording.of_file(&name);
         }

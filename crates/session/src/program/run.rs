@@ -6,6 +6,7 @@ use std::sync::Arc;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{Move, Phase};
+use fitcheck_core::text::Within as _;
 use fitcheck_core::verdict::Status;
 use fitcheck_nc::control::tool_table::ToolTable;
 use fitcheck_nc::control::variables::{Parameter, Value, Variables};
@@ -210,7 +211,7 @@ impl Run {
     pub fn path(&self) -> Vec<Move> {
         let path = self.machine.path();
         let first = path.len().saturating_sub(MOST_MOVES);
-        path.get(first..).unwrap_or_default().iter().map(as_move).collect()
+        path.within(first..).iter().map(as_move).collect()
     }
 
     /// How many remarks there are about the run.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use fitcheck_core::text::Within as _;
 use fitcheck_nc::program::Notation;
 
 /// A part of a line.
@@ -67,7 +68,7 @@ pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
     let mut found = TokenRanges::default();
     let front = if begins { front(line) } else { 0 };
     found.add(front, Token::Number);
-    let rest = line.get(front..).unwrap_or_default();
+    let rest = line.within(front..);
     if rest.trim_start().starts_with('*') {
         found.add(line.len(), Token::Heading);
         return found.parts;
@@ -112,8 +113,7 @@ fn first_of_lathe(text: &str) -> (usize, Token) {
         Some('[') => (closed(']'), Token::Comment),
         Some('"') => first(text),
         Some('#') => {
-            let name =
-                text.get(1..).unwrap_or_default().trim_start_matches(|c: char| c.is_ascii_lowercase() || c == '_');
+            let name = text.within(1..).trim_start_matches(|c: char| c.is_ascii_lowercase() || c == '_');
             // `#EINHEIT` is data of the head.
             let is_variable = name.starts_with(|c: char| c.is_ascii_digit());
             if is_variable { (text.len() - digits_behind(name), Token::Parameter) } else { (1, Token::Plain) }
@@ -121,7 +121,7 @@ fn first_of_lathe(text: &str) -> (usize, Token) {
         Some(c) if c.is_alphabetic() => {
             let behind = text.trim_start_matches(char::is_alphabetic);
             let length = text.len() - behind.len();
-            let word = text.get(..length).unwrap_or_default().to_ascii_uppercase();
+            let word = text.within(..length).to_ascii_uppercase();
             match word.as_str() {
                 "G" => (text.len() - digits_behind(behind), Token::Keyword),
                 word if LATHE_KEYWORDS.contains(&word) => (length, Token::Keyword),

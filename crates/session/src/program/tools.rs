@@ -11,7 +11,7 @@ use crate::tools::NamedTool;
 impl ProgramPage {
     /// The tools that the cycles of the open program name, each once.
     pub fn tools(&self) -> &[ToolOf] {
-        self.main().map(Document::tools).unwrap_or_default()
+        self.main().map_or(&[], Document::tools)
     }
 
     /// The parameters among them: a tool can be given to each before a run.

@@ -33,7 +33,7 @@ impl ProgramPage {
             _ => None,
         };
         match expected {
-            Some(input) if text.trim().is_empty() => Ok(self.input_length(input).unwrap_or_default()),
+            Some(input) if text.trim().is_empty() => Ok(self.expected(input)),
             _ => length(text),
         }
     }
@@ -66,7 +66,12 @@ impl ProgramPage {
     }
 
     fn centre(&self) -> [Length; 2] {
-        [Input::CentreX, Input::CentreY].map(|input| self.input_length(input).unwrap_or_default())
+        [Input::CentreX, Input::CentreY].map(|input| self.expected(input))
+    }
+
+    /// Where the program expects a coordinate of the centre; at the datum where it does not say.
+    fn expected(&self, input: Input) -> Length {
+        self.input_length(input).unwrap_or(Length::ZERO)
     }
 
     /// A simulated workpiece that suits the program's inputs, as a workshop makes it.

@@ -87,16 +87,16 @@ impl Actions for RecordsAction {
             Self::OpenRecord => ActionRow::new(
                 ActionScope::Part(RECORDS),
                 "records-page-open",
-                Sends::FromState(|session| RecordsCommand::Open(session.records().cursor.unwrap_or_default()).into()),
+                Sends::AtCursor(|session| Some(RecordsCommand::Open(session.records().cursor?).into())),
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
             Self::ChooseRecord => ActionRow::new(
                 ActionScope::Part(RECORDS),
                 "records-page-choose",
-                Sends::FromState(|session| {
-                    let number = session.records().cursor.unwrap_or_default();
-                    RecordsCommand::Choose(number, !session.records().is_chosen(number)).into()
+                Sends::AtCursor(|session| {
+                    let number = session.records().cursor?;
+                    Some(RecordsCommand::Choose(number, !session.records().is_chosen(number)).into())
                 }),
             )
             .key(Shortcut::plain(Key::Space))

@@ -217,7 +217,8 @@ impl RowTexts {
                 Self {
                     time,
                     callout: words.say(&message!("records-page-cycle").text("cycle", cycle.cycle)),
-                    measured: cycle.measured.map(|length| words.mm(length, 3)).unwrap_or_default(),
+                    // Not every cycle measures a length.
+                    measured: cycle.measured.map_or_else(String::new, |length| words.mm(length, 3)),
                     deviation: String::new(),
                     status: if check.is_simulated() { words.say(&simulated) } else { word },
                 }

@@ -179,8 +179,10 @@ impl Listing {
             }
             Err(problem) => self.unread = Some(problem),
         }
-        while MOST_PAGES < self.pages.len() {
-            for number in self.pages.pop_front().unwrap_or_default() {
+        while MOST_PAGES < self.pages.len()
+            && let Some(oldest) = self.pages.pop_front()
+        {
+            for number in oldest {
                 self.rows.remove(&number);
             }
         }

@@ -12,7 +12,7 @@ impl RecordsPage {
         match command {
             RecordsCommand::AskForServer(is_asked) => {
                 // What was typed may have a password: it does not stay.
-                let shown = recording.server().unwrap_or_default().to_owned();
+                let shown = recording.server().map_or_else(String::new, str::to_owned);
                 self.texts.insert(RecordsField::Server, shown);
                 self.errors.remove(&RecordsField::Server);
                 recording.ask_for_server(is_asked);

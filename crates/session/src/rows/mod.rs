@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
+use fitcheck_core::text::long;
 use fitcheck_core::tolerance::ToleranceClass;
 use fitcheck_exchange::exchange::Labels;
 use fitcheck_exchange::exchange::batch::{FATES, Filter, Layout, Part, Picked, RowFate, Sieve, Tally};
@@ -179,7 +180,7 @@ impl Rows {
 
     /// How many rows are listed.
     pub fn listed(&self) -> usize {
-        self.before.last().copied().unwrap_or_default()
+        self.before.last().map_or(0, |listed| *listed)
     }
 
     /// The row at a place of the list.
@@ -190,7 +191,7 @@ impl Rows {
         let nth = place - before;
         let in_part = part.nth(nth, &self.sieve)?;
         let (fate, class) = part.row(in_part)?;
-        let number = part.first + u64::try_from(in_part).unwrap_or_default();
+        let number = part.first + long(in_part);
         Some(Listed {
             number,
             fate,

@@ -39,7 +39,8 @@ impl TablesPage {
         let document = self.shown();
         let cell =
             document.and_then(|document| document.selected.and_then(|(class, range)| document.cell(class, range)));
-        let text = |length: Option<Length>| length.map(|length| plain(length, language)).unwrap_or_default();
+        // The fields of an empty cell are empty.
+        let text = |length: Option<Length>| length.map_or_else(String::new, |length| plain(length, language));
         [
             (TablesField::CellUpper, text(cell.map(|cell| cell.upper()))),
             (TablesField::CellLower, text(cell.map(|cell| cell.lower()))),

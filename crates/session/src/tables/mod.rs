@@ -82,9 +82,14 @@ impl TablesPage {
     /// A title that no open table has: `own.tab`, `own_2.tab`.
     fn free_title(&self, wanted: &str) -> String {
         let (stem, ending) = wanted.rsplit_once('.').unwrap_or((wanted, "tab"));
-        let numbered = (2..).map(|number| format!("{stem}_{number}.{ending}"));
-        let mut titles = std::iter::once(format!("{stem}.{ending}")).chain(numbered);
-        titles.find(|title| self.by_title(title).is_none()).unwrap_or_default()
+        let mut title = format!("{stem}.{ending}");
+        for number in 2_u32.. {
+            if self.by_title(&title).is_none() {
+                break;
+            }
+            title = format!("{stem}_{number}.{ending}");
+        }
+        title
     }
 
     /// Adds a table and returns its number, closing an old one without unsaved edits where there is no room.

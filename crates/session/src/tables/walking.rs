@@ -39,7 +39,7 @@ impl TablesPage {
         let Some(document) = self.shown() else { return };
         let (table, shown) = (document.table(), &self.filter.columns);
         let Some((class, range)) = document.selected else { return };
-        let here = table.columns().iter().position(|column| column.class == class).unwrap_or_default();
+        let Some(here) = document.column(class) else { return };
         let place = shown.partition_point(|&column| column < here);
         let is_shown = shown.get(place) == Some(&here);
         let (last_place, last_range) = (shown.len().saturating_sub(1), table.ends().len().saturating_sub(1));

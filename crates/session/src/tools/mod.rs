@@ -4,6 +4,7 @@
 
 mod apply;
 
+use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{Cycle, CycleResult, Inputs, Meaning, Value};
 use fitcheck_nc::control::tool_table::{Changed, Monitored, Tool, ToolChange, ToolNumber, ToolTable};
@@ -133,12 +134,14 @@ pub fn text_of_tool(parameter: Option<Parameter>, tool: &Tool, row: usize, table
 /// A tool in one line, for people: number, name, lengths and tolerances.
 pub fn tool_message(tool: &Tool) -> Message {
     let name = if tool.name.is_empty() { tool.number.to_string() } else { format!("{} {}", tool.number, tool.name) };
+    // Like the table, which says so where breakage is not monitored.
+    let or_zero = |breakage: Option<Length>| breakage.unwrap_or(Length::ZERO);
     Message::new(if tool.is_locked { "tools-row-locked" } else { "tools-row" })
         .text("tool", name)
         .number("length", tool.length)
         .number("radius", tool.radius)
         .number("delta-length", tool.delta_length)
         .number("delta-radius", tool.delta_radius)
-        .number("length-breakage", tool.length_breakage.unwrap_or_default())
-        .number("radius-breakage", tool.radius_breakage.unwrap_or_default())
+        .number("length-breakage", or_zero(tool.length_breakage))
+        .number("radius-breakage", or_zero(tool.radius_breakage))
 }

@@ -11,7 +11,7 @@ use crate::gui::over_page::just_opened;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::message;
-use crate::part::Size;
+use crate::part::{Plan, Size};
 use crate::session::{FilesCommand, Purpose};
 use crate::session::{PartsAction, WalkField, WindowAction};
 
@@ -20,10 +20,8 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let session = view.session;
     let walking = &session.parts().walking;
-    if !walking.is_begun() {
-        return begin_ui(ui, view);
-    }
-    part_ui(ui, view);
+    let Some(plan) = walking.plan() else { return begin_ui(ui, view) };
+    part_ui(ui, view, plan);
     ui.separator();
     // Nothing else is asked until that is answered: the buttons come back in their places.
     if let (Some(size), true) = (walking.asked(), walking.is_skipping) {
@@ -118,9 +116,8 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-fn part_ui(ui: &mut Ui, view: &View<'_>) {
+fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
     let walking = &view.session.parts().walking;
-    let Some(plan) = walking.plan() else { return };
     let part = &plan.head.part;
     let message = match (part.is_empty(), walking.serial().is_empty()) {
         (_, true) => message!("walk-page-part-no-serial").text("part", part),
