@@ -153,8 +153,11 @@ impl App {
         if effect == Effect::FocusTable {
             return parts::focus_table(ctx);
         }
-        let (sources, columns) = (self.session.sources(), self.session.remembered_columns());
-        let (masks, words, now) = (self.session.own_masks(), &self.words, (self.clock)());
+        let sources = self.session.sources();
+        let columns = self.session.remembered_columns();
+        let masks = self.session.own_masks();
+        let words = &self.words;
+        let now = (self.clock)();
         self.runner.run(
             ctx,
             effect,

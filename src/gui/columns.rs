@@ -85,7 +85,8 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 }
 
 fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
-    let (is_narrow, all) = (ui.available_width() < space(300.0), ui.available_width());
+    let is_narrow = ui.available_width() < space(300.0);
+    let all = ui.available_width();
     let [left, right] = [page.left, page.right].map(|width| if is_narrow { width * 0.88 } else { width });
     // The middle keeps a fifth of the page, and the width of a drawing, however wide the others are drawn.
     let least_asked = LEAST_ASKED.max(keypad::width(view));
@@ -233,7 +234,8 @@ fn arrows(ui: &Ui, handle: Id, [larger, smaller]: [Key; 2]) {
     ui.memory_mut(|memory| memory.set_focus_lock_filter(handle, filter));
     ui.input_mut(|input| {
         for (key, action) in [(larger, Action::Increment), (smaller, Action::Decrement)] {
-            let (target_node, target_tree) = (handle.accesskit_id(), TreeId::ROOT);
+            let target_node = handle.accesskit_id();
+            let target_tree = TreeId::ROOT;
             for _ in 0..input.num_presses(key) {
                 let request = ActionRequest { action, target_tree, target_node, data: None };
                 input.events.push(Event::AccessKitActionRequest(request));

@@ -164,7 +164,8 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let confirm = if dialog.purpose.is_reading() { "dialog-open" } else { "dialog-save" };
     let button = |id: &str| Button::new(view.words.get(id)).min_size(vec2(space(24.0), control(ui)));
-    let (confirm, cancel) = (button(confirm), button("dialog-cancel"));
+    let confirm = button(confirm);
+    let cancel = button("dialog-cancel");
     if ui.add_enabled(!dialog.busy, confirm).clicked() {
         view.send(Command::Confirm);
     }

@@ -86,7 +86,9 @@ impl Runner {
             on_thread("files", Box::new(move || queue.into_iter().for_each(|errand| errand())));
         }
         let desk = Desk::new(errands, records, clock, sender.clone());
-        let (rows, works, watching) = (Arc::default(), Arc::default(), Watching::default());
+        let rows = Arc::default();
+        let works = Arc::default();
+        let watching = Watching::default();
         Self { errands, clock, sender, receiver, files, rows, works, watching, desk }
     }
 
@@ -123,9 +125,14 @@ impl Runner {
             Effect::JudgeRows { run, path } => return self.judge_rows(ctx, (run, path), Arc::clone(sources)),
             Effect::ReadRows { run, wanted } => return self.read_rows(ctx, run, wanted),
             Effect::Watch { run, folder, plan } => {
-                let (known, journal, language) = (self.desk.known(), self.desk.file(), words.language());
-                let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
-                let (sources, columns) = (Arc::clone(sources), Arc::clone(columns));
+                let known = self.desk.known();
+                let journal = self.desk.file();
+                let language = words.language();
+                let ctx = ctx.clone();
+                let answers = self.sender.clone();
+                let clock = self.clock;
+                let sources = Arc::clone(sources);
+                let columns = Arc::clone(columns);
                 let watch = Watch {
                     run,
                     folder,
@@ -147,9 +154,12 @@ impl Runner {
             Effect::StopWatch => return self.watching.stop(),
             effect => effect,
         };
-        let (sender, ctx, sources, columns) =
-            (self.sender.clone(), ctx.clone(), Arc::clone(sources), Arc::clone(columns));
-        let (errands, filters) = (self.errands, Filters::of(effect.errand(), words));
+        let sender = self.sender.clone();
+        let ctx = ctx.clone();
+        let sources = Arc::clone(sources);
+        let columns = Arc::clone(columns);
+        let errands = self.errands;
+        let filters = Filters::of(effect.errand(), words);
         let may_wait = match effect.errand() {
             // A large picture takes a while.
             Effect::Browse { .. }
@@ -164,7 +174,8 @@ impl Runner {
         let works = Arc::clone(&self.works);
         let errand: Errand = Box::new(move || {
             let begins = |path: &Path, is_writing: bool| {
-                let (sender, ctx) = (sender.clone(), ctx.clone());
+                let sender = sender.clone();
+                let ctx = ctx.clone();
                 let say = move |far: Option<Working>| {
                     let _closed = sender.send(FilesCommand::Working(far.map(Box::new)).into());
                     ctx.request_repaint();
@@ -187,8 +198,10 @@ impl Runner {
 
     /// Judges the rows of a large file on a thread; each of its answers asks for one frame.
     fn judge_rows(&self, ctx: &Context, (run, path): (u64, PathBuf), sources: Arc<Sources>) {
-        let (rows, watch) = (Arc::clone(&self.rows), self.rows.begin(run));
-        let (sender, ctx) = (self.sender.clone(), ctx.clone());
+        let rows = Arc::clone(&self.rows);
+        let watch = self.rows.begin(run);
+        let sender = self.sender.clone();
+        let ctx = ctx.clone();
         let errand: Errand = Box::new(move || {
             rows.judge((run, &path), &watch, &sources, &mut |news| {
                 // A closed window hears no answer; that is not an error.
@@ -204,7 +217,9 @@ impl Runner {
 
     /// Reads rows of a large file again.
     fn read_rows(&self, ctx: &Context, run: u64, wanted: Vec<(Arc<Part>, Vec<usize>)>) {
-        let (rows, sender, ctx) = (Arc::clone(&self.rows), self.sender.clone(), ctx.clone());
+        let rows = Arc::clone(&self.rows);
+        let sender = self.sender.clone();
+        let ctx = ctx.clone();
         self.after_files(Box::new(move || {
             let result = rows.read(run, &wanted);
             let _closed = sender.send(RowsCommand::Read { run, result }.into());
@@ -388,13 +403,16 @@ mod tests {
         let path = |number: usize| folder.path().join(format!("{number}.txt"));
         let clock = || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
         let runner = Runner::new(Errands::OnThread, Records::nowhere(), clock);
-        let (ctx, words) = (Context::default(), Words::new(crate::words::Language::En));
+        let ctx = Context::default();
+        let words = Words::new(crate::words::Language::En);
         // The first is the longest, so that any other would overtake it.
         for number in 0..20 {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-            let (sources, columns) = (Arc::default(), Arc::default());
-            let (masks, temperature) = (Arc::default(), None);
+            let sources = Arc::default();
+            let columns = Arc::default();
+            let masks = Arc::default();
+            let temperature = None;
             let beside =
                 EffectContext { sources: &sources, columns: &columns, masks: &masks, words: &words, temperature, now };
             runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);

@@ -164,7 +164,8 @@ fn underlined(ui: &Ui, text: &str, font: &FontId, culprit: Option<&Range<usize>>
         return job;
     };
     let byte = |character: usize| text.char_indices().nth(character).map_or(text.len(), |(byte, _)| byte);
-    let (start, end) = (byte(culprit.start), byte(culprit.end));
+    let start = byte(culprit.start);
+    let end = byte(culprit.end);
     let wrong = TextFormat { underline: Stroke::new(2.0, palette.error.0), ..plain.clone() };
     for (range, format) in [(0..start, plain.clone()), (start..end, wrong), (end..text.len(), plain)] {
         if let Some(part) = text.get(range).filter(|part| !part.is_empty()) {

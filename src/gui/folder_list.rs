@@ -50,7 +50,8 @@ pub(super) fn folder_list_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) 
     rows_ui(ui, view, dialog);
     ui.horizontal_wrapped(|ui| {
         view.checkbox(ui, FilesAction::AllFiles);
-        let (more, left_out) = (list.has_more(), list.left_out());
+        let more = list.has_more();
+        let left_out = list.left_out();
         if more {
             quiet_cut(ui, view.words.say(&message!("dialog-list-more").count("most", MOST_ENTRIES)));
         } else if 0 < left_out {

@@ -69,7 +69,8 @@ impl InTurn {
         if std::mem::take(&mut self.settles) && self.has_keys() {
             return taken;
         }
-        let (mut has_stroke, mut has_text) = (false, false);
+        let mut has_stroke = false;
+        let mut has_text = false;
         while let Some(event) = self.waiting.pop_front() {
             let kind = self.kind(&event);
             // Outside a text field every sign is a key of its own; the text of a key stays with it.

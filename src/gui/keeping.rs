@@ -81,7 +81,8 @@ impl Keeper {
         self.since = None;
         let after = session.saved();
         let before = std::mem::replace(&mut self.kept, after.clone());
-        let (store, failures) = (self.store.clone(), self.failures.0.clone());
+        let store = self.store.clone();
+        let failures = self.failures.0.clone();
         runner.after_files(Box::new(move || {
             let result = if before == after { Ok(()) } else { store.save(&before, &after) };
             if let (Err(failure), Some(ctx)) = (&result, ctx) {

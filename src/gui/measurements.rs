@@ -136,7 +136,8 @@ impl Looked {
         path: PathBuf,
         first: fn(&str, &[u8]) -> Option<FirstRows>,
     ) -> Result<Self, (String, Message)> {
-        let (name, mut sha256) = (name(&path), None);
+        let name = name(&path);
+        let mut sha256 = None;
         match bytes_of(&path, &mut sha256) {
             Ok(bytes) => Ok(Self { first: first(&name, &bytes), path, name, into, bytes, sha256 }),
             Err(problem) => Err((name, problem)),
@@ -204,7 +205,8 @@ fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>)
         temperature: with.temperature,
         ..usual
     };
-    let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
+    let mut items = Vec::new();
+    let mut body = Cursor::new(bytes);
     exchange::import_from(&name(path), &mut Watched::new(&mut body, &job), given, &mut |item| {
         if item.is_row() {
             job.row();

@@ -62,7 +62,8 @@ pub(super) const fn is_read(command: &Command) -> bool {
 
 /// Reads what a dialog of this purpose asks for.
 pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileContents {
-    let (name, mut seen) = (name(&path), None);
+    let name = name(&path);
+    let mut seen = None;
     let command = match purpose {
         Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
         Purpose::ImportValues(run) => return measurements::read(ImportInto::Part(run), path, None, with),
@@ -101,7 +102,8 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileConte
 
 fn read_plan(path: &Path, seen: &mut Option<Hash>) -> Result<Box<part::Document>, Message> {
     let bytes = bytes_of(path, seen)?;
-    let (beside, sources) = (|ending: &str| files::beside(path, ending), Sources::default());
+    let beside = |ending: &str| files::beside(path, ending);
+    let sources = Sources::default();
     let given = ImportInputs { beside: &beside, ..ImportInputs::new(&sources, DateTime::MIN) };
     exchange::read_plan(&name(path), &bytes, given).map(Box::new).map_err(|error| error.message())
 }

@@ -331,7 +331,9 @@ mod tests {
         let (_folder, path) = file(1_000_000);
         let runs = Runs::default();
         let watch = runs.begin(1);
-        let (mut rows, mut said, mut end) = (0, 0, None);
+        let mut rows = 0;
+        let mut said = 0;
+        let mut end = None;
         runs.judge((1, &path), &watch, &Arc::default(), &mut |news: News| {
             // The first answer has one block, and is cancelled.
             assert!(0 < said || news.layout.is_some() && news.parts.len() == 1);

@@ -130,7 +130,8 @@ pub(super) fn feature(
 /// The shape of a kind of fit: a shaft smaller than its hole, as large, or larger.
 pub(super) fn fit_kind(painter: &Painter, rect: Rect, kind: FitKind, colour: Color32, ground: Color32) {
     let size = rect.size().min_elem();
-    let (ring, shaft) = (size * 0.3, Stroke::new(size * 0.09, colour));
+    let ring = size * 0.3;
+    let shaft = Stroke::new(size * 0.09, colour);
     match kind {
         FitKind::Clearance => {
             painter.circle(rect.center(), size * 0.44, ground, shaft);

@@ -182,8 +182,8 @@ fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
     let size = word_size(ui, card, width);
     let text = RichText::new(&card.word).font(theme::bold(size)).color(colour);
     if is_beside(ui, card, size, width) {
-        let (galley, beside) =
-            (ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour), beside(size));
+        let galley = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour);
+        let beside = beside(size);
         let row = vec2(width, galley.size().y);
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
             ui.add_space((width - galley.size().x - beside) / 2.0);
@@ -204,7 +204,8 @@ fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
 pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
     let galley = ui.painter().layout_no_wrap(text.to_owned(), theme::bold(sizes().body), colour);
-    let (mark, gap) = (space(4.0), space(2.0));
+    let mark = space(4.0);
+    let gap = space(2.0);
     let size = vec2(mark + gap + galley.size().x, galley.size().y.max(mark)) + vec2(16.0, 8.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let inner = rect.shrink2(vec2(8.0, 4.0));

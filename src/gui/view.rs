@@ -117,7 +117,8 @@ impl View<'_> {
         let response = self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
         if response.has_focus() {
             // The usual ring has the colour of the button.
-            let (rect, stroke) = (response.rect.expand(1.0), egui::Stroke::new(2.0, palette.accent.0));
+            let rect = response.rect.expand(1.0);
+            let stroke = egui::Stroke::new(2.0, palette.accent.0);
             ui.painter().rect_stroke(rect, 5.0, stroke, egui::StrokeKind::Outside);
         }
         response
@@ -127,7 +128,8 @@ impl View<'_> {
     /// word changes.
     pub fn width_of(&self, ui: &Ui, actions: &[impl Into<Action> + Copy]) -> f32 {
         let width = |action: Action| {
-            let (text, font) = (action.text(self.session, self.words), theme::bold(theme::sizes().body));
+            let text = action.text(self.session, self.words);
+            let font = theme::bold(theme::sizes().body);
             ui.painter().layout_no_wrap(text, font, egui::Color32::PLACEHOLDER).size().x
         };
         let widest = actions.iter().map(|action| width((*action).into())).fold(0.0, f32::max);

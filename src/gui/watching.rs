@@ -95,7 +95,8 @@ impl Watch {
         };
         self.say(WatchNews::Begun(known.count()));
         let words = Words::new(self.language);
-        let (mut watcher, begun) = (Watcher::new(&self.folder, known), Instant::now());
+        let mut watcher = Watcher::new(&self.folder, known);
+        let begun = Instant::now();
         // What this program itself writes is no measurement.
         if let Some(journal) = &self.journal {
             watcher.leave_journal(journal);
@@ -103,9 +104,12 @@ impl Watch {
         if let Some(alone) = &alone {
             watcher.leave(alone.file());
         }
-        let (mut told, mut number) = (ReportedWatch::default(), 0);
+        let mut told = ReportedWatch::default();
+        let mut number = 0;
         loop {
-            let (plan, sources, columns) = (Some(&*self.plan), &*self.sources, Some(&*self.columns));
+            let plan = Some(&*self.plan);
+            let sources = &*self.sources;
+            let columns = Some(&*self.columns);
             let judging = FileJudging {
                 plan,
                 sources,

@@ -39,7 +39,8 @@ fn shortened(name: &str) -> String {
 pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.set_min_width(space(50.0));
     let recording = view.session.recording();
-    let (who, names) = (recording.who().to_owned(), recording.names().to_vec());
+    let who = recording.who().to_owned();
+    let names = recording.names().to_vec();
     for name in names {
         if ui.radio(name == who, RichText::new(&name).font(theme::font(sizes().body))).clicked() {
             view.send(RecordsCommand::UseName(name));

@@ -30,11 +30,13 @@ pub(super) fn bars_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
     });
     heading(ui, &title);
     let palette = palette(ui.ctx());
-    let (width, font) = (ui.available_width(), theme::font(sizes().body));
+    let width = ui.available_width();
+    let font = theme::font(sizes().body);
     let mut said = Vec::new();
     let mut drawn = Vec::new();
     for bar in bars(found) {
-        let (name, amount) = (view.words.say(&bar.name), view.words.say(&bar.amount));
+        let name = view.words.say(&bar.name);
+        let amount = view.words.say(&bar.amount);
         said.push(format!("{name} {amount}"));
         let amount = ui.painter().layout_no_wrap(amount, theme::bold(sizes().body), palette.text.0);
         let room = (width - amount.size().x - space(3.0)).max(space(10.0));
@@ -62,7 +64,8 @@ impl ContributionBar {
         if !ui.is_rect_visible(rect) {
             return;
         }
-        let (palette, painter) = (palette(ui.ctx()), ui.painter());
+        let palette = palette(ui.ctx());
+        let painter = ui.painter();
         painter.galley(rect.min, Arc::clone(&self.name), palette.text.0);
         let at = pos2(rect.right() - self.amount.size().x, rect.top());
         painter.galley(at, Arc::clone(&self.amount), palette.text.0);

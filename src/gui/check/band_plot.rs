@@ -139,7 +139,8 @@ impl Drawing<'_> {
             pos2(frame.left(), frame.top() + space(7.0)),
             pos2(frame.right(), frame.bottom() - space(7.0)),
         );
-        let (lower, upper) = (self.x(self.band.lower_um), self.x(self.band.upper_um));
+        let lower = self.x(self.band.lower_um);
+        let upper = self.x(self.band.upper_um);
         let left = Rect::from_min_max(body.min, pos2(lower, body.bottom()));
         let right = Rect::from_min_max(pos2(upper, body.top()), body.max);
         self.side(left, self.band.left, Align2::LEFT_TOP);
@@ -169,7 +170,8 @@ impl Drawing<'_> {
         // Above the distances, where the band is high enough for both.
         let is_high = record.is_none() || sizes().body * 1.3 + sizes().small + space(1.0) < body.height() * FIRST_LINE;
         if space(20.0) < zone.width() && is_high {
-            let (ground, colour) = (self.palette.zone.0, self.palette.zone_edge.0);
+            let ground = self.palette.zone.0;
+            let colour = self.palette.zone_edge.0;
             let middle = zone.center().x;
             let measured = match self.band.marker.filter(|_| record.is_some()) {
                 Some(Marker::InSight(um)) => Some(self.x(um)),

@@ -117,7 +117,8 @@ impl Picture {
             .contacts
             .iter()
             .map(|contact| {
-                let (x, y) = (contact.x - nominal[0], contact.y - nominal[1]);
+                let x = contact.x - nominal[0];
+                let y = contact.y - nominal[1];
                 (y.atan2(x), x.hypot(y) - radius)
             })
             .collect();
@@ -130,8 +131,8 @@ impl Picture {
         let fitted = (0..=STEPS).map(|step| {
             let angle = TAU * f64::from(step) / f64::from(STEPS);
             // Where a ray from the nominal centre meets the fitted circle.
-            let (along, across) =
-                (off[0] * angle.cos() + off[1] * angle.sin(), off[1] * angle.cos() - off[0] * angle.sin());
+            let along = off[0] * angle.cos() + off[1] * angle.sin();
+            let across = off[1] * angle.cos() - off[0] * angle.sin();
             let half = (circle.diameter * circle.diameter / 4.0 - across * across).max(0.0).sqrt();
             at((angle, along + half - radius))
         });

@@ -64,9 +64,12 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<RecordId>> {
 }
 
 fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
-    let (words, digits) = (view.words, Digits::of(record));
+    let words = view.words;
+    let digits = Digits::of(record);
     let is_chosen = view.session.history().is_chosen(id);
-    let (time, part, callout) = (record.time.strftime(TIME).to_string(), record.id.clone(), callout(record));
+    let time = record.time.strftime(TIME).to_string();
+    let part = record.id.clone();
+    let callout = callout(record);
     let measured = digits.mm(words, record.measurement.diameter, 4);
     let deviation = format!("{} µm", digits.signed_um(words, record.verdict.size.deviation));
     let status = status_text(record, words);

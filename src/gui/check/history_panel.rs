@@ -72,7 +72,8 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
 /// How many checks there are, and how many of them are listed.
 fn count_ui(ui: &mut Ui, view: &View<'_>) {
     let history = view.session.history();
-    let (shown, count) = (history.listed().count(), history.len());
+    let shown = history.listed().count();
+    let count = history.len();
     let said = if shown == count { "history-count" } else { "history-shown" };
     quiet(ui, view.words.say(&Message::new(said).count("shown", shown).count("count", count)));
 }
@@ -124,7 +125,8 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// One of the last checks: shape, callout and value; a simulated one is pale, framed by dashes, and says so.
 fn last_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
-    let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+    let status = record.verdict.status();
+    let is_simulated = record.measurement.origin.is_simulated();
     let (fill, colour) = colours(palette(ui.ctx()), Some(status), is_simulated);
     let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
     let mut shown = format!("{}  {value}", callout(record));

@@ -56,12 +56,16 @@ pub(super) fn last_values_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// The zone, its limits in micrometres, and a mark for every value: the shape says the verdict.
 fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
-    let (palette, painter) = (palette(ui.ctx()), ui.painter().with_clip_rect(rect));
+    let palette = palette(ui.ctx());
+    let painter = ui.painter().with_clip_rect(rect);
     let Some(first) = records.first() else { return };
-    let (lower, upper) = (&first.limits.deviations.lower(), &first.limits.deviations.upper());
-    let (low, high) = (micrometres(*lower), micrometres(*upper));
+    let lower = &first.limits.deviations.lower();
+    let upper = &first.limits.deviations.upper();
+    let low = micrometres(*lower);
+    let high = micrometres(*upper);
     let margin = ((high - low) * 0.5).max(1.0);
-    let (bottom, top) = (low - margin, high + margin);
+    let bottom = low - margin;
+    let top = high + margin;
     let plot = Rect::from_min_max(rect.min + vec2(space(14.0), 0.0), rect.max);
     let y = |um: f64| {
         let share = ((um - bottom) / (top - bottom)).clamp(0.03, 0.97);

@@ -141,12 +141,14 @@ fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 
 /// The band; below it the contacts, or the last values where no contacts are known, or both where there is room.
 fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let (width, height) = (ui.available_width(), ui.available_height());
+    let width = ui.available_width();
+    let height = ui.available_height();
     band_plot::band_ui(ui, view, (height * 0.36).clamp(space(34.0), space(70.0)));
     ui.separator();
     let has_contacts = contacts_plot::has_picture(view);
     if has_contacts && space(160.0) < width {
-        let (height, gap) = (ui.available_height(), space(4.0));
+        let height = ui.available_height();
+        let gap = space(4.0);
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
             let half = vec2((width - gap) / 2.0, height);

@@ -72,7 +72,8 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// How far it is, or how it has ended: an answer that is not whole says so first.
 fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
-    let (words, count) = (view.words, grouped(rows.count()));
+    let words = view.words;
+    let count = grouped(rows.count());
     let (read, all) = rows.bytes;
     // Of a file whose size is not known no share can be said: it counts as not begun.
     let percent = all.and_then(|all| (read * 100).checked_div(all)).map_or(0, |percent| percent.min(100));
@@ -126,7 +127,8 @@ fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (RowFat
     let text = message!("rows-fate").text("fate", fate_text(view.words, fate)).text("count", grouped(count));
     let text = view.words.say(&text);
     let galley = ui.painter().layout_no_wrap(text.clone(), theme::bold(sizes().body), colour);
-    let (mark, gap) = (space(4.0), space(1.5));
+    let mark = space(4.0);
+    let gap = space(1.5);
     let size = vec2(2.0 * (mark + gap) + galley.size().x + 16.0, control(ui));
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let inner = rect.shrink2(vec2(8.0, 0.0));
@@ -210,7 +212,8 @@ fn summary_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
 }
 
 fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
-    let (words, tally) = (view.words, &rows.tally);
+    let words = view.words;
+    let tally = &rows.tally;
     for (id, count) in counts(tally) {
         if 0 < count {
             let number = usize::try_from(count).unwrap_or(usize::MAX);

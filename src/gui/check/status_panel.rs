@@ -55,7 +55,8 @@ pub(in crate::gui) fn mask_chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let response = ComboBox::from_id_salt("mask")
         .selected_text(shown)
         .show_ui(ui, |ui| {
-            let (words, commands) = (view.words, &mut view.commands);
+            let words = view.words;
+            let commands = &mut view.commands;
             let mut choice = |ui: &mut Ui, text: String, command: Command| {
                 if ui.selectable_label(false, text).clicked() {
                     commands.push(command);

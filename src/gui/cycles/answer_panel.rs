@@ -122,7 +122,8 @@ fn others_ui(ui: &mut Ui, words: &Words, result: &CycleResult) {
 /// The card of a result: the value, its distance from its limits, what to remove, how many others are out.
 fn card(words: &Words, result: &CycleResult) -> Card {
     let Some((first, others)) = first_and_others(result) else {
-        let (word, value) = (words.get("cycles-word-no-verdict"), main_value(words, result));
+        let word = words.get("cycles-word-no-verdict");
+        let value = main_value(words, result);
         // The markers (Q180 to Q182) stand among the results.
         let why = if result.status.is_some() { "cycles-no-limits-marked" } else { "cycles-no-limits" };
         return Card { word, value, lines: vec![words.get(why)], ..Card::default() };

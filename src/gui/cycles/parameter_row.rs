@@ -188,7 +188,8 @@ fn choice_text(view: &View<'_>, parameter: &Parameter, number: i64) -> String {
 /// The width of a list in which every choice is whole where the form has the room.
 fn list_width(ui: &Ui, view: &View<'_>, parameter: &Parameter, numbers: &[i64]) -> f32 {
     let width = |number: &i64| {
-        let (text, font) = (choice_text(view, parameter, *number), theme::font(sizes().body));
+        let text = choice_text(view, parameter, *number);
+        let font = theme::font(sizes().body);
         ui.painter().layout_no_wrap(text, font, palette(ui.ctx()).text.0).size().x
     };
     // The text, the arrow and what is around them.

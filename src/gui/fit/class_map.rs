@@ -113,8 +113,10 @@ fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<Tole
 
 fn cell_hint(view: &View<'_>, cell: &MapCell, response: Response) {
     response.on_hover_ui(|ui| {
-        let (upper, lower) = (cell.deviations.upper(), cell.deviations.lower());
-        let (upper, lower) = (view.words.signed_um(upper), view.words.signed_um(lower));
+        let upper = cell.deviations.upper();
+        let lower = cell.deviations.lower();
+        let upper = view.words.signed_um(upper);
+        let lower = view.words.signed_um(lower);
         ui.label(format!("{}  {lower} … {upper} µm", cell.class));
     });
 }

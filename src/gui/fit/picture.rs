@@ -45,7 +45,8 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     for (limits, zone) in [(fit.hole(), &picture.hole), (fit.shaft(), &picture.shaft)] {
         said.push(describe_zone(view, limits));
         if zone.fundamental_um.is_some() {
-            let (upper, lower) = (limits.deviations.upper(), limits.deviations.lower());
+            let upper = limits.deviations.upper();
+            let lower = limits.deviations.lower();
             let deviation = words.signed_um(if zone.fundamental_is_upper { upper } else { lower });
             said.push(words.say(&message!("fit-describe-fundamental").text("deviation", deviation)));
         }
@@ -144,7 +145,8 @@ impl<'a> Drawing<'a> {
 
     /// A zone of no width is still drawn as a line.
     fn zone_rect(&self, x: Rangef, zone: &PictureZone) -> Rect {
-        let (top, bottom) = (self.y(zone.upper_um), self.y(zone.lower_um));
+        let top = self.y(zone.upper_um);
+        let bottom = self.y(zone.lower_um);
         Rect::from_x_y_ranges(x, top..=bottom.max(top + 2.0))
     }
 
@@ -168,9 +170,11 @@ impl<'a> Drawing<'a> {
 
     /// Both limit deviations beside the zone, the fundamental one bolder; pushed apart where they would touch.
     fn edges(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
-        let (mut top, mut bottom) = (self.y(zone.upper_um), self.y(zone.lower_um));
+        let mut top = self.y(zone.upper_um);
+        let mut bottom = self.y(zone.lower_um);
         let lacking = (LINE - (bottom - top)).max(0.0) / 2.0;
-        (top, bottom) = (top - lacking, bottom + lacking);
+        top -= lacking;
+        bottom += lacking;
         let (at, anchor, names) = match limits.feature {
             Feature::Hole => (x.min - space(2.0), Align2::RIGHT_CENTER, ["ES", "EI"]),
             Feature::Shaft => (x.max + space(2.0), Align2::LEFT_CENTER, ["es", "ei"]),
@@ -258,14 +262,16 @@ impl<'a> Drawing<'a> {
         let step = space_for.span() / f32::from(u8::try_from(arrows.len()).unwrap_or(1));
         let mut x = space_for.min + step / 2.0;
         for (from, to, name, amount) in arrows {
-            let (from, to) = (self.y(from), self.y(to));
+            let from = self.y(from);
+            let to = self.y(to);
             for y in [from, to] {
                 let ends = [pos2(hole.max, y), pos2(x + space(2.0), y)];
                 self.painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, self.palette.quiet.0), 3.0, 3.0));
             }
             self.arrow(x, from, to, Stroke::new(2.0, self.palette.text.0));
             // Beside the line's middle, but not on the zero line.
-            let (middle, zero) = (f32::midpoint(from, to), self.y(0.0));
+            let middle = f32::midpoint(from, to);
+            let zero = self.y(0.0);
             let middle = if (middle - zero).abs() < LINE / 2.0 { zero - LINE * 0.75 } else { middle };
             let at = pos2(x + space(2.0), middle);
             self.label(at, Align2::LEFT_CENTER, &self.words.um(amount), theme::bold(sizes().limits));
@@ -276,7 +282,8 @@ impl<'a> Drawing<'a> {
 
     /// A vertical arrow with heads at both ends, where there is room for them.
     fn arrow(&self, x: f32, from: f32, to: f32, stroke: Stroke) {
-        let (top, bottom) = (from.min(to), from.max(to));
+        let top = from.min(to);
+        let bottom = from.max(to);
         if bottom - top < 1.0 {
             return;
         }

@@ -46,7 +46,8 @@ pub(super) fn staircase_ui(
     let pointer = response.interact_pointer_pos().map(|pointer| pointer.x);
     for (letter, x) in columns.letters() {
         let Some(cell) = map.cell(letter, grade) else { continue };
-        let (top, bottom) = (y(cell.upper_um), y(cell.lower_um));
+        let top = y(cell.upper_um);
+        let bottom = y(cell.lower_um);
         let bar = Rect::from_x_y_ranges(x + 2.0..=x + columns.step - 2.0, top..=bottom.max(top + 2.0));
         let is_chosen = chosen == Some(cell.class);
         if is_chosen {
@@ -71,7 +72,8 @@ fn describe(view: &View<'_>, map: &ClassMap, grade: Grade) -> String {
     let cells = crate::tolerance::iso286::Letter::ALL.into_iter().filter_map(|letter| map.cell(letter, grade));
     let said: Vec<String> = cells
         .map(|cell| {
-            let (lower, upper) = (cell.deviations.lower(), cell.deviations.upper());
+            let lower = cell.deviations.lower();
+            let upper = cell.deviations.upper();
             format!("{} {} … {} µm", cell.class, view.words.signed_um(lower), view.words.signed_um(upper))
         })
         .collect();

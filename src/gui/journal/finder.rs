@@ -170,7 +170,10 @@ impl Finder {
 
     fn serve(&mut self, asked: FinderRequest, answers: &Sender<Command>) {
         match asked {
-            FinderRequest::File(file) => (self.file, self.reader) = (Some(file), None),
+            FinderRequest::File(file) => {
+                self.file = Some(file);
+                self.reader = None;
+            }
             FinderRequest::Rows { numbers, ctx } => {
                 let wanted = with_those_before(&numbers);
                 let mut result = self.with_reader(|reader| reader.rows(&wanted));

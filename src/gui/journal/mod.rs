@@ -205,12 +205,14 @@ impl Desk {
         let (writer, jobs) = channel::<Job>();
         let (done, written) = channel();
         let (finder, asked) = channel::<FinderRequest>();
-        let (interrupt, newest) = (Interrupt::default(), Arc::<AtomicU64>::default());
+        let interrupt = Interrupt::default();
+        let newest = Arc::<AtomicU64>::default();
         let new_writer = || Writer::new(Arc::clone(&records.journals));
         let new_finder = || Finder::new(Arc::clone(&records.journals), Arc::clone(&interrupt), Arc::clone(&newest));
         let is_at_once = errands == Errands::AtOnce && !records.always_threads;
         if !is_at_once {
-            let (mut of_thread, to_window) = (new_writer(), answers.clone());
+            let mut of_thread = new_writer();
+            let to_window = answers.clone();
             on_thread("journal", move || {
                 for job in jobs {
                     let ctx = job.ctx.clone();
@@ -219,7 +221,8 @@ impl Desk {
                 drop(of_thread);
                 let _nobody_waits = done.send(());
             });
-            let (of_thread, to_window) = (new_finder(), answers.clone());
+            let of_thread = new_finder();
+            let to_window = answers.clone();
             on_thread("records", move || of_thread.run(&asked, &to_window));
         }
         Self {
@@ -292,7 +295,8 @@ impl Desk {
 
     /// Reads which files the journal knows; nothing where no records are kept.
     pub fn known(&self) -> KnownOf {
-        let (journals, file) = (Arc::clone(&self.records.journals), lock(&self.file).clone());
+        let journals = Arc::clone(&self.records.journals);
+        let file = lock(&self.file).clone();
         Box::new(move || {
             let mut known = TakenFiles::default();
             if let Some(file) = file {
@@ -329,7 +333,8 @@ impl Desk {
         let mut shop = lock(&self.shop);
         shop.leave();
         let (Some(address), Some(file)) = (address, lock(&self.file).clone()) else { return };
-        let (answers, ctx) = (self.answers.clone(), ctx.clone());
+        let answers = self.answers.clone();
+        let ctx = ctx.clone();
         let tell = move |command: Command| say(&answers, &ctx, command);
         shop.send_to(address, (&file, &self.records.station), tell);
     }
@@ -338,8 +343,10 @@ impl Desk {
         let clock = self.clock;
         self.walk.store(run, Relaxed);
         let Some(file) = lock(&self.file).clone() else { return };
-        let (answers, ctx) = (self.answers.clone(), ctx.clone());
-        let (journals, walk) = (Arc::clone(&self.records.journals), Arc::clone(&self.walk));
+        let answers = self.answers.clone();
+        let ctx = ctx.clone();
+        let journals = Arc::clone(&self.records.journals);
+        let walk = Arc::clone(&self.walk);
         let errand = move || {
             let result = journals.verify(&file, &mut |done, of| {
                 say(&answers, &ctx, RecordsCommand::Verifying { run, done, of });

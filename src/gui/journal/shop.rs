@@ -60,7 +60,8 @@ fn begin(
     let source = Reader::open(file).map_err(|error| error.message())?;
     // Before anything that the sender tells.
     tell(RecordsCommand::Server(Ok(address.to_string())).into());
-    let (chain, server) = (source.chain(), address.server());
+    let chain = source.chain();
+    let server = address.server();
     let mut to_keep = given.clone().map(|password| (address.clone(), password));
     let sending = Sending {
         source: Box::new(source),

@@ -36,7 +36,8 @@ pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: P
             if at % 2 == 1 {
                 ui.painter().rect_filled(rect, 3.0, palette(ui.ctx()).background.0);
             }
-            let (colour, mut at) = (palette(ui.ctx()).text.0, rect.min + vec2(space(1.0), space(1.0)));
+            let colour = palette(ui.ctx()).text.0;
+            let mut at = rect.min + vec2(space(1.0), space(1.0));
             for (number, line) in lines.iter().enumerate() {
                 let font = if number == 0 { theme::bold(sizes().small) } else { theme::font(sizes().small) };
                 let mut job = LayoutJob::simple_singleline(line.clone(), font, colour);

@@ -50,8 +50,10 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, paired: &Paired) {
 
 /// What the picture shows, in words, for users who cannot see it.
 fn describe(view: &View<'_>, paired: &Paired, sight: &PairingView) -> String {
-    let (words, answer) = (view.words, &paired.answer);
-    let (holes, shafts) = (&answer.asked.holes.sizes, &answer.asked.shafts.sizes);
+    let words = view.words;
+    let answer = &paired.answer;
+    let holes = &answer.asked.holes.sizes;
+    let shafts = &answer.asked.shafts.sizes;
     let mut said = vec![
         words.say(
             &message!("pairing-page-describe")
@@ -161,7 +163,8 @@ impl<'a> Drawing<'a> {
     }
 
     fn marks_of(&self, at: usize) -> impl Iterator<Item = Mark<'a>> + use<'a> {
-        let (places, row) = (self.paired.picture.pair(at), self.paired.row(at));
+        let places = self.paired.picture.pair(at);
+        let row = self.paired.row(at);
         places.into_iter().flat_map(move |[hole, shaft]| {
             let mark = |feature, um, part| Mark { feature, um, part, is_left: false };
             [mark(Feature::Hole, hole, row.map(|row| row.hole)), mark(Feature::Shaft, shaft, row.map(|row| row.shaft))]
@@ -187,7 +190,8 @@ impl<'a> Drawing<'a> {
 
     /// A ring for a hole, a disc for a shaft, a cross for what is left over.
     fn mark(&self, mark: &Mark<'_>) {
-        let (at, colour) = (self.at(mark.feature, mark.um), self.palette.text.0);
+        let at = self.at(mark.feature, mark.um);
+        let colour = self.palette.text.0;
         let stroke = Stroke::new(2.0, colour);
         if mark.is_left {
             for corner in [vec2(MARK, MARK), vec2(MARK, -MARK)] {
@@ -208,7 +212,8 @@ impl<'a> Drawing<'a> {
             return;
         }
         let words = self.view.words;
-        let (mm, is_hole) = (words.number(&self.paired.mm(part)), mark.feature == Feature::Hole);
+        let mm = words.number(&self.paired.mm(part));
+        let is_hole = mark.feature == Feature::Hole;
         let name = if is_hole { self.paired.hole_name(part, words) } else { self.paired.shaft_name(part, words) };
         let mut text = format!("{name}  {mm}");
         if mark.is_left {
@@ -232,16 +237,20 @@ impl<'a> Drawing<'a> {
     fn overview(&self, room: Rect) {
         let room = Rect::from_min_max(pos2(room.left(), self.body.top()), pos2(room.right(), self.body.bottom()));
         let bins = &self.paired.picture.bins;
-        let (centre, half) = (room.center().x, room.width() / 2.0);
+        let centre = room.center().x;
+        let half = room.width() / 2.0;
         let y = |bin: usize| room.bottom() - room.height() * ratio(bin, bins.len());
         for (number, bin) in bins.iter().enumerate() {
             let height = Rangef::new(y(number + 1), y(number));
-            let (holes, shafts) = (self.palette.hole.0, self.palette.shaft.0);
+            let holes = self.palette.hole.0;
+            let shafts = self.palette.shaft.0;
             let sides = [(bin.holes, bin.left_holes, -1.0, holes), (bin.shafts, bin.left_shafts, 1.0, shafts)];
             for (paired, left, side, fill) in sides {
-                let (inner, outer) = (half * screen(paired), half * screen(left));
+                let inner = half * screen(paired);
+                let outer = half * screen(left);
                 let bar = |from: f32, to: f32| {
-                    let (one, other) = (centre + side * from, centre + side * to);
+                    let one = centre + side * from;
+                    let other = centre + side * to;
                     Rect::from_x_y_ranges(one.min(other)..=one.max(other), height)
                 };
                 self.painter.rect_filled(bar(0.0, inner), 0.0, fill);
@@ -252,7 +261,8 @@ impl<'a> Drawing<'a> {
             }
         }
         let share = |um: f64| room.bottom() - room.height() * screen(self.paired.picture.share(um));
-        let (top, bottom) = (share(self.sight.high), share(self.sight.low));
+        let top = share(self.sight.high);
+        let bottom = share(self.sight.low);
         let frame = Rect::from_x_y_ranges(room.x_range(), top..=bottom.max(top + 4.0)).expand2(vec2(2.0, 1.0));
         self.painter.rect_stroke(frame, 2.0, Stroke::new(2.0, self.palette.accent.0), StrokeKind::Outside);
     }

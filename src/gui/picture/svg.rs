@@ -55,7 +55,8 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
         size.scale_to_width(LONGEST).unwrap_or(size)
     };
     check_dots(name, (scaled.width(), scaled.height()))?;
-    let (x, y) = (ratio(scaled.width(), tree.size().width()), ratio(scaled.height(), tree.size().height()));
+    let x = ratio(scaled.width(), tree.size().width());
+    let y = ratio(scaled.height(), tree.size().height());
     let mut map = Pixmap::new(scaled.width(), scaled.height()).ok_or_else(|| broken(name, &"0 × 0"))?;
     resvg::render(&tree, Transform::from_scale(x, y), &mut map.as_mut());
     let dots = map.pixels().iter().flat_map(|dot| {

@@ -51,7 +51,8 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     tick(ui, view);
     let size = ui.available_size();
     // Where the window is low, the path of the probe is below the inputs.
-    let (narrow, low) = (size.x < 1200.0, size.y < 640.0);
+    let narrow = size.x < 1200.0;
+    let low = size.y < 640.0;
     Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     let inputs = |ui: &mut Ui, view: &mut View<'_>| {
         form_panel::form_ui(ui, view);
@@ -129,7 +130,8 @@ fn tick(ui: &Ui, view: &mut View<'_>) {
     if !program.is_running() {
         return;
     }
-    let (id, now) = (Id::unique("program-tick"), ui.input(|input| input.time));
+    let id = Id::unique("program-tick");
+    let now = ui.input(|input| input.time);
     let interval = program.speed.interval();
     let last = ui.data(|data| data.get_temp::<f64>(id)).unwrap_or(f64::NEG_INFINITY);
     // A clock that was set back does not stop the run.

@@ -56,7 +56,8 @@ pub(super) fn current(painter: &Painter, rect: Rect, failed: bool, palette: &Pal
         let inner = Rect::from_center_size(rect.center(), vec2(rect.height(), rect.height()) * 0.7);
         return shapes::status(painter, inner, Some(Status::Scrap), palette.error.0);
     }
-    let (at, half) = (rect.center(), rect.height() * 0.3);
+    let at = rect.center();
+    let half = rect.height() * 0.3;
     let tail = pos2(rect.left() + 1.0, at.y);
     painter.line_segment([tail, pos2(rect.right() - half, at.y)], Stroke::new(2.0, palette.accent.0));
     let points = vec![

@@ -23,7 +23,8 @@ pub(super) fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
     quiet(ui, view.words.say(&message.number("ball", open.part.probe.ball_radius)));
     let name = view.text("part-features");
     let row = sizes().small + space(1.5);
-    let (id, size) = (Id::unique("part-features"), vec2(ui.available_width(), times(row, features.len().min(LINES))));
+    let id = Id::unique("part-features");
+    let size = vec2(ui.available_width(), times(row, features.len().min(LINES)));
     let rect = Rect::from_min_size(ui.cursor().min, size);
     let list = ui.interact(rect, id, Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::List, true, &name));

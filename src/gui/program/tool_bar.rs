@@ -98,7 +98,8 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let (run, pause) = (ProgramAction::RunProgram, ProgramAction::PauseProgram);
+    let run = ProgramAction::RunProgram;
+    let pause = ProgramAction::PauseProgram;
     let width = view.width_of(ui, &[run, pause]).max(space(20.0));
     let action = if view.session.program().is_running() { pause } else { run };
     view.main_button(ui, action, vec2(width, control(ui)));

@@ -51,7 +51,8 @@ pub(super) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// A tool that is given before a run: typed, or picked from the table.
 fn input_ui(ui: &mut Ui, view: &mut View<'_>, parameter: Parameter) {
-    let (program, field) = (view.session.program(), ProgramField::Tool(parameter));
+    let program = view.session.program();
+    let field = ProgramField::Tool(parameter);
     let named = program.tool_of(parameter);
     let own = program.own_tool(parameter).map(|own| RichText::new(view.words.number(own)).italics());
     let input = message!("tools-input").text("parameter", parameter);

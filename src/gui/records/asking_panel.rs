@@ -93,7 +93,8 @@ fn count_ui(ui: &mut Ui, view: &View<'_>) {
 /// The chosen records, and what a report of them leaves out.
 fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.records();
-    let (count, simulated) = (page.chosen_count(), page.chosen_simulated());
+    let count = page.chosen_count();
+    let simulated = page.chosen_simulated();
     if count == 0 {
         return;
     }

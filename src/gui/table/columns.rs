@@ -202,7 +202,8 @@ mod tests {
             let across: Vec<Rangef> = across(columns, stretch, own, (7.0, width)).into_iter().flatten().collect();
             let joined = across.windows(2).all(|two| two[0].min < two[1].min && (two[0].max - two[1].min).abs() < 0.01);
             assert!(joined, "{width}");
-            let (first, last) = (across[0].min, across[across.len() - 1].max);
+            let first = across[0].min;
+            let last = across[across.len() - 1].max;
             let fills = (last - 7.0 - width).abs() < 0.01 || stretch.is_finite() && last < 7.0 + width;
             assert!((first - 7.0).abs() < 0.01 && fills, "{width}: {first} to {last}");
             across.len()

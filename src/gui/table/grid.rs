@@ -148,7 +148,8 @@ impl Cells<'_> {
         mut above: impl FnMut(&Painter, Rect, usize),
         mut left: impl FnMut(&Painter, Rect, usize),
     ) -> Rect {
-        let (seen, corner) = (self.seen, Rect::from_min_size(rect.min, self.grid.head));
+        let seen = self.seen;
+        let corner = Rect::from_min_size(rect.min, self.grid.head);
         let painter = ui.painter().with_clip_rect(Rect::from_min_max(pos2(seen.left(), rect.top()), seen.right_top()));
         for column in self.columns() {
             above(&painter, Rect::from_x_y_ranges(self.across(column), corner.y_range()), column);

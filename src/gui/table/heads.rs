@@ -54,7 +54,8 @@ pub(super) fn heads_ui(ui: &mut Ui, view: &mut View<'_>, table: &Table<'_>, acro
                 let text = parts.collect::<Vec<_>>().join(", ");
                 let kind =
                     if column.kind == Kind::Text || column.kind == Kind::Verdict { Kind::Text } else { Kind::Figure };
-                let (font, colour) = (theme::font(sizes().small), palette(ui.ctx()).quiet.0);
+                let font = theme::font(sizes().small);
+                let colour = palette(ui.ctx()).quiet.0;
                 text_in(ui.painter(), cell.shrink2(vec2(PAD, 0.0)), &text, (&font, colour), (kind, None));
             }
         }

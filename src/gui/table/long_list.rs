@@ -41,7 +41,8 @@ impl Top {
 
 /// Where the list stands after the wheel, a finger, the bar, or a cursor that has to come into sight.
 pub(super) fn scrolled(ui: &Ui, table: &Table<'_>, rect: Rect, bar: f32) -> Top {
-    let (id, height) = (table.id, control(ui));
+    let id = table.id;
+    let height = control(ui);
     let key = id.with("top");
     let (mut top, looked): (Top, u64) = remembered(ui, key);
     let fit = lines_of((rect.height() / height).floor());

@@ -67,7 +67,9 @@ pub(super) struct Seen<K> {
 impl<'a> Table<'a> {
     /// A table without rows.
     pub fn new(id: Id, name: &'a str, columns: &'a [Column]) -> Self {
-        let (sorted, count, look) = (None, 0, (0, None));
+        let sorted = None;
+        let count = 0;
+        let look = (0, None);
         Self { id, name, columns, stretch: f32::INFINITY, sorted, count, look, empty: String::new(), keeps_focus: true }
     }
 
@@ -79,7 +81,8 @@ impl<'a> Table<'a> {
         rows: impl FnOnce(&View<'_>, Range<usize>) -> Vec<Row<K>>,
     ) -> Seen<K> {
         let mut seen = Seen { places: 0..0, clicked: None, chosen: None };
-        let (room, bar) = (ui.available_rect_before_wrap(), space(BAR));
+        let room = ui.available_rect_before_wrap();
+        let bar = space(BAR);
         let rect = Rect::from_min_max(room.min + vec2(0.0, heads::height(ui, self.columns)), room.max);
         let across = heads::across(ui, self, (room.left(), room.width() - bar));
         heads::heads_ui(ui, view, self, &across, Rect::from_min_max(room.min, rect.right_top()));

@@ -25,7 +25,8 @@ pub(in crate::gui) fn id() -> Id {
 pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let tables = view.session.tables();
     let Some(document) = tables.shown() else { return };
-    let (head, cell) = (vec2(space(28.0), space(11.0)), vec2(space(17.0), space(10.0)));
+    let head = vec2(space(28.0), space(11.0));
+    let cell = vec2(space(17.0), space(10.0));
     let widths = tables.filter.columns.iter().map(|_| cell.x);
     let grid = Grid::new(id(), tables.number(), head, widths, (document.table().ends().len(), cell.y));
     let rect = ui.available_rect_before_wrap();
@@ -76,7 +77,8 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
 fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (place, rect): (DrawnCell, Rect)) {
     let (_, class, range, _) = place;
     let selected = document.selected == Some((class, range));
-    let (salt, click) = ((class.as_str(), range), (rect, Sense::CLICK));
+    let salt = (class.as_str(), range);
+    let click = (rect, Sense::CLICK);
     let response = grid.cell_ui(ui, salt, click, selected, || cell_name(view, document, place));
     if response.clicked() {
         view.send(TablesCommand::Select(class, range));
@@ -141,7 +143,8 @@ fn heads_ui(ui: &Ui, view: &View<'_>, document: &Document, rect: Rect, cells: &C
                 count => format!("≠ {count}"),
             };
             let marked = selected.is_some_and(|(selected, _)| selected == class);
-            let (text, differs) = (class.as_str(), 0 < differences);
+            let text = class.as_str();
+            let differs = 0 < differences;
             paint::head(painter, head, &paint::Head { palette, text, remark: &remark, differs, marked });
         },
         |painter, head, range| {

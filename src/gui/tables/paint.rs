@@ -31,7 +31,8 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &TableCellView<'_>) {
         figure(painter, rect, rect.top() + third, look, pair.upper());
         figure(painter, rect, rect.bottom() - third, look, pair.lower());
     } else {
-        let (at, half) = (rect.center(), vec2(space(1.0), 0.0));
+        let at = rect.center();
+        let half = vec2(space(1.0), 0.0);
         painter.line_segment([at - half, at + half], Stroke::new(1.0, palette.quiet.0));
     }
     if look.marked {
@@ -114,7 +115,8 @@ pub(super) fn head(painter: &Painter, rect: Rect, head: &Head<'_>) {
 
 /// The sign "not equal".
 pub(super) fn unequal(painter: &Painter, rect: Rect, colour: Color32) {
-    let (at, size) = (rect.center(), rect.size().min_elem());
+    let at = rect.center();
+    let size = rect.size().min_elem();
     let stroke = Stroke::new((size * 0.13).max(1.0), colour);
     for y in [-0.14, 0.14] {
         painter.line_segment([at + vec2(-0.42, y) * size, at + vec2(0.42, y) * size], stroke);

@@ -96,7 +96,8 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let field = field_ui(ui, view, TablesField::Filter, name.id, look);
     field.on_hover_text(view.text("tables-filter-hint"));
     let Some(document) = view.session.tables().shown() else { return };
-    let (filter, all) = (&view.session.tables().filter, document.table().columns().len());
+    let filter = &view.session.tables().filter;
+    let all = document.table().columns().len();
     if filter.unmatched.is_empty() {
         let count = message!("tables-shown").text("shown", filter.columns.len()).count("count", all);
         quiet(ui, view.words.say(&count));
@@ -115,7 +116,8 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
     let comparison = &document.comparison;
-    let (found, compared) = (document.differing(), comparison.compared);
+    let found = document.differing();
+    let compared = comparison.compared;
     let palette = palette(ui.ctx());
     let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
     let message = match (found, compared) {

@@ -85,7 +85,8 @@ impl Bar<'_> {
     }
 
     fn draw(&self, measured: Length, limits: Option<[Length; 2]>) {
-        let (band, palette) = (self.band(), self.canvas.palette);
+        let band = self.band();
+        let palette = self.canvas.palette;
         self.canvas.line(band.left_center(), band.right_center(), self.canvas.thin());
         if let Some(limits) = limits {
             let [lower, upper] = limits.map(|limit| self.x(limit));
@@ -114,7 +115,9 @@ impl Bar<'_> {
     /// The value, or an arrow at the edge that it is beyond; always with its figure.
     fn marker(&self, measured: Length, limits: Option<[Length; 2]>, band: Rect) {
         let colour = self.canvas.palette.text.0;
-        let (share, x, y) = (self.share(measured), self.x(measured), band.center().y);
+        let share = self.share(measured);
+        let x = self.x(measured);
+        let y = band.center().y;
         let text = format!("{} mm", figure(self.words, measured, limits));
         let along = match share {
             share if share < 0.0 => -Vec2::X,

@@ -125,7 +125,8 @@ impl<'a> Canvas<'a> {
 
     /// A note in as many lines as it needs.
     pub(super) fn wrapped(&self, at: Pos2, text: &str, width: f32) {
-        let (font, colour) = (theme::font(sizes().small), self.palette.text.0);
+        let font = theme::font(sizes().small);
+        let colour = self.palette.text.0;
         let galley = self.painter.layout(text.to_owned(), font, colour, width);
         self.painter.galley(at, galley, colour);
     }

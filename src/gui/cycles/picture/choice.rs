@@ -67,7 +67,8 @@ impl Choice<'_> {
     fn move_to_clearance(&self, is_over: bool) {
         let panel = self.panel.shrink(8.0);
         let top = panel.top() + 44.0;
-        let (left, right) = (panel.left() + 20.0, panel.right() - 20.0);
+        let left = panel.left() + 20.0;
+        let right = panel.right() - 20.0;
         let (from, to) = if self.scene.shape.is_outside() {
             self.canvas.cut(Rect::from_min_max(pos2(left + 18.0, top), pos2(right - 18.0, panel.bottom())));
             (pos2(left, top + 24.0), pos2(right, top + 24.0))
@@ -107,7 +108,8 @@ impl Choice<'_> {
         let radius = if is_stud { 20.0 } else { 40.0 };
         self.circle(radius, is_stud);
         let reach = if is_stud { radius + 14.0 } else { radius - 14.0 };
-        let (from, to) = (polar(self.middle, reach, 0.0), polar(self.middle, reach, 90.0));
+        let from = polar(self.middle, reach, 0.0);
+        let to = polar(self.middle, reach, 90.0);
         self.canvas.ball(from, BALL);
         self.canvas.ghost(to, BALL);
         if is_arc {
@@ -160,7 +162,8 @@ impl Choice<'_> {
             2 => (y, z),
             _ => (x, y),
         };
-        let (first, second) = (first * 0.72, second * 0.72);
+        let first = first * 0.72;
+        let second = second * 0.72;
         let patch = vec![origin, origin + first, origin + first + second, origin + second];
         let fill = self.canvas.palette.selection.0;
         self.canvas.painter.add(PathShape::convex_polygon(patch, fill, self.canvas.strong()));
@@ -227,7 +230,8 @@ impl Choice<'_> {
 
     /// The program goes on, or stops.
     fn go_or_stop(&self, at: Pos2, size: f32, is_stop: bool) {
-        let (quiet, accent) = (self.canvas.palette.quiet.0, self.canvas.palette.accent.0);
+        let quiet = self.canvas.palette.quiet.0;
+        let accent = self.canvas.palette.accent.0;
         if is_stop {
             let square = Rect::from_center_size(at, Vec2::splat(size * 1.5));
             self.canvas.painter.rect_filled(square, 2.0, accent);

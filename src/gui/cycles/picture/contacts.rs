@@ -145,7 +145,8 @@ impl Picture {
         let polar: Vec<(f64, f64)> = contacts
             .iter()
             .map(|contact| {
-                let (x, y) = (contact.x - circle.x + off_x, contact.y - circle.y + off_y);
+                let x = contact.x - circle.x + off_x;
+                let y = contact.y - circle.y + off_y;
                 (y.atan2(x), x.hypot(y) - radius)
             })
             .collect();
@@ -184,7 +185,8 @@ impl Picture {
 /// How far a ray from the nominal centre goes until it meets the fitted circle.
 fn ray(circle: &Circle, [off_x, off_y]: [f64; 2], angle: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
-    let (along, across) = (off_x * cos + off_y * sin, off_y * cos - off_x * sin);
+    let along = off_x * cos + off_y * sin;
+    let across = off_y * cos - off_x * sin;
     along + (circle.diameter * circle.diameter / 4.0 - across * across).max(0.0).sqrt()
 }
 
@@ -306,7 +308,8 @@ const LEGEND: [(&str, bool); 2] = [("cycle-picture-legend-fitted", true), ("cycl
 /// How far the words of the legend reach.
 fn legend_width(canvas: &Canvas<'_>, words: &Words) -> f32 {
     let width = |(id, _): (&str, bool)| {
-        let (font, colour) = (theme::font(sizes().small), canvas.palette.quiet.0);
+        let font = theme::font(sizes().small);
+        let colour = canvas.palette.quiet.0;
         canvas.painter.layout_no_wrap(words.get(id), font, colour).size().x
     };
     space(9.0) + LEGEND.map(width).into_iter().fold(0.0, f32::max)

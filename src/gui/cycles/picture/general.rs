@@ -14,7 +14,9 @@ pub(super) fn draw(canvas: &Canvas<'_>, meaning: Meaning, key: &str) {
 }
 
 fn length(canvas: &Canvas<'_>, key: &str) {
-    let (left, right, y) = (canvas.at(40.0, 0.0).x, canvas.at(220.0, 0.0).x, canvas.at(0.0, 80.0).y);
+    let left = canvas.at(40.0, 0.0).x;
+    let right = canvas.at(220.0, 0.0).x;
+    let y = canvas.at(0.0, 80.0).y;
     for x in [left, right] {
         canvas.line(pos2(x, y - 34.0), pos2(x, y + 34.0), canvas.edge());
     }
@@ -31,7 +33,9 @@ fn angle(canvas: &Canvas<'_>, key: &str) {
 }
 
 fn number(canvas: &Canvas<'_>, key: &str) {
-    let (left, right, y) = (canvas.at(30.0, 0.0).x, canvas.at(230.0, 0.0).x, canvas.at(0.0, 92.0).y);
+    let left = canvas.at(30.0, 0.0).x;
+    let right = canvas.at(230.0, 0.0).x;
+    let y = canvas.at(0.0, 92.0).y;
     canvas.arrow(pos2(left, y), pos2(right, y), canvas.edge());
     let zero = f32::midpoint(left, right);
     canvas.line(pos2(zero, y - 6.0), pos2(zero, y + 6.0), canvas.edge());

@@ -21,7 +21,8 @@ const LINES: f32 = 3.0;
 
 /// The sentence of a parameter, where it stands beside the drawing. The drawing has said it already.
 pub(in crate::gui) fn parameter_sentence(ui: &mut Ui, view: &View<'_>, parameter: &Parameter) {
-    let (font, colour) = (theme::font(sizes().small), palette(ui.ctx()).text.0);
+    let font = theme::font(sizes().small);
+    let colour = palette(ui.ctx()).text.0;
     let galley = ui.painter().layout(sentence(view.words, parameter), font, colour, ui.available_width());
     let (rect, _) = ui.allocate_exact_size(galley.size(), Sense::hover());
     ui.painter().galley(rect.min, galley, colour);
@@ -63,7 +64,8 @@ pub(super) fn sentence(words: &Words, parameter: &Parameter) -> String {
 }
 
 fn draw(canvas: &Canvas<'_>, scene: Scene, parameter: &Parameter) {
-    let (meaning, key) = (parameter.meaning, parameter.key.to_string());
+    let meaning = parameter.meaning;
+    let key = parameter.key.to_string();
     match meaning {
         Meaning::MeasuringHeight
         | Meaning::SetUpClearance

@@ -48,7 +48,8 @@ const fn plane_of(eye: Eye) -> Plane {
 
 fn seen(scale: &Scale, feature: &PartFeature) -> FeatureOutline {
     let PartFeature { surface, extent, .. } = feature;
-    let (plane, eye) = (surface.plane(), scale.eye());
+    let plane = surface.plane();
+    let eye = scale.eye();
     let is_along = plane == plane_of(eye);
     let place = |[first, second]: [f64; 2]| scale.at(eye.see(plane.place([first, second, 0.0])));
     match surface.outline((extent.length / 2.0).min(scale.reach())) {

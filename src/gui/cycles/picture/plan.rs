@@ -87,7 +87,8 @@ impl Plan<'_> {
     fn feature(&self) {
         let centre = self.at(CENTRE);
         let palette = self.canvas.palette;
-        let (shape, block) = (self.scene.shape, Rect::from_center_size(centre, BLOCK));
+        let shape = self.scene.shape;
+        let block = Rect::from_center_size(centre, BLOCK);
         if !shape.is_outside() {
             self.canvas.block(block);
         }
@@ -124,7 +125,8 @@ impl Plan<'_> {
 
     /// A coordinate of a place in an axis.
     fn coordinate_of(&self, place: Pos2, axis: Axis) {
-        let (origin, place) = (self.at(DATUM), self.at(place));
+        let origin = self.at(DATUM);
+        let place = self.at(place);
         if axis == Axis::First {
             let y = self.at(pos2(0.0, BELOW)).y;
             self.extension(place, pos2(place.x, y + 4.0));
@@ -186,7 +188,8 @@ impl Plan<'_> {
     fn start_diameter(&self) {
         self.feature();
         self.axes();
-        let (centre, radius) = (self.at(CENTRE), RADIUS * 0.7);
+        let centre = self.at(CENTRE);
+        let radius = RADIUS * 0.7;
         self.canvas.ring(centre, radius, self.canvas.strong());
         for step in 0..3_u8 {
             self.canvas.ball(polar(centre, radius, 60.0 + 120.0 * f32::from(step)), BALL * 0.6);
@@ -256,7 +259,8 @@ impl Plan<'_> {
     fn length(&self, axis: Axis, beside: f32) {
         self.feature();
         self.axes();
-        let (centre, halves) = (self.at(CENTRE), self.halves());
+        let centre = self.at(CENTRE);
+        let halves = self.halves();
         let (along, across, half, reach) = if axis == Axis::First {
             (Vec2::X, Vec2::Y, halves.x, halves.y)
         } else {
@@ -289,7 +293,8 @@ impl Plan<'_> {
         const SHIFT: f32 = 44.0;
         self.feature();
         self.axes();
-        let (centre, half) = (self.at(CENTRE), self.halves().x);
+        let centre = self.at(CENTRE);
+        let half = self.halves().x;
         let first = centre + vec2(half, SHIFT / 2.0);
         let second = centre + vec2(-half, -SHIFT / 2.0);
         for (wall, towards) in [(first, Vec2::X), (second, -Vec2::X)] {
@@ -344,7 +349,8 @@ impl Plan<'_> {
         let ball = self.at(point) + vec2(BALL, 0.0);
         self.canvas.arrow(ball + vec2(50.0, 0.0), ball + vec2(BALL, 0.0), self.canvas.thin());
         self.canvas.ball(ball, BALL);
-        let (origin, y) = (self.at(DATUM), self.at(pos2(0.0, BELOW)).y);
+        let origin = self.at(DATUM);
+        let y = self.at(pos2(0.0, BELOW)).y;
         self.extension(pos2(x, origin.y), pos2(x, y + 4.0));
         self.extension(origin, pos2(origin.x, y + 4.0));
         self.canvas.dimension(pos2(origin.x, y), pos2(x, y));
@@ -354,7 +360,9 @@ impl Plan<'_> {
     /// The normal of a surface in space, and one component of it.
     fn normal(&self, axis: Axis) {
         // Second axis into the drawing.
-        let (x, y, z) = (vec2(62.0, 0.0), vec2(46.0, -28.0), vec2(0.0, -66.0));
+        let x = vec2(62.0, 0.0);
+        let y = vec2(46.0, -28.0);
+        let z = vec2(0.0, -66.0);
         let point = self.at(pos2(92.0, 126.0));
         let tip = point + x + y + z;
         self.patch(point, tip - point);
@@ -366,7 +374,8 @@ impl Plan<'_> {
         // The box whose diagonal the normal is.
         let ways = [[x, y, z], [x, z, y], [y, x, z], [y, z, x], [z, x, y], [z, y, x]];
         for [first, second, third] in ways {
-            let (one, two) = (point + first, point + first + second);
+            let one = point + first;
+            let two = point + first + second;
             self.canvas.dashed(&[one, two], self.canvas.thin(), 3.0, 3.0);
             self.canvas.dashed(&[two, two + third], self.canvas.thin(), 3.0, 3.0);
         }

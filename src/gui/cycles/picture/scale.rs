@@ -151,7 +151,8 @@ impl Scale {
         match surface.outline(self.reach()) {
             Outline::Circle { centre: [first, second], radius } if radius < FARTHEST_MM => {
                 if self.eye == Eye::Above {
-                    let (centre, radius) = (self.at([first, second]), self.length(radius));
+                    let centre = self.at([first, second]);
+                    let radius = self.length(radius);
                     canvas.painter.rect_filled(self.rect, 4.0, out);
                     canvas.circle(centre, radius, within, canvas.edge());
                     canvas.cross(centre, 5.0, canvas.thin());
@@ -377,9 +378,11 @@ pub(super) fn legend(canvas: &Canvas<'_>, place: Rect, words: &Words) -> f32 {
     let mut x = place.left() + space(1.0);
     for (number, (phase, name)) in LINES.into_iter().zip(names).enumerate() {
         if 0 < number && number % columns == 0 {
-            (x, y) = (place.left() + space(1.0), y + line);
+            x = place.left() + space(1.0);
+            y += line;
         }
-        let (from, to) = (pos2(x, y), pos2(x + space(sample), y));
+        let from = pos2(x, y);
+        let to = pos2(x + space(sample), y);
         stroke(canvas, &[from, to], phase, true);
         let wide = if in_one_row.is_some() { name.size().x } else { widest };
         let at = Align2::LEFT_CENTER.anchor_size(pos2(to.x + space(1.0), y), name.size());

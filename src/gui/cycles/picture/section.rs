@@ -90,7 +90,8 @@ impl Section<'_> {
     }
 
     fn surface(&self, across: &str) -> (Pos2, Pos2, Vec2) {
-        let (datum, centre) = (self.at(SURFACE_DATUM), self.at(SURFACE_CENTRE));
+        let datum = self.at(SURFACE_DATUM);
+        let centre = self.at(SURFACE_CENTRE);
         let mut outline = arc(centre, SURFACE_RADIUS, 31.0, 119.0);
         outline.push(pos2(outline.last().map_or(datum.x, |last| last.x), datum.y));
         outline.push(pos2(outline.first().map_or(datum.x, |first| first.x), datum.y));
@@ -110,7 +111,8 @@ impl Section<'_> {
         for from in [datum, place] {
             self.canvas.line(from, pos2(x - 4.0, from.y), self.canvas.thin());
         }
-        let (from, to) = (pos2(x, datum.y), pos2(x, place.y));
+        let from = pos2(x, datum.y);
+        let to = pos2(x, place.y);
         self.canvas.dimension(from, to);
         self.canvas.key(from + (to - from) / 2.0, Align2::CENTER_CENTER, self.key);
     }
@@ -206,7 +208,8 @@ impl Section<'_> {
         // The band of a plane face is drawn like that of a free surface.
         let (_, point, normal) = Section { scene: Scene { shape: Shape::Point, ..self.scene }, ..*self }.workpiece("X");
         let centre = self.at(SURFACE_CENTRE);
-        let (from, to) = (SURFACE_POINT - 20.0, SURFACE_POINT + 24.0);
+        let from = SURFACE_POINT - 20.0;
+        let to = SURFACE_POINT + 24.0;
         let fill = Stroke::new(2.0 * HALF_BAND, self.canvas.palette.zone.0);
         self.canvas.polyline(arc(centre, SURFACE_RADIUS, from, to), fill);
         for off in [-HALF_BAND, HALF_BAND] {
@@ -225,7 +228,8 @@ impl Section<'_> {
 
     fn retract(&self) {
         let (_, point, normal) = self.workpiece("X");
-        let (ball, back) = (point + normal * BALL, point + normal * (BALL + 46.0));
+        let ball = point + normal * BALL;
+        let back = point + normal * (BALL + 46.0);
         self.canvas.ghost(ball, BALL);
         self.canvas.probe(back, BALL);
         let across = vec2(-normal.y, normal.x) * 20.0;

@@ -53,16 +53,19 @@ impl Way<'_> {
 
 /// The places of a move in plane coordinates: two ends, or the points of an arc the shorter way round.
 pub(super) fn trace(one: &Move, plane: Plane) -> Vec<[f64; 3]> {
-    let (from, to) = (plane.within(one.from), plane.within(one.to));
+    let from = plane.within(one.from);
+    let to = plane.within(one.to);
     let Some(about) = one.about.map(|about| plane.within(about)) else { return vec![from, to] };
     let about_centre = |[x, y, _]: [f64; 3]| {
         let [centre_x, centre_y, _] = about;
         (x - centre_x, y - centre_y)
     };
     let ((from_x, from_y), (to_x, to_y)) = (about_centre(from), about_centre(to));
-    let (begin, end) = (from_y.atan2(from_x), to_y.atan2(to_x));
+    let begin = from_y.atan2(from_x);
+    let end = to_y.atan2(to_x);
     let turn = (end - begin + PI).rem_euclid(TAU) - PI;
-    let (first, last) = (from_x.hypot(from_y), to_x.hypot(to_y));
+    let first = from_x.hypot(from_y);
+    let last = to_x.hypot(to_y);
     let ([_, _, low], [_, _, high]) = (from, to);
     (0..=STEPS)
         .map(|step| {

@@ -65,7 +65,8 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The list; only the rows in sight are drawn.
 pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
     let document = &view.session.parts().document;
-    let (problems, findings) = (&document.problems, document.findings());
+    let problems = &document.problems;
+    let findings = document.findings();
     // What the file had and the plan has no place for comes last, below a line of its own.
     let all = findings.len() + problems.len() + usize::from(!problems.is_empty());
     let height = control(ui);

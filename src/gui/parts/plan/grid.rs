@@ -109,7 +109,8 @@ fn leave(ui: &Ui, view: &View<'_>) {
 /// What is typed or pasted while the table has the focus.
 fn typed(ui: &Ui, view: &mut View<'_>) {
     let mut text = String::new();
-    let (mut commands, mut tabs) = (Vec::new(), Vec::new());
+    let mut commands = Vec::new();
+    let mut tabs = Vec::new();
     ui.input(|input| {
         for event in &input.events {
             match event {
@@ -170,7 +171,8 @@ fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usi
 /// A cell can be clicked; for a screen reader it has a name.
 fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column): (usize, Column), is_focused: bool) {
     let parts = view.session.parts();
-    let (document, sheet) = (&parts.document, parts.sheet());
+    let document = &parts.document;
+    let sheet = parts.sheet();
     let text = document.draft().rows.get(row).map_or("", |cells| &cells.cell(column).text);
     let finding = document.finding(row, Some(column));
     let place = sheet.columns.iter().position(|of| *of == column);

@@ -144,7 +144,8 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
     };
     match (walking.headline(), walking.faced_value()) {
         (Headline::Size(_), _) => {
-            let (status, is_simulated) = (walking.status(), walking.is_decided_by_simulation());
+            let status = walking.status();
+            let is_simulated = walking.is_decided_by_simulation();
             let text = status.map_or_else(
                 || words.get("walk-page-strip-open"),
                 |status| {
@@ -156,7 +157,8 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
         }
         (Headline::Part(_), Some((at, value))) => {
             let record = &value.record;
-            let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+            let status = record.verdict.status();
+            let is_simulated = record.measurement.origin.is_simulated();
             let mm = Digits::of(record).mm(words, record.measurement.diameter, 3);
             let text = message!("walk-page-strip-size").text("name", walking.name(at)).text("value", mm);
             strip_ui(

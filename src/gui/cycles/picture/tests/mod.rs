@@ -27,7 +27,8 @@ fn drawn<'a>(
     language: Language,
     mut draw: impl FnMut(&mut Ui, &View<'_>) + 'a,
 ) -> Harness<'a> {
-    let (session, words) = (Session::new(language), Words::new(language));
+    let session = Session::new(language);
+    let words = Words::new(language);
     let mut harness = Harness::builder()
         .with_size(vec2(size[0], size[1]))
         .with_theme(theme)

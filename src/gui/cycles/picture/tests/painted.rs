@@ -14,7 +14,8 @@ fn painted(harness: &Harness<'_>) -> (Vec<(String, Rect)>, Vec<Rect>) {
             _ => {}
         }
     }
-    let (mut texts, mut lines) = (Vec::new(), Vec::new());
+    let mut texts = Vec::new();
+    let mut lines = Vec::new();
     for clipped in &harness.output().shapes {
         collect(&clipped.shape, &mut texts, &mut lines);
     }
