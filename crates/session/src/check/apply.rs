@@ -236,7 +236,8 @@ impl CheckPage {
         match field {
             CheckField::Callout => return self.callout_changed(true, sources),
             CheckField::Nominal => {
-                let (nominal, class) = (self.text(CheckField::Nominal), class_text(self.text(CheckField::Callout)));
+                let nominal = self.text(CheckField::Nominal);
+                let class = class_text(self.text(CheckField::Callout));
                 let callout = format!("{} {class}", nominal.trim());
                 self.texts.set(CheckField::Callout, callout.trim());
                 return self.callout_changed(false, sources);
@@ -295,7 +296,10 @@ impl CheckPage {
     /// the next value is judged by the source that is chosen now. Only limits without a callout stay, for the fields
     /// have no others.
     pub(super) fn edited(&mut self, sources: &Sources) {
-        (self.shown, self.question, self.lot, self.refusal) = (None, None, None, None);
+        self.shown = None;
+        self.question = None;
+        self.lot = None;
+        self.refusal = None;
         self.asks = false;
         self.is_repeated = false;
         self.rows.iter_mut().for_each(Rows::hide);
@@ -455,7 +459,9 @@ impl CheckPage {
         if record.callout.is_some_and(|callout| callout.feature().is_none()) {
             self.mean(record.limits.feature);
         }
-        (self.lot, self.question, self.refusal) = (lot, None, None);
+        self.lot = lot;
+        self.question = None;
+        self.refusal = None;
         self.asks = false;
         self.is_repeated = false;
         self.show_inputs(id, &record, shared);

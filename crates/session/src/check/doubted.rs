@@ -27,14 +27,16 @@ pub struct DoubtedText {
 impl DoubtedText {
     /// A callout with a zone out of all proportion.
     pub(super) fn zone(callout: &Callout, doubt: &ZoneDoubt) -> Self {
-        let (text, meant) = (callout.to_string(), doubt.meant().map(ToString::to_string));
+        let text = callout.to_string();
+        let meant = doubt.meant().map(ToString::to_string);
         Self { field: CheckField::Callout, text, why: doubt.message(), meant, can_stay: true }
     }
 
     /// A text that is no callout, and would be one with micrometres.
     pub(super) fn callout(text: &str, error: &CalloutError) -> Option<Self> {
         let CalloutErrorKind::MicrometresMeant { offer, .. } = &error.kind else { return None };
-        let (text, meant) = (text.trim().to_owned(), Some(offer.to_string()));
+        let text = text.trim().to_owned();
+        let meant = Some(offer.to_string());
         Some(Self { field: CheckField::Callout, text, why: error.message(), meant, can_stay: false })
     }
 

@@ -134,7 +134,8 @@ fn judge_contacts(
     let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
     // A position that cannot be read is refused: leaving it out would call a shifted feature good.
     let nominal = |field| length(asked, field).map_err(|(_, problem)| problem);
-    let (nominal_x, nominal_y) = (nominal(CheckField::CentreX)?, nominal(CheckField::CentreY)?);
+    let nominal_x = nominal(CheckField::CentreX)?;
+    let nominal_y = nominal(CheckField::CentreY)?;
     let permitted = nominal(CheckField::CentreTolerance)?;
     let position = measurement.centre.map(|[x, y]| {
         let tolerance = (Length::ZERO < permitted).then_some(permitted);

@@ -126,7 +126,8 @@ pub struct CheckPage {
 impl CheckPage {
     /// The page with what was saved, or with empty fields.
     pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
-        let (texts, by) = (Texts::restored(&saved.texts), saved.by);
+        let texts = Texts::restored(&saved.texts);
+        let by = saved.by;
         let judging = saved.judging;
         let asked = CheckInputs::read(&texts, None, judging, sources, &Meant::default());
         Self {

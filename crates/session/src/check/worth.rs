@@ -139,7 +139,8 @@ impl RuleFields {
             return self.rule();
         }
         let Budget { date, .. } = budget?.budget;
-        let (size, feature) = (Some(limits.middle()), Some(limits.feature));
+        let size = Some(limits.middle());
+        let feature = Some(limits.feature);
         let conditions = Conditions { size, feature, ..Conditions::default() };
         let assessment = Assessment::of(budget?.budget.clone(), &conditions, None, date).ok()?;
         made(self.judging.rule, RuleInputs { uncertainty: Some(assessment.uncertainty().ok()?), ..self.given }).ok()
@@ -246,7 +247,8 @@ impl RuleFields {
 
     fn risks_for(&self, limits: &Limits) -> Option<Risks> {
         let (rule, (mean, deviation)) = (self.rule()?, self.process?);
-        let (bounds, mm) = (limits.bounds(), |[least, most]: [Length; 2]| [least.to_mm_f64(), most.to_mm_f64()]);
+        let bounds = limits.bounds();
+        let mm = |[least, most]: [Length; 2]| [least.to_mm_f64(), most.to_mm_f64()];
         let u = rule.uncertainty()?.um().parse::<f64>().ok()? / 1_000.0;
         let accepted = mm(rule.zones(&bounds).accepted?);
         let prior = Prior::Normal { mean: mean.unwrap_or_else(|| limits.middle()).to_mm_f64(), deviation };
@@ -328,7 +330,7 @@ pub(super) fn temperatures_of(record: &Record) -> Vec<(CheckField, String)> {
         (part_temperature, part_expansion, record.correction.map(|correction| correction.part)),
         (scale_temperature, scale_expansion, scale),
     ] {
-        // An empty temperature is 20 °C; an expansion stays as it is.
+        // Where no temperature is known its field is empty, and the expansion stays as it is.
         texts.push((temperature, warm.map_or_else(String::new, |warm| warm.temperature.to_string())));
         texts.extend(warm.map(|warm| (expansion, warm.expansion.to_string())));
     }

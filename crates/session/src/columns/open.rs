@@ -140,7 +140,11 @@ impl OpenColumns {
         self.rows = self.asked.first.rows(&mapping);
         self.width = self.asked.first.width(&mapping).max(self.choice.roles.len());
         let detected = self.asked.first.detect(&mapping);
-        (self.header, self.lines, self.read, self.problem, self.refusal) = (None, Vec::new(), 0, None, None);
+        self.header = None;
+        self.lines = Vec::new();
+        self.read = 0;
+        self.problem = None;
+        self.refusal = None;
         self.unit_from = None;
         match &detected {
             Ok(detected) => {

@@ -37,14 +37,16 @@ impl PageState for CyclesPage {
                 self.changed();
             }
             CyclesCommand::ShippedProbes => {
-                (self.probes, self.probe) = (None, None);
+                self.probes = None;
+                self.probe = None;
                 self.changed();
             }
             CyclesCommand::ProbesRead { name, result } => {
                 if let Some(table) = shared.file_answered(result) {
                     let details = table.warnings.iter().map(fitcheck_core::message::Say::message).collect();
                     shared.note_details(message!("cycles-probes-loaded").text("name", &name), details);
-                    (self.probes, self.probe) = (Some((name, table)), None);
+                    self.probes = Some((name, table));
+                    self.probe = None;
                     self.changed();
                 }
             }
@@ -60,7 +62,10 @@ impl PageState for CyclesPage {
                 }
                 self.block_problem = None;
             }
-            CyclesCommand::TypeBlock(text) => (self.block, self.block_problem) = (Some(text), None),
+            CyclesCommand::TypeBlock(text) => {
+                self.block = Some(text);
+                self.block_problem = None;
+            }
             CyclesCommand::TakeBlock => self.take_block(),
             CyclesCommand::CopyBlock => match self.written(shared.language.dialogue()) {
                 Ok(block) => return vec![Effect::Copy(block)],
@@ -140,6 +145,7 @@ impl CyclesPage {
     }
 
     pub(super) fn clear(&mut self) {
-        (self.run, self.step) = (None, 0);
+        self.run = None;
+        self.step = 0;
     }
 }

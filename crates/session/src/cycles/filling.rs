@@ -45,7 +45,10 @@ impl CyclesPage {
     pub(super) fn take_block(&mut self) {
         let Some(text) = &self.block else { return };
         match self.taken(&text.clone()) {
-            Ok(()) => (self.block, self.block_problem) = (None, None),
+            Ok(()) => {
+                self.block = None;
+                self.block_problem = None;
+            }
             Err(problem) => self.block_problem = Some(problem),
         }
     }

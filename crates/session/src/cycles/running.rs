@@ -67,7 +67,8 @@ impl RunLog {
     /// The log of a result, as Q281 asks for it; a page of points is only written, never shown.
     fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Dialogue) -> Option<Result<Self, Message>> {
         let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return None };
-        let (name, is_shown) = (cycle.log.file()?.to_owned(), result.log == LogTarget::Screen);
+        let name = cycle.log.file()?.to_owned();
+        let is_shown = result.log == LogTarget::Screen;
         let log = CycleLog::of(cycle, result, heading, language)?;
         Some(log.write(language).map_err(|error| error.message()).map(|bytes| Self {
             name,
@@ -140,7 +141,8 @@ impl CyclesPage {
         self.read();
         let missing: Vec<_> = self.missing().collect();
         for parameter in &missing {
-            let (key, name) = (parameter.key, parameter.called());
+            let key = parameter.key;
+            let name = parameter.called();
             self.errors.insert(CycleField::Parameter(key), CycleError::Missing { key, name }.message());
         }
         let run = match self.errors.len() {
@@ -174,7 +176,8 @@ impl CyclesPage {
     }
 
     fn run_source(&self, shared: &Shared, time: DateTime) -> Result<CycleRun, Message> {
-        let (cycle, inputs) = (self.cycle, &self.inputs);
+        let cycle = self.cycle;
+        let inputs = &self.inputs;
         let (source, from) = self.source(shared)?;
         let refused = |error: SourceError| error.message();
         let mut prober = source.prober(cycle, inputs).map_err(refused)?;

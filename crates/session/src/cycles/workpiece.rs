@@ -35,8 +35,10 @@ impl Default for WorkpieceForm {
 impl WorkpieceForm {
     /// The fields of a simulation.
     pub fn of(simulation: &Simulation) -> Self {
-        let (shape, plane) = (simulation.surface.shape(), simulation.surface.plane());
-        let (texts, errors) = (BTreeMap::new(), BTreeMap::new());
+        let shape = simulation.surface.shape();
+        let plane = simulation.surface.plane();
+        let texts = BTreeMap::new();
+        let errors = BTreeMap::new();
         let mut form = Self { shape, plane, texts, errors, simulation: Some(*simulation) };
         form.fill_surface(&simulation.surface);
         form.fill_probe(&simulation.probe);
@@ -205,7 +207,8 @@ impl WorkpieceForm {
         };
         let probe = self.read_probe();
         let seed = self.whole(F::Seed);
-        let (temperature, expansion) = (self.figure(F::Temperature), self.figure(F::Expansion));
+        let temperature = self.figure(F::Temperature);
+        let expansion = self.figure(F::Expansion);
         Some(Simulation {
             surface: surface?,
             probe: probe?,
@@ -256,7 +259,8 @@ impl WorkpieceForm {
         use WorkpieceField as F;
         let point = self.figures([F::PointX, F::PointY, F::PointZ])?;
         let normal = self.figures([F::NormalX, F::NormalY, F::NormalZ])?;
-        let (deviation, surface_scatter) = (self.figure(F::Deviation)?, self.figure(F::SurfaceScatter)?);
+        let deviation = self.figure(F::Deviation)?;
+        let surface_scatter = self.figure(F::SurfaceScatter)?;
         let is_flat = self.text(F::Radius).trim().is_empty();
         let radius = if is_flat { None } else { Some(self.figure(F::Radius)?) };
         Some(Surface::Point(FreePoint { point, normal, deviation, radius, surface_scatter }))
@@ -286,7 +290,8 @@ impl WorkpieceForm {
 
     fn lobes(&mut self, [count, height, angle]: [WorkpieceField; 3]) -> Option<Lobes> {
         let count = self.whole(count);
-        let (amplitude, angle) = (self.figure(height), self.figure(angle));
+        let amplitude = self.figure(height);
+        let angle = self.figure(angle);
         let lobes = Lobes { count: count?, amplitude: amplitude?, angle: angle? };
         // Without an amplitude, a count below 2 means no lobes.
         Some(if lobes.amplitude <= 0.0 && lobes.count < 2 { Lobes { count: 0, ..lobes } } else { lobes })

@@ -113,7 +113,8 @@ figures! {
 impl WorkpieceField {
     /// The figures of a surface, in reading order.
     pub fn of(shape: Shape) -> Vec<Self> {
-        let (place, centre) = (Self::between(Self::PointX, Self::NormalZ), [Self::CentreX, Self::CentreY]);
+        let place = Self::between(Self::PointX, Self::NormalZ);
+        let centre = [Self::CentreX, Self::CentreY];
         match shape {
             Shape::Hole | Shape::Stud => {
                 let form = Self::between(Self::Ovality, Self::LobeAngle);

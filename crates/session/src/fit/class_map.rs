@@ -47,7 +47,8 @@ impl ClassMap {
 
     fn put(&mut self, class: ToleranceClass, deviations: Deviations) {
         let um = |length: Length| length.to_mm_f64() * 1000.0;
-        let (upper_um, lower_um) = (um(deviations.upper()), um(deviations.lower()));
+        let upper_um = um(deviations.upper());
+        let lower_um = um(deviations.lower());
         match iso286::parts(class) {
             Some((letter, grade)) => {
                 self.grades.insert(grade);

@@ -200,7 +200,8 @@ impl FitPage {
     pub fn warm(&self) -> Option<WarmFit> {
         let fit = self.fit.as_ref()?;
         let temperature = self.temperature.filter(|temperature| *temperature != Temperature::REFERENCE)?;
-        let (hole, shaft) = (self.expansion(Feature::Hole)?, self.expansion(Feature::Shaft)?);
+        let hole = self.expansion(Feature::Hole)?;
+        let shaft = self.expansion(Feature::Shaft)?;
         let change = clearance_change(fit.nominal(), hole, shaft, temperature);
         Some(WarmFit {
             temperature,

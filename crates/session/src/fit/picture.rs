@@ -59,7 +59,8 @@ fn micrometres(length: Length) -> f64 {
 }
 
 fn zone(deviations: Deviations, mark: Option<Mark>) -> PictureZone {
-    let (upper, lower) = (deviations.upper(), deviations.lower());
+    let upper = deviations.upper();
+    let lower = deviations.lower();
     let is_upper = upper.abs() < lower.abs();
     let fundamental = if is_upper { upper } else { lower };
     PictureZone {
@@ -81,19 +82,23 @@ impl Picture {
         let height = if lowest < highest { highest - lowest } else { HEIGHT_OF_NONE };
         let of = |limits: &Limits, measured: Length| micrometres(measured.saturating_sub(limits.nominal));
         let marks = [hole.map(|hole| of(fit.hole(), hole)), shaft.map(|shaft| of(fit.shaft(), shaft))];
-        let (mut top, mut bottom) = (highest, lowest);
+        let mut top = highest;
+        let mut bottom = lowest;
         for mark in marks.into_iter().flatten() {
-            let (least, most) = (lowest - REACH * height, highest + REACH * height);
+            let least = lowest - REACH * height;
+            let most = highest + REACH * height;
             if mark < least {
                 bottom = bottom.min(lowest - ROOM * height);
             } else if most < mark {
                 top = top.max(highest + ROOM * height);
             } else {
-                (top, bottom) = (top.max(mark), bottom.min(mark));
+                top = top.max(mark);
+                bottom = bottom.min(mark);
             }
         }
         let margin = MARGIN * (top - bottom).max(height);
-        let (axis_min_um, axis_max_um) = (bottom - margin, top + margin);
+        let axis_min_um = bottom - margin;
+        let axis_max_um = top + margin;
         let mark = |um: f64| {
             if um < axis_min_um {
                 Mark::Below
@@ -104,7 +109,8 @@ impl Picture {
             }
         };
         let [of_hole, of_shaft] = marks.map(|um| um.map(mark));
-        let (hole, shaft) = (zone(fit.hole().deviations, of_hole), zone(fit.shaft().deviations, of_shaft));
+        let hole = zone(fit.hole().deviations, of_hole);
+        let shaft = zone(fit.shaft().deviations, of_shaft);
         Self { axis_min_um, axis_max_um, hole, shaft }
     }
 

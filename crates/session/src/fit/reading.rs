@@ -21,8 +21,11 @@ const MOST_FOUND: usize = 500;
 impl FitPage {
     /// Reads the fields anew.
     pub(super) fn read(&mut self, sources: &Arc<Sources>) {
-        let (side, scope) = (self.side, self.scope);
-        let (maps, asking, found) = (self.maps.take(), self.asking.take(), self.found.take());
+        let side = self.side;
+        let scope = self.scope;
+        let maps = self.maps.take();
+        let asking = self.asking.take();
+        let found = self.found.take();
         let texts = std::mem::take(&mut self.texts);
         *self = Self { texts, side, scope, maps, asking, found, ..Self::default() };
         let callout = self.text(FitField::Callout).to_owned();
@@ -37,13 +40,15 @@ impl FitPage {
         if text.trim().is_empty() {
             return;
         }
-        let (nominal, classes) = (nominal_text(text), class_text(text));
+        let nominal = nominal_text(text);
+        let classes = class_text(text);
         // The map and the search need only the size, even while the classes are being typed.
         self.nominal = nominal.trim_start_matches(['Ø', '⌀']).parse().ok().filter(|nominal| Length::ZERO < *nominal);
         match text.parse::<Callout>() {
             Ok(callout) => {
                 self.nominal = Some(callout.nominal());
-                (self.hole, self.shaft) = (callout.class_for(Feature::Hole), callout.class_for(Feature::Shaft));
+                self.hole = callout.class_for(Feature::Hole);
+                self.shaft = callout.class_for(Feature::Shaft);
                 self.read_fit(&callout, sources);
             }
             Err(error) => {
@@ -138,12 +143,14 @@ impl FitPage {
             return;
         }
         let map = |feature| ClassMap::new(feature, nominal, sources);
-        let (hole, shaft) = (map(Feature::Hole), map(Feature::Shaft));
+        let hole = map(Feature::Hole);
+        let shaft = map(Feature::Shaft);
         self.maps = Some(Maps { nominal, sources: Arc::clone(sources), hole, shaft });
     }
 
     fn search(&mut self, sources: &Arc<Sources>) {
-        let (minimum, maximum) = (self.length(FitField::WantedMinimum), self.length(FitField::WantedMaximum));
+        let minimum = self.length(FitField::WantedMinimum);
+        let maximum = self.length(FitField::WantedMaximum);
         let asking = self.nominal.zip(minimum.zip(maximum)).map(|(nominal, (minimum, maximum))| Asking {
             nominal,
             wanted: ClearanceRange { minimum, maximum },

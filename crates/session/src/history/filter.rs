@@ -18,7 +18,8 @@ impl History {
             let mut wanted = FilterWord::new(word);
             let named = statuses.iter().filter(|(_, name)| wanted.is_in(name));
             wanted.statuses = named.map(|(status, _)| *status).collect();
-            (wanted.simulated, wanted.typed) = (wanted.is_in(&simulated), wanted.is_in(&typed));
+            wanted.simulated = wanted.is_in(&simulated);
+            wanted.typed = wanted.is_in(&typed);
             wanted
         };
         let wanted: Vec<_> = text.split_whitespace().map(wanted).collect();

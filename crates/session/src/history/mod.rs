@@ -176,7 +176,8 @@ impl History {
 
     /// Adds checks as one step; returns the number of the last one.
     pub(super) fn add(&mut self, records: Vec<Arc<Record>>) -> RecordId {
-        let (first, count) = (self.records.next(), records.len());
+        let first = self.records.next();
+        let count = records.len();
         self.remember(Change::Added { first, count });
         self.records.add(records);
         RecordId(self.records.next().0.saturating_sub(1))
@@ -213,7 +214,8 @@ impl History {
         let removed = self.records.remove_from(RecordId::default());
         let count = removed.len();
         if 0 < count {
-            let (chosen, cursor) = (std::mem::take(&mut self.chosen), self.cursor.take());
+            let chosen = std::mem::take(&mut self.chosen);
+            let cursor = self.cursor.take();
             self.hidden = 0;
             self.remember(Change::Cleared { removed, chosen, cursor });
         }
@@ -232,7 +234,8 @@ impl History {
             }
             Change::Cleared { removed, chosen, cursor } => {
                 self.records.put_back(removed);
-                (self.chosen, self.cursor) = (chosen, cursor);
+                self.chosen = chosen;
+                self.cursor = cursor;
             }
         }
         self.count_hidden();

@@ -157,7 +157,8 @@ impl PairingPage {
             self.run += 1;
             return;
         }
-        (self.paired, self.selected) = (None, None);
+        self.paired = None;
+        self.selected = None;
         self.look += 1;
         self.run += 1;
         if self.at_work.is_none() {

@@ -75,7 +75,8 @@ pub struct FromMiddle {
 
 impl FromMiddle {
     fn of(wanted: PairClearances, clearance: Length) -> Self {
-        let (below, above) = (clearance.saturating_sub(wanted.minimum()), wanted.maximum().saturating_sub(clearance));
+        let below = clearance.saturating_sub(wanted.minimum());
+        let above = wanted.maximum().saturating_sub(clearance);
         Self { twice: below.saturating_sub(above) }
     }
 

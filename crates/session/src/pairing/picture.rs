@@ -85,8 +85,9 @@ impl Marks {
 
 impl PairsPicture {
     pub(super) fn of(answer: &PairingAnswer) -> Self {
-        let (holes, shafts, wanted) =
-            (&answer.asked.holes.measured, &answer.asked.shafts.measured, answer.asked.wanted);
+        let holes = &answer.asked.holes.measured;
+        let shafts = &answer.asked.shafts.measured;
+        let wanted = answer.asked.wanted;
         // Any zero will do where there is no part to place.
         let zero = holes.iter().min().or_else(|| shafts.iter().min()).map_or(Length::ZERO, |smallest| *smallest);
         let um = |length: Length| length.to_mm_f64() * 1e3;
@@ -154,19 +155,22 @@ impl PairsPicture {
         let around = self.pairs.get(here.saturating_sub(AROUND)..(here + AROUND + 1).min(self.pairs.len()));
         let Some(around) = around.filter(|around| MOST_AT_ONCE < count && !around.is_empty()) else {
             let all = |places: &[f64]| Marks::of(0..places.len());
-            let (holes, shafts) = (all(&self.holes), all(&self.shafts));
+            let holes = all(&self.holes);
+            let shafts = all(&self.shafts);
             let pairs = Marks::of(0..self.pairs.len());
             return PairingView { low: self.low, high: self.high, pairs, holes, shafts, is_all: true };
         };
         let places = || around.iter().flatten().copied();
-        let (low, high) = (places().fold(f64::INFINITY, f64::min), places().fold(f64::NEG_INFINITY, f64::max));
+        let low = places().fold(f64::INFINITY, f64::min);
+        let high = places().fold(f64::NEG_INFINITY, f64::max);
         let within = |places: &[f64]| {
             Marks::of(places.partition_point(|um| *um < low)..places.partition_point(|um| *um <= high))
         };
         // Pairs are in order of size on both sides.
         let first = self.pairs.partition_point(|[hole, shaft]| hole.max(*shaft) < low);
         let end = self.pairs.partition_point(|[hole, shaft]| hole.min(*shaft) <= high);
-        let (holes, shafts) = (within(&self.holes), within(&self.shafts));
+        let holes = within(&self.holes);
+        let shafts = within(&self.shafts);
         let (low, high) = widened(low, high);
         PairingView { low, high, pairs: Marks::of(first..end), holes, shafts, is_all: false }
     }

@@ -50,16 +50,7 @@ impl PartsPage {
                     self.sheet.step(step, false, &self.document);
                 }
             }
-            PlanCommand::Empty => {
-                let (rows, columns) = (self.sheet.selected_rows(), self.sheet.selected_columns());
-                self.document.change(&sources, |draft| {
-                    for row in selected(draft, &rows) {
-                        for column in &columns {
-                            write(row, *column, "");
-                        }
-                    }
-                });
-            }
+            PlanCommand::Empty => self.empty(&sources),
             PlanCommand::Copy => return Some(Effect::Copy(self.copied())),
             PlanCommand::AskForPaste => return Some(Effect::AskForClipboard),
             PlanCommand::Paste(text) => self.paste(&text, shared, &sources),
@@ -97,6 +88,19 @@ impl PartsPage {
         }
         self.sheet.follow(&self.document);
         None
+    }
+
+    /// Empties the selected cells.
+    fn empty(&mut self, sources: &Sources) {
+        let rows = self.sheet.selected_rows();
+        let columns = self.sheet.selected_columns();
+        self.document.change(sources, |draft| {
+            for row in selected(draft, &rows) {
+                for column in &columns {
+                    write(row, *column, "");
+                }
+            }
+        });
     }
 
     /// What the cell should probably hold at which the keys are.

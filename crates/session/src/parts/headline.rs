@@ -49,7 +49,8 @@ impl Walking {
     }
 
     fn whole(&self) -> FinishedPart {
-        let (status, standing) = (self.status(), self.standing());
+        let status = self.status();
+        let standing = self.standing();
         let mut reasons = Vec::new();
         if let Some(status) = status.filter(|status| *status != Status::Good) {
             let of_it = self.named(|step| step.counts().is_some_and(|taken| taken.status == status));

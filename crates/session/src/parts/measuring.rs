@@ -255,7 +255,8 @@ impl PartsPage {
 
     /// What a value is named in the journal: by its file, and what that does not say by this part.
     fn named(&self, value: &Arriving, words: &Words) -> Named {
-        let (is_own, of_file) = (value.at.is_some(), value.labels.as_deref());
+        let is_own = value.at.is_some();
+        let of_file = value.labels.as_deref();
         // What nobody said is empty in the journal.
         let said = |text: Option<&String>| text.map_or_else(String::new, String::clone);
         let label = said(of_file.map(|labels| &labels.part));

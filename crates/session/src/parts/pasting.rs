@@ -15,7 +15,8 @@ const MOST_NAMES: usize = 80;
 impl PartsPage {
     /// The selected cells as a spreadsheet takes them.
     pub(super) fn copied(&self) -> String {
-        let (rows, columns) = (self.sheet.selected_rows(), self.sheet.selected_columns());
+        let rows = self.sheet.selected_rows();
+        let columns = self.sheet.selected_columns();
         let rows = self.document.draft().rows.get(clamped(&rows, self.document.draft().rows.len()));
         let lines = rows
             .into_iter()
@@ -103,7 +104,8 @@ impl PartsPage {
 
     /// Writes one text into every selected cell.
     fn fill(&mut self, text: &str, sources: &Sources) {
-        let (rows, columns) = (self.sheet.selected_rows(), self.sheet.selected_columns());
+        let rows = self.sheet.selected_rows();
+        let columns = self.sheet.selected_columns();
         self.document.change(sources, |draft| {
             for row in selected(draft, &rows) {
                 for column in &columns {

@@ -23,7 +23,8 @@ impl Planned {
         use std::fmt::Write as _;
         let mut text = String::new();
         for size in plan.sizes() {
-            let (limits, axes) = (size.limits, size.feature.axes);
+            let limits = size.limits;
+            let axes = size.feature.axes;
             // A text takes whatever is written to it.
             _ = writeln!(text, "{}|{}|{}|{axes:?}", size.name(), limits.minimum(), limits.maximum());
         }

@@ -60,7 +60,8 @@ impl PartsPage {
         if !self.walking.is_begun() || plan.is_none() {
             return SavedWalk::default();
         }
-        let (serial, skipped) = (self.walking.serial().to_owned(), self.walking.skipped());
+        let serial = self.walking.serial().to_owned();
+        let skipped = self.walking.skipped();
         let Planned { sizes, since: planned } = self.walking.planned.clone();
         SavedWalk { plan, serial, since: self.walking.since, sizes, planned, skipped, watched: None }
     }
@@ -112,7 +113,8 @@ impl PartsPage {
             // Without a journal it cannot be said from which record on the plan is another one: the next time finds that out.
             self.walking.planned = Planned { sizes: saved.sizes.clone(), since: saved.planned };
         }
-        let (mut gone, sizes) = (BTreeSet::new(), Sizes::of(&plan));
+        let mut gone = BTreeSet::new();
+        let sizes = Sizes::of(&plan);
         for (name, reason) in &saved.skipped {
             match sizes.named(name, is_other_plan) {
                 Some(at) => _ = self.walking.skip(at, reason),
@@ -150,7 +152,9 @@ impl PartsPage {
             Err(why) => return shared.tell(message!("walk-page-not-read").message("why", why)),
         };
         let Some(plan) = self.walking.plan().map(Arc::clone) else { return };
-        let (mut count, mut gone, mut changed) = (0, BTreeSet::new(), Vec::new());
+        let mut count = 0;
+        let mut gone = BTreeSet::new();
+        let mut changed = Vec::new();
         let sizes = Sizes::of(&plan);
         let corrected: BTreeMap<u64, u64> = rows.iter().filter_map(corrects).collect();
         let mut came: Vec<(u64, (usize, Value))> = Vec::new();

@@ -26,7 +26,8 @@ pub(super) fn next(serial: &str) -> String {
 
 /// Whether a text is a serial number and no value: it is `own`, the one after it, or of the same shape, which has a letter in it.
 pub(super) fn is_like(text: &str, own: &str) -> bool {
-    let (text, own) = (text.trim(), own.trim());
+    let text = text.trim();
+    let own = own.trim();
     if text.is_empty() || own.is_empty() {
         return false;
     }

@@ -97,7 +97,8 @@ impl Sheet {
             })
         };
         let used: Vec<Column> = document.draft().used().collect();
-        let (at, from) = (self.at(), self.columns.get(self.from.1).copied());
+        let at = self.at();
+        let from = self.columns.get(self.from.1).copied();
         let has = |column: &Column| {
             // Where balloons are is seen on the picture.
             let is_used = used.contains(column) && !matches!(column, Column::BalloonX | Column::BalloonY);
@@ -110,7 +111,8 @@ impl Sheet {
         self.column = place(Some(at.1));
         self.from.1 = place(from);
         let last = Self::rows(document.draft()).saturating_sub(1);
-        (self.row, self.from.0) = (self.row.min(last), self.from.0.min(last));
+        self.row = self.row.min(last);
+        self.from.0 = self.from.0.min(last);
     }
 
     /// Shows every column, or those that are used.
@@ -146,7 +148,8 @@ impl Sheet {
 
     /// Moves by a step.
     pub(super) fn step(&mut self, step: Step, extends: bool, document: &PlanDocument) {
-        let (last_row, last) = (Self::rows(document.draft()).saturating_sub(1), self.columns.len().saturating_sub(1));
+        let last_row = Self::rows(document.draft()).saturating_sub(1);
+        let last = self.columns.len().saturating_sub(1);
         let (row, place) = match step {
             Step::Left => (self.row, self.column.saturating_sub(1)),
             Step::Right => (self.row, (self.column + 1).min(last)),
@@ -178,7 +181,8 @@ impl Sheet {
 
     /// Whether there is a cell after this one, or before it.
     pub fn can_tab(&self, forwards: bool, draft: &Draft) -> bool {
-        let (last_row, last) = (Self::rows(draft).saturating_sub(1), self.columns.len().saturating_sub(1));
+        let last_row = Self::rows(draft).saturating_sub(1);
+        let last = self.columns.len().saturating_sub(1);
         let end = if forwards { (last_row, last) } else { (0, 0) };
         (self.row, self.column) != end
     }
@@ -186,7 +190,8 @@ impl Sheet {
     /// Selects a block from the cell in its upper left corner.
     pub(super) fn select(&mut self, (row, column): (usize, Column), rows: usize, columns: usize) {
         let place = self.columns.iter().position(|of| *of == column).unwrap_or(0);
-        (self.row, self.column) = (row, place);
+        self.row = row;
+        self.column = place;
         let last = self.columns.len().saturating_sub(1);
         self.from = (row + rows.saturating_sub(1), (place + columns.saturating_sub(1)).min(last));
         self.moves += 1;
@@ -194,7 +199,8 @@ impl Sheet {
 
     /// Selects whole rows.
     pub(super) fn select_rows(&mut self, rows: RangeInclusive<usize>) {
-        (self.row, self.from.0) = (*rows.start(), *rows.end());
+        self.row = *rows.start();
+        self.from.0 = *rows.end();
         self.moves += 1;
     }
 }

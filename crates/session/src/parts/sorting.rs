@@ -6,7 +6,8 @@ use fitcheck_core::length::Length;
 
 /// Which of two cells comes first.
 pub(super) fn order(one: &str, other: &str) -> Ordering {
-    let (one, other) = (one.trim(), other.trim());
+    let one = one.trim();
+    let other = other.trim();
     match (one.is_empty(), other.is_empty()) {
         (false, false) => {}
         (is_empty, other_is_empty) => return is_empty.cmp(&other_is_empty),

@@ -251,7 +251,8 @@ impl Walking {
     pub(super) fn take(&mut self, at: usize, value: Value) {
         let status = value.record.verdict.status();
         let is_simulated = value.record.measurement.origin.is_simulated();
-        let (when, is_settled) = (value.when, value.is_settled);
+        let when = value.when;
+        let is_settled = value.is_settled;
         self.walk.take(at, SizeValue { status, is_simulated, when, is_settled });
         if value.record.measurement.origin == Origin::Typed {
             // Who types a value of a size that has a typed one has gone back to it.
@@ -262,12 +263,14 @@ impl Walking {
             values.push(value);
             self.rest(at, !is_held && (!self.is_chosen || self.at == Some(at)));
         }
-        (self.refusal, self.is_warned) = (None, false);
+        self.refusal = None;
+        self.is_warned = false;
     }
 
     /// The value of a size came last.
     pub(super) fn rest(&mut self, at: usize, rests: bool) {
-        (self.shown, self.resting) = (Some(at), rests.then_some(at));
+        self.shown = Some(at);
+        self.resting = rests.then_some(at);
     }
 
     /// Values that were measured before those that are there, in the order in which they came.
@@ -305,7 +308,9 @@ impl Walking {
 
     /// Takes these values and no others; what is asked for and what is shown stays.
     fn take_anew(&mut self, values: Vec<(usize, Value)>) {
-        let (at, shown, resting) = (self.at, self.shown, self.resting);
+        let at = self.at;
+        let shown = self.shown;
+        let resting = self.resting;
         let reasons: Vec<_> = self.walk.steps().iter().map(|step| step.skipped.clone()).collect();
         if let Some(plan) = &self.plan {
             self.walk = Walk::new(plan, std::mem::take(&mut self.walk.serial));
@@ -316,14 +321,17 @@ impl Walking {
         for (at, value) in values {
             self.take(at, value);
         }
-        (self.at, self.shown, self.resting) = (at, shown.or(self.shown), resting);
+        self.at = at;
+        self.shown = shown.or(self.shown);
+        self.resting = resting;
     }
 
     /// Asks for the next size that is open; where none is, for none.
     pub(super) fn go_on(&mut self) {
         let from = self.at.map_or(0, |at| at + 1);
         self.at = self.walk.next(from);
-        (self.is_chosen, self.seen) = (false, 0);
+        self.is_chosen = false;
+        self.seen = 0;
         self.look += 1;
     }
 
@@ -375,7 +383,8 @@ impl Walking {
     pub(super) fn go(&mut self, at: usize) {
         if at < self.count() {
             self.at = Some(at);
-            (self.is_chosen, self.seen) = (true, self.values(at).len());
+            self.is_chosen = true;
+            self.seen = self.values(at).len();
             self.look += 1;
             self.quiet();
             // Its own verdict is shown, or none.
@@ -405,8 +414,10 @@ impl Walking {
 
     /// Whatever was asked or refused is over.
     pub(super) fn quiet(&mut self) {
-        (self.question, self.refusal) = (None, None);
-        (self.is_skipping, self.is_warned) = (false, false);
+        self.question = None;
+        self.refusal = None;
+        self.is_skipping = false;
+        self.is_warned = false;
     }
 
     /// Whether a size is a diameter: half of what is removed is on each side.

@@ -89,7 +89,8 @@ impl Watched {
 
     /// What is kept of it until the next time; a plan without a file cannot be.
     pub(super) fn saved(&self) -> Option<SavedWatch> {
-        let (folder, plan) = (self.folder.clone()?, self.plan_path.clone()?);
+        let folder = self.folder.clone()?;
+        let plan = self.plan_path.clone()?;
         Some(SavedWatch { folder, plan }).filter(|saved| saved.folder.to_str().and(saved.plan.to_str()).is_some())
     }
 
@@ -113,8 +114,11 @@ impl Watched {
     /// Ends the watch; what was taken stays listed.
     pub(super) fn stop(&mut self) -> Option<Effect> {
         self.run += 1;
-        (self.waiting, self.trouble, self.pending) = (Vec::new(), None, None);
-        (self.is_late, self.is_unwritten) = (false, false);
+        self.waiting = Vec::new();
+        self.trouble = None;
+        self.pending = None;
+        self.is_late = false;
+        self.is_unwritten = false;
         self.folder.take().map(|_| Effect::StopWatch)
     }
 }
@@ -145,7 +149,8 @@ impl PartsPage {
         self.watched.run += 1;
         let run = self.watched.run;
         self.resume.watched = None;
-        let (folder, plan) = (Some(folder), Some(plan));
+        let folder = Some(folder);
+        let plan = Some(plan);
         self.watched = Watched { folder, plan, plan_path, run, is_late: true, ..Watched::default() };
         self.begin_watch(shared);
     }
@@ -159,7 +164,9 @@ impl PartsPage {
             return;
         }
         if shared.recording.has_failed_to_open() {
-            (watched.folder, watched.is_late, watched.is_unwritten) = (None, false, false);
+            watched.folder = None;
+            watched.is_late = false;
+            watched.is_unwritten = false;
             return shared.tell(message!("walk-page-watch-no-journal"));
         }
         watched.is_unwritten = shared.recording.is_on() && 0 < shared.recording.unwritten();
@@ -192,8 +199,10 @@ impl PartsPage {
     pub(super) fn watch_anew(&mut self, shared: &mut Shared) {
         let watched = &mut self.watched;
         if watched.folder.is_some() {
-            (watched.run, watched.is_late) = (watched.run + 1, true);
-            (watched.pending, watched.waiting) = (None, Vec::new());
+            watched.run += 1;
+            watched.is_late = true;
+            watched.pending = None;
+            watched.waiting = Vec::new();
             self.begin_watch(shared);
         }
     }
@@ -204,7 +213,10 @@ impl PartsPage {
             return;
         }
         match news {
-            WatchNews::Begun(known) => (self.watched.known, self.watched.trouble) = (Some(known), None),
+            WatchNews::Begun(known) => {
+                self.watched.known = Some(known);
+                self.watched.trouble = None;
+            }
             WatchNews::Waiting(waiting) => self.watched.waiting = waiting,
             WatchNews::Trouble(trouble) => self.watched.trouble = trouble,
             WatchNews::Look { number, files } => self.look(number, files, shared, now),

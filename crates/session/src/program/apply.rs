@@ -121,7 +121,8 @@ impl ProgramPage {
 
     fn go(&mut self, step: Step) {
         let Some(document) = self.shown() else { return };
-        let (here, last) = (document.selected, document.program.blocks().len().saturating_sub(1));
+        let here = document.selected;
+        let last = document.program.blocks().len().saturating_sub(1);
         let block = match step {
             Step::Up => here.saturating_sub(1),
             Step::Down => here + 1,

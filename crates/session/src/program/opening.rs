@@ -61,9 +61,12 @@ impl ProgramPage {
         self.typed.clear();
         self.documents.clear();
         self.documents.insert(path.clone(), document);
-        (self.main, self.shown, self.origin) = (Some(path.clone()), Some(path), Some(origin));
+        self.main = Some(path.clone());
+        self.shown = Some(path);
+        self.origin = Some(origin);
         self.warnings = warnings;
-        (self.looks, self.look) = (self.looks.wrapping_add(1), 0);
+        self.looks = self.looks.wrapping_add(1);
+        self.look = 0;
         self.check_inputs();
         self.reset();
     }

@@ -257,7 +257,9 @@ impl Run {
     }
 
     fn pause_because(&mut self, reason: Message) {
-        (self.state, self.reason, self.goal) = (State::Paused, reason, Goal::None);
+        self.state = State::Paused;
+        self.reason = reason;
+        self.goal = Goal::None;
     }
 
     /// Runs one block.
@@ -273,10 +275,14 @@ impl Run {
         self.looked_through = self.machine.remarks().len();
         match result {
             Ok(Step::Went) => {}
-            Ok(Step::Ended) => (self.state, self.goal) = (State::Ended, Goal::None),
+            Ok(Step::Ended) => {
+                self.state = State::Ended;
+                self.goal = Goal::None;
+            }
             Ok(Step::Paused(pause)) => self.pause_because(reason(&pause)),
             Err(fault) => {
-                (self.state, self.goal) = (State::Faulted, Goal::None);
+                self.state = State::Faulted;
+                self.goal = Goal::None;
                 self.fault = Some(fault);
             }
         }

@@ -47,7 +47,8 @@ impl ProgramPage {
     fn follow(&mut self) {
         // A program that measured or opened a window names its parameters, even after it has returned.
         let places = self.run.as_ref().map(|run| {
-            let (cycle, window) = (run.cycles().last(), run.windows().last());
+            let cycle = run.cycles().last();
+            let window = run.windows().last();
             [cycle.map(|cycle| cycle.place.program.clone()), window.map(|window| window.place.program.clone())]
         });
         for path in places.into_iter().flatten().flatten() {
@@ -66,7 +67,8 @@ impl ProgramPage {
             return Err(message!("program-page-refused-inputs"));
         }
         let document = self.main().ok_or_else(|| message!("program-page-refused-none"))?;
-        let (path, program) = (document.path.to_string(), Arc::clone(&document.program));
+        let path = document.path.to_string();
+        let program = Arc::clone(&document.program);
         let contacts = self.contacts(shared)?;
         let folders = match &self.origin {
             Some(Origin::File(path)) => (shared.program_files.0)(path),
@@ -162,7 +164,8 @@ impl ProgramPage {
 
     /// Back to before the first block. The open program is shown again.
     pub(super) fn reset(&mut self) {
-        (self.run, self.refused) = (None, None);
+        self.run = None;
+        self.refused = None;
         let main = self.main.clone();
         self.documents.retain(|path, _| Some(path) == main.as_ref());
         if self.shown != main {

@@ -93,7 +93,9 @@ impl Recording {
         if !self.is_on() {
             return Sent::default();
         }
-        let (mut entries, mut known, mut refused) = (Vec::new(), Vec::new(), Vec::new());
+        let mut entries = Vec::new();
+        let mut known = Vec::new();
+        let mut refused = Vec::new();
         for (id, ToKeep { record, named, files }) in (first.0..).map(RecordId).zip(checks) {
             let check = Check { what: Checked::Size(record), files, corrects: None };
             let entry = self.entry(&named, Content::Check(Box::new(check)));

@@ -167,7 +167,8 @@ impl Recording {
                 if self.journal.is_none() {
                     self.begin_sending();
                 }
-                (self.journal, self.keeping) = (Some(journal), Keeping::Open);
+                self.journal = Some(journal);
+                self.keeping = Keeping::Open;
             }
             Err(problem) => self.keeping = Keeping::Failed(problem),
         }

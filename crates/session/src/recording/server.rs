@@ -63,7 +63,8 @@ impl Recording {
     /// What is known of it now. What comes late from a server that was left is of no use.
     pub(crate) fn of_server(&mut self, unsent: Option<u64>, trouble: Option<Message>) {
         if self.settings.server.is_some() {
-            (self.server.unsent, self.server.trouble) = (unsent, trouble);
+            self.server.unsent = unsent;
+            self.server.trouble = trouble;
         }
     }
 

@@ -70,7 +70,10 @@ impl PageState for RecordsPage {
             RecordsCommand::Read { numbers, result } => self.read(numbers, result),
             RecordsCommand::Move(step) => self.step(step),
             RecordsCommand::Open(number) => return self.open(number),
-            RecordsCommand::CloseRecord => (self.open, self.correcting) = (None, None),
+            RecordsCommand::CloseRecord => {
+                self.open = None;
+                self.correcting = None;
+            }
             RecordsCommand::Choose(number, is_chosen) => self.choose(number, is_chosen),
             RecordsCommand::ChooseNone => self.chosen.clear(),
             RecordsCommand::WithSimulated(with) => self.with_simulated = with,

@@ -40,7 +40,9 @@ impl Shorthand {
 
 /// The words of a question with their places; what is in quotation marks is of one word.
 fn words(text: &str) -> Vec<(Range<usize>, &str)> {
-    let (mut words, mut start, mut is_quoted) = (Vec::new(), None, false);
+    let mut words = Vec::new();
+    let mut start = None;
+    let mut is_quoted = false;
     for (at, sign) in text.char_indices().chain([(text.len(), ' ')]) {
         is_quoted ^= sign == '"';
         let is_between = sign.is_whitespace() && !is_quoted || at == text.len();

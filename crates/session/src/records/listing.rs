@@ -63,7 +63,9 @@ pub struct Listing {
 impl Listing {
     /// Another question was asked. The rows stay, greyed, until its answer comes.
     pub(super) fn ask(&mut self) {
-        (self.is_stale, self.is_whole, self.unread) = (true, false, None);
+        self.is_stale = true;
+        self.is_whole = false;
+        self.unread = None;
         self.asked.clear();
     }
 
@@ -145,7 +147,8 @@ impl Listing {
 
     /// The pages to read because these places are in sight, and the next one in the direction of scrolling.
     pub(super) fn see(&mut self, places: &Range<usize>) -> Vec<Vec<u64>> {
-        let (first, last) = (places.start / PAGE, places.end.saturating_sub(1) / PAGE);
+        let first = places.start / PAGE;
+        let last = places.end.saturating_sub(1) / PAGE;
         let ahead = if places.start < self.seen { first.checked_sub(1) } else { last.checked_add(1) };
         self.seen = places.start;
         let pages = (first..=last).take(MOST_PAGES / 2).chain(ahead);

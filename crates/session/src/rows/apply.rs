@@ -44,8 +44,11 @@ impl Rows {
             return;
         }
         self.layout = news.layout.or_else(|| self.layout.take());
-        (self.classes, self.tally) = (news.classes, news.tally);
-        (self.bytes, self.elapsed_ms, self.end) = (news.bytes, news.elapsed_ms, news.end);
+        self.classes = news.classes;
+        self.tally = news.tally;
+        self.bytes = news.bytes;
+        self.elapsed_ms = news.elapsed_ms;
+        self.end = news.end;
         self.sha256 = news.sha256;
         self.counts.resize(self.classes.len() + 1, [0; FATES]);
         self.sieve = self.filter.sieve(self.classes.len());
@@ -174,7 +177,8 @@ impl Rows {
 
     /// What a row says, and its check as an import makes it; `None` where it was not read yet.
     pub(crate) fn row(&self, number: u64, sources: &Sources, now: DateTime) -> Option<ShownRow> {
-        let (picked, layout) = (self.read.get(&number)?, self.layout()?);
+        let picked = self.read.get(&number)?;
+        let layout = self.layout()?;
         let line = layout.line + picked.line;
         let is_split = picked.judged.is_some() || picked.cells.len() != 1 || layout.names.len() == 1;
         let cells = picked.cells.iter().enumerate().map(|(at, cell)| {

@@ -187,7 +187,8 @@ impl Rows {
     pub fn at(&self, place: usize) -> Option<Listed<'_>> {
         let after = self.before.partition_point(|before| *before <= place);
         let at = after.checked_sub(1)?;
-        let (part, before) = (self.parts.get(at)?, self.before.get(at)?);
+        let part = self.parts.get(at)?;
+        let before = self.before.get(at)?;
         let nth = place - before;
         let in_part = part.nth(nth, &self.sieve)?;
         let (fate, class) = part.row(in_part)?;

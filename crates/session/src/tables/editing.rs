@@ -28,7 +28,8 @@ impl TablesPage {
         if text(TablesField::CellUpper).is_empty() && text(TablesField::CellLower).is_empty() {
             return Ok(None);
         }
-        let (upper, lower) = (read(TablesField::CellUpper)?, read(TablesField::CellLower)?);
+        let upper = read(TablesField::CellUpper)?;
+        let lower = read(TablesField::CellLower)?;
         let plain = |length| plain(length, language);
         let order = |_| message!("tables-order").text("upper", plain(upper)).text("lower", plain(lower));
         Deviations::new(upper, lower).map(Some).map_err(|error| (TablesField::CellUpper, order(error)))

@@ -37,12 +37,14 @@ impl TablesPage {
     /// Moves by a step among the shown columns. A selected cell that the filter hides counts as the nearest shown one.
     pub(super) fn move_by(&mut self, step: Step, shared: &Shared) {
         let Some(document) = self.shown() else { return };
-        let (table, shown) = (document.table(), &self.filter.columns);
+        let table = document.table();
+        let shown = &self.filter.columns;
         let Some((class, range)) = document.selected else { return };
         let Some(here) = document.column(class) else { return };
         let place = shown.partition_point(|&column| column < here);
         let is_shown = shown.get(place) == Some(&here);
-        let (last_place, last_range) = (shown.len().saturating_sub(1), table.ends().len().saturating_sub(1));
+        let last_place = shown.len().saturating_sub(1);
+        let last_range = table.ends().len().saturating_sub(1);
         let (place, range) = match step {
             Step::Left => (place.saturating_sub(1), range),
             Step::Right if is_shown => (place + 1, range),
