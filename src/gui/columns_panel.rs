@@ -68,7 +68,7 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         let size = vec2(view.width_of(ui, &[WindowAction::TakeColumns]), control(ui));
         let take = view.named(WindowAction::TakeColumns).min_size(size);
         let take = view.button_as(ui, WindowAction::TakeColumns, take);
-        if just_opened(ui, Id::unique("columns")) && open.refusal().is_none() {
+        if just_opened(ui, Id::unique("columns")) && open.refusal.is_none() {
             take.request_focus();
         }
         if ui.add(Button::new(view.text("dialog-cancel")).min_size(vec2(space(24.0), control(ui)))).clicked() {
@@ -137,7 +137,8 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     };
     let places = units(choice.place_unit, ColumnChoice::PlaceUnit);
     let mut units = units(choice.unit, ColumnChoice::Unit);
-    if let Some(((text, ..), from)) = units.first_mut().zip(open.unit_from().filter(|_| choice.unit.is_none())) {
+    if let Some(((text, ..), from)) = units.first_mut().zip(open.unit_from.as_deref().filter(|_| choice.unit.is_none()))
+    {
         *text = view.words.say(&message!("columns-page-unit-from").text("from", from));
     }
     named_list_ui(ui, view, "columns-page-decimal", decimals);
@@ -198,9 +199,9 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, open: &OpenColumns) {
     let said = view.words.say(&message);
     let line = ui.label(&said);
     live(ui, &line, &said, Live::Polite);
-    if let Some(refusal) = open.refusal() {
+    if let Some(refusal) = open.refusal.as_ref() {
         problem(ui, view.words.say(refusal));
-    } else if let Some(wrong) = open.problem() {
+    } else if let Some(wrong) = open.problem.as_ref() {
         let first = message!("columns-page-first-problem").message("why", wrong.clone());
         problem(ui, view.words.say(&first));
     }

@@ -69,7 +69,7 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
         ui.set_min_size(vec2(ui.available_width(), height));
         ui.set_max_height(height);
         ui.spacing_mut().item_spacing.y = 0.0;
-        if let Some(text) = list.problem() {
+        if let Some(text) = list.problem.as_ref() {
             problem(ui, view.words.say(text));
         } else if list.is_empty() {
             let text = if list.is_reading() { "dialog-list-reading" } else { "dialog-list-empty" };

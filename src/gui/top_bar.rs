@@ -83,7 +83,7 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.separator();
     // What will be exported is said before it is.
     let history = view.session.history();
-    let rows = view.session.check().rows().filter(|_| view.session.lists_rows());
+    let rows = view.session.check().rows.as_ref().filter(|_| view.session.lists_rows());
     let said = match (history.chosen_count(), history.exported_count()) {
         (0, listed) if listed < history.len() => {
             message!("history-exported-listed").count("count", listed).count("all", history.len())

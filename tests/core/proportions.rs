@@ -407,7 +407,7 @@ mod window {
     }
 
     fn status(session: &Session) -> Option<Status> {
-        session.check().shown().map(|shown| shown.record.verdict.status())
+        session.check().shown.as_ref().map(|shown| shown.record.verdict.status())
     }
 
     fn act(session: &mut Session, action: Action) {
@@ -428,7 +428,7 @@ mod window {
         run(&mut session, [CheckCommand::Measure.into()]);
         assert_eq!(status(&session), Some(Status::Good));
         assert_eq!(session.text(CheckField::Callout), "25 +0.021 0");
-        assert_eq!(session.check().shown().unwrap().record.limits.maximum().to_string(), "25.021");
+        assert_eq!(session.check().shown.as_ref().unwrap().record.limits.maximum().to_string(), "25.021");
     }
 
     #[test]
@@ -436,7 +436,7 @@ mod window {
         let mut session = asked("25 +21/0", "30");
         act(&mut session, CheckAction::KeepText.into());
         assert_eq!(status(&session), Some(Status::Good));
-        assert_eq!(session.check().shown().unwrap().record.limits.maximum().to_string(), "46");
+        assert_eq!(session.check().shown.as_ref().unwrap().record.limits.maximum().to_string(), "46");
         // The next value of the same callout is judged; another callout asks again.
         run(&mut session, [typed(CheckField::Measured, "47"), CheckCommand::Measure.into()]);
         assert_eq!(status(&session), Some(Status::Scrap));

@@ -196,7 +196,7 @@ fn opened() -> Session {
 }
 
 fn rows(session: &Session) -> &Rows {
-    session.check().rows().unwrap()
+    session.check().rows.as_ref().unwrap()
 }
 
 fn send(session: &mut Session, command: RowsCommand) -> Vec<Effect> {
@@ -242,11 +242,11 @@ fn a_cancelled_run_keeps_its_rows_and_says_that_it_is_not_whole() {
     assert_eq!(send(&mut session, RowsCommand::Cancel), [Effect::StopRows]);
     assert!(!session.can(CheckAction::CancelRows) && session.can(CheckAction::JudgeRowsAgain));
     // At once, whatever its worker waits for.
-    assert_eq!(rows(&session).end(), Some(&End::Cancelled));
+    assert_eq!(rows(&session).end.as_ref(), Some(&End::Cancelled));
     assert_eq!((rows(&session).count(), rows(&session).listed()), (count, usize::try_from(count).unwrap()));
     // What comes too late changes nothing, nor does a second cancel.
     judged(&mut session, 1, news(&text, 9, Some(End::Done)));
-    assert_eq!((rows(&session).count(), rows(&session).end()), (count, Some(&End::Cancelled)));
+    assert_eq!((rows(&session).count(), rows(&session).end.as_ref()), (count, Some(&End::Cancelled)));
     assert!(send(&mut session, RowsCommand::Cancel).is_empty());
 }
 
@@ -264,7 +264,7 @@ fn another_file_ends_the_first_and_its_late_answers_are_not_heard() {
     let imported = Box::new(import("small.csv", b"id,callout,measured\n1,25 H7,25.01\n", &Sources::default(), now()));
     let command = CheckCommand::Imported { name: "small.csv".to_owned(), result: Ok(imported) };
     assert_eq!(session.apply(command.into(), now()), [Effect::StopRows]);
-    assert!(!session.check().shows_rows() && session.check().rows().is_some());
+    assert!(!session.check().shows_rows() && session.check().rows.is_some());
 }
 
 #[test]
@@ -322,9 +322,9 @@ fn the_check_of_a_row_is_the_one_that_an_import_makes() {
     for number in [0_u64, 1, 57, 99] {
         let effects = send(&mut session, RowsCommand::Check(number));
         answer(&mut session, &text, effects);
-        let shown = session.check().shown().unwrap();
+        let shown = session.check().shown.as_ref().unwrap();
         assert_eq!(*shown.record, imported.records[usize::try_from(number).unwrap()]);
-        let row = rows(&session).shown().unwrap();
+        let row = rows(&session).shown.as_ref().unwrap();
         assert_eq!((row.number, row.line), (number, 2 + usize::try_from(number).unwrap()));
         assert_eq!(row.cells[0], ("id".to_owned(), format!("P{number}")));
     }
@@ -334,12 +334,12 @@ fn the_check_of_a_row_is_the_one_that_an_import_makes() {
     // A row without a verdict takes the check away, and says why.
     let effects = send(&mut session, RowsCommand::Check(100));
     answer(&mut session, &text, effects);
-    assert!(session.check().shown().is_none());
-    let why = rows(&session).shown().unwrap().why.clone().unwrap();
+    assert!(session.check().shown.is_none());
+    let why = rows(&session).shown.as_ref().unwrap().why.clone().unwrap();
     assert_eq!(why.to_string(), "measured: a length is missing");
     // Any edit takes the row away, too.
     session.apply(CheckCommand::Clear.into(), now());
-    assert!(rows(&session).shown().is_none());
+    assert!(rows(&session).shown.is_none());
 }
 
 #[test]
@@ -355,7 +355,7 @@ fn rows_in_sight_are_asked_for_once_and_a_file_that_has_changed_is_said() {
     let effects = send(&mut session, RowsCommand::See(60..70));
     assert_eq!(effects.len(), 1);
     send(&mut session, RowsCommand::Read { run: 1, result: Err(Message::new("rows-changed")) });
-    assert!(rows(&session).unread().is_some());
+    assert!(rows(&session).unread.is_some());
     assert!(send(&mut session, RowsCommand::See(60..70)).is_empty(), "nothing is asked for again and again");
 }
 

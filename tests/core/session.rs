@@ -48,7 +48,7 @@ fn measure(session: &mut Session, callout: &str, measured: &str) {
 }
 
 fn status(session: &Session) -> Option<Status> {
-    session.check().shown().map(|shown| shown.record.verdict.status())
+    session.check().shown.as_ref().map(|shown| shown.record.verdict.status())
 }
 
 fn can_undo(session: &Session) -> bool {
@@ -56,12 +56,12 @@ fn can_undo(session: &Session) -> bool {
 }
 
 fn window(session: &Session) -> &str {
-    session.check().shown().unwrap().window.as_ref().unwrap()
+    session.check().shown.as_ref().unwrap().window.as_ref().unwrap()
 }
 
 /// The limits on screen, mm.
 fn limits(session: &Session) -> Option<(String, String)> {
-    session.check().asked.limits().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
+    session.check().asked.limits.as_ref().map(|limits| (limits.minimum().to_string(), limits.maximum().to_string()))
 }
 
 fn mm(minimum: &str, maximum: &str) -> (String, String) {
@@ -71,8 +71,8 @@ fn mm(minimum: &str, maximum: &str) -> (String, String) {
 /// There is no verdict next to limits that it was not made with.
 #[track_caller]
 fn check_limits_belong_to_the_verdict(session: &Session) {
-    if let Some(shown) = session.check().shown() {
-        assert_eq!(session.check().asked.limits(), Some(&shown.record.limits));
+    if let Some(shown) = session.check().shown.as_ref() {
+        assert_eq!(session.check().asked.limits.as_ref(), Some(&shown.record.limits));
     }
 }
 
@@ -170,7 +170,7 @@ fn the_same_seed_measures_the_same_and_counts_up() {
         );
         assert_eq!(session.text(CheckField::Seed), (seed.parse::<u64>().unwrap() + 1).to_string());
         check_limits_belong_to_the_verdict(&session);
-        session.check().shown().unwrap().record.measurement.clone()
+        session.check().shown.as_ref().unwrap().record.measurement.clone()
     };
     assert_eq!(measured("7"), measured("7"));
     assert_ne!(measured("7"), measured("8"));
@@ -221,7 +221,7 @@ fn limits_of_a_log_stay_until_there_are_others() {
     measure(&mut session, "25 H7", "25.012");
     let answer = imported(&session, "TCHPR421.TXT", &log());
     run(&mut session, [answer]);
-    let record = Arc::clone(&session.check().shown().unwrap().record);
+    let record = Arc::clone(&session.check().shown.as_ref().unwrap().record);
     assert_eq!(record.callout, None);
     // The callout in the field belonged to other limits.
     assert_eq!(session.text(CheckField::Callout), "");
@@ -229,13 +229,13 @@ fn limits_of_a_log_stay_until_there_are_others() {
         [typed(CheckField::Part, "Bore A"), typed(CheckField::Measured, "9.9"), typed(CheckField::CentreX, "1")]
     {
         run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1))), change]);
-        assert!(session.check().shown().is_none(), "the verdict was made with other inputs");
-        assert_eq!(session.check().asked.limits(), Some(&record.limits));
+        assert!(session.check().shown.is_none(), "the verdict was made with other inputs");
+        assert_eq!(session.check().asked.limits.as_ref(), Some(&record.limits));
     }
     // The next check is made with the limits on screen, and the typed value stays readable.
     run(&mut session, [typed(CheckField::Measured, "25.001"), Command::Check(CheckCommand::Measure)]);
     assert_eq!((session.history().len(), session.text(CheckField::Measured)), (3, "25.001"));
-    assert_eq!(session.check().shown().unwrap().record.limits, record.limits);
+    assert_eq!(session.check().shown.as_ref().unwrap().record.limits, record.limits);
     run(&mut session, [Command::Check(CheckCommand::Show(RecordId(0)))]);
     assert_eq!((session.text(CheckField::Callout), limits(&session)), ("25 H7", Some(mm("25", "25.021"))));
     run(&mut session, [Command::Check(CheckCommand::Show(RecordId(1))), Command::Check(CheckCommand::Clear)]);
@@ -320,7 +320,7 @@ fn contacts_of_a_file_are_judged_by_the_limits_on_screen() {
     for (callout, expected) in [("25 H7", Status::Good), ("25.1 H7", Status::Rework), ("25 h6", Status::Rework)] {
         run(&mut session, [typed(CheckField::Callout, callout), answer.clone()]);
         assert_eq!(status(&session), Some(expected), "{callout}");
-        assert_eq!(session.check().shown().unwrap().record.measurement.contacts.len(), 4);
+        assert_eq!(session.check().shown.as_ref().unwrap().record.measurement.contacts.len(), 4);
     }
 }
 
@@ -444,7 +444,7 @@ fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
     );
     run(&mut session, [typed(CheckField::Measured, "25.01"), Command::Check(CheckCommand::Measure)]);
     assert_eq!((status(&session), session.check().asked.needs_feature()), (Some(Status::Good), true));
-    assert_eq!(session.check().shown().unwrap().record.callout.unwrap().to_string(), "25 H7");
+    assert_eq!(session.check().shown.as_ref().unwrap().record.callout.unwrap().to_string(), "25 H7");
     run(&mut session, [typed(CheckField::Part, "Bush")]);
     assert!(session.check().asked.needs_feature());
     check_limits_belong_to_the_verdict(&session);

@@ -55,14 +55,14 @@ fn choose_all(session: &mut Session) {
 fn the_first_rows_tell_what_a_choice_makes_of_them() {
     let mut session = Session::new(Language::En);
     ask(&mut session, "a.csv", ODD);
-    assert_eq!(said(open(&session).refusal().unwrap()), "No column holds the measured value: choose one");
+    assert_eq!(said(open(&session).refusal.as_ref().unwrap()), "No column holds the measured value: choose one");
     assert!(!session.can(WindowAction::TakeColumns));
     assert_eq!(send(&mut session, ColumnsCommand::Take), []);
     assert!(session.open_columns().is_some(), "nothing is taken");
     choose_all(&mut session);
     let shown = open(&session);
     assert_eq!((shown.width, shown.header, shown.lines.as_slice(), shown.read), (4, Some(1), &[2, 3][..], 1));
-    assert_eq!(said(shown.problem().unwrap()), "line 3, column 3: measured: zwölf is not a number");
+    assert_eq!(said(shown.problem.as_ref().unwrap()), "line 3, column 3: measured: zwölf is not a number");
     // In another unit 25,012 is 635.3048 mm, which is far from 25: it is read all the same.
     choose(&mut session, ColumnChoice::Unit(Some("inch".parse().unwrap())));
     assert_eq!(open(&session).read, 1);

@@ -51,11 +51,11 @@ const FACE: [&str; 8] = ["Q263=35", "Q264=45", "Q261=5", "Q272=3", "Q267=-1", "Q
 const STUD: [&str; 5] = ["Q273=50", "Q274=50", "Q262=75", "Q277=74.9", "Q278=74.8"];
 
 fn status(session: &Session) -> Option<Status> {
-    session.cycles().run().and_then(|run| run.found()).and_then(|result| result.status)
+    session.cycles().run.as_ref().and_then(|run| run.found()).and_then(|result| result.status)
 }
 
 fn problem(session: &Session) -> String {
-    let problem = session.cycles().run().and_then(|run| run.result.as_ref().err());
+    let problem = session.cycles().run.as_ref().and_then(|run| run.result.as_ref().err());
     problem.map(|problem| Words::new(Language::En).say(problem)).unwrap_or_default()
 }
 
@@ -79,18 +79,18 @@ fn a_run_is_kept_with_its_inputs_and_any_change_clears_it() {
     for change in changes {
         now(&mut session);
         send(&mut session, change.clone());
-        assert!(session.cycles().run().is_none(), "{change:?}");
+        assert!(session.cycles().run.is_none(), "{change:?}");
         assert!(session.cycles().window(session.drawn_with()).is_none());
     }
     // The simulated workpiece is not an input until it is changed.
     now(&mut session);
     send(&mut session, WorkpieceCommand::Type(WorkpieceField::Diameter, "30".into()));
     send(&mut session, WorkpieceCommand::ChooseShape(Shape::Face));
-    assert!(session.cycles().run().is_some());
+    assert!(session.cycles().run.is_some());
     send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
     apply(&mut session, Command::Cycles(CyclesCommand::Run));
     send(&mut session, WorkpieceCommand::Type(WorkpieceField::PointZ, "5".into()));
-    assert!(session.cycles().run().is_none());
+    assert!(session.cycles().run.is_none());
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn what_is_typed_is_kept_for_each_cycle_and_over_a_restart() {
     assert_eq!((again.cycles().cycle.number, again.text(field(&again, "Q263"))), (427, "35,5"));
     send(&mut again, CyclesCommand::Choose(444));
     assert_eq!(again.text(field(&again, "QS400")), "0.4-0.1");
-    assert!(again.cycles().run().is_none());
+    assert!(again.cycles().run.is_none());
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn predef_asks_for_what_it_stands_for() {
     }
     send(&mut session, CyclesCommand::Type(global, "4".into()));
     apply(&mut session, Command::Cycles(CyclesCommand::Run));
-    let run = session.cycles().run().unwrap();
+    let run = session.cycles().run.as_ref().unwrap();
     assert_eq!(run.found().unwrap().inputs.value(320), Some(&Value::Length(Length::from_micrometres(4_000))));
 }
 
@@ -165,7 +165,7 @@ fn every_cycle_is_run_and_stepped() {
         let mut session = with(number, settings);
         send(&mut session, CyclesCommand::Run);
         assert_eq!(problem(&session), "", "{number}");
-        let run = session.cycles().run().unwrap();
+        let run = session.cycles().run.as_ref().unwrap();
         assert_eq!((run.path.len(), session.cycles().step), (moves, moves - 1), "{number}");
         for (command, at) in [
             (CyclesCommand::Step(Step::Right), moves - 1),
@@ -192,7 +192,7 @@ fn a_cycle_that_does_not_come_to_its_end_shows_its_way() {
     send(&mut session, WorkpieceCommand::Type(WorkpieceField::PointZ, "-60".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "contact 1: the probe met nothing within the probing path of 50 mm");
-    assert!(!session.cycles().run().unwrap().path.is_empty());
+    assert!(!session.cycles().run.as_ref().unwrap().path.is_empty());
     send(&mut session, WorkpieceCommand::Type(WorkpieceField::Temperature, "hot".into()));
     send(&mut session, CyclesCommand::Run);
     assert_eq!(problem(&session), "simulated workpiece: Workpiece temperature: hot is not a number");
@@ -224,7 +224,7 @@ fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
     let mut session = with(427, &FACE);
     fill(&mut session, &["Q281=0"]);
     send(&mut session, CyclesCommand::Run);
-    assert!(session.cycles().run().unwrap().found().is_some() && session.cycles().log().is_none());
+    assert!(session.cycles().run.as_ref().unwrap().found().is_some() && session.cycles().log().is_none());
     apply(&mut session, Command::OpenDialog(Purpose::SaveCycleLog));
     assert!(apply(&mut session, Command::Confirm).is_empty(), "no log, no file");
     apply(&mut session, Command::Close);
@@ -257,7 +257,7 @@ fn the_workpiece_is_saved_and_opened_as_a_file() {
     let Some(Effect::Save(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     assert_eq!(path.display().to_string(), "workpiece.toml");
     let bench = Simulation::read(std::str::from_utf8(&content.bytes().unwrap()).unwrap()).unwrap();
-    assert_eq!(Some(&bench), session.workpiece().simulation());
+    assert_eq!(Some(&bench), session.workpiece().simulation.as_ref());
     let mut other = with(421, &[]);
     apply(&mut other, Command::OpenDialog(Purpose::OpenCycleFile(CycleFile::Workpiece)));
     apply(&mut other, Command::TypePath("workpiece.toml".into()));
@@ -286,7 +286,7 @@ fn recorded_contacts_are_measured_in_their_order() {
     );
     send(&mut session, CyclesCommand::Run);
     assert_eq!(status(&session), Some(Status::Good));
-    let run = session.cycles().run().unwrap();
+    let run = session.cycles().run.as_ref().unwrap();
     assert_eq!(run.found().unwrap().value(153), Some(&Value::Length(Length::from_micrometres(25_002))));
     let words = Words::new(Language::En);
     let said: Vec<_> = run.remarks().iter().map(|remark| words.say(remark)).collect();
@@ -301,7 +301,7 @@ fn a_block_fills_the_form_or_changes_nothing() {
     let block = "11 TCH PROBE 427 MISURAZ. COORDINATA ~\nQ263=+35 ;1. PUNTO 1. ASSE ~\nQ272=+3 ;ASSE ~\nQ999=+1 ;? ~\n";
     send(&mut session, CyclesCommand::TypeBlock(block.into()));
     send(&mut session, CyclesCommand::TakeBlock);
-    let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
+    let said = session.cycles().block_problem.as_ref().map(|problem| Words::new(Language::En).say(problem));
     assert!(said.unwrap().starts_with("line 4: cycle 427 has no parameter Q999: its parameters are Q263, Q264, "));
     assert_eq!(session.cycles().cycle.number, 421);
     // Another block of the program, or a block that is cut off, is not taken in part either.
@@ -324,13 +324,13 @@ fn a_block_fills_the_form_or_changes_nothing() {
     ] {
         send(&mut session, CyclesCommand::TypeBlock(changed));
         send(&mut session, CyclesCommand::TakeBlock);
-        let said = session.cycles().block_problem().map(|problem| Words::new(Language::En).say(problem));
+        let said = session.cycles().block_problem.as_ref().map(|problem| Words::new(Language::En).say(problem));
         assert_eq!(said.as_deref(), Some(expected));
         assert_eq!(session.cycles().cycle.number, 421);
     }
     send(&mut session, CyclesCommand::TypeBlock(block.replace(" ~\nQ999=+1 ;? ~\n", "\n")));
     send(&mut session, CyclesCommand::TakeBlock);
-    assert_eq!((session.cycles().cycle.number, session.cycles().block()), (427, None));
+    assert_eq!((session.cycles().cycle.number, session.cycles().block.as_deref()), (427, None));
     assert_eq!(session.text(field(&session, "Q263")), "35");
     let effects = send(&mut session, CyclesCommand::CopyBlock);
     let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
@@ -435,11 +435,11 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         let chosen = usize::try_from(random >> 33).unwrap() % (2 * commands.len());
         let command = commands.get(chosen).cloned().unwrap_or(Command::Cycles(CyclesCommand::Run));
         send(&mut session, command.clone());
-        let shown = session.cycles().run().map(|run| (run.cycle.code, run.found().cloned()));
+        let shown = session.cycles().run.as_ref().map(|run| (run.cycle.code, run.found().cloned()));
         let Some(shown) = shown else { continue };
         let (window, mut again) = (session.cycles().window(session.drawn_with()).map(Result::ok), session);
         send(&mut again, CyclesCommand::Run);
-        let anew = again.cycles().run().map(|run| (run.cycle.code, run.found().cloned()));
+        let anew = again.cycles().run.as_ref().map(|run| (run.cycle.code, run.found().cloned()));
         assert_eq!(Some(&shown), anew.as_ref(), "after {command:?}");
         assert_eq!(again.cycles().window(again.drawn_with()).map(Result::ok), window, "after {command:?}");
         compared += usize::from(shown.1.is_some());

@@ -100,7 +100,7 @@ fn enter_twice_is_one_check() {
     }
     assert_eq!(measured(&session), ["25.012"]);
     assert!(session.check().is_repeated);
-    assert!(session.check().shown().is_some(), "its verdict stays");
+    assert!(session.check().shown.is_some(), "its verdict stays");
     // The button does it again, but not where it was pressed twice at once.
     session.apply(CheckCommand::Measure.into(), after(300));
     assert_eq!(measured(&session), ["25.012"]);
@@ -138,9 +138,9 @@ fn hole_or_shaft_is_asked_for_each_callout_that_does_not_say_it() {
     let mut session = with("25 +0.021 0", "25.030");
     send(&mut session, CheckCommand::ChooseFeature(Feature::Hole));
     enter(&mut session, CheckField::Measured, 0);
-    assert_eq!(session.check().shown().unwrap().record.verdict.status(), Status::Scrap);
+    assert_eq!(session.check().shown.as_ref().unwrap().record.verdict.status(), Status::Scrap);
     typed(&mut session, CheckField::Callout, "40 0 -0.025");
-    assert_eq!((session.check().feature(), session.check().asked.limits()), (None, None));
+    assert_eq!((session.check().feature(), session.check().asked.limits.as_ref()), (None, None));
     typed(&mut session, CheckField::Measured, "39.98");
     assert_eq!(enter(&mut session, CheckField::Measured, 100), []);
     assert_eq!((measured(&session).len(), session.text(CheckField::Measured)), (1, "39.98"));

@@ -164,7 +164,7 @@ fn a_folder_that_cannot_be_read_is_told_in_the_dialog() {
     send(&mut session, FilesCommand::Show("/none".into()));
     let missing = FileError::Missing { path: "/none".into() };
     send(&mut session, FilesCommand::Listed { folder: "/none".into(), result: Err(missing.clone()) });
-    assert_eq!(dialog(&session).list.problem(), Some(&missing.message()));
+    assert_eq!(dialog(&session).list.problem.as_ref(), Some(&missing.message()));
     assert!(
         !dialog(&session).list.is_reading()
             && session.can(FilesAction::FolderUp)

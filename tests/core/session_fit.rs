@@ -50,7 +50,7 @@ fn the_kind_and_its_clearances() {
     #[track_caller]
     fn check(callout: &str, kind: FitKind, minimum: i32, maximum: i32) {
         let session = fit(callout);
-        let fit = session.fit().fit().unwrap();
+        let fit = session.fit().fit.as_ref().unwrap();
         assert_eq!((fit.kind(), fit.minimum_clearance(), fit.maximum_clearance()), (kind, um(minimum), um(maximum)));
     }
     check("50 H7/p6", FitKind::Interference, -42, -1);
@@ -70,7 +70,7 @@ fn a_callout_that_is_no_fit_says_what_is_missing() {
         ("", None),
     ] {
         let session = fit(typed);
-        assert_eq!(session.fit().hint().map(|hint| hint.id), hint, "{typed}");
+        assert_eq!(session.fit().hint.as_ref().map(|hint| hint.id), hint, "{typed}");
         assert_eq!(told(&session, FitField::Callout), "", "{typed}");
     }
     let session = fit("25 H7/");
@@ -196,7 +196,7 @@ fn the_map_and_the_limits_follow_the_sources() {
     assert!(300 < count(&session));
     apply(&mut session, Command::UseSource(Base::ControlTables));
     assert!(0 < count(&session) && count(&session) <= 47);
-    assert!(session.fit().fit().is_some());
+    assert!(session.fit().fit.is_some());
     apply(&mut session, Field::from(FitField::Callout).typed("25 H7/zc9".into()));
     assert!(told(&session, FitField::Callout).contains("zc9 is not in table"));
 }
@@ -204,13 +204,13 @@ fn the_map_and_the_limits_follow_the_sources() {
 #[test]
 fn the_equivalent_fit_says_whether_it_is_the_same() {
     let session = fit("25 H7/p6");
-    let equivalent = session.fit().equivalent().unwrap();
+    let equivalent = session.fit().equivalent.as_ref().unwrap();
     assert_eq!((equivalent.hole, equivalent.shaft), (class("P7"), class("h6")));
     assert!(equivalent.difference.as_ref().unwrap().is_none());
     let session = fit("25 H7/p7");
-    let difference = session.fit().equivalent().unwrap().difference.clone().unwrap();
+    let difference = session.fit().equivalent.as_ref().unwrap().difference.clone().unwrap();
     assert_eq!((difference.minimum, difference.maximum), (um(8), um(8)));
-    assert!(fit("25 H7/h6").fit().equivalent().is_none());
+    assert!(fit("25 H7/h6").fit().equivalent.is_none());
 }
 
 #[test]

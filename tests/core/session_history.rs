@@ -133,9 +133,9 @@ fn the_filter_knows_values_and_the_words_of_the_language() {
 #[test]
 fn a_filter_takes_no_verdict_away_and_is_not_kept() {
     let mut session = four(Language::En);
-    assert!(session.check().shown().is_some());
+    assert!(session.check().shown.is_some());
     filter(&mut session, "B");
-    assert!(session.check().shown().is_some());
+    assert!(session.check().shown.is_some());
     assert_eq!(session.saved().inputs.texts.get("history-filter"), None);
     assert!(session.saved().inputs.texts.contains_key("callout"));
 }
@@ -197,7 +197,7 @@ fn a_row_is_shown_and_chosen_by_its_action() {
     list(&mut session, ListCommand::Move(Step::Last));
     let show = CheckAction::ShowCheck.command(&session).unwrap();
     run(&mut session, [show]);
-    assert_eq!(session.check().shown().unwrap().record.id, "A10");
+    assert_eq!(session.check().shown.as_ref().unwrap().record.id, "A10");
     for expected in [true, false, true] {
         let choose = CheckAction::ChooseCheck.command(&session).unwrap();
         run(&mut session, [choose]);

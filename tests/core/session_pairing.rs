@@ -77,7 +77,7 @@ fn error(session: &Session, field: PairingField) -> String {
 
 /// `H3 S2 +15 +0` of each pair.
 fn rows(session: &Session) -> Vec<String> {
-    let Some(paired) = session.pairing().paired() else { return Vec::new() };
+    let Some(paired) = session.pairing().paired.as_deref() else { return Vec::new() };
     let row = |at| {
         let row = paired.row(at).unwrap();
         format!("{} {} {} {}", row.hole.id, row.shaft.id, row.clearance.signed_um(), row.from_middle.signed_um())
@@ -131,15 +131,15 @@ fn the_window_saves_what_the_command_line_writes() {
 fn pairs_have_their_clearance_and_their_distance_from_the_middle() {
     let mut session = paired_with(WANTED, HOLES, SHAFTS);
     assert_eq!(rows(&session), ["H3 S2 +15 0", "H2 S1 +14 -1", "H1 S4 +13 -2"]);
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     assert_eq!(paired.figures(paired.row(1).unwrap()), ["25.004", "24.990", "+14", "-1"]);
     // The middle is 15.0005 µm now: a half nanometre is not lost.
     typed(&mut session, PairingField::Wanted, "0.010..0.020001");
     assert_eq!(rows(&session)[0], "H3 S2 +15 -0.0005");
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     assert_eq!(paired.figures(paired.row(1).unwrap()), ["25.004", "24.990", "+14", "-1.0005"]);
     open(&mut session, Feature::Hole, "fine.csv", "id;measured\nH1;25,0012\nH2;25,004\n");
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     assert_eq!(paired.figures(paired.row(1).unwrap()), ["25.0040", "24.9900", "+14.0", "-1.0005"]);
     assert_eq!(told(session.pairing().understood().as_ref()), "Clearance +10 … +20.001 µm, middle +15.0005 µm");
     typed(&mut session, PairingField::Wanted, "-0.020..-0.005");
@@ -180,14 +180,14 @@ fn one_field_takes_clearances_or_a_fit_and_says_what_is_allowed() {
 #[test]
 fn a_fit_follows_the_source_of_limits() {
     let mut session = paired_with("25 H7/g6", HOLES, SHAFTS);
-    let outside = session.pairing().paired().unwrap().answer.outside.clone();
+    let outside = session.pairing().paired.as_deref().unwrap().answer.outside.clone();
     assert_eq!(told(outside[0].as_ref().map(fitcheck::message::Say::message).as_ref()), "");
     assert!(outside[1].as_ref().unwrap().to_string().starts_with("2 parts are outside their own limits"));
     // The control's tables have no zc7.
     typed(&mut session, PairingField::Wanted, "25 H7/zc7");
-    assert!(session.pairing().paired().is_some());
+    assert!(session.pairing().paired.is_some());
     apply(&mut session, Command::UseSource(Base::ControlTables));
-    assert!(session.pairing().paired().is_none());
+    assert!(session.pairing().paired.is_none());
     assert!(error(&session, PairingField::Wanted).contains("zc7"), "{}", error(&session, PairingField::Wanted));
 }
 
@@ -199,23 +199,23 @@ fn a_change_clears_the_answer_at_once_and_an_older_answer_is_dropped() {
     };
     let first = type_wanted(&mut session, "0.010..0.015");
     let [Effect::Pair { run, asked }] = first.as_slice() else { panic!("{first:?}") };
-    assert!(session.pairing().paired().is_none() && session.pairing().is_pairing());
+    assert!(session.pairing().paired.is_none() && session.pairing().is_pairing());
     assert!(!session.can(PairingAction::SavePairs(0)) && !session.can(PairingAction::CopyPairs));
     // Only one question is being answered at a time.
     assert_eq!(type_wanted(&mut session, "0.010..0.016"), []);
     let late = PairingCommand::Paired { run: *run, paired: Arc::new(Paired::of(asked.as_ref().clone())) };
     let second = session.apply(late.clone().into(), now());
-    assert!(session.pairing().paired().is_none(), "made for 0.010..0.015");
+    assert!(session.pairing().paired.is_none(), "made for 0.010..0.015");
     let [Effect::Pair { run: again, asked }] = second.as_slice() else { panic!("{second:?}") };
     assert!(run < again);
     session.apply(late.into(), now());
-    assert!(session.pairing().paired().is_none(), "twice is no better");
+    assert!(session.pairing().paired.is_none(), "twice is no better");
     let answer = PairingCommand::Paired { run: *again, paired: Arc::new(Paired::of(asked.as_ref().clone())) };
     assert_eq!(session.apply(answer.into(), now()), []);
     assert_eq!(rows(&session).len(), 3);
     // Nothing is asked any more, so nothing is shown.
     assert_eq!(type_wanted(&mut session, "0.010.."), []);
-    assert!(session.pairing().paired().is_none() && !session.pairing().is_pairing());
+    assert!(session.pairing().paired.is_none() && !session.pairing().is_pairing());
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn a_question_that_was_withdrawn_leaves_no_answer() {
     assert!(!session.pairing().is_pairing());
     let late = PairingCommand::Paired { run: *run, paired: Arc::new(Paired::of(asked.as_ref().clone())) };
     assert_eq!(session.apply(late.into(), now()), []);
-    assert!(session.pairing().paired().is_none());
+    assert!(session.pairing().paired.is_none());
     typed(&mut session, PairingField::Wanted, WANTED);
     assert_eq!(rows(&session).len(), 3);
 }
@@ -310,7 +310,7 @@ fn the_history_is_a_source_and_says_what_is_simulated() {
         ["history: a check has the name of an earlier check, such as A, checks 1 and 3: each check counts as a part"]
     );
     assert_eq!(shafts.warnings(), ["history: 1 check is simulated: nothing was measured"]);
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     assert_eq!((paired.count(), paired.simulated), (2, 1));
     let words = Words::new(Language::En);
     let nameless = shafts.sizes.iter().find(|size| size.id.is_empty()).unwrap();
@@ -397,7 +397,7 @@ fn of_a_hundred_thousand_parts_only_those_in_sight_are_drawn() {
         (0..count).map(row).fold("id;measured\n".to_owned(), |text, row| text + &row)
     };
     let mut session = paired_with("0.010..0.030", &list("H", 25_000_000, 100_000), &list("S", 24_980_000, 100_000));
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     assert_eq!(paired.count(), 100_000);
     for place in [None, Some(0), Some(50_000), Some(99_999)] {
         let sight = paired.picture.sight(place);
@@ -410,7 +410,7 @@ fn of_a_hundred_thousand_parts_only_those_in_sight_are_drawn() {
     };
     open(&mut session, Feature::Hole, "same.csv", &same("H", "25"));
     open(&mut session, Feature::Shaft, "too.csv", &same("S", "24.98"));
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     let sight = paired.picture.sight(Some(7));
     assert_eq!((sight.pairs.range.len(), sight.step(), sight.pairs.drawn().count()), (5_000, 84, 60));
     assert!(sight.low < sight.high);
@@ -419,7 +419,7 @@ fn of_a_hundred_thousand_parts_only_those_in_sight_are_drawn() {
 #[test]
 fn the_picture_has_a_pair_at_the_middle_level_and_every_part_on_its_scale() {
     let session = paired_with(WANTED, HOLES, SHAFTS);
-    let paired = session.pairing().paired().unwrap();
+    let paired = session.pairing().paired.as_deref().unwrap();
     let sight = paired.picture.sight(None);
     assert!(sight.is_all);
     let [hole, shaft] = paired.picture.pair(0).unwrap();

@@ -60,7 +60,7 @@ fn take(session: &mut Session, text: &str) {
 fn run_to_the_end(session: &mut Session) {
     send(session, ProgramCommand::Run);
     for _ in 0..1_000 {
-        match session.program().run().map(|run| run.state) {
+        match session.program().run.as_ref().map(|run| run.state) {
             Some(State::Running) => _ = send(session, ProgramCommand::Tick),
             Some(State::Paused) => _ = send(session, ProgramCommand::Run),
             _ => return,
@@ -71,7 +71,7 @@ fn run_to_the_end(session: &mut Session) {
 
 /// What the window and the command line have to agree on: cycles with status and contacts, windows, remarks, the fault.
 fn answers(session: &Session) -> Json {
-    let run = session.program().run().unwrap();
+    let run = session.program().run.as_ref().unwrap();
     let cycles: Vec<Json> = run
         .cycles()
         .iter()
@@ -88,7 +88,7 @@ fn answers(session: &Session) -> Json {
         .filter(|note| note.kind == NoteKind::Remark)
         .map(|note| said(&note.message).split_once(": ").unwrap().1.to_owned())
         .collect();
-    let fault = run.fault().map(|fault| fault.kind.to_string());
+    let fault = run.fault.as_ref().map(|fault| fault.kind.to_string());
     let answers = serde_json::json!({"cycles": cycles, "windows": windows, "remarks": remarks, "fault": fault});
     // Through text, as the command line's figures come.
     answers.to_string().parse().unwrap()
@@ -178,7 +178,7 @@ fn what_is_met_beside_its_feature_is_an_error_with_its_name() {
     let body = format!("TOOL CALL 1 Z\nTCH PROBE 421 HOLE ~\n{}", hole.replace(' ', " ~\n"));
     let mut session = with_part(folder.path(), &body);
     run_to_the_end(&mut session);
-    let fault = session.program().run().unwrap().fault().unwrap().message();
+    let fault = session.program().run.as_ref().unwrap().fault.as_ref().unwrap().message();
     assert!(said(&fault).contains("rib"), "{}", said(&fault));
     assert_eq!(answers(&session), by_command(folder.path(), "way.h", "part.toml"));
 }
@@ -188,9 +188,9 @@ fn a_part_is_asked_for_and_another_one_clears_the_run() {
     let folder = tempfile::tempdir().unwrap();
     let mut session = with_part(folder.path(), "L X+40 Y+30 Z+50 FMAX");
     send(&mut session, ProgramCommand::Run);
-    assert!(session.program().run().is_some() && session.program().is_simulated());
+    assert!(session.program().run.is_some() && session.program().is_simulated());
     take(&mut session, PART);
-    assert!(session.program().run().is_none());
+    assert!(session.program().run.is_none());
     let mut session = with(&folder.path().join("way.h"));
     assert_eq!(
         send(&mut session, ProgramCommand::ChooseWorkpiece(WorkpieceFrom::Part)),

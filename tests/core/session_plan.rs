@@ -76,11 +76,11 @@ fn a_word_typed_into_a_cell_is_one_change() {
     go(&mut session, 0, Column::Callout);
     type_cell(&mut session, "30 H7");
     assert_eq!(column(&session, Column::Callout), ["30 H7", "20 H7", "16 H7"]);
-    assert_eq!(session.parts().sheet().at(), (1, Column::Callout));
+    assert_eq!(session.parts().sheet.at(), (1, Column::Callout));
     type_cell(&mut session, "18 H8");
     act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["30 H7", "20 H7", "16 H7"]);
-    assert_eq!(session.parts().sheet().at(), (1, Column::Callout), "the keys are where something changed");
+    assert_eq!(session.parts().sheet.at(), (1, Column::Callout), "the keys are where something changed");
     act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
     assert!(!session.can(PartsAction::UndoPlan));
@@ -119,12 +119,12 @@ fn typing_below_the_last_feature_begins_the_next_one() {
     let mut session = opened(PLATE);
     go(&mut session, 2, Column::Name);
     plan(&mut session, PlanCommand::Move(Step::Down, false));
-    assert_eq!(session.parts().sheet().at(), (3, Column::Name));
+    assert_eq!(session.parts().sheet.at(), (3, Column::Name));
     type_cell(&mut session, "A11");
     assert_eq!(column(&session, Column::Name), ["A1", "A2", "A10", "A11"]);
-    assert_eq!(session.parts().sheet().at(), (4, Column::Name));
+    assert_eq!(session.parts().sheet.at(), (4, Column::Name));
     plan(&mut session, PlanCommand::Move(Step::Down, false));
-    assert_eq!(session.parts().sheet().at(), (4, Column::Name), "there is one row for the next feature");
+    assert_eq!(session.parts().sheet.at(), (4, Column::Name), "there is one row for the next feature");
     act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Name).len(), 3);
 }
@@ -142,7 +142,7 @@ fn a_block_of_a_spreadsheet_is_pasted_as_one_change_and_adds_rows() {
     assert_eq!(column(&session, Column::Kind), ["", "diameter", "width", ""]);
     assert_eq!(column(&session, Column::Callout), ["25 H7", "30 H7", "12 H8", "10 H7"]);
     assert_eq!(column(&session, Column::X), ["40", "60", "80", ""]);
-    assert_eq!(session.parts().sheet().selected_rows(), 1..=3);
+    assert_eq!(session.parts().sheet.selected_rows(), 1..=3);
     // The same block comes out again.
     let effects = act(&mut session, PartsAction::CopyPlanCells.into());
     let text = "B1\tdiameter\t30 H7\nB2\twidth\t12 H8\n\"B \"\"3\"\"\"\t\t10 H7";
@@ -160,7 +160,7 @@ fn a_block_with_names_of_columns_finds_them_also_where_they_are_not_shown() {
     let row = &draft(&session).rows[3];
     let texts = [Column::Callout, Column::Name, Column::Axis, Column::Kind].map(|column| row.text(column).unwrap());
     assert_eq!(texts, ["12 H8", "N1", "Y", "width"]);
-    assert!(session.parts().sheet().columns.contains(&Column::Axis));
+    assert!(session.parts().sheet.columns.contains(&Column::Axis));
 }
 
 #[test]
@@ -329,7 +329,7 @@ fn rows_are_inserted_deleted_moved_sorted_and_numbered() {
     let names = |session: &Session| column(session, Column::Name).join(" ");
     go(&mut session, 0, Column::Name);
     act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
-    assert_eq!((names(&session).as_str(), session.parts().sheet().at().0), ("A2 A1 A10", 1));
+    assert_eq!((names(&session).as_str(), session.parts().sheet.at().0), ("A2 A1 A10", 1));
     act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
     act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
     assert_eq!(names(&session), "A2 A10 A1", "it stops at the end");
@@ -412,20 +412,20 @@ fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
     assert!(document.head_error(HeadField::Material).is_some());
     assert!(document.is_wrong(0) && document.is_wrong(1) && document.is_wrong(2));
     // Axis is shown, although nothing is written in it.
-    assert!(session.parts().sheet().columns.contains(&Column::Axis));
+    assert!(session.parts().sheet.columns.contains(&Column::Axis));
     // F4 goes from one to the next, and round again.
     act(&mut session, PartsAction::NextFinding.into());
-    let mut seen = vec![session.parts().sheet().at()];
+    let mut seen = vec![session.parts().sheet.at()];
     for _ in 0..3 {
         act(&mut session, PartsAction::NextFinding.into());
-        seen.push(session.parts().sheet().at());
+        seen.push(session.parts().sheet.at());
     }
     assert_eq!(seen, [(0, Column::Callout), (1, Column::Name), (1, Column::X), (2, Column::Axis)]);
     let effects = act(&mut session, PartsAction::NextFinding.into());
     assert_eq!(effects, [Effect::Focus(Field::from(PlanField::Head(HeadField::Material)))]);
     let effects = plan(&mut session, PlanCommand::GoToFinding(3));
     // What is typed next goes there.
-    assert_eq!((effects.as_slice(), session.parts().sheet().at()), ([Effect::FocusTable].as_slice(), (1, Column::X)));
+    assert_eq!((effects.as_slice(), session.parts().sheet.at()), ([Effect::FocusTable].as_slice(), (1, Column::X)));
 }
 
 /// Two features that are right, and a third one.
@@ -498,7 +498,7 @@ fn a_fault_of_the_file_leads_to_the_feature_that_it_stands_in_or_behind() {
     let mut session = opened_at(&text, "/plans/plate.toml");
     for (place, row) in [(1, 2), (0, 1)] {
         plan(&mut session, PlanCommand::GoToProblem(place));
-        assert_eq!(session.parts().sheet().at().0, row);
+        assert_eq!(session.parts().sheet.at().0, row);
     }
 }
 
@@ -692,9 +692,9 @@ fn a_balloon_is_dragged_as_one_change_and_moved_by_steps() {
     assert_eq!(at(&session), None);
     assert!(!session.can(PartsAction::UndoPlan));
     // Where balloons are is on the picture, and in the table once every column is shown.
-    assert!(!session.parts().sheet().columns.contains(&Column::BalloonX));
+    assert!(!session.parts().sheet.columns.contains(&Column::BalloonX));
     act(&mut session, PartsAction::ShowAllColumns.into());
-    assert_eq!(session.parts().sheet().columns.len(), Column::ALL.len());
+    assert_eq!(session.parts().sheet.columns.len(), Column::ALL.len());
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn type_text(session: &mut Session, field: ProgramField, text: &str) {
 }
 
 fn run(session: &Session) -> &Run {
-    session.program().run().unwrap()
+    session.program().run.as_ref().unwrap()
 }
 
 fn said(message: &Message) -> String {
@@ -176,15 +176,15 @@ fn any_changed_input_clears_the_run() {
     ];
     for change in changes {
         send(&mut session, ProgramCommand::Run);
-        assert!(session.program().run().is_some());
+        assert!(session.program().run.is_some());
         send(&mut session, change.clone());
-        assert!(session.program().run().is_none(), "{change:?}");
+        assert!(session.program().run.is_none(), "{change:?}");
         assert_eq!(state(&session), "Ready to run");
         assert_eq!(session.program().shown().unwrap().path, session.program().main().unwrap().path);
     }
     send(&mut session, ProgramCommand::Run);
     type_text(&mut session, ProgramField::Filter, "Q1");
-    assert!(session.program().run().is_some(), "looking changes nothing");
+    assert!(session.program().run.is_some(), "looking changes nothing");
 }
 
 #[test]
@@ -197,9 +197,9 @@ fn a_run_on_a_workpiece_that_is_made_by_the_limits_does_not_outlive_their_source
         type_text(&mut session, ProgramField::Diameter, "25.01");
         send(&mut session, ProgramCommand::ChooseWorkpiece(workpiece));
         send(&mut session, ProgramCommand::Run);
-        assert!(session.program().run().is_some(), "{workpiece:?}");
+        assert!(session.program().run.is_some(), "{workpiece:?}");
         send(&mut session, Command::UseSource(fitcheck::tolerance::Base::ControlTables));
-        assert_eq!(session.program().run().is_some(), stays, "{workpiece:?}");
+        assert_eq!(session.program().run.is_some(), stays, "{workpiece:?}");
     }
 }
 
@@ -211,7 +211,7 @@ fn an_unreadable_input_keeps_the_program_from_running() {
     assert_eq!(session.error(field).map(said).as_deref(), Some("Q261 MEASURING HEIGHT: deep is not a number"));
     for command in [ProgramCommand::Run, ProgramCommand::Step] {
         send(&mut session, command);
-        assert!(session.program().run().is_none());
+        assert!(session.program().run.is_none());
         assert_eq!(state(&session), "An input cannot be read");
     }
     type_text(&mut session, field, "-3");
@@ -351,7 +351,7 @@ fn the_files_of_a_run_are_listed_behind_its_problems() {
     let mut session = Session::new(Language::En);
     session.apply(Command::OpenPage(Page::Program), now());
     send(&mut session, ProgramCommand::Run);
-    assert!(0 < session.program().run().unwrap().file_count());
+    assert!(0 < session.program().run.as_ref().unwrap().file_count());
     assert_eq!(session.program().note_count(), 0);
     assert!(session.program().note(0).is_none());
 }

@@ -354,7 +354,7 @@ fn rows_that_cannot_be_read_are_said_and_not_asked_for_again_and_again() {
     let Some(Effect::ReadRecords(numbers)) = effects.into_iter().next() else { panic!("rows") };
     let why = Message::new("records-page-no-thread");
     send(&mut session, RecordsCommand::Read { numbers, result: Err(why.clone()) });
-    assert_eq!(session.records().listing.unread(), Some(&why));
+    assert_eq!(session.records().listing.unread.as_ref(), Some(&why));
     assert!(!session.records().listing.lacks(&(0..20)));
     assert_eq!(send(&mut session, RecordsCommand::See(0..20)), []);
 }
@@ -399,7 +399,7 @@ fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
     assert_eq!(entries[0].about.who, "Bert");
     assert_eq!(send(&mut session, RecordsCommand::SendCorrection), [], "it is sent once");
     let effects = send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
-    assert!(session.records().correcting().is_none());
+    assert!(session.records().correcting.is_none());
     assert!(effects.contains(&Effect::ReadRecords(vec![9])), "the new one is opened: {effects:?}");
 }
 
@@ -410,7 +410,7 @@ fn a_withdrawal_and_what_is_corrected_already_cannot_be_corrected() {
         let mut session = opened(vec![row]);
         assert!(!session.can(RecordsAction::CorrectRecord));
         send(&mut session, RecordsCommand::Correct(true));
-        assert!(session.records().correcting().is_none());
+        assert!(session.records().correcting.is_none());
     }
     let mut session = opened(vec![check_row(8, 4, None)]);
     send(&mut session, RecordsCommand::Correct(true));
@@ -452,7 +452,7 @@ fn measure_again_takes_callout_part_serial_and_rule() {
     send(&mut session, again);
     assert_eq!(session.page(), Page::Check);
     assert_eq!((session.text(CheckField::Callout), session.text(CheckField::Part)), ("25 H7", "P8"));
-    assert!(session.check().shown().is_none());
+    assert!(session.check().shown.is_none());
     let (_, entries) = kept(&measure(&mut session, "25 H7", "25.003"));
     assert_eq!(entries[0].about.part, "P8");
 }

@@ -29,7 +29,7 @@ fn measured(session: &mut Session, callout: &str, measured: &str) {
 }
 
 fn shown(session: &Session) -> &Record {
-    &session.check().shown().unwrap_or_else(|| panic!("{:?}", session.check().asked)).record
+    &session.check().shown.as_ref().unwrap_or_else(|| panic!("{:?}", session.check().asked)).record
 }
 
 fn is_proven(record: &Record) -> Option<bool> {
@@ -92,7 +92,7 @@ fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
     let mut session = Session::new(Language::En);
     run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017)]);
     measured(&mut session, "25 H7", "25.012");
-    assert!(session.check().shown().is_none());
+    assert!(session.check().shown.is_none());
     let error = session.error(CheckField::Uncertainty).unwrap().to_string();
     assert_eq!(error, "rule iso14253-2017 needs the uncertainty of the measured value");
     run(&mut session, [typed(CheckField::Uncertainty, "1,2"), CheckCommand::Measure]);
@@ -106,7 +106,7 @@ fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
         ),
     ] {
         run(&mut session, [typed(field, text), typed(CheckField::Measured, "25.012"), CheckCommand::Measure]);
-        assert!(session.check().shown().is_none(), "{text}");
+        assert!(session.check().shown.is_none(), "{text}");
         assert_eq!(session.error(field).unwrap().to_string(), said);
         run(&mut session, [typed(CheckField::Uncertainty, "1.2"), typed(CheckField::Coverage, "2")]);
     }
@@ -143,7 +143,7 @@ fn who_has_to_prove_changes_the_answer() {
     measured(&mut session, "25 H7", "25.0215");
     assert_eq!(shown(&session).verdict.status(), Status::ReMeasure);
     run(&mut session, [CheckCommand::LetProve(Prover::Customer)]);
-    assert!(session.check().shown().is_none(), "no verdict of another rule stays");
+    assert!(session.check().shown.is_none(), "no verdict of another rule stays");
     measured(&mut session, "25 H7", "25.0215");
     assert_eq!((shown(&session).verdict.status(), is_proven(shown(&session))), (Status::Good, Some(false)));
 }
@@ -188,7 +188,7 @@ fn a_warm_part_is_brought_to_twenty_degrees_and_says_so() {
     run(&mut session, [typed(CheckField::PartTemperature, "")]);
     assert!(session.error(CheckField::PartTemperature).is_some(), "scales without a part");
     run(&mut session, [typed(CheckField::Measured, "80"), CheckCommand::Measure]);
-    assert!(session.check().shown().is_none(), "nothing is judged that cannot be brought to 20 °C");
+    assert!(session.check().shown.is_none(), "nothing is judged that cannot be brought to 20 °C");
 }
 
 #[test]
@@ -254,7 +254,7 @@ fn without_a_budget_in_use_nothing_is_judged_by_one() {
     run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017)]);
     run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Budget)]);
     measured(&mut session, "25 H7", "25.012");
-    assert!(session.check().shown().is_none());
+    assert!(session.check().shown.is_none());
     let said = session.error(CheckField::Uncertainty).unwrap().to_string();
     assert_eq!(said, "no budget is in use: open one on the budget page and use it for checks");
 }
@@ -298,7 +298,7 @@ fn the_budget_in_use_gives_the_uncertainty_of_each_value() {
     assert!((u - 1.9147).abs() < 0.0001, "{u}");
     // Nothing is left of a verdict by a budget that is in use no more.
     session.apply(BudgetCommand::Leave.into(), now());
-    assert!(session.check().shown().is_none());
+    assert!(session.check().shown.is_none());
 }
 
 #[test]
@@ -330,7 +330,7 @@ fn what_a_warm_value_may_have_been_is_corrected_once() {
     let mut session = Session::new(Language::En);
     run(&mut session, [typed(CheckField::PartTemperature, "26"), typed(CheckField::Callout, "25 H7")]);
     run(&mut session, [typed(CheckField::Measured, "12.5115"), CheckCommand::Measure]);
-    let question = session.check().question().unwrap();
+    let question = session.check().question.as_ref().unwrap();
     assert_eq!(
         (question.measured.to_string(), question.doubt.meant().unwrap().to_string()),
         ("12.5115".into(), "25.023".into())

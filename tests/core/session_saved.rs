@@ -184,7 +184,7 @@ fn no_class_is_judged_until_the_own_tables_of_the_last_time_are_read() {
     type_check(&mut session, "25 H7", "25.015");
     assert_eq!(judged(&session), [""; 0], "in whatever source");
     session.apply(Field::from(FitField::Callout).typed("25 H7/g6".into()), now());
-    assert!(session.fit().fit().is_none());
+    assert!(session.fit().fit.is_none());
     session.apply(tables_read(true), now());
     type_check(&mut session, "25 H7", "25.015");
     assert_eq!(judged(&session), ["SCRAP by table own.tab, over 0 up to 30 mm"]);

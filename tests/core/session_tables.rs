@@ -335,7 +335,7 @@ fn a_used_table_comes_first_and_its_later_edits_count_only_when_it_is_used_again
     select(&mut session, "H7", 4);
     type_text(&mut session, TablesField::CellUpper, "25");
     send(&mut session, TablesCommand::Use);
-    let maximum = |session: &Session| session.check().asked.limits().unwrap().maximum().to_string();
+    let maximum = |session: &Session| session.check().asked.limits.as_ref().unwrap().maximum().to_string();
     assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.025", true));
     type_text(&mut session, TablesField::CellUpper, "26");
     send(&mut session, TablesCommand::SetCell);

@@ -68,7 +68,7 @@ fn give(session: &mut Session, parameter: Parameter, text: &str) {
 }
 
 fn changes(session: &Session) -> Vec<String> {
-    let run = session.program().run().unwrap();
+    let run = session.program().run.as_ref().unwrap();
     run.tool_changes().iter().map(|changed| said(&fitcheck::message::Say::message(&changed.change))).collect()
 }
 
@@ -147,7 +147,7 @@ fn a_broken_tool_is_locked_and_stops_the_run_as_the_control_says_it() {
     assert_eq!(session.program().tools(), [ToolOf::Parameter(Parameter::qs(3))]);
     give(&mut session, Parameter::qs(3), "MILL_D16");
     send(&mut session, ProgramCommand::Run);
-    assert_eq!(session.program().run().unwrap().state, State::Faulted);
+    assert_eq!(session.program().run.as_ref().unwrap().state, State::Faulted);
     let note = said(&session.program().note(0).unwrap().message);
     assert!(note.contains("error 1065: tool 4 is broken: DR would change by 0.025 mm, RBREAK is 0.02 mm"), "{note}");
     assert!(note.ends_with("its replacement is tool 6"), "{note}");
@@ -191,7 +191,7 @@ fn a_tool_that_cannot_be_read_keeps_the_program_from_running() {
     give(&mut session, Parameter::q(5), "MILL");
     assert_eq!(session.error(field).map(said).as_deref(), Some("MILL is not a number"));
     send(&mut session, ProgramCommand::Run);
-    assert!(session.program().run().is_none());
+    assert!(session.program().run.is_none());
     assert_eq!(said(&session.program().state_message()), "An input cannot be read");
     // A tool that the table does not have is the control's own error.
     give(&mut session, Parameter::q(5), "7");
@@ -218,14 +218,14 @@ fn another_table_or_none_clears_what_was_measured_with_the_first() {
         send(&mut session, ProgramCommand::Run);
         assert!(session.changed_tools().is_some());
         change(&mut session);
-        assert!(session.program().run().is_none() && session.changed_tools().is_none());
+        assert!(session.program().run.is_none() && session.changed_tools().is_none());
     }
     send(&mut session, ProgramCommand::Run);
-    assert!(session.program().run().unwrap().tool_changes().is_empty(), "no table, no change");
+    assert!(session.program().run.as_ref().unwrap().tool_changes().is_empty(), "no table, no change");
     // A table that cannot be read changes nothing.
     let read = ToolsCommand::Read { name: "x.t".to_owned(), result: Err(Message::new("tools")) };
     send(&mut session, read);
-    assert!(session.program().run().is_some() && session.tools().is_none());
+    assert!(session.program().run.is_some() && session.tools().is_none());
 }
 
 /// The cycles page with cycle 421 on a perfect hole of a diameter that is not the nominal one.
@@ -247,7 +247,7 @@ fn hole(tool: &str) -> Session {
 }
 
 fn remarks(session: &Session) -> Vec<String> {
-    session.cycles().run().unwrap().remarks().iter().map(said).collect()
+    session.cycles().run.as_ref().unwrap().remarks().iter().map(said).collect()
 }
 
 #[test]
@@ -256,12 +256,12 @@ fn the_cycles_page_monitors_its_tool_with_the_same_table() {
     let mut session = hole("Q330=3");
     send(&mut session, CyclesCommand::Run);
     assert!(remarks(&session).iter().any(|remark| remark == not_monitored), "{:?}", remarks(&session));
-    assert!(session.cycles().run().unwrap().monitoring.is_none());
+    assert!(session.cycles().run.as_ref().unwrap().monitoring.is_none());
     open_tools(&mut session);
-    assert!(session.cycles().run().is_none(), "a result without a table does not stay beside one");
+    assert!(session.cycles().run.is_none(), "a result without a table does not stay beside one");
     send(&mut session, CyclesCommand::Run);
     assert!(!remarks(&session).iter().any(|remark| remark == not_monitored));
-    let monitoring = session.cycles().run().unwrap().monitoring.as_ref().unwrap();
+    let monitoring = session.cycles().run.as_ref().unwrap().monitoring.as_ref().unwrap();
     assert_eq!(monitoring.problem(), None);
     let change = said(&fitcheck::message::Say::message(monitoring.change().unwrap()));
     assert_eq!(change, "tool 3 (MILL_D10): DR changed by 0.015 mm, from 0 to 0.015 mm");
@@ -279,7 +279,7 @@ fn the_cycles_page_says_why_a_tool_is_not_corrected() {
         let mut session = hole(tool);
         open_tools(&mut session);
         send(&mut session, CyclesCommand::Run);
-        let run = session.cycles().run().unwrap();
+        let run = session.cycles().run.as_ref().unwrap();
         assert!(run.found().is_some(), "what was measured stands");
         assert_eq!(run.monitoring.as_ref().unwrap().problem().as_ref().map(said).as_deref(), problem, "{tool}");
         assert_eq!(remarks(&session).last().map(String::as_str).filter(|_| remark.is_some()), remark, "{tool}");

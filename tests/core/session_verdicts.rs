@@ -183,15 +183,15 @@ fn other_act() -> impl Strategy<Value = Act> {
 /// What stands in the fields is what the shown verdict was made with.
 fn the_check_page_agrees_with_itself(session: &Session) {
     let page = session.check();
-    let Some(shown) = page.shown() else { return };
+    let Some(shown) = page.shown.as_ref() else { return };
     let record = &shown.record;
-    assert!(page.question().is_none());
+    assert!(page.question.is_none());
     assert!(session.history().iter().any(|of_history| Arc::ptr_eq(of_history, record)));
-    assert_eq!(page.asked.limits(), Some(&record.limits));
+    assert_eq!(page.asked.limits.as_ref(), Some(&record.limits));
     for field in [CheckField::Callout, CheckField::Measured] {
         assert_eq!(session.error(field), None, "{field:?}");
     }
-    assert_eq!((session.culprit(CheckField::Callout), page.refusal()), (None, None));
+    assert_eq!((session.culprit(CheckField::Callout), page.refusal.as_ref()), (None, None));
     the_position_agrees(session, record);
     assert_eq!(session.text(CheckField::Part).trim(), record.id);
     let callout = page.asked.callout.map(|callout| callout.of_part(record.limits.feature));
@@ -240,9 +240,9 @@ fn the_position_agrees(session: &Session, record: &Record) {
     for field in SIMULATION.into_iter().chain(WORTH) {
         run(&mut again, [typed(field, session.text(field))]);
     }
-    if again.check().asked.limits() == Some(&record.limits) {
+    if again.check().asked.limits.as_ref() == Some(&record.limits) {
         run(&mut again, [typed(CheckField::Seed, &seed.to_string()), CheckCommand::Measure]);
-        let made = &again.check().shown().unwrap().record;
+        let made = &again.check().shown.as_ref().unwrap().record;
         assert_eq!((&made.measurement, &made.verdict), (&record.measurement, &record.verdict));
     }
 }
@@ -278,12 +278,12 @@ const WORTH: [CheckField; 7] = [
 
 /// What the other pages show is what they would show if everything were done once more.
 fn the_other_pages_agree_with_themselves(session: &mut Session) {
-    let cycles = |session: &Session| session.cycles().run().map(|run| run.result.clone());
+    let cycles = |session: &Session| session.cycles().run.as_ref().map(|run| run.result.clone());
     if let Some(before) = cycles(session) {
         session.apply(CyclesCommand::Run.into(), now());
         assert_eq!(format!("{:?}", Some(before)), format!("{:?}", cycles(session)));
     }
-    let status = |session: &Session| session.program().run().map(|run| (run.status(), run.is_over()));
+    let status = |session: &Session| session.program().run.as_ref().map(|run| (run.status(), run.is_over()));
     if let Some((before, true)) = status(session) {
         session.apply(ProgramCommand::Reset.into(), now());
         session.apply(ProgramCommand::Run.into(), now());
@@ -323,7 +323,7 @@ proptest! {
         for act in &acts {
             act.run(&mut session);
             if takes_away(act) {
-                prop_assert!(session.check().shown().is_none(), "{act:?}");
+                prop_assert!(session.check().shown.is_none(), "{act:?}");
             }
             the_check_page_agrees_with_itself(&session);
         }
@@ -353,7 +353,7 @@ fn typed(field: CheckField, text: &str) -> CheckCommand {
 }
 
 fn status(session: &Session) -> Option<Status> {
-    session.check().shown().map(|shown| shown.record.verdict.status())
+    session.check().shown.as_ref().map(|shown| shown.record.verdict.status())
 }
 
 #[test]
@@ -386,7 +386,7 @@ fn a_value_far_from_the_nominal_size_is_asked_about_and_judged_at_the_second_ent
         let mut session = Session::new(Language::En);
         run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, measured)]);
         run(&mut session, [CheckCommand::Measure]);
-        let asked = session.check().question().copied();
+        let asked = session.check().question.as_ref().copied();
         assert_eq!((status(&session), session.history().len(), asked.is_some()), (None, 0, true), "{measured}");
         assert_eq!(asked.unwrap().doubt.meant().map(|length| length.to_string()).as_deref(), meant, "{measured}");
         let mut taken = Session::new(Language::En);
@@ -411,7 +411,7 @@ fn another_value_is_asked_about_anew() {
     run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Measured, "250.12")]);
     run(&mut session, [CheckCommand::Measure, typed(CheckField::Measured, "250.13"), CheckCommand::Measure]);
     assert_eq!((status(&session), session.history().len()), (None, 0));
-    assert!(session.check().question().is_some());
+    assert!(session.check().question.is_some());
 }
 
 #[test]
@@ -419,7 +419,7 @@ fn many_rows_make_a_lot_with_the_worst_first() {
     let mut session = Session::new(Language::En);
     run(&mut session, [typed(CheckField::Measured, "9.9")]);
     Act::Import(ROWS).run(&mut session);
-    let lot = session.check().lot().unwrap().clone();
+    let lot = session.check().lot.as_ref().unwrap().clone();
     let counts: Vec<_> = lot.counts().map(|(_, count)| count).collect();
     // 25.012 is good, 25.030 scrap, 39.98 is in 39.975 to 39.991.
     assert_eq!((counts, lot.unjudged, lot.refused, lot.rows), (vec![2, 0, 0, 1], 1, 1, 5));
@@ -427,12 +427,12 @@ fn many_rows_make_a_lot_with_the_worst_first() {
     assert_eq!(session.text(CheckField::Part), "A2");
     assert_eq!(session.text(CheckField::Measured), "", "nothing imported stays beside a typed value");
     run(&mut session, [CheckCommand::ShowInLot(Step::Last)]);
-    assert_eq!((session.check().lot().unwrap().shown(), status(&session)), (Some((3, 2)), Some(Status::Good)));
+    assert_eq!((session.check().lot.as_ref().unwrap().shown(), status(&session)), (Some((3, 2)), Some(Status::Good)));
     run(&mut session, [CheckCommand::ShowInLot(Step::Left)]);
     // 5 µm from its nearer limit, against 9 µm.
     assert_eq!(session.text(CheckField::Part), "A3");
     run(&mut session, [typed(CheckField::Measured, "39.98")]);
-    assert_eq!((session.check().lot().is_none(), session.text(CheckField::Part)), (true, ""));
+    assert_eq!((session.check().lot.is_none(), session.text(CheckField::Part)), (true, ""));
 }
 
 #[test]
@@ -485,7 +485,7 @@ fn a_new_value_is_judged_by_the_chosen_source_or_refused_with_its_reason() {
     run(&mut session, [CheckCommand::Measure]);
     session.apply(Command::UseSource(Base::ControlTables), now());
     run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::Measured, "25.02"), CheckCommand::Measure]);
-    let source = |session: &Session| session.check().shown().unwrap().record.limits.source.to_string();
+    let source = |session: &Session| session.check().shown.as_ref().unwrap().record.limits.source.to_string();
     assert!(source(&session).starts_with("built-in table"), "{}", source(&session));
     run(&mut session, [CheckCommand::Show(RecordId(0))]);
     assert!(source(&session).starts_with("ISO 286"), "the old check is as it was");
@@ -542,7 +542,7 @@ fn the_name_of_a_check_shown_again_is_lent_and_a_typed_one_comes_back() {
     run(&mut session, [typed(CheckField::Measured, "25.013")]);
     assert_eq!(session.text(CheckField::Part), "B7");
     run(&mut session, [CheckCommand::Measure]);
-    assert_eq!(session.check().shown().unwrap().record.id, "B7");
+    assert_eq!(session.check().shown.as_ref().unwrap().record.id, "B7");
 }
 
 #[test]
@@ -553,7 +553,7 @@ fn the_name_of_a_check_shown_again_is_not_the_next_part_s_after_a_restart() {
     let (mut session, _) = Session::restore(before.saved());
     assert_eq!(session.text(CheckField::Part), "");
     run(&mut session, [typed(CheckField::Measured, "25.013"), CheckCommand::Measure]);
-    assert_eq!(session.check().shown().unwrap().record.id, "");
+    assert_eq!(session.check().shown.as_ref().unwrap().record.id, "");
 }
 
 #[test]
@@ -573,11 +573,11 @@ fn contacts_get_the_typed_name_and_not_a_lent_one() {
     let mut session = Session::new(Language::En);
     run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Part, "A12")]);
     Act::Import(CONTACTS).run(&mut session);
-    assert_eq!(session.check().shown().unwrap().record.id, "A12");
+    assert_eq!(session.check().shown.as_ref().unwrap().record.id, "A12");
     Act::Import(ONE).run(&mut session);
     assert_eq!(session.text(CheckField::Part), "B1");
     Act::Import(CONTACTS).run(&mut session);
-    assert_eq!(session.check().shown().unwrap().record.id, "A12");
+    assert_eq!(session.check().shown.as_ref().unwrap().record.id, "A12");
 }
 
 #[test]
@@ -613,12 +613,12 @@ fn a_refused_simulation_is_told_beside_the_field_that_caused_it() {
         run(&mut session, [typed(field, text)]);
         let before = error(&session, field);
         run(&mut session, [CheckCommand::Measure]);
-        let refusal = session.check().refusal().map(ToString::to_string);
+        let refusal = session.check().refusal.as_ref().map(ToString::to_string);
         assert_eq!((status(&session), session.history().len()), (None, 0), "{field:?} {text}");
         assert!(refusal.is_some() && error(&session, field) == refusal, "{field:?} {text}: {refusal:?}");
         // What was wrong with the text before is still what is wrong.
         assert!(before.is_none() || before == refusal, "{field:?} {text}: {before:?}, then {refusal:?}");
         run(&mut session, [typed(CheckField::Part, "A1")]);
-        assert_eq!(session.check().refusal(), None, "an edit is a new attempt");
+        assert_eq!(session.check().refusal.as_ref(), None, "an edit is a new attempt");
     }
 }

@@ -217,7 +217,7 @@ fn a_gauge_types_its_line_and_what_was_taken_is_said() {
 fn a_doubtful_value_is_asked_about_first() {
     let mut session = walking();
     assert_eq!(take(&mut session, "1.203"), []);
-    assert!(session.parts().walking.question().is_some());
+    assert!(session.parts().walking.question.is_some());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
     // Enter once more takes it.
     kept(&act_after(&mut session, PartsAction::TakeValue.into(), 600));
@@ -244,7 +244,7 @@ fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
     let mut recorded = Vec::new();
     while asked(&session).is_some() {
         let effects = act(&mut session, PartsAction::SimulateValue.into());
-        let refusal = session.parts().walking.refusal().map(said);
+        let refusal = session.parts().walking.refusal.as_ref().map(said);
         assert_eq!(refusal, None);
         recorded.extend(kept(&effects).1);
     }
@@ -530,7 +530,7 @@ fn a_watch_that_was_ended_changes_nothing_any_more() {
     assert!(session.history().is_empty());
     // A file is no folder.
     assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in/a.csv".into(), is_folder: false }), []);
-    assert!(session.parts().watched.folder().is_none());
+    assert!(session.parts().watched.folder.is_none());
 }
 
 #[test]
@@ -670,12 +670,12 @@ fn without_the_own_mask_no_folder_is_watched_until_another_one_is_chosen() {
     let mut back = watching_by_mask();
     let result = Err(Message::new("walk-page-nothing-asked"));
     assert_eq!(send(&mut back, Command::MaskRead { path: "/masks/own.a".into(), result }), []);
-    let trouble = said(back.parts().watched.trouble().unwrap());
+    let trouble = said(back.parts().watched.trouble.as_ref().unwrap());
     assert!(trouble.starts_with("Your own mask /masks/own.a cannot be read"), "{trouble}");
     assert_eq!(back.saved().mask, Some("/masks/own.a".into()), "it may be there the next time");
     let effects = send(&mut back, Command::SetMask(None));
     assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
-    assert!(back.parts().watched.trouble().is_none() && back.saved().mask.is_none());
+    assert!(back.parts().watched.trouble.is_none() && back.saved().mask.is_none());
 }
 
 #[test]

@@ -156,9 +156,9 @@ fn a_size_that_was_chosen_stays_until_it_has_its_value() {
 fn a_question_and_the_panel_of_reasons_stay_with_their_size_when_a_file_comes() {
     let mut session = walking();
     take(&mut session, "2.501");
-    assert!(session.parts().walking.question().is_some());
+    assert!(session.parts().walking.question.is_some());
     import(&mut session, "name;measured\nA;25.01\n");
-    assert!(session.parts().walking.question().is_some());
+    assert!(session.parts().walking.question.is_some());
     assert_eq!(asked(&session).as_deref(), Some("A"));
     typed(&mut session, WalkField::Value, "");
     send(&mut session, WalkCommand::Go(1));
@@ -262,7 +262,7 @@ fn a_simulated_value_never_takes_the_place_of_a_measured_one() {
     assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     act(&mut session, PartsAction::SizeAgain.into());
     assert_eq!(act(&mut session, PartsAction::SimulateValue.into()), []);
-    let refusal = said(session.parts().walking.refusal().unwrap());
+    let refusal = said(session.parts().walking.refusal.as_ref().unwrap());
     assert_eq!(refusal, "A is measured: a simulated value never takes the place of a measured one");
     assert_eq!(session.parts().walking.status(), Some(Status::Scrap));
     // A measured one takes the place of a simulated one.
@@ -278,11 +278,11 @@ fn a_simulated_value_never_takes_the_place_of_a_measured_one() {
 fn a_scanner_that_sends_enter_twice_answers_no_question() {
     let mut session = walking();
     assert_eq!(take(&mut session, "25013"), []);
-    assert!(session.parts().walking.question().is_some());
+    assert!(session.parts().walking.question.is_some());
     for after in [0, 30, 499, 998] {
         assert_eq!(act_after(&mut session, PartsAction::TakeValue.into(), after), [], "{after} ms");
     }
-    assert!(session.parts().walking.question().is_some());
+    assert!(session.parts().walking.question.is_some());
     // What it may have been has a button of its own.
     kept(&act(&mut session, PartsAction::TakeMeantValue.into()));
     assert_eq!(session.parts().walking.shown().unwrap().1.record.measurement.diameter.to_string(), "25.013");

@@ -12,10 +12,10 @@ fn check(toml: &str) {
     let simulation = Simulation::read(toml).unwrap();
     let form = WorkpieceForm::of(&simulation);
     assert_eq!(form.problem(), None);
-    let read = form.simulation().unwrap();
+    let read = form.simulation.as_ref().unwrap();
     let again = Simulation::read(&read.write().unwrap()).unwrap();
     assert_eq!(*read, again, "what is written is read as the same");
-    assert_eq!(WorkpieceForm::of(&again).simulation(), Some(read));
+    assert_eq!(WorkpieceForm::of(&again).simulation.as_ref(), Some(read));
 }
 
 #[test]
@@ -59,18 +59,18 @@ fn a_figure_that_cannot_be_is_told_beside_its_field() {
         set(&mut session, field, text);
         let form = session.workpiece();
         assert_eq!(form.error(field).map(|error| error.id), Some(id), "{field:?} {text}");
-        assert!(form.simulation().is_none());
+        assert!(form.simulation.is_none());
         set(&mut session, field, &before);
-        assert!(session.workpiece().simulation().is_some(), "{field:?}");
+        assert!(session.workpiece().simulation.is_some(), "{field:?}");
     }
     // Half an offset would be guessed.
     set(&mut session, WorkpieceField::OffsetX, "0,01");
     let form = session.workpiece();
-    assert!(form.error(WorkpieceField::OffsetY).is_some() && form.simulation().is_none());
+    assert!(form.error(WorkpieceField::OffsetY).is_some() && form.simulation.is_none());
     let said = form.problem().map(|problem| Words::new(Language::En).say(&problem));
     assert_eq!(said.as_deref(), Some("Offset of the ball Y: a length is missing"));
     set(&mut session, WorkpieceField::OffsetX, "");
     set(&mut session, WorkpieceField::Ovality, "2 µm");
-    let Surface::Round(round, _) = session.workpiece().simulation().unwrap().surface else { panic!("no bore") };
+    let Surface::Round(round, _) = session.workpiece().simulation.as_ref().unwrap().surface else { panic!("no bore") };
     assert!((round.ovality.amplitude - 0.002).abs() < 1e-12);
 }

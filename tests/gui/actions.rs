@@ -143,7 +143,7 @@ fn named(action: Action, shortcut: Shortcut) -> String {
 fn told(session: &Session) -> String {
     let program = session.program();
     let Some(document) = program.shown() else { return format!("{session:?}") };
-    let run = program.run().map(|run| (run.state, run.place(), run.blocks_run(), run.calls().count()));
+    let run = program.run.as_ref().map(|run| (run.state, run.place(), run.blocks_run(), run.calls().count()));
     let block = (document.selected, program.has_breakpoint(document.selected), program.look());
     let over = (session.page(), session.dialog(), session.notices());
     format!("{run:?} {block:?} {over:?} {:?}", program.state_message())

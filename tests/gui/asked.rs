@@ -212,7 +212,7 @@ fn a_budget_of_the_template_is_used_by_no_check() {
     page.get_by_label_contains("It still has entries from the template: the name, who created it, all figures");
     assert!(!page.state().session().can(BudgetAction::UseBudget));
     let ctx = page.ctx.clone();
-    let toml = page.state().session().budget().document.text.to_owned();
+    let toml = page.state().session().budget().document.text.clone();
     let named = toml.replace("Station 1, probe 1", "Mill 3").replace("Who made it", "JJ");
     page.state_mut().send(&ctx, BudgetCommand::Edit(named.clone()).into());
     page.run();

@@ -72,7 +72,7 @@ fn fill(window: &mut Harness<'_, App>, settings: &[(&str, &str)]) {
 
 /// The value in the list of results after a key.
 fn result(window: &Harness<'_, App>, key: &str) -> String {
-    let run = window.state().session().cycles().run().expect("a run");
+    let run = window.state().session().cycles().run.as_ref().expect("a run");
     let found = run.found().unwrap_or_else(|| panic!("{:?}", run.result));
     let found = found.results.iter().find(|found| found.called() == key).expect(key);
     // The list shows it, too.
@@ -239,7 +239,7 @@ fn all_other_cycles_are_run_and_read_back() {
     click(&mut window, Role::Button, "Run");
     assert!(simulated(&window).starts_with("GOOD. 75.0000 mm. measured diameter. 50.0 µm above minimum"));
     assert_eq!((result(&window, "Q153"), result(&window, "Q151")), ("75".to_owned(), "50".to_owned()));
-    assert_eq!(window.state().session().cycles().run().unwrap().found().unwrap().contacts.len(), 3);
+    assert_eq!(window.state().session().cycles().run.as_ref().unwrap().found().unwrap().contacts.len(), 3);
 
     let mut window = point(Window::default());
     key(&mut window, Modifiers::NONE, Key::Enter);
@@ -430,7 +430,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     click(&mut window, Role::Button, "Workpiece…");
     for kind in ["Shaft", "Face", "Free surface point", "Slot", "Ridge", "Pocket", "Boss", "Hole"] {
         click(&mut window, Role::RadioButton, kind);
-        assert!(window.state().session().workpiece().simulation().is_some(), "{kind}");
+        assert!(window.state().session().workpiece().simulation.is_some(), "{kind}");
     }
     click(&mut window, Role::RadioButton, "Z/X");
     assert_eq!(window.state().session().workpiece().plane, fitcheck::probing::cycle::Plane::Zx);
@@ -642,7 +642,7 @@ fn result_parameters_show_all_their_digits_with_the_decimal_signs_below_each_oth
     let mut window = hole(Window::default());
     fill(&mut window, &[("Q275", ""), ("Q276", "")]);
     key(&mut window, Modifiers::NONE, Key::Enter);
-    let found = window.state().session().cycles().run().unwrap().found().unwrap().clone();
+    let found = window.state().session().cycles().run.as_ref().unwrap().found().unwrap().clone();
     let lengths = found.results.iter().filter_map(|found| match found.value {
         fitcheck::probing::cycle::Value::Length(length) => Some(length),
         _ => None,
@@ -680,7 +680,7 @@ fn the_names_of_questions_and_results_are_whole_in_every_language() {
         let mut window = page_with_421(Window { language, ..Window::default() });
         key(&mut window, Modifiers::NONE, Key::Enter);
         let words = fitcheck::words::Words::new(language);
-        for found in &window.state().session().cycles().run().unwrap().found().unwrap().results {
+        for found in &window.state().session().cycles().run.as_ref().unwrap().found().unwrap().results {
             // The verdict may say it, too, in larger type.
             let name = words.told(&found.name);
             let rects: Vec<_> = window.get_all_by_label(&name).map(|node| node.rect()).collect();
@@ -814,7 +814,7 @@ fn several_values_out_are_told_below_and_the_card_keeps_its_height() {
         };
         assert!(said.contains(more), "{said}");
         let names: Vec<String> = {
-            let found = window.state().session().cycles().run().and_then(|run| run.found()).unwrap();
+            let found = window.state().session().cycles().run.as_ref().and_then(|run| run.found()).unwrap();
             found.checks.iter().filter(|check| check.is_out()).map(|check| words.told(&check.what)).collect()
         };
         assert_eq!(names.len(), 3, "{names:?}");

@@ -53,7 +53,7 @@ fn parts(window: &Harness<'_, App>) -> String {
 }
 
 fn shown(window: &Harness<'_, App>) -> String {
-    window.state().session().check().shown().map(|shown| shown.record.id.clone()).unwrap_or_default()
+    window.state().session().check().shown.as_ref().map(|shown| shown.record.id.clone()).unwrap_or_default()
 }
 
 /// What a screen reader says has the focus: in the list, the row at which the keys are.

@@ -198,7 +198,7 @@ fn the_keypad_types_into_no_field_that_is_not_on_screen() {
         press(&mut window, "Measure with Enter");
         let session = window.state().session();
         assert_eq!(session.text(CheckField::Measured), "25.012", "{page:?}");
-        assert_eq!((session.check().shown().is_some(), session.history().len()), (true, 1), "{page:?}");
+        assert_eq!((session.check().shown.is_some(), session.history().len()), (true, 1), "{page:?}");
         send(&mut window, Command::OpenPage(Page::Check));
         press(&mut window, "Key 7");
         assert_ne!(window.state().session().text(CheckField::Measured), "25.012", "there it types again");

@@ -71,7 +71,7 @@ fn the_part_of_a_plan_is_opened_listed_and_measured() {
     // It is seen before it is measured.
     assert!(figure(&page).contains("Part with 6 features: A1, S1, N1, R1, P1, B1."), "{}", figure(&page));
     run_to_the_end(&mut page);
-    let run = page.state().session().program().run().unwrap();
+    let run = page.state().session().program().run.as_ref().unwrap();
     assert_eq!(run.cycles().len(), 6);
     assert_eq!(run.status(), Some(fitcheck::verdict::Status::Good));
     assert!(figure(&page).contains("Part with 6 features"), "{}", figure(&page));

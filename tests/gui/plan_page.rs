@@ -185,14 +185,14 @@ fn rows_are_changed_by_buttons() {
     page.drag_at(head);
     page.drop_at(head);
     page.run();
-    let sheet = page.state().session().parts().sheet();
+    let sheet = &page.state().session().parts().sheet;
     assert_eq!((sheet.selected_rows(), sheet.selected_places()), (1..=1, 0..=6));
     click(&mut page, Role::Button, "Insert row");
     page.get_by_label_contains("Row 2, Callout, empty, fault:");
     click(&mut page, Role::Button, "Delete rows");
     page.get_by_label("No faults in the plan");
     click(&mut page, Role::CheckBox, "All columns");
-    assert_eq!(page.state().session().parts().sheet().columns.len(), Column::ALL.len());
+    assert_eq!(page.state().session().parts().sheet.columns.len(), Column::ALL.len());
 }
 
 #[test]

@@ -79,7 +79,7 @@ fn says(page: &Harnessed, wanted: &str) {
 }
 
 fn run(page: &Harnessed) -> &Run {
-    page.state().session().program().run().unwrap()
+    page.state().session().program().run.as_ref().unwrap()
 }
 
 /// Selects a block by how its line begins.
@@ -142,7 +142,7 @@ fn a_value_that_cannot_be_read_is_said_beside_its_field_and_nothing_runs() {
     page.get_by_label_contains("25..5");
     press(&mut page, Key::F5);
     says(&page, "An input cannot be read");
-    assert!(page.state().session().program().run().is_none());
+    assert!(page.state().session().program().run.is_none());
     type_into(&mut page, "Q1 Nominal size", "0");
     page.get_by_label_contains("is not above 0");
 }
@@ -227,7 +227,7 @@ fn the_simulated_workpiece_is_that_of_the_cycles_page() {
     press(&mut page, Key::F5);
     says(&page, "GOOD");
     says(&page, "The program agrees with Fitcheck");
-    let bench = page.state().session().workpiece().simulation().copied().unwrap();
+    let bench = page.state().session().workpiece().simulation.as_ref().copied().unwrap();
     assert!(format!("{:?}", bench.surface).contains("centre: [40.0, 30.0]"), "{bench:?}");
 }
 

@@ -93,7 +93,7 @@ fn program(name: &str, program: &str, contacts: &str) {
         while window.state().session().program().is_running() {
             window.run_steps(1);
         }
-        assert!(window.state().session().program().run().is_some_and(fitcheck::session::program::Run::is_over));
+        assert!(window.state().session().program().run.as_ref().is_some_and(fitcheck::session::program::Run::is_over));
     });
 }
 

@@ -167,7 +167,7 @@ fn keys_walk_the_list_and_enter_opens_a_record_with_its_reasoning() {
     let hash = window.state().session().records().opened_row().unwrap().head.hash.to_string();
     window.get_by_label(&hash);
     press(&mut window, Key::Escape);
-    assert_eq!(window.state().session().records().opened(), None);
+    assert_eq!(window.state().session().records().open.as_ref(), None);
     window.get_by_role(Role::Grid).focus();
     window.run();
     window.input_mut().events.push(Event::Copy);

@@ -47,7 +47,7 @@ fn opened(name: &str, bytes: &[u8]) -> (tempfile::TempDir, Harness<'static, App>
 #[test]
 fn a_large_file_shows_its_rows_and_counts_and_keeps_nothing_in_the_history() {
     let (_folder, window) = opened("big.csv", large().as_bytes());
-    let count = window.state().session().check().rows().unwrap().count();
+    let count = window.state().session().check().rows.as_ref().unwrap().count();
     assert!(30_000 < count, "{count}");
     window.get_by_label_contains("all judged in");
     window.get_by_label_contains("1 MiB, more than 1 MiB: judged row by row");
@@ -199,7 +199,7 @@ fn rows_and_history_change_places_and_the_file_is_closed() {
     click(&mut window, Role::Button, "Rows");
     assert!(!rows(&window).is_empty());
     click(&mut window, Role::Button, "Close file");
-    assert!(window.state().session().check().rows().is_none());
+    assert!(window.state().session().check().rows.is_none());
     assert!(window.query_by_role_and_label(Role::Button, "Rows").is_none());
 }
 

@@ -221,7 +221,7 @@ fn the_watched_folder_takes_nothing_twice_and_an_idle_one_asks_for_no_frame() {
         until(&mut page, |page| page.output().viewport_output[&ViewportId::ROOT].repaint_delay == Duration::MAX);
         assert_eq!(recorded(folder.path()), 2, "round {round}");
         click(&mut page, Role::Button, "Stop watching");
-        assert!(page.state().session().parts().watched.folder().is_none());
+        assert!(page.state().session().parts().watched.folder.is_none());
     }
 }
 

@@ -439,7 +439,7 @@ impl Session {
     /// The rule that the next value of the check page is judged by, as far as it is known before the value is.
     pub fn rule_ahead(&self) -> Option<Rule> {
         let asked = &self.check.asked;
-        asked.worth.rule_ahead(asked.limits()?, self.used_budget())
+        asked.worth.rule_ahead(asked.limits.as_ref()?, self.used_budget())
     }
 
     /// The answers to what the open page asks, the highlighted one first; none where nothing is asked.

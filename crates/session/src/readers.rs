@@ -174,7 +174,7 @@ impl Session {
 
     /// What has become of the shown check on its way to the journal; `None` where it was not sent.
     pub fn check_recorded(&self) -> Option<Recorded<'_>> {
-        self.shared.recording.of_check(self.check.shown()?.id?)
+        self.shared.recording.of_check(self.check.shown.as_ref()?.id?)
     }
 
     /// The user's own tables that are not open yet: number among [`Sources::own`], and table.

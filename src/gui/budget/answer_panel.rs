@@ -77,7 +77,7 @@ fn validity_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) -> Vec<String> 
 
 /// How it came about, what would help most, and its use.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
-    match view.session.budget().answer() {
+    match view.session.budget().answer.as_ref() {
         Some(Ok(found)) => {
             figures_ui(ui, view, found);
             help_ui(ui, view, found);

@@ -15,7 +15,7 @@ const NOTES: usize = 5;
 /// Size, contacts, readings, day.
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     let asks = view.session.budget().asks;
-    if view.session.budget().read().is_none() {
+    if view.session.budget().read.is_none() {
         return;
     }
     ui.separator();
@@ -49,7 +49,7 @@ fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> 
         (BudgetField::Step.into(), view.text("budget-page-step"), "°"),
     ];
     pairs_ui(ui, view, pairs, &fields);
-    match view.session.budget().contacts() {
+    match view.session.budget().contacts.as_ref() {
         Some(taken) => quiet(ui, view.words.say(&taken.of)),
         None => quiet(ui, view.text("budget-page-contacts-hint")),
     };
@@ -58,7 +58,7 @@ fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> 
 
 fn readings_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("budget-page-readings"));
-    if let Some(Readings { from, notes, .. }) = view.session.budget().readings() {
+    if let Some(Readings { from, notes, .. }) = view.session.budget().readings.as_ref() {
         ui.label(view.words.say(from));
         for note in notes.iter().take(NOTES) {
             quiet(ui, view.words.say(note));

@@ -35,7 +35,7 @@ pub(super) fn table_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
         Answer::Combined(evaluation) => contributions_ui(ui, view, evaluation),
         Answer::Repeated(repeated) => {
             let mean = format!("{:.6}", repeated.mean_mm);
-            let from = view.session.budget().readings().map(|readings| readings.from.clone());
+            let from = view.session.budget().readings.as_ref().map(|readings| readings.from.clone());
             let own = || message!("budget-page-readings-own").count("count", repeated.readings);
             heading(ui, view.text("budget-page-readings"));
             ui.label(view.words.say(&from.unwrap_or_else(own)));

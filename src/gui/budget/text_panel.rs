@@ -42,7 +42,7 @@ pub(super) fn text_ui(ui: &mut Ui, view: &mut View<'_>) {
             quiet(ui, budget.document.name());
         }
     });
-    let error = budget.read().and_then(|read| read.as_ref().err());
+    let error = budget.read.as_ref().and_then(|read| read.as_ref().err());
     let line = error.and_then(|error| error.place.line);
     let part = if is_low(ui) { 0.3 } else { 0.46 };
     let height = (ui.ctx().content_rect().height() * part).max(space(32.0));

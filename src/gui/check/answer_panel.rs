@@ -19,16 +19,16 @@ use crate::words::Words;
 
 /// The imported lot, if there is one and room for it, and the verdict card; or a question instead.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if let Some(lot) = view.session.check().lot().filter(|_| !is_low(ui)) {
+    if let Some(lot) = view.session.check().lot.as_ref().filter(|_| !is_low(ui)) {
         lot_ui(ui, view, lot);
     }
     if let Some(doubted) = view.session.check().doubted() {
         return doubted_ui(ui, view, doubted);
     }
-    if let Some(question) = view.session.check().question() {
+    if let Some(question) = view.session.check().question.as_ref() {
         return question_ui(ui, view, question);
     }
-    let record = view.session.check().shown().map(|shown| shown.record.as_ref());
+    let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     let card = record.map_or_else(|| no_card(view), |record| card(view.words, record, true));
     card_ui(ui, view, &card);
     recorded_ui(ui, view, view.session.check_recorded());
@@ -37,23 +37,23 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The card without a record: where a measurement was refused, that nothing was measured, and why.
 fn no_card(view: &View<'_>) -> Card {
     let refused = |why: &Message| vec![view.text("nothing-measured"), view.words.say(why)];
-    let row = view.session.check().rows().and_then(|rows| rows.shown()?.why.as_ref());
+    let row = view.session.check().rows.as_ref().and_then(|rows| rows.shown.as_ref()?.why.as_ref());
     let of_row = || row.map(|why| view.words.say(why)).into_iter().collect();
-    let lines = view.session.check().refusal().map_or_else(of_row, refused);
+    let lines = view.session.check().refusal.as_ref().map_or_else(of_row, refused);
     Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 
 /// The reasons for the verdict; before them the lot where it would push the verdict off a low window.
 pub(super) fn reasons_ui(ui: &mut Ui, view: &mut View<'_>) {
     if is_low(ui)
-        && let Some(lot) = view.session.check().lot()
+        && let Some(lot) = view.session.check().lot.as_ref()
     {
         lot_ui(ui, view, lot);
     }
-    if let Some(shown) = view.session.check().shown() {
+    if let Some(shown) = view.session.check().shown.as_ref() {
         lines_below_ui(ui, &card(view.words, &shown.record, true));
         why_ui(ui, view, &shown.record);
-    } else if view.session.check().question().is_none() {
+    } else if view.session.check().question.is_none() {
         lines_below_ui(ui, &no_card(view));
     }
 }
@@ -108,7 +108,7 @@ fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
         }
     }
     let Some((place, line)) = lot.shown() else { return };
-    let part = view.session.check().shown().map(|shown| &shown.record.id).filter(|part| !part.is_empty());
+    let part = view.session.check().shown.as_ref().map(|shown| &shown.record.id).filter(|part| !part.is_empty());
     let shown = match part {
         Some(part) => message!("lot-shown-part").text("part", part),
         None => message!("lot-shown"),

@@ -20,7 +20,7 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let features = callout_ui(ui, view);
     ui.add_space(space(1.0));
-    match view.session.check().asked.limits() {
+    match view.session.check().asked.limits.as_ref() {
         Some(limits) => limits_ui(ui, view, limits),
         None => no_limits_ui(ui, view),
     }

@@ -22,17 +22,17 @@ const FIRST_LINE: f32 = 0.68;
 
 /// Heading and plot over the given height.
 pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
-    let record = view.session.check().shown().map(|shown| shown.record.as_ref());
+    let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     ui.horizontal(|ui| {
         heading(ui, view.text("limit-band"));
-        if let Some(limits) = view.session.check().asked.limits() {
+        if let Some(limits) = view.session.check().asked.limits.as_ref() {
             quiet(ui, title(view, limits));
         }
         if record.is_some_and(|record| record.measurement.origin.is_simulated()) {
             ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
         }
     });
-    let Some(limits) = view.session.check().asked.limits() else {
+    let Some(limits) = view.session.check().asked.limits.as_ref() else {
         quiet(ui, view.text("band-empty"));
         return;
     };

@@ -31,7 +31,7 @@ const STEPS: u16 = 144;
 
 /// Heading, plot and remarks.
 pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
-    let record = view.session.check().shown().map(|shown| shown.record.as_ref());
+    let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     let picture = record.and_then(Picture::of);
     ui.horizontal(|ui| {
         heading(ui, view.text("contacts"));
@@ -58,12 +58,12 @@ pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// Whether contacts are known, so that there is something to draw.
 pub(super) fn has_picture(view: &View<'_>) -> bool {
-    view.session.check().shown().is_some_and(|shown| !shown.record.measurement.contacts.is_empty())
+    view.session.check().shown.as_ref().is_some_and(|shown| !shown.record.measurement.contacts.is_empty())
 }
 
 /// What the measurement cannot tell.
 pub(super) fn remarks_ui(ui: &mut Ui, view: &View<'_>) {
-    if let Some(shown) = view.session.check().shown() {
+    if let Some(shown) = view.session.check().shown.as_ref() {
         quiet(ui, remarks(view.words, &shown.record));
     }
 }

@@ -54,7 +54,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<RecordId>> {
     let history = view.session.history();
-    let shown = view.session.check().shown().map(|shown| Arc::clone(&shown.record));
+    let shown = view.session.check().shown.as_ref().map(|shown| Arc::clone(&shown.record));
     let row = |(id, record): (RecordId, Arc<Record>)| Row {
         is_cursor: history.cursor == Some(id),
         is_open: shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, &record)),

@@ -20,18 +20,18 @@ const LOOKED_THROUGH: usize = 500;
 pub(super) fn last_values_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
         heading(ui, view.text("last-values"));
-        let shown = view.session.check().shown();
+        let shown = view.session.check().shown.as_ref();
         if shown.is_some_and(|shown| shown.record.measurement.origin.is_simulated()) {
             ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
         }
     });
-    let Some(limits) = view.session.check().asked.limits() else {
+    let Some(limits) = view.session.check().asked.limits.as_ref() else {
         quiet(ui, view.text("last-values-empty"));
         return;
     };
     // Simulated values are never among measured ones.
     let is_simulated = |record: &Record| record.measurement.origin.is_simulated();
-    let shown = view.session.check().shown().is_some_and(|shown| is_simulated(&shown.record));
+    let shown = view.session.check().shown.as_ref().is_some_and(|shown| is_simulated(&shown.record));
     let checks = view.session.history().iter().rev().take(LOOKED_THROUGH).map(std::convert::AsRef::as_ref);
     let of_these = |record: &&Record| record.limits == *limits && is_simulated(record) == shown;
     let mut records: Vec<&Record> = checks.filter(of_these).take(MOST).collect();
@@ -85,7 +85,7 @@ fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
     let at = |place: usize, record: &Record| pos2(x(place), y(micrometres(record.verdict.size.deviation)));
     let line = records.iter().enumerate().map(|(place, record)| at(place, record)).collect();
     painter.line(line, Stroke::new(1.0, palette.quiet.0));
-    let shown = view.session.check().shown();
+    let shown = view.session.check().shown.as_ref();
     for (place, record) in records.iter().enumerate() {
         let centre = at(place, record);
         let mark = Rect::from_center_size(centre, vec2(space(3.5), space(3.5)));

@@ -113,7 +113,7 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 /// The history, or the rows of a large file in its place.
 fn below_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
     let check = view.session.check();
-    match check.rows().filter(|_| check.shows_rows()) {
+    match check.rows.as_ref().filter(|_| check.shows_rows()) {
         Some(rows) => rows_panel::rows_ui(ui, view, rows),
         None => history_panel::history_ui(ui, view, can_fold),
     }
@@ -159,7 +159,7 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
                 last_values::last_values_ui(ui, view);
             });
         });
-    } else if has_contacts || view.session.check().shown().is_none() && view.session.history().is_empty() {
+    } else if has_contacts || view.session.check().shown.is_none() && view.session.history().is_empty() {
         contacts_plot::contacts_ui(ui, view);
     } else {
         last_values::last_values_ui(ui, view);

@@ -42,7 +42,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
     };
     let seen = table.show(ui, view, |view, places| rows_of(view.words, rows, places));
     let is_missing = |row: Listed<'_>| row.read.is_none() && !row.is_asked;
-    if rows.unread().is_none() && seen.places.clone().filter_map(|place| rows.at(place)).any(is_missing) {
+    if rows.unread.is_none() && seen.places.clone().filter_map(|place| rows.at(place)).any(is_missing) {
         view.send(RowsCommand::See(seen.places));
     }
     if let Some(number) = seen.clicked {
@@ -55,7 +55,7 @@ fn rows_of(words: &Words, rows: &Rows, places: Range<usize>) -> Vec<Row<u64>> {
         let cells = LargeFileCells::of(words, rows, &row);
         Row {
             is_cursor: rows.cursor == Some(row.number),
-            is_open: rows.shown().is_some_and(|shown| shown.number == row.number),
+            is_open: rows.shown.as_ref().is_some_and(|shown| shown.number == row.number),
             ..cells.into_row(words, &row)
         }
     };
@@ -90,7 +90,7 @@ impl LargeFileCells {
                 what: String::new(),
             };
         };
-        let line = rows.layout().map_or(0, |layout| layout.line) + picked.line;
+        let line = rows.layout.as_deref().map_or(0, |layout| layout.line) + picked.line;
         let [part, callout] = picked.named.clone();
         let mut cells = Self {
             line: grouped(long(line)),

@@ -54,7 +54,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
             quiet(ui, view.words.say(&listed));
         }
     });
-    if let Some(why) = rows.unread() {
+    if let Some(why) = rows.unread.as_ref() {
         problem(ui, view.words.say(why));
     }
     list_ui(ui, view, rows);
@@ -84,7 +84,7 @@ fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
         let said = Message::new(id).text("count", &count).text("percent", percent).text("rate", &rate);
         said.text("seconds", &seconds)
     };
-    match rows.end() {
+    match rows.end.as_ref() {
         None => {
             let bar = ProgressBar::new(all.map_or(0.0, |all| share(read, all)))
                 .desired_width(space(25.0))
@@ -193,7 +193,7 @@ fn summary_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
         ui.set_min_width(space(130.0));
         let area = ScrollArea::vertical().max_height(list_height(ui));
         area.show(ui, |ui| {
-            if !rows.end().is_some_and(|end| *end == End::Done) {
+            if !rows.end.as_ref().is_some_and(|end| *end == End::Done) {
                 problem(ui, view.text("rows-not-whole"));
             }
             quiet(ui, why_text(view.words, rows));
@@ -220,8 +220,8 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
             ui.label(words.say(&Message::new(id).count("count", number).text("number", grouped(count))));
         }
     }
-    let first_line = rows.layout().map_or(1, |layout| layout.line);
-    if let Some(layout) = rows.layout() {
+    let first_line = rows.layout.as_deref().map_or(1, |layout| layout.line);
+    if let Some(layout) = rows.layout.as_deref() {
         for (line, warning) in &layout.warnings {
             quiet(ui, words.say(&message!("rows-note").count("line", *line).with("what", warning)));
         }
@@ -258,8 +258,8 @@ fn counts(tally: &Tally) -> [(&'static str, u64); 9] {
 
 /// The cells of the row whose check is shown, or why it has none.
 pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
-    let Some(rows) = view.session.check().rows() else { return };
-    let Some(row) = rows.shown() else { return };
+    let Some(rows) = view.session.check().rows.as_ref() else { return };
+    let Some(row) = rows.shown.as_ref() else { return };
     heading(ui, view.words.say(&message!("rows-line").count("line", row.line).text("name", &rows.name)));
     if let Some(why) = &row.why {
         problem(ui, view.words.say(why));

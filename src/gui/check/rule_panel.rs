@@ -103,7 +103,7 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     if judging.from == UncertaintyFrom::Budget {
         // A shown check has the budget that it was made with.
-        let of_check = view.session.check().shown().and_then(|shown| shown.record.budget.clone());
+        let of_check = view.session.check().shown.as_ref().and_then(|shown| shown.record.budget.clone());
         match (of_check, view.session.used_budget()) {
             (Some(kept), _) => {
                 let date = kept.date.to_string();
@@ -132,7 +132,7 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Which values are accepted; nothing where the limits themselves decide.
 fn zones_ui(ui: &mut Ui, view: &View<'_>) {
     let asked = &view.session.check().asked;
-    let (Some(rule), Some(limits)) = (view.session.rule_ahead(), asked.limits()) else { return };
+    let (Some(rule), Some(limits)) = (view.session.rule_ahead(), asked.limits.as_ref()) else { return };
     if rule.is_plain() {
         return;
     }

@@ -13,7 +13,7 @@ use crate::words::{Dialogue, Words};
 
 /// The pop-up and what can be done with it.
 pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let shown = view.session.check().shown();
+    let shown = view.session.check().shown.as_ref();
     let is_simulated = shown.is_some_and(|shown| shown.record.measurement.origin.is_simulated());
     popup_ui(ui, view, shown.map(|shown| &shown.window), "popup-empty", is_simulated);
     if let Some(values) = shown.and_then(|shown| exact(view.words, &shown.record)) {

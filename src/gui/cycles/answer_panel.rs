@@ -20,7 +20,7 @@ use crate::words::Words;
 /// Below the verdict: status window, results, remarks.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let run = session.cycles().run();
+    let run = session.cycles().run.as_ref();
     lines_below_ui(ui, &run_card(view, run));
     ui.add_space(space(1.0));
     let window = session.cycles().window(session.drawn_with());
@@ -47,7 +47,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The verdict. What stands below it does not move when a result comes: the card keeps the room of a rework with its
 /// instruction.
 pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let run = view.session.cycles().run();
+    let run = view.session.cycles().run.as_ref();
     let height = if is_tiny(ui) { 0.0 } else { card_height(ui, view, &largest_card(view.words)) };
     card_ui(ui, view, &Card { height, ..run_card(view, run) });
     let slip = run.and_then(|run| run.record).map(|record| (record, 0));

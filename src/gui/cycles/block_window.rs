@@ -10,7 +10,7 @@ use crate::session::CyclesCommand;
 
 /// The window, where it is open.
 pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
-    let Some(mut text) = view.session.cycles().block().map(str::to_owned) else { return };
+    let Some(mut text) = view.session.cycles().block.as_deref().map(str::to_owned) else { return };
     fixed_window("cycle-block", view.text("cycles-block"), Align2::CENTER_CENTER, 0.0).show(ui, |ui| {
         ui.set_width(space(140.0));
         let name = quiet(ui, view.text("cycles-block-hint"));
@@ -27,7 +27,7 @@ pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
         if response.changed() {
             view.send(CyclesCommand::TypeBlock(text.clone()));
         }
-        if let Some(error) = view.session.cycles().block_problem() {
+        if let Some(error) = view.session.cycles().block_problem.as_ref() {
             problem(ui, view.words.say(error));
         }
         ui.horizontal(|ui| {

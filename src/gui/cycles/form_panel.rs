@@ -198,7 +198,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn block_buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
-        opener_ui(ui, view, CyclesAction::PasteBlock, view.session.cycles().block().is_some());
+        opener_ui(ui, view, CyclesAction::PasteBlock, view.session.cycles().block.is_some());
         view.button(ui, CyclesAction::CopyBlock);
     });
 }

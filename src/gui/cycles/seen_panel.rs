@@ -40,7 +40,7 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let session = view.session;
     let height = ui.available_height();
-    column_ui(ui, "cycles-seen", |ui| match session.cycles().run() {
+    column_ui(ui, "cycles-seen", |ui| match session.cycles().run.as_ref() {
         None => _ = quiet(ui, view.text("cycles-nothing-seen")),
         Some(run) => run_ui(ui, view, run, height),
     });

@@ -25,7 +25,7 @@ use crate::verdict::fit::{Actual, Possible};
 /// Below the kind of fit: what it is for, the parts, limits, the equivalent fit.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let Some(fit) = session.fit().fit() else { return };
+    let Some(fit) = session.fit().fit.as_ref() else { return };
     if is_tiny(ui) {
         figures_ui(ui, view, fit);
     }
@@ -40,7 +40,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     ui.separator();
     limits_ui(ui, view, fit);
-    if let Some(equivalent) = session.fit().equivalent() {
+    if let Some(equivalent) = session.fit().equivalent.as_ref() {
         ui.separator();
         equivalent_ui(ui, view, equivalent);
     }
@@ -61,7 +61,7 @@ fn range(view: &View<'_>, minimum: Length, maximum: Length) -> String {
 
 /// The kind of fit. It is not a verdict, so it does not have the colour of one.
 pub(super) fn kind_ui(ui: &mut Ui, view: &View<'_>) {
-    let fit = view.session.fit().fit();
+    let fit = view.session.fit().fit.as_ref();
     let word = view.text(fit.map_or("fit-word-none", |fit| kind_id(fit.kind())));
     plain_ui(ui, "kind", false, |ui| {
         let Some(fit) = fit else {

@@ -17,7 +17,7 @@ pub(super) fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
     error_ui(ui, view, FitField::Callout);
     if view.session.text(FitField::Callout).trim().is_empty() {
         quiet(ui, view.text("fit-callout-hint"));
-    } else if let Some(hint) = view.session.fit().hint() {
+    } else if let Some(hint) = view.session.fit().hint.as_ref() {
         quiet(ui, view.words.say(hint));
     }
     ui.add_space(space(1.0));

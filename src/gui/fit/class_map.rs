@@ -26,7 +26,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let session = view.session;
     let side = session.fit().side();
     ui.horizontal(|ui| {
-        match session.fit().nominal() {
+        match session.fit().nominal {
             Some(nominal) => heading(ui, view.words.say(&message!("fit-classes").number("nominal", nominal))),
             None => heading(ui, view.text("fit-classes-none")),
         };

@@ -21,11 +21,11 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     let page = view.session.fit();
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.text("fit-picture"));
-        if page.fit().is_some() {
+        if page.fit.is_some() {
             quiet(ui, view.text("fit-picture-legend"));
         }
     });
-    let (Some(fit), Some(picture)) = (page.fit(), page.picture()) else {
+    let (Some(fit), Some(picture)) = (page.fit.as_ref(), page.picture()) else {
         quiet(ui, view.text("fit-picture-empty"));
         return;
     };

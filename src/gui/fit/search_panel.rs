@@ -35,7 +35,7 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let name = quiet(ui, view.text("fit-scope"));
         let width = ui.available_width() - space(2.0);
-        let now = view.session.fit().scope();
+        let now = view.session.fit().scope;
         let scopes = [Scope::All, Scope::Basis, Scope::Preferred].map(|scope| (scope, view.text(scope_id(scope))));
         let (chosen, list) = one_of_ui(ui, "fit-scope", width, &now, scopes);
         list.labelled_by(name.id);
@@ -45,7 +45,7 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let session = view.session;
     match session.fit().found() {
-        None if session.fit().nominal().is_none() => _ = quiet(ui, view.text("fit-search-size")),
+        None if session.fit().nominal.is_none() => _ = quiet(ui, view.text("fit-search-size")),
         None => _ = quiet(ui, view.text("fit-search-hint")),
         Some(Err(error)) => _ = problem(ui, view.words.say(error)),
         Some(Ok(found)) => found_ui(ui, view, found),

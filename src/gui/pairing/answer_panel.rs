@@ -14,7 +14,7 @@ use crate::session::{Paired, PairingAction};
 
 /// The number of pairs, their clearances and what is left over. It is not a verdict, so it does not have the colour of one.
 pub(super) fn count_ui(ui: &mut Ui, view: &View<'_>) {
-    let paired = view.session.pairing().paired();
+    let paired = view.session.pairing().paired.as_deref();
     let lines = paired.map_or_else(Vec::new, |paired| lines(view, paired));
     let word = match paired {
         Some(paired) => view.words.say(&message!("pairing-page-count").count("count", paired.count())),
@@ -50,7 +50,7 @@ fn lines(view: &View<'_>, paired: &Paired) -> Vec<String> {
 /// Below it: what is done with the pairs, figures, grinding, groups.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let Some(paired) = session.pairing().paired() else { return };
+    let Some(paired) = session.pairing().paired.as_deref() else { return };
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);

@@ -97,7 +97,7 @@ fn read_ui(ui: &mut Ui, view: &View<'_>, parts: &PairingParts, feature: Feature)
     more_ui(ui, view, "pairing-page-all-notes", parts.notes.len(), |ui, at| {
         parts.notes.get(at).map(|note| quiet_cut(ui, note_text(view, note)));
     });
-    let paired = view.session.pairing().paired();
+    let paired = view.session.pairing().paired.as_deref();
     let [hole, shaft] = paired.map_or([None, None], |paired| paired.answer.outside.each_ref().map(Option::as_ref));
     if let Some(outside) = if feature == Feature::Hole { hole } else { shaft } {
         problem(ui, view.words.told(outside));

@@ -57,7 +57,7 @@ fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Picture and list; without an answer what is to be done.
 fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let Some(paired) = view.session.pairing().paired() else { return asked_panel::missing_ui(ui, view) };
+    let Some(paired) = view.session.pairing().paired.as_deref() else { return asked_panel::missing_ui(ui, view) };
     // The list keeps its heads and three rows.
     let height = (ui.available_height() * 0.52).min(ui.available_height() - control(ui) * 4.0 - space(4.0));
     if space(24.0) <= height {

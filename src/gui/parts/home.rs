@@ -34,7 +34,7 @@ pub(super) fn home_ui(ui: &Ui, view: &View<'_>) {
         *last = focused.or(before);
         before
     });
-    if has_dialog || Popup::is_any_open(ui.ctx()) || session.parts().sheet().is_editing {
+    if has_dialog || Popup::is_any_open(ui.ctx()) || session.parts().sheet.is_editing {
         return;
     }
     // Below a dialog that was there in the frame before nothing can have the focus: it is given twice.

@@ -26,7 +26,7 @@ pub(super) fn plan_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
     let balloons = view.session.parts().balloons();
     let sight = view.session.parts().sight();
     if let Some(row) = picture_ui(ui, view, (sight, &balloons), true) {
-        let (_, column) = view.session.parts().sheet().at();
+        let (_, column) = view.session.parts().sheet.at();
         view.send(PartsCommand::Plan(PlanCommand::Go(row, column, false)));
     }
 }

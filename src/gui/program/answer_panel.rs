@@ -22,7 +22,7 @@ const MOST: usize = 20;
 
 /// Below the verdict: windows, what was measured, files.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let Some(run) = view.session.program().run() else {
+    let Some(run) = view.session.program().run.as_ref() else {
         quiet(ui, view.text("program-page-no-windows"));
         return;
     };
@@ -45,7 +45,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The verdict in one line, so that the program's own window stays in sight.
 pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let run = view.session.program().run();
+    let run = view.session.program().run.as_ref();
     let status = run.and_then(Run::status);
     let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
     let word = view.text(status_id(status));
@@ -72,7 +72,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
         simulated.into_iter().chain([word]).chain(measured).collect()
     });
-    let slip = view.session.program().run().and_then(|run| run.record);
+    let slip = view.session.program().run.as_ref().and_then(|run| run.record);
     recorded_ui(ui, view, slip.and_then(|slip| view.session.recording().of_slip(slip)));
 }
 

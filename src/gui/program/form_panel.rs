@@ -81,7 +81,7 @@ fn native_ui(ui: &mut Ui, view: &View<'_>) {
             return;
         }
     };
-    let run = session.program().run();
+    let run = session.program().run.as_ref();
     let dash = || "–".to_owned();
     let theirs = |number: u16| {
         let length = run.and_then(|run| run.length(crate::control::variables::Parameter::q(number)));

@@ -69,7 +69,7 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, document: &Document, rows: Range<us
     let width = gutter() + glyph * times(1.0, document.longest_line().min(WIDEST) + 2);
     let width = width.max(ui.available_width());
     let program = view.session.program();
-    let run = program.run();
+    let run = program.run.as_ref();
     let current = run.and_then(Run::place).filter(|place| place.program == document.path).map(|place| place.block);
     let failed = run.is_some_and(|run| run.state == State::Faulted);
     for line in rows {

@@ -42,7 +42,7 @@ pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = 0.0;
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.words.say(&message!("program-page-problems").count("count", count)));
-        let unlisted = program.run().map_or(0, Run::unlisted_remarks);
+        let unlisted = program.run.as_ref().map_or(0, Run::unlisted_remarks);
         if 0 < unlisted {
             quiet(ui, view.words.say(&message!("program-page-unlisted").count("count", unlisted)));
         }

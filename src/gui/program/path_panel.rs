@@ -10,7 +10,7 @@ use crate::session::program::{Run, WorkpieceFrom};
 /// Whether the open program gets room for a path: it has one, or may get one.
 pub(super) fn has_room(view: &View<'_>) -> bool {
     let program = view.session.program();
-    program.main().is_some_and(|document| document.may_measure) || program.run().is_some_and(Run::has_path)
+    program.main().is_some_and(|document| document.may_measure) || program.run.as_ref().is_some_and(Run::has_path)
 }
 
 /// The picture in the room that is left; its room is kept while there is none. A part is shown before it is measured.
@@ -18,7 +18,7 @@ pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
     heading(ui, view.text("program-page-path"));
     let program = view.session.program();
     let part = view.session.part().filter(|_| program.workpiece == WorkpieceFrom::Part).map(|open| &open.part);
-    let run = program.run().filter(|run| run.has_path());
+    let run = program.run.as_ref().filter(|run| run.has_path());
     if run.is_none() && part.is_none() {
         quiet(ui, view.text("program-page-no-path"));
         return;

@@ -79,14 +79,14 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let shown = view.session.program().main().map_or("", |document| document.title());
     let list = list_ui(ui, "program-choice", shown, space(36.0), |ui| {
         for (language, file) in Shipped::main_programs() {
-            let chosen = view.session.program().origin() == Some(&Origin::Shipped(file));
+            let chosen = view.session.program().origin.as_ref() == Some(&Origin::Shipped(file));
             let text = format!("{file}, {}", language.name());
             if ui.selectable_label(chosen, text).clicked() {
                 view.send(ProgramCommand::OpenShipped(file));
             }
         }
         for (number, path) in view.session.recent_of(Purpose::OpenProgram) {
-            let is_open = matches!(view.session.program().origin(), Some(Origin::File(open)) if open == path);
+            let is_open = matches!(view.session.program().origin.as_ref(), Some(Origin::File(open)) if open == path);
             if ui.selectable_label(is_open, path.display().to_string()).clicked() {
                 // It may have changed.
                 view.send(FilesCommand::OpenRecent(number));
@@ -145,7 +145,7 @@ fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn state_ui(ui: &mut Ui, view: &View<'_>) {
     let program = view.session.program();
     let (mark, _) = ui.allocate_exact_size(vec2(space(5.0), space(5.0)), Sense::hover());
-    paint::state(ui.painter(), mark, program.run().map(|run| run.state), palette(ui.ctx()));
+    paint::state(ui.painter(), mark, program.run.as_ref().map(|run| run.state), palette(ui.ctx()));
     let said = view.words.say(&program.state_message());
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
     live(ui, &label, &said, Live::Polite);
@@ -154,7 +154,7 @@ fn state_ui(ui: &mut Ui, view: &View<'_>) {
 /// The programs that called one another; each can be shown.
 fn calls_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
-    let Some(run) = program.run().filter(|run| run.state != State::Ended) else { return };
+    let Some(run) = program.run.as_ref().filter(|run| run.state != State::Ended) else { return };
     let programs = run.programs();
     if programs.len() < 2 && program.shown().map(|document| &document.path) == programs.first() {
         return;

@@ -29,7 +29,7 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     let program = view.session.program();
     let watched = program.watched();
     if watched.is_empty() {
-        let id = if program.run().is_some() { "program-page-none-found" } else { "program-page-no-parameters" };
+        let id = if program.run.is_some() { "program-page-none-found" } else { "program-page-no-parameters" };
         quiet(ui, view.text(id));
         return;
     }

@@ -85,7 +85,7 @@ fn count_ui(ui: &mut Ui, view: &View<'_>) {
     };
     let said = Message::new(id).count("many", count).text("count", number);
     quiet(ui, view.words.say(&said));
-    if let Some(why) = listing.unread() {
+    if let Some(why) = listing.unread.as_ref() {
         problem(ui, view.words.say(&message!("records-page-unread").message("why", why.clone())));
     }
 }

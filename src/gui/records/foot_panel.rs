@@ -40,7 +40,7 @@ pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn place_ui(ui: &mut Ui, view: &View<'_>) {
     let recording = view.session.recording();
     // Until the journal is known its file has no name.
-    let file = recording.file().map_or_else(String::new, |file| file.display().to_string());
+    let file = recording.file.as_deref().map_or_else(String::new, |file| file.display().to_string());
     let entries = recording.newest;
     let said = message!("records-page-place").text("file", &file).text("entries", grouped(entries));
     let mut said = view.words.say(&said);

@@ -71,7 +71,7 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<u64>> {
         let is_struck = cells.is_struck;
         Row {
             is_cursor: page.cursor == Some(number),
-            is_open: page.opened().is_some_and(|open| open.number == number),
+            is_open: page.open.as_ref().is_some_and(|open| open.number == number),
             is_struck,
             is_quiet: read.is_none() || listing.is_stale,
             ..cells.into_row(view.words, number, (page.is_chosen(number), read.is_some()))

@@ -45,7 +45,7 @@ fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
     let frame = Frame::side_top_panel(ui.style());
     Panel::bottom("records-foot").frame(frame).resizable(false).show(ui, |ui| foot_panel::foot_ui(ui, view));
     let split = Split { name: "records-open", beside: BESIDE, list: listed_ui, detail: record_panel::record_ui };
-    split_ui(ui, view, &split, view.session.records().opened().is_some());
+    split_ui(ui, view, &split, view.session.records().open.is_some());
 }
 
 fn listed_ui(ui: &mut Ui, view: &mut View<'_>) {

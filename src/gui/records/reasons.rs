@@ -33,7 +33,7 @@ pub(super) fn lines(view: &View<'_>, row: &RecordRow) -> Vec<Line> {
     lines.push(Line::Heading(view.text("records-page-chain")));
     let named = |id: &str, text: String| Line::Named(view.text(id), text);
     lines.push(named("records-page-hash", row.head.hash.to_string()));
-    let chain = view.session.recording().journal().map(|journal| journal.chain.to_string());
+    let chain = view.session.recording().journal.as_ref().map(|journal| journal.chain.to_string());
     lines.extend(chain.map(|chain| named("records-page-chain-name", chain)));
     lines
 }

@@ -18,7 +18,7 @@ use crate::words::Words;
 /// The panel.
 pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
-    let Some(open) = session.records().opened() else { return };
+    let Some(open) = session.records().open.as_ref() else { return };
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.words.say(&message!("records-page-record").text("number", open.number)));
         view.button(ui, RecordsAction::CloseRecord);
@@ -39,7 +39,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     column_ui(ui, "records-open", |ui| {
-        if let Some(form) = session.records().correcting() {
+        if let Some(form) = session.records().correcting.as_ref() {
             correction_ui(ui, view, form);
         }
         verdict_ui(ui, view.words, row);

@@ -100,7 +100,7 @@ impl Actions for WindowAction {
             Self::TakeColumns => {
                 ActionRow::new(ActionScope::Dialog, "columns-page-take", Sends::Always(ColumnsCommand::Take.into()))
                     .key(Shortcut { held: Held::Ctrl, key: Key::Enter })
-                    .when(|session| shows_columns(session).is_some_and(|open| open.refusal().is_none()))
+                    .when(|session| shows_columns(session).is_some_and(|open| open.refusal.is_none()))
             }
             Self::CorrectColumns => everywhere("columns-page-correct", ColumnsCommand::Correct.into())
                 .when(|session| told_columns(session).is_some()),

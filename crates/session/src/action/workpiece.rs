@@ -38,7 +38,7 @@ impl Actions for WorkpieceAction {
                 of_workpiece("cycles-open-workpiece", open(Purpose::OpenCycleFile(CycleFile::Workpiece)))
             }
             Self::SaveWorkpiece => of_workpiece("cycles-save-workpiece", open(Purpose::SaveWorkpiece))
-                .when(|session| session.workpiece().simulation().is_some()),
+                .when(|session| session.workpiece().simulation.is_some()),
             Self::OpenContacts => {
                 of_workpiece("cycles-open-contacts", open(Purpose::OpenCycleFile(CycleFile::Contacts)))
             }

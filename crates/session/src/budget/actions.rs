@@ -62,13 +62,13 @@ impl Actions for BudgetAction {
             Self::ContactsRecorded => of_page("budget-page-take-recorded", BudgetCommand::TakeRecorded)
                 .when(|session| session.recorded().is_some()),
             Self::OwnContacts => of_page("budget-page-own-contacts", BudgetCommand::OwnContacts)
-                .when(|session| session.budget().contacts().is_some()),
+                .when(|session| session.budget().contacts.is_some()),
             Self::OpenReadings => opening("budget-page-open-readings", Purpose::OpenReadings)
                 .when(|session| session.budget().asks.readings),
             Self::TakeReadings => of_page("budget-page-take-readings", BudgetCommand::TakeRecords)
                 .when(|session| session.budget().asks.readings && has_history(session)),
             Self::OwnReadings => of_page("budget-page-own-readings", BudgetCommand::OwnReadings)
-                .when(|session| session.budget().readings().is_some()),
+                .when(|session| session.budget().readings.is_some()),
         }
     }
 }
@@ -89,7 +89,7 @@ fn can_use_budget(session: &Session) -> bool {
 
 /// The check that is shown, where its contacts are known.
 fn checked_contacts(session: &Session) -> Option<&Arc<Record>> {
-    let shown = session.check().shown().map(|shown| &shown.record);
+    let shown = session.check().shown.as_ref().map(|shown| &shown.record);
     shown.filter(|record| !record.measurement.contacts.is_empty())
 }
 

@@ -61,14 +61,16 @@ pub struct BudgetPage {
     errors: BTreeMap<BudgetField, Message>,
     pub document: OpenDocument<BudgetDocument>,
     /// `None` while there is no text.
-    read: Option<Result<Budget, Located<BudgetError>>>,
+    pub read: Option<Result<Budget, Located<BudgetError>>>,
     /// What the budget asks for besides its text.
     pub asks: Asks,
-    contacts: Option<TakenContacts>,
+    /// The contacts that were taken over.
+    pub contacts: Option<TakenContacts>,
     source: Option<Source>,
-    readings: Option<Readings>,
+    /// The readings that take the place of those of the budget.
+    pub readings: Option<Readings>,
     /// `None` while text or fields cannot be read.
-    answer: Option<Result<Assessment, Message>>,
+    pub answer: Option<Result<Assessment, Message>>,
     today: Date,
     /// The file of the budget that checks use.
     used_file: Option<PathBuf>,
@@ -77,21 +79,6 @@ pub struct BudgetPage {
 }
 
 impl BudgetPage {
-    /// What the text says; `None` while there is none.
-    pub const fn read(&self) -> Option<&Result<Budget, Located<BudgetError>>> {
-        self.read.as_ref()
-    }
-
-    /// The contacts that were taken over.
-    pub const fn contacts(&self) -> Option<&TakenContacts> {
-        self.contacts.as_ref()
-    }
-
-    /// The readings that take the place of those of the budget.
-    pub const fn readings(&self) -> Option<&Readings> {
-        self.readings.as_ref()
-    }
-
     /// The day that it is evaluated for: today, unless another one is given.
     pub fn day_shown(&self) -> String {
         let given = self.texts.text(BudgetField::Day).trim();
@@ -104,11 +91,6 @@ impl BudgetPage {
             Some(Ok(Budget { basis: Basis::Calibrated(piece), .. })) => piece.readings.len(),
             _ => 0,
         }
-    }
-
-    /// What the budget comes to, or why it comes to nothing; `None` while text or fields cannot be read.
-    pub const fn answer(&self) -> Option<&Result<Assessment, Message>> {
-        self.answer.as_ref()
     }
 
     /// What it comes to.

@@ -82,9 +82,10 @@ impl Actions for CheckAction {
         match *self {
             Self::Measure => on(Page::Check, "measure", CheckCommand::Measure),
             Self::JudgeAnyway => on(Page::Check, "judge-anyway", CheckCommand::Measure)
-                .when(|session| session.check().question().is_some()),
-            Self::TakeMeant => on(Page::Check, "take-meant", CheckCommand::TakeMeant)
-                .when(|session| session.check().question().is_some_and(|question| question.doubt.meant().is_some())),
+                .when(|session| session.check().question.is_some()),
+            Self::TakeMeant => on(Page::Check, "take-meant", CheckCommand::TakeMeant).when(|session| {
+                session.check().question.as_ref().is_some_and(|question| question.doubt.meant().is_some())
+            }),
             Self::TakeText => on(Page::Check, "take-text", CheckCommand::TakeText)
                 .when(|session| session.check().doubted().is_some_and(|doubted| doubted.meant.is_some())),
             Self::KeepText => on(Page::Check, "keep-text", CheckCommand::KeepText)
@@ -157,26 +158,32 @@ impl Actions for CheckAction {
                 .when(|session| 0 < session.history().chosen_count() || has_cursor(session)),
             Self::ShowRows(shows_rows) => {
                 let text = if shows_rows { "rows" } else { "history" };
-                on(Page::Check, text, RowsCommand::Show(shows_rows)).when(|session| session.check().rows().is_some())
+                on(Page::Check, text, RowsCommand::Show(shows_rows)).when(|session| session.check().rows.is_some())
             }
             Self::CancelRows => on(Page::Check, "rows-cancel", RowsCommand::Cancel)
                 .key(Shortcut::plain(Key::Escape))
-                .when(|session| session.check().rows().is_some_and(Rows::is_running)),
+                .when(|session| session.check().rows.as_ref().is_some_and(Rows::is_running)),
             Self::JudgeRowsAgain => on(Page::Check, "rows-again", RowsCommand::Again)
-                .when(|session| session.check().rows().is_some_and(|rows| !rows.is_running())),
+                .when(|session| session.check().rows.as_ref().is_some_and(|rows| !rows.is_running())),
             Self::CloseRows => on(Page::Check, "rows-close", RowsCommand::Close)
                 .hint("rows-close-hint")
-                .when(|session| session.check().rows().is_some()),
+                .when(|session| session.check().rows.is_some()),
             Self::MoveRow(step) => within(ROWS, "rows-move", RowsCommand::Move(step)).key(keys(step)).when(has_rows),
             Self::ShowRow => ActionRow::new(
                 ActionScope::Part(ROWS),
                 "rows-show",
-                Sends::AtCursor(|session| Some(RowsCommand::Check(session.check().rows()?.cursor?).into())),
+                Sends::AtCursor(|session| Some(RowsCommand::Check(session.check().rows.as_ref()?.cursor?).into())),
             )
             .key(Shortcut::plain(Key::Enter))
-            .when(|session| session.check().rows().is_some_and(|rows| rows.look().1.is_some())),
-            Self::KeepRow => on(Page::Check, "rows-keep", RowsCommand::Keep)
-                .when(|session| session.check().rows().and_then(Rows::shown).is_some_and(|row| row.record.is_some())),
+            .when(|session| session.check().rows.as_ref().is_some_and(|rows| rows.look().1.is_some())),
+            Self::KeepRow => on(Page::Check, "rows-keep", RowsCommand::Keep).when(|session| {
+                session
+                    .check()
+                    .rows
+                    .as_ref()
+                    .and_then(|rows| rows.shown.as_ref())
+                    .is_some_and(|row| row.record.is_some())
+            }),
         }
     }
 
@@ -184,7 +191,7 @@ impl Actions for CheckAction {
         let mm = |length: Option<Length>| length.map_or_else(String::new, |length| words.mm(length, 3));
         let message = match self {
             Self::JudgeAnyway | Self::TakeMeant => {
-                let question = session.check().question();
+                let question = session.check().question.as_ref();
                 Message::new(self.row().text)
                     .text("measured", mm(question.map(|question| question.measured)))
                     .text("meant", mm(question.and_then(|question| question.doubt.meant())))
@@ -220,11 +227,11 @@ impl Actions for CheckAction {
 }
 
 fn is_after_worst(session: &Session) -> bool {
-    session.check().lot().and_then(Lot::shown).is_some_and(|(place, _)| 1 < place)
+    session.check().lot.as_ref().and_then(Lot::shown).is_some_and(|(place, _)| 1 < place)
 }
 
 fn is_before_best(session: &Session) -> bool {
-    session.check().lot().is_some_and(|lot| lot.shown().is_some_and(|(place, _)| place < lot.judged()))
+    session.check().lot.as_ref().is_some_and(|lot| lot.shown().is_some_and(|(place, _)| place < lot.judged()))
 }
 
 fn has_listed(session: &Session) -> bool {
@@ -232,7 +239,7 @@ fn has_listed(session: &Session) -> bool {
 }
 
 fn has_rows(session: &Session) -> bool {
-    session.check().shows_rows() && session.check().rows().is_some_and(|rows| 0 < rows.listed())
+    session.check().shows_rows() && session.check().rows.as_ref().is_some_and(|rows| 0 < rows.listed())
 }
 
 /// Whether the keys are at a row of the list.

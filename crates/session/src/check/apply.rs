@@ -172,11 +172,11 @@ impl PageState for CheckPage {
     }
 
     fn culprit(&self, field: CheckField) -> Option<&Range<usize>> {
-        self.asked.culprit().filter(|_| field == CheckField::Callout)
+        self.asked.culprit.as_ref().filter(|_| field == CheckField::Callout)
     }
 
     fn asks(&self) -> Option<PageQuestion> {
-        let meant = self.question()?.doubt.meant().map(|_| CheckAction::TakeMeant.into());
+        let meant = self.question.as_ref()?.doubt.meant().map(|_| CheckAction::TakeMeant.into());
         let answers = meant.into_iter().chain([CheckAction::JudgeAnyway.into()]).collect();
         Some(PageQuestion { about: CheckAction::Measure.into(), answers })
     }
@@ -399,7 +399,7 @@ impl CheckPage {
         self.own.clear();
         self.own_judging = None;
         self.edited(&shared.sources);
-        self.asks = self.asked.doubted().is_some();
+        self.asks = self.asked.doubted.is_some();
         if self.asks {
             return;
         }

@@ -22,8 +22,9 @@ pub struct CheckInputs {
     /// The callout, when it can be read (its limits may still be refused).
     pub callout: Option<Callout>,
     /// Where in the callout's text an error shows, in characters.
-    culprit: Option<ops::Range<usize>>,
-    limits: Option<Limits>,
+    pub culprit: Option<ops::Range<usize>>,
+    /// The limits on screen.
+    pub limits: Option<Limits>,
     lengths: BTreeMap<CheckField, Length>,
     /// The angle of the first contact.
     pub(super) first_angle: Option<Angle>,
@@ -34,7 +35,7 @@ pub struct CheckInputs {
     /// What a measured value is worth: rule, uncertainty, temperature.
     pub worth: RuleFields,
     /// What is asked about first.
-    doubted: Option<DoubtedText>,
+    pub doubted: Option<DoubtedText>,
     errors: BTreeMap<CheckField, Message>,
 }
 
@@ -153,29 +154,14 @@ impl CheckInputs {
         whole(text).map_err(|error| self.errors.insert(field, error)).ok()
     }
 
-    /// Where in the callout's text an error shows: characters counted from 0.
-    pub const fn culprit(&self) -> Option<&ops::Range<usize>> {
-        self.culprit.as_ref()
-    }
-
     /// Whether the callout does not say hole or shaft, so that it has to be chosen.
     pub fn needs_feature(&self) -> bool {
         self.callout.is_some_and(|callout| callout.feature().is_none())
     }
 
-    /// The limits on screen.
-    pub const fn limits(&self) -> Option<&Limits> {
-        self.limits.as_ref()
-    }
-
     /// The length in a field, mm, when it can be read.
     pub fn length(&self, field: CheckField) -> Option<Length> {
         self.lengths.get(&field).copied()
-    }
-
-    /// The first text that may not mean what it says.
-    pub const fn doubted(&self) -> Option<&DoubtedText> {
-        self.doubted.as_ref()
     }
 
     /// What is wrong with a field.

@@ -129,7 +129,7 @@ fn judge_contacts(
     now: DateTime,
 ) -> Result<Record, Message> {
     let asked = &page.asked;
-    let limits = asked.limits().ok_or_else(|| message!("measured-needs-limits"))?;
+    let limits = asked.limits.as_ref().ok_or_else(|| message!("measured-needs-limits"))?;
     let origin = Origin::Contacts { file: name.into() };
     let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
     // A position that cannot be read is refused: leaving it out would call a shifted feature good.

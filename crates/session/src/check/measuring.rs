@@ -22,7 +22,7 @@ type Refusal = (CheckField, Message);
 /// Measures as the fields say.
 pub(super) fn measure(page: &CheckPage, budget: Option<&OpenBudget>, now: DateTime) -> Result<Record, Refusal> {
     let asked = &page.asked;
-    let Some(limits) = asked.limits() else {
+    let Some(limits) = asked.limits.as_ref() else {
         // An error beside the callout says more than "no limits".
         let problem = asked.error(CheckField::Callout).cloned();
         return Err((CheckField::Callout, problem.unwrap_or_else(|| message!("measured-needs-limits"))));

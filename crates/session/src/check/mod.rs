@@ -92,7 +92,8 @@ pub struct CheckPage {
     own_judging: Option<RuleChoice>,
     /// What the fields mean.
     pub asked: CheckInputs,
-    shown: Option<ShownCheck>,
+    /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
+    pub shown: Option<ShownCheck>,
     /// The record whose limits are on screen: it may come from tables that are no longer used, or from a log without a
     /// callout. Limits of the latter stay after its verdict is gone.
     lent: Option<Arc<Record>>,
@@ -100,21 +101,23 @@ pub struct CheckPage {
     own: BTreeMap<CheckField, String>,
     inputs: Inputs,
     /// Why the last simulation was refused, until something is changed.
-    refusal: Option<Message>,
+    pub refusal: Option<Message>,
     /// Whether the typed diameter was measured already: a new callout empties its field.
     measured_is_used: bool,
     /// Whether Enter came once more for a check that is shown already.
     pub is_repeated: bool,
     /// When a typed value was judged last.
     judged: Asking,
-    question: Option<Question>,
+    /// What is asked about the typed value before it is judged.
+    pub question: Option<Question>,
     /// The doubted texts that are meant.
     meant: Meant,
     /// Whether a doubted text is asked about.
     asks: bool,
-    lot: Option<Lot>,
+    /// The file that was imported last, while one of its rows or none is shown.
+    pub lot: Option<Lot>,
     /// The rows of a large file.
-    rows: Option<Rows>,
+    pub rows: Option<Rows>,
     /// Whether they stand in the place of the history.
     shows_rows: bool,
     /// How many runs over large files there were.
@@ -200,24 +203,9 @@ impl CheckPage {
         self.is_repeated = self.would_repeat();
     }
 
-    /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
-    pub const fn shown(&self) -> Option<&ShownCheck> {
-        self.shown.as_ref()
-    }
-
-    /// Why the last simulation was refused, until something is changed.
-    pub const fn refusal(&self) -> Option<&Message> {
-        self.refusal.as_ref()
-    }
-
-    /// What is asked about the typed value before it is judged.
-    pub const fn question(&self) -> Option<&Question> {
-        self.question.as_ref()
-    }
-
     /// The text that is asked about before anything is judged.
     pub fn doubted(&self) -> Option<&DoubtedText> {
-        self.asked.doubted().filter(|_| self.asks)
+        self.asked.doubted.as_ref().filter(|_| self.asks)
     }
 
     /// Whether the next part is judged by more than its limits: the rows of a large file are not.
@@ -225,11 +213,6 @@ impl CheckPage {
         let temperature = self.own.get(&CheckField::PartTemperature);
         let temperature = temperature.map_or_else(|| self.text(CheckField::PartTemperature), String::as_str);
         self.own_judging().rule != RuleName::Simple || !temperature.trim().is_empty()
-    }
-
-    /// The file that was imported last, while one of its rows or none is shown.
-    pub const fn lot(&self) -> Option<&Lot> {
-        self.lot.as_ref()
     }
 
     /// The status window's text, where there is one.

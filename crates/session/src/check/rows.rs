@@ -53,7 +53,8 @@ impl CheckPage {
                 return effects;
             }
             RowsCommand::Keep => {
-                if let Some((record, labels)) = rows.shown().and_then(|row| row.record.clone().zip(row.labels.clone()))
+                if let Some((record, labels)) =
+                    rows.shown.as_ref().and_then(|row| row.record.clone().zip(row.labels.clone()))
                 {
                     let file = rows.sha256.and_then(|sha256| used(FileRole::Measurements, &rows.name, Some(sha256)));
                     let id = shared.history.add(vec![Arc::clone(&record)]);
@@ -85,11 +86,6 @@ impl CheckPage {
         if let Some(rows) = &mut self.rows {
             rows.show(row);
         }
-    }
-
-    /// The rows of a large file, if one was opened.
-    pub const fn rows(&self) -> Option<&Rows> {
-        self.rows.as_ref()
     }
 
     /// Whether they are in sight, in the place of the history.

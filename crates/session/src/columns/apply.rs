@@ -56,7 +56,7 @@ impl Session {
             ImportInto::History => None,
             ImportInto::Part(run) => {
                 let walking = &self.parts.walking;
-                walking.plan().filter(|_| run == walking.run).map(Arc::clone)
+                walking.plan.as_ref().filter(|_| run == walking.run).map(Arc::clone)
             }
         }
     }
@@ -76,7 +76,7 @@ impl Session {
     /// Reads the shown file with what is chosen, which is remembered for files of its shape.
     fn take_columns(&mut self, now: DateTime) -> Vec<Effect> {
         let columns = &mut self.shared.columns;
-        let Some(open) = columns.open.pop_front_if(|open| open.refusal().is_none()) else { return Vec::new() };
+        let Some(open) = columns.open.pop_front_if(|open| open.refusal.is_none()) else { return Vec::new() };
         if let Some(kept) = open.kept(now) {
             Arc::make_mut(&mut columns.remembered).keep(kept);
             self.shared.spread(News::Columns);

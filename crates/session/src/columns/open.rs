@@ -80,12 +80,13 @@ pub struct OpenColumns {
     /// The lines of the shown rows that are read as values.
     pub lines: Vec<usize>,
     /// What says the unit of sizes, as it stands in the file.
-    unit_from: Option<String>,
+    pub unit_from: Option<String>,
     /// How many of the shown rows become values.
     pub read: usize,
-    problem: Option<Message>,
+    /// What is wrong with the first one that becomes none.
+    pub problem: Option<Message>,
     /// Why nothing can be taken.
-    refusal: Option<Message>,
+    pub refusal: Option<Message>,
 }
 
 impl OpenColumns {
@@ -185,24 +186,9 @@ impl OpenColumns {
         self.choice.roles.get(at).copied().flatten()
     }
 
-    /// What says the unit of sizes, as it stands in the file.
-    pub fn unit_from(&self) -> Option<&str> {
-        self.unit_from.as_deref()
-    }
-
     /// Whether a column has a coordinate.
     pub fn has_place(&self) -> bool {
         [Role::X, Role::Y, Role::Z].into_iter().any(|role| self.choice.roles.contains(&Some(role)))
-    }
-
-    /// What is wrong with the first one that becomes none.
-    pub const fn problem(&self) -> Option<&Message> {
-        self.problem.as_ref()
-    }
-
-    /// Why nothing can be taken.
-    pub const fn refusal(&self) -> Option<&Message> {
-        self.refusal.as_ref()
     }
 }
 

@@ -57,13 +57,13 @@ impl Actions for CyclesAction {
                 .when(|session| session.cycles().probes_name().is_some()),
             Self::PasteBlock => on(Page::Cycles, "cycles-paste-block", CyclesCommand::ShowBlock(true)),
             Self::TakeBlock => on(Page::Cycles, "cycles-fill", CyclesCommand::TakeBlock)
-                .when(|session| session.cycles().block().is_some()),
+                .when(|session| session.cycles().block.is_some()),
             Self::CopyBlock => on(Page::Cycles, "cycles-copy-block", CyclesCommand::CopyBlock)
                 .when(|session| session.cycles().is_complete()),
             Self::CopyCycleStatus => on(Page::Cycles, "copy", CyclesCommand::CopyStatus)
                 .when(|session| session.cycles().window(session.drawn_with()).is_some_and(|window| window.is_ok())),
             Self::CopyResults => on(Page::Cycles, "copy", CyclesCommand::CopyResults)
-                .when(|session| session.cycles().run().is_some_and(|run| run.found().is_some())),
+                .when(|session| session.cycles().run.as_ref().is_some_and(|run| run.found().is_some())),
             Self::SaveLog => on(Page::Cycles, "cycles-save-log", open(Purpose::SaveCycleLog))
                 .when(|session| session.cycles().log().is_some()),
         }

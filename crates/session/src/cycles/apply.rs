@@ -113,7 +113,7 @@ impl PageState for CyclesPage {
     }
 
     fn closes(&self) -> Option<Command> {
-        self.block().map(|_| CyclesCommand::ShowBlock(false).into())
+        self.block.as_deref().map(|_| CyclesCommand::ShowBlock(false).into())
     }
 
     fn is_free_text(&self, field: CycleField) -> bool {

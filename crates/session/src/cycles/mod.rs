@@ -84,9 +84,12 @@ pub struct CyclesPage {
     pub from: ContactsFrom,
     probes: Option<(String, ProbeTable)>,
     probe: Option<u32>,
-    block: Option<String>,
-    block_problem: Option<Message>,
-    run: Option<CycleRun>,
+    /// The NC block that is being typed, where its field is open.
+    pub block: Option<String>,
+    /// Why the NC block cannot be used.
+    pub block_problem: Option<Message>,
+    /// What the last run found; it belongs to the inputs on screen.
+    pub run: Option<CycleRun>,
     /// The number of the move that is shown, from 0.
     pub step: usize,
 }
@@ -185,20 +188,5 @@ impl CyclesPage {
     /// The probe that measures; where the table has none, that of the built-in table.
     pub fn probe(&self) -> TouchProbe {
         self.probe_table().probe(self.probe).map_or_else(TouchProbe::default, |probe| *probe)
-    }
-
-    /// The NC block that is being typed, where its field is open.
-    pub fn block(&self) -> Option<&str> {
-        self.block.as_deref()
-    }
-
-    /// Why the NC block cannot be used.
-    pub const fn block_problem(&self) -> Option<&Message> {
-        self.block_problem.as_ref()
-    }
-
-    /// What the last run found; it belongs to the inputs on screen.
-    pub const fn run(&self) -> Option<&CycleRun> {
-        self.run.as_ref()
     }
 }

@@ -163,7 +163,7 @@ impl CyclesPage {
                 CycleOrigin::Contacts { file: recorded.map_or("", |recorded| recorded.name.as_str()).into() }
             }
             (ContactsFrom::Simulated, _) => {
-                let seed = shared.workpiece.form.simulation().map_or(0, |simulation| simulation.seed);
+                let seed = shared.workpiece.form.simulation.as_ref().map_or(0, |simulation| simulation.seed);
                 CycleOrigin::Workpiece { file: "".into(), seed }
             }
             (ContactsFrom::Perfect, _) => CycleOrigin::Perfect,

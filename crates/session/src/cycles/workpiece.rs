@@ -21,7 +21,8 @@ pub struct WorkpieceForm {
     pub plane: Plane,
     texts: BTreeMap<WorkpieceField, String>,
     errors: BTreeMap<WorkpieceField, Message>,
-    simulation: Option<Simulation>,
+    /// The simulation, where every field can be used.
+    pub simulation: Option<Simulation>,
 }
 
 impl Default for WorkpieceForm {
@@ -136,11 +137,6 @@ impl WorkpieceForm {
         let (field, error) = self.errors.first_key_value()?;
         let name = Message::new(field.name_id());
         Some(message!("cycles-workpiece-field").message("name", name).message("problem", error.clone()))
-    }
-
-    /// The simulation, where every field can be used.
-    pub const fn simulation(&self) -> Option<&Simulation> {
-        self.simulation.as_ref()
     }
 
     pub(crate) fn set(&mut self, field: WorkpieceField, text: String) {

@@ -20,7 +20,8 @@ pub struct FolderList {
     /// Whether the folder is still to be read.
     is_new: bool,
     read: Option<Box<Listing>>,
-    problem: Option<Message>,
+    /// Why the folder cannot be read.
+    pub problem: Option<Message>,
     filter: String,
     /// Whether files of other kinds and hidden ones are shown.
     pub shows_all: bool,
@@ -43,11 +44,6 @@ impl FolderList {
     /// Whether the folder is being read.
     pub const fn is_reading(&self) -> bool {
         self.asked.is_some() && self.problem.is_none()
-    }
-
-    /// Why the folder cannot be read.
-    pub const fn problem(&self) -> Option<&Message> {
-        self.problem.as_ref()
     }
 
     /// Whether the folder has more entries than are read.

@@ -113,7 +113,7 @@ impl Session {
                 names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, purpose.ending())
             }),
             Purpose::ExportStatus => {
-                let part = self.check.shown().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
+                let part = self.check.shown.as_ref().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
                 names::dated(&names::allowed(&format!("{part}-status")), now, purpose.ending())
             }
             // A control knows a table and a log by these names.
@@ -245,7 +245,7 @@ impl Session {
     /// The chosen records of the records page as a report.
     fn report_records(&self, format: usize, now: DateTime) -> Result<Content, Message> {
         let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
-        let journal = self.shared.recording.journal().map(|journal| (journal.chain, journal.head));
+        let journal = self.shared.recording.journal.as_ref().map(|journal| (journal.chain, journal.head));
         let report = Box::new(self.records.report(now, journal));
         Ok(Content::Report { report, rendering, language: self.shared.language })
     }

@@ -99,16 +99,21 @@ pub struct FitPage {
     texts: Texts<FitField>,
     /// Whose classes the map shows; those of holes until one is chosen.
     side: Option<Feature>,
-    scope: Scope,
-    nominal: Option<Length>,
+    /// Which pairs are searched.
+    pub scope: Scope,
+    /// The nominal size, even of an unfinished callout.
+    pub nominal: Option<Length>,
     hole: Option<ToleranceClass>,
     shaft: Option<ToleranceClass>,
     culprit: Option<ops::Range<usize>>,
-    hint: Option<Message>,
+    /// What is still to be typed.
+    pub hint: Option<Message>,
     errors: BTreeMap<FitField, Message>,
     lengths: BTreeMap<FitField, Length>,
-    fit: Option<Fit>,
-    equivalent: Option<Equivalent>,
+    /// The fit, when hole and shaft have limits.
+    pub fit: Option<Fit>,
+    /// The same fit in the other basis, where there is one.
+    pub equivalent: Option<Equivalent>,
     temperature: Option<Temperature>,
     expansions: BTreeMap<Feature, Expansion>,
     maps: Option<Maps>,
@@ -129,32 +134,12 @@ pub fn extremes(minimum: Length, maximum: Length) -> [(&'static str, Length); 2]
 }
 
 impl FitPage {
-    /// The nominal size, even of an unfinished callout.
-    pub const fn nominal(&self) -> Option<Length> {
-        self.nominal
-    }
-
     /// The class of a side, as far as it has been typed.
     pub const fn class(&self, part: Feature) -> Option<ToleranceClass> {
         match part {
             Feature::Hole => self.hole,
             Feature::Shaft => self.shaft,
         }
-    }
-
-    /// The fit, when hole and shaft have limits.
-    pub const fn fit(&self) -> Option<&Fit> {
-        self.fit.as_ref()
-    }
-
-    /// What is still to be typed.
-    pub const fn hint(&self) -> Option<&Message> {
-        self.hint.as_ref()
-    }
-
-    /// The same fit in the other basis, where there is one.
-    pub const fn equivalent(&self) -> Option<&Equivalent> {
-        self.equivalent.as_ref()
     }
 
     /// The length in a field, when it can be read.
@@ -236,11 +221,6 @@ impl FitPage {
     pub fn is_defined(&self, hole: ToleranceClass, shaft: ToleranceClass) -> bool {
         let has = |class: ToleranceClass| self.map(class.feature()).is_none_or(|map| map.has(class));
         has(hole) && has(shaft)
-    }
-
-    /// Which pairs are searched.
-    pub const fn scope(&self) -> Scope {
-        self.scope
     }
 
     /// What the search found; `None` while no search is asked for.

@@ -54,7 +54,7 @@ impl Actions for PairingAction {
             }
             Self::SavePairs(number) => {
                 let row = on(Page::Pairing, "pairing-page-save-csv", Command::OpenDialog(Purpose::SavePairs(number)))
-                    .when(|session| session.pairing().paired().is_some());
+                    .when(|session| session.pairing().paired.is_some());
                 if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
             }
             Self::MovePair(step) => {
@@ -77,5 +77,5 @@ impl Actions for PairingAction {
 }
 
 fn has_pairs(session: &Session) -> bool {
-    session.pairing().paired().is_some_and(|paired| 0 < paired.count())
+    session.pairing().paired.as_deref().is_some_and(|paired| 0 < paired.count())
 }

@@ -54,7 +54,8 @@ pub struct PairingPage {
     is_asked: bool,
     /// The number of the question that is being answered.
     at_work: Option<u64>,
-    paired: Option<Arc<Paired>>,
+    /// The answer to what the page asks now.
+    pub paired: Option<Arc<Paired>>,
     /// The place of the selected pair.
     pub selected: Option<usize>,
     /// Goes up whenever the selected pair has to come into sight.
@@ -111,11 +112,6 @@ impl PairingPage {
     /// Whether pairs are being looked for.
     pub const fn is_pairing(&self) -> bool {
         self.is_asked && self.paired.is_none()
-    }
-
-    /// The answer to what the page asks now.
-    pub fn paired(&self) -> Option<&Paired> {
-        self.paired.as_deref()
     }
 
     /// Where to look: a number that goes up whenever a pair has to come into sight, and its place.

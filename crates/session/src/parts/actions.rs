@@ -146,7 +146,7 @@ impl Actions for PartsAction {
             Self::EditPlanCell => in_table("parts-page-edit", PlanCommand::Edit(None))
                 .keys(Shortcut::plain(Key::Enter), Shortcut::plain(Key::Function(2))),
             Self::TakePlanCell => of_table("parts-page-take", PlanCommand::Take(Some(Step::Down)))
-                .when(|session| has_table(session) && session.parts().sheet().is_editing),
+                .when(|session| has_table(session) && session.parts().sheet.is_editing),
             Self::EmptyPlanCells => {
                 in_table("parts-page-empty", PlanCommand::Empty).key(Shortcut::plain(Key::Delete)).when(is_on_feature)
             }
@@ -173,7 +173,7 @@ impl Actions for PartsAction {
                 ActionScope::Page(Page::Parts),
                 "parts-page-all-columns",
                 Sends::FromState(|session| {
-                    PartsCommand::Plan(PlanCommand::ShowAll(!session.parts().sheet().shows_all)).into()
+                    PartsCommand::Plan(PlanCommand::ShowAll(!session.parts().sheet.shows_all)).into()
                 }),
             )
             .when(has_table),
@@ -200,7 +200,7 @@ impl Actions for PartsAction {
             Self::TakeValue => of_walk("walk-page-take", WalkCommand::Take).when(is_asked),
             Self::TakeMeantValue => of_walk("walk-page-take-meant", WalkCommand::TakeMeant).when(|session| {
                 is_walk(session)
-                    && session.parts().walking.question().is_some_and(|asked| asked.doubt.meant().is_some())
+                    && session.parts().walking.question.as_ref().is_some_and(|asked| asked.doubt.meant().is_some())
             }),
             Self::SimulateValue => {
                 let row = of_walk("walk-page-simulate", WalkCommand::Simulate).hint("walk-page-simulate-hint");
@@ -245,7 +245,7 @@ impl Actions for PartsAction {
                 })
             }
             Self::StopWatch => of_walk("walk-page-watch-stop", WalkCommand::StopWatch)
-                .when(|session| is_walk(session) && session.parts().watched.folder().is_some()),
+                .when(|session| is_walk(session) && session.parts().watched.folder.is_some()),
             Self::ReportPart(number) => of_walk("walk-page-report", Command::OpenDialog(Purpose::ReportPart(number))),
         }
     }
@@ -258,7 +258,7 @@ impl Actions for PartsAction {
                 Some(words.say(&Message::new(self.row().text).text("meant", meant)))
             }
             Self::TakeMeantValue => {
-                let meant = session.parts().walking.question().and_then(|question| question.doubt.meant());
+                let meant = session.parts().walking.question.as_ref().and_then(|question| question.doubt.meant());
                 let meant = meant.map_or_else(String::new, |meant| words.mm(meant, 3));
                 Some(words.say(&Message::new(self.row().text).text("meant", meant)))
             }
@@ -269,7 +269,7 @@ impl Actions for PartsAction {
     fn is_on(&self, session: &Session) -> Option<bool> {
         Some(match *self {
             Self::ShowParts(view) => session.parts().view == view,
-            Self::ShowAllColumns => session.parts().sheet().shows_all,
+            Self::ShowAllColumns => session.parts().sheet.shows_all,
             _ => return None,
         })
     }
@@ -296,7 +296,7 @@ fn has_table(session: &Session) -> bool {
 
 /// The keys are on a feature, and not below the last one.
 fn is_on_feature(session: &Session) -> bool {
-    has_table(session) && session.parts().sheet().at().0 < session.parts().document.draft().rows.len()
+    has_table(session) && session.parts().sheet.at().0 < session.parts().document.draft().rows.len()
 }
 
 fn has_findings(session: &Session) -> bool {

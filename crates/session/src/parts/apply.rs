@@ -125,7 +125,7 @@ impl PageState for PartsPage {
     }
 
     fn asks(&self) -> Option<PageQuestion> {
-        let question = self.walking.question().filter(|_| self.view == PartsView::Walk)?;
+        let question = self.walking.question.as_ref().filter(|_| self.view == PartsView::Walk)?;
         let meant = question.doubt.meant().map(|_| PartsAction::TakeMeantValue.into());
         let answers = meant.into_iter().chain([PartsAction::TakeValue.into()]).collect();
         Some(PageQuestion { about: PartsAction::TakeValue.into(), answers })

@@ -36,7 +36,7 @@ impl PartsPage {
         let Some(items) = shared.file_answered(result) else { return };
         let sha256 = shared.recording.of_file(name);
         // It was read for a part that has been ended meanwhile.
-        let Some(plan) = self.walking.plan().filter(|_| run == self.walking.run).map(Arc::clone) else {
+        let Some(plan) = self.walking.plan.as_ref().filter(|_| run == self.walking.run).map(Arc::clone) else {
             return shared.tell(message!("walk-page-import-late").text("name", name));
         };
         let by_plan = ByPlan::new(&plan);
@@ -68,7 +68,7 @@ impl PartsPage {
         shared: &Shared,
     ) -> Arrived {
         let mut arrived = Arrived::default();
-        let of_walk = self.walking.plan().is_some_and(|own| **own == *plan).then_some(plan);
+        let of_walk = self.walking.plan.as_ref().is_some_and(|own| **own == *plan).then_some(plan);
         if of_walk.is_some() {
             arrived.label = self.one_label(plan, &items);
             self.walking.label = self.walking.label.take().or_else(|| arrived.label.clone());

@@ -9,7 +9,6 @@ use fitcheck_core::tolerance::Sources;
 use super::document::Typing;
 use super::draft_cells::{selected, write};
 use super::rows::fresh;
-use super::sheet::Sheet;
 use super::{PartsPage, PlanCommand, PlanField};
 use crate::effect::Effect;
 use crate::shared::Shared;
@@ -203,11 +202,6 @@ impl PartsPage {
             }
             PlanField::Head(field) => &self.document.draft().cell(field).text,
         }
-    }
-
-    /// The table of the plan.
-    pub const fn sheet(&self) -> &Sheet {
-        &self.sheet
     }
 }
 

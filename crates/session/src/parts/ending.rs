@@ -62,7 +62,7 @@ impl PartsPage {
             self.walking.is_warned = true;
             return Vec::new();
         }
-        if let Some(plan) = self.walking.plan()
+        if let Some(plan) = self.walking.plan.as_ref()
             && 0 < standing.measured
         {
             self.ended.insert((plan.head.part.clone(), self.walking.serial().to_owned()));

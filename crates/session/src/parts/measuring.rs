@@ -139,8 +139,8 @@ impl PartsPage {
     pub(super) fn refuse_serial(&mut self, shared: &Shared) -> bool {
         let text = self.texts.text(WalkField::Value).trim().to_owned();
         let is_measured = |plan: &Plan| self.is_measured_already(&plan.head.part, &text, shared);
-        let is_serial =
-            serials::is_like(&text, self.walking.serial()) || self.walking.plan().is_some_and(|plan| is_measured(plan));
+        let is_serial = serials::is_like(&text, self.walking.serial())
+            || self.walking.plan.as_ref().is_some_and(|plan| is_measured(plan));
         if is_serial {
             self.clear_value();
             self.errors.insert(WalkField::Value, message!("walk-page-is-serial").text("given", text));
@@ -260,7 +260,7 @@ impl PartsPage {
         // What nobody said is empty in the journal.
         let said = |text: Option<&String>| text.map_or_else(String::new, String::clone);
         let label = said(of_file.map(|labels| &labels.part));
-        let part = said(self.walking.plan().or(self.watched.plan()).map(|plan| &plan.head.part));
+        let part = said(self.walking.plan.as_ref().or(self.watched.plan()).map(|plan| &plan.head.part));
         let part = if part.is_empty() { label.clone() } else { part };
         // What the file calls the part stays findable where that is another name.
         let is_other = !label.is_empty() && !label.trim().eq_ignore_ascii_case(&part);

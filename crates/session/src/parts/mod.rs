@@ -88,7 +88,8 @@ pub struct PartsPage {
     texts: Texts<WalkField>,
     errors: BTreeMap<WalkField, Message>,
     pub document: OpenDocument<PlanDocument>,
-    sheet: Sheet,
+    /// The table of the plan.
+    pub sheet: Sheet,
     shown: picture::PlanPicture,
     walk_picture: Option<picture::WalkPicture>,
     /// The part that is being measured.
@@ -108,7 +109,7 @@ pub struct PartsPage {
 impl PartsPage {
     /// Whether the plan was changed since the part was begun.
     pub fn has_other_plan(&self) -> bool {
-        match (self.walking.plan(), self.document.plan()) {
+        match (self.walking.plan.as_ref(), self.document.plan()) {
             (Some(own), Some(now)) => !Arc::ptr_eq(own, now) && own != now,
             (own, _) => own.is_some(),
         }

@@ -114,7 +114,7 @@ impl PartsPage {
     /// A part that was begun keeps the picture that its plan has now.
     pub(super) fn keep_picture(&mut self) {
         let of = self.walk_picture.as_ref().map(|kept| &kept.plan);
-        match self.walking.plan() {
+        match self.walking.plan.as_ref() {
             Some(plan) if of.is_some_and(|of| Arc::ptr_eq(of, plan)) => {}
             plan => {
                 let kept = |plan| WalkPicture { plan, shown: self.shown.clone(), opened: self.document.opened };
@@ -174,7 +174,7 @@ impl PartsPage {
     pub fn balloons(&self) -> Vec<Balloon> {
         let is_its = self.walk_picture.as_ref().is_some_and(|kept| kept.opened == self.document.opened);
         let steps = if is_its { self.steps_by_name() } else { Vec::new() };
-        let features = self.walking.plan().into_iter().flat_map(|plan| plan.features());
+        let features = self.walking.plan.as_ref().into_iter().flat_map(|plan| plan.features());
         let steps: BTreeMap<&str, (&KnownFeature, &PlanFeature)> =
             steps.iter().zip(features).map(|(step, feature)| (step.name.as_str(), (step, feature))).collect();
         let rows = self.document.draft().rows.iter().enumerate();
@@ -194,7 +194,7 @@ impl PartsPage {
 
     /// The balloons of the part that is measured.
     pub fn walk_balloons(&self) -> Vec<Balloon> {
-        let Some(plan) = self.walking.plan() else { return Vec::new() };
+        let Some(plan) = self.walking.plan.as_ref() else { return Vec::new() };
         let steps = self.steps_by_name();
         let features = plan.features().iter().enumerate();
         features
@@ -209,7 +209,7 @@ impl PartsPage {
 
     /// What is known of every feature of the part that is measured, in the order of its plan.
     fn steps_by_name(&self) -> Vec<KnownFeature> {
-        self.walking.plan().map_or_else(Vec::new, |plan| known(plan, self.walking.walk.steps(), self.walking.at))
+        self.walking.plan.as_ref().map_or_else(Vec::new, |plan| known(plan, self.walking.walk.steps(), self.walking.at))
     }
 }
 

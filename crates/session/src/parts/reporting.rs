@@ -14,7 +14,7 @@ use super::{PartsPage, PictureState};
 impl PartsPage {
     /// The report; `None` before a part is begun.
     pub(crate) fn report(&self, now: DateTime) -> Option<Report> {
-        let plan = self.walking.plan()?;
+        let plan = self.walking.plan.as_ref()?;
         let values = (0..self.walking.count()).map(|at| self.walking.values(at));
         let values = values.map(|values| values.iter().map(|value| Arc::clone(&value.record)).collect());
         let mut sheet = PartSheet::of_walk(plan, self.walking.walk.clone(), values.collect());

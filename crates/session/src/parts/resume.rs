@@ -151,7 +151,7 @@ impl PartsPage {
             Ok(rows) => rows,
             Err(why) => return shared.tell(message!("walk-page-not-read").message("why", why)),
         };
-        let Some(plan) = self.walking.plan().map(Arc::clone) else { return };
+        let Some(plan) = self.walking.plan.as_ref().map(Arc::clone) else { return };
         let mut count = 0;
         let mut gone = BTreeSet::new();
         let mut changed = Vec::new();
@@ -209,7 +209,7 @@ fn first(corrected: &BTreeMap<u64, u64>, number: u64) -> u64 {
 impl PartsPage {
     /// Whether an entry is of the part that is being measured.
     fn is_of_part(&self, entry: &Entry) -> bool {
-        let part = self.walking.plan().map_or("", |plan| plan.head.part.as_str());
+        let part = self.walking.plan.as_ref().map_or("", |plan| plan.head.part.as_str());
         entry.about.serial == self.walking.serial() && (part.is_empty() || entry.about.part == part)
     }
 
@@ -256,7 +256,7 @@ impl PartsPage {
         // A value of a part before this one stays one, whatever is corrected of it.
         let is_here = self.walking.since < number || self.walking.has(is_it);
         let by = by.filter(|(_, entry)| is_here && self.is_of_part(entry));
-        let plan = self.walking.plan().map(Arc::clone);
+        let plan = self.walking.plan.as_ref().map(Arc::clone);
         let new =
             by.zip(plan).and_then(|((number, entry), plan)| value(&Sizes::of(&plan), *number, entry, false)?.ok());
         let id = if new.is_some() { "walk-page-put-right" } else { "walk-page-taken-back" };

@@ -49,7 +49,7 @@ pub struct WalkRow<'a> {
 #[derive(Debug, Clone, Default)]
 pub struct Walking {
     /// The plan as it was when the part was begun: changes of it count from the next part on.
-    plan: Option<Arc<Plan>>,
+    pub plan: Option<Arc<Plan>>,
     /// Its file, where it has one.
     pub(super) path: Option<PathBuf>,
     /// What was measured so far.
@@ -79,9 +79,9 @@ pub struct Walking {
     /// A number that goes up whenever the size that is asked for has to come into sight.
     look: u64,
     /// What is asked about a typed value before it is taken.
-    pub(super) question: Option<Question>,
+    pub question: Option<Question>,
     /// Why the last simulation was refused.
-    pub(super) refusal: Option<Message>,
+    pub refusal: Option<Message>,
     /// Whether it is asked why the size is left out.
     pub is_skipping: bool,
     /// Whether it was said that something is missing, so that the next part may come.
@@ -120,11 +120,6 @@ impl Walking {
     /// Whether a part was begun.
     pub const fn is_begun(&self) -> bool {
         self.plan.is_some()
-    }
-
-    /// The plan that it is measured by; `None` before a part is begun.
-    pub const fn plan(&self) -> Option<&Arc<Plan>> {
-        self.plan.as_ref()
     }
 
     /// Its serial number; empty where it has none.
@@ -225,16 +220,6 @@ impl Walking {
     /// The size that the text in the field was typed for, where another one is asked for now.
     pub(super) fn typed_elsewhere(&self) -> Option<usize> {
         self.typed_at.filter(|at| self.at != Some(*at))
-    }
-
-    /// What is asked about a typed value before it is taken.
-    pub const fn question(&self) -> Option<&Question> {
-        self.question.as_ref()
-    }
-
-    /// Why the last simulation was refused.
-    pub const fn refusal(&self) -> Option<&Message> {
-        self.refusal.as_ref()
     }
 
     /// The verdict of the part as a card may say it: nothing is good while something is missing, left out or simulated.

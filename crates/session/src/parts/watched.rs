@@ -40,7 +40,8 @@ pub struct TakenFile {
 /// A watched folder.
 #[derive(Debug, Default)]
 pub struct Watched {
-    folder: Option<PathBuf>,
+    /// The folder, while it is watched.
+    pub folder: Option<PathBuf>,
     plan: Option<Arc<Plan>>,
     /// The file of the plan, where it has one.
     plan_path: Option<PathBuf>,
@@ -56,17 +57,13 @@ pub struct Watched {
     pub count: usize,
     /// The files that are not ready, with the reasons.
     pub waiting: Vec<(String, Message)>,
-    trouble: Option<Message>,
+    /// Why nothing is watched at the moment.
+    pub trouble: Option<Message>,
     /// The look that is being recorded, and the batch of the journal.
     pending: Option<(u64, u64)>,
 }
 
 impl Watched {
-    /// The folder, while it is watched.
-    pub fn folder(&self) -> Option<&Path> {
-        self.folder.as_deref()
-    }
-
     /// The file of the plan that it is judged by, while it is watched.
     pub(super) fn plan_path(&self) -> Option<&Path> {
         self.plan_path.as_deref().filter(|_| self.folder.is_some())
@@ -75,11 +72,6 @@ impl Watched {
     /// The files that were taken, the latest first.
     pub fn files(&self) -> impl Iterator<Item = &TakenFile> {
         self.files.iter()
-    }
-
-    /// Why nothing is watched at the moment.
-    pub const fn trouble(&self) -> Option<&Message> {
-        self.trouble.as_ref()
     }
 
     /// Whether something that came is not on disk yet.
@@ -135,8 +127,8 @@ impl PartsPage {
         let result =
             if is_folder { Ok(folder) } else { Err(message!("walk-page-no-folder").text("path", folder.display())) };
         let Some(folder) = shared.file_answered(result) else { return };
-        let plan = self.walking.plan().or(self.document.plan()).map(Arc::clone);
-        let plan_path = if self.walking.plan().is_some() {
+        let plan = self.walking.plan.as_ref().or(self.document.plan()).map(Arc::clone);
+        let plan_path = if self.walking.plan.is_some() {
             self.walking.path.clone()
         } else {
             // A plan that was changed and not saved cannot be read again.

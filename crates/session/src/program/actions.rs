@@ -66,7 +66,7 @@ impl Actions for ProgramAction {
                 .key(Shortcut::plain(Key::Function(9))),
             Self::ResetProgram => of_page("program-page-reset", ProgramCommand::Reset)
                 .key(Shortcut::shift(Key::Function(5)))
-                .when(|session| session.program().run().is_some()),
+                .when(|session| session.program().run.is_some()),
             Self::Switch(switch) => {
                 let text = match switch {
                     Switch::SkipUnknown => "program-page-skip-unknown",
@@ -105,5 +105,5 @@ fn of_page(text: &'static str, command: ProgramCommand) -> ActionRow {
 /// Whether one more block can be run: the run, if there is one, waits.
 fn can_step(session: &Session) -> bool {
     let program = session.program();
-    !program.is_running() && !program.run().is_some_and(Run::is_over)
+    !program.is_running() && !program.run.as_ref().is_some_and(Run::is_over)
 }

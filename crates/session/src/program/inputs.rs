@@ -171,14 +171,14 @@ impl ProgramPage {
         }
         let Ok(limits) = native else {
             // Both refuse, each in its own words: that is not a difference.
-            return match (run.fault(), run.status()) {
+            return match (run.fault.as_ref(), run.status()) {
                 (Some(_), _) => Some(Agreement::BothRefuse),
                 (None, Some(_)) => Some(Agreement::Differs(vec![message!("program-page-differs-native-refuses")])),
                 (None, None) => None,
             };
         };
         let Some(status) = run.status() else {
-            return run.fault().map(|_| Agreement::Differs(vec![message!("program-page-differs-fault")]));
+            return run.fault.as_ref().map(|_| Agreement::Differs(vec![message!("program-page-differs-fault")]));
         };
         let mut differences = Vec::new();
         for (id, parameter, own) in [

@@ -48,7 +48,7 @@ impl ProgramPage {
                 CycleOrigin::Workpiece { file: file.into(), seed }
             }
             WorkpieceFrom::Simulated => {
-                let seed = workpiece.form.simulation().map_or(0, |simulation| simulation.seed);
+                let seed = workpiece.form.simulation.as_ref().map_or(0, |simulation| simulation.seed);
                 CycleOrigin::Workpiece { file: "".into(), seed }
             }
             WorkpieceFrom::Perfect | WorkpieceFrom::Given => CycleOrigin::Perfect,

@@ -61,7 +61,8 @@ pub use watching::{Name, Watched};
 /// The state of the program page.
 #[derive(Debug, Default)]
 pub struct ProgramPage {
-    origin: Option<Origin>,
+    /// Where the open program came from; `None` before the page was opened for the first time.
+    pub origin: Option<Origin>,
     main: Option<NcPath>,
     shown: Option<NcPath>,
     documents: BTreeMap<NcPath, Document>,
@@ -80,7 +81,8 @@ pub struct ProgramPage {
     switches: BTreeSet<Switch>,
     /// How fast a run goes.
     pub speed: Speed,
-    run: Option<Run>,
+    /// The run, once it began.
+    pub run: Option<Run>,
     /// SHA-256 of the open program's file.
     sha256: Option<Hash>,
     /// Why a run could not begin.
@@ -92,11 +94,6 @@ pub struct ProgramPage {
 }
 
 impl ProgramPage {
-    /// Where the open program came from; `None` before the page was opened for the first time.
-    pub const fn origin(&self) -> Option<&Origin> {
-        self.origin.as_ref()
-    }
-
     /// The open program.
     pub fn main(&self) -> Option<&Document> {
         self.main.as_ref().and_then(|path| self.documents.get(path))
@@ -126,11 +123,6 @@ impl ProgramPage {
     /// Whether nobody measured what a run measures: it is a workpiece that is simulated, given or perfect.
     pub fn is_simulated(&self) -> bool {
         self.workpiece != WorkpieceFrom::Recorded
-    }
-
-    /// The run, once it began.
-    pub const fn run(&self) -> Option<&Run> {
-        self.run.as_ref()
     }
 
     /// A number that changes when a line has to come into sight, and that line of the shown program.

@@ -30,7 +30,7 @@ impl ProgramPage {
     /// How many notes there are.
     pub fn note_count(&self) -> usize {
         let run = self.run.as_ref();
-        let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count());
+        let of_run = run.map_or(0, |run| usize::from(run.fault.is_some()) + run.remark_count());
         let count = of_run + self.warnings.len();
         // Where nothing is odd, nobody asks where the files came from.
         let files = run.filter(|_| 0 < count).map_or(0, super::Run::file_count);
@@ -41,7 +41,7 @@ impl ProgramPage {
     /// that the run has read.
     pub fn note(&self, number: usize) -> Option<Note> {
         let run = self.run.as_ref();
-        let fault = run.and_then(|run| run.fault());
+        let fault = run.and_then(|run| run.fault.as_ref());
         let Some(number) = number.checked_sub(usize::from(fault.is_some())) else {
             let fault = fault?;
             return Some(Note { kind: NoteKind::Error, place: fault.place.clone(), message: fault.message() });

@@ -88,7 +88,8 @@ pub struct Run {
     pub(super) goal: Goal,
     /// Why it waits.
     pub(super) reason: Message,
-    fault: Option<Fault>,
+    /// The error that it ended with.
+    pub fault: Option<Fault>,
     /// The remarks that are listed, by number, and how many were examined. That a given value replaces the program's is
     /// intended, so that remark is not listed.
     listed: Vec<usize>,
@@ -121,11 +122,6 @@ impl Run {
 
     pub fn is_over(&self) -> bool {
         matches!(self.state, State::Ended | State::Faulted)
-    }
-
-    /// The error that it ended with.
-    pub const fn fault(&self) -> Option<&Fault> {
-        self.fault.as_ref()
     }
 
     /// The block that runs next, or the one that failed; `None` after the end.

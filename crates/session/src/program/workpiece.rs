@@ -79,7 +79,8 @@ impl ProgramPage {
         let limits = self.limits(&shared.sources)?.ok()?;
         let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
         let surface = Surface::Round(Workpiece { centre: self.centre().map(Length::to_mm_f64), ..usual }, Plane::Xy);
-        let machine = shared.workpiece.form.simulation().copied().unwrap_or_else(|| Simulation::perfect(surface));
+        let machine =
+            shared.workpiece.form.simulation.as_ref().copied().unwrap_or_else(|| Simulation::perfect(surface));
         Some(Simulation { surface, ..machine })
     }
 
@@ -114,7 +115,7 @@ impl ProgramPage {
                 let feature = limits.map_or(Feature::Hole, |limits| limits.feature);
                 Ok(Self::round(feature, centre, diameter))
             }
-            WorkpieceFrom::Simulated => match shared.workpiece.form.simulation() {
+            WorkpieceFrom::Simulated => match shared.workpiece.form.simulation.as_ref() {
                 Some(bench) => Ok(Contacts::Workpiece((*bench).into())),
                 None => Err(message!("program-page-refused-workpiece")),
             },

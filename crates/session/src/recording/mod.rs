@@ -15,7 +15,7 @@ mod people;
 mod server;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
@@ -105,10 +105,12 @@ pub struct Recording {
     pub keeping: Keeping,
     /// Whether it was said where records are kept.
     has_begun: bool,
-    file: Option<PathBuf>,
+    /// The file that they are kept in.
+    pub file: Option<PathBuf>,
     /// The station's name.
     pub station: String,
-    journal: Option<OpenJournal>,
+    /// The journal, once it was opened.
+    pub journal: Option<OpenJournal>,
     people: People,
     /// What the user names beside the next check.
     pub(super) named: Named,
@@ -255,16 +257,6 @@ impl Recording {
     /// Whether it was said where records are kept, or that they are not.
     pub(super) const fn has_begun(&self) -> bool {
         self.has_begun
-    }
-
-    /// The file that they are kept in.
-    pub fn file(&self) -> Option<&Path> {
-        self.file.as_deref()
-    }
-
-    /// The journal, once it was opened.
-    pub const fn journal(&self) -> Option<&OpenJournal> {
-        self.journal.as_ref()
     }
 
     /// Who is measuring; empty where nobody said.

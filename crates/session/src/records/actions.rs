@@ -117,26 +117,27 @@ impl Actions for RecordsAction {
                 if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
             }
             Self::CloseRecord => on(Page::Records, "records-page-close", RecordsCommand::CloseRecord)
-                .when(|session| session.records().opened().is_some()),
+                .when(|session| session.records().open.is_some()),
             Self::MeasureAgain => on(Page::Records, "records-page-measure-again", RecordsCommand::MeasureAgain)
                 .hint("records-page-measure-again-hint")
                 .when(|session| session.records().can_measure_again()),
             Self::CorrectRecord => on(Page::Records, "records-page-correct", RecordsCommand::Correct(true))
                 .hint("records-page-correct-hint")
-                .when(|session| session.records().can_correct() && session.records().correcting().is_none()),
+                .when(|session| session.records().can_correct() && session.records().correcting.is_none()),
             Self::SendCorrection => on(Page::Records, "records-page-send-correction", RecordsCommand::SendCorrection)
-                .when(|session| session.records().correcting().is_some_and(|form| form.run.is_none())),
+                .when(|session| session.records().correcting.as_ref().is_some_and(|form| form.run.is_none())),
             Self::LeaveCorrection => on(Page::Records, "records-page-leave-correction", RecordsCommand::Correct(false))
-                .when(|session| session.records().correcting().is_some()),
+                .when(|session| session.records().correcting.is_some()),
             Self::WithdrawRecord => ActionRow::new(
                 ActionScope::Page(Page::Records),
                 "records-page-withdraw",
                 Sends::FromState(|session| {
-                    RecordsCommand::Withdraw(!session.records().correcting().is_some_and(|form| form.withdraws)).into()
+                    RecordsCommand::Withdraw(!session.records().correcting.as_ref().is_some_and(|form| form.withdraws))
+                        .into()
                 }),
             )
             .hint("records-page-withdraw-hint")
-            .when(|session| session.records().correcting().is_some()),
+            .when(|session| session.records().correcting.is_some()),
             Self::VerifyRecords => on(Page::Records, "records-page-verify", RecordsCommand::Verify)
                 .hint("records-page-verify-hint")
                 .when(|session| session.recording().is_on() && !is_walking(session)),
@@ -170,7 +171,7 @@ impl Actions for RecordsAction {
         Some(match *self {
             Self::AskRecords(shorthand) => session.records().has(shorthand),
             Self::WithSimulated => session.records().with_simulated,
-            Self::WithdrawRecord => session.records().correcting().is_some_and(|form| form.withdraws),
+            Self::WithdrawRecord => session.records().correcting.as_ref().is_some_and(|form| form.withdraws),
             _ => return None,
         })
     }

@@ -118,8 +118,8 @@ impl PageState for RecordsPage {
     }
 
     fn closes(&self) -> Option<Command> {
-        let correcting = self.correcting().map(|_| RecordsCommand::Correct(false));
-        correcting.or_else(|| self.opened().map(|_| RecordsCommand::CloseRecord)).map(Command::from)
+        let correcting = self.correcting.as_ref().map(|_| RecordsCommand::Correct(false));
+        correcting.or_else(|| self.open.as_ref().map(|_| RecordsCommand::CloseRecord)).map(Command::from)
     }
 
     fn is_free_text(&self, field: RecordsField) -> bool {
@@ -143,7 +143,7 @@ impl RecordsPage {
                 for remark in &journal.remarks {
                     shared.note(remark.clone(), Vec::new());
                 }
-                let is_first = shared.recording.journal().is_none();
+                let is_first = shared.recording.journal.is_none();
                 shared.recording.opened(Ok(*journal));
                 if is_first {
                     shared.recording.know_parts(rows.iter().filter_map(|row| row.entry.as_ref().ok()));

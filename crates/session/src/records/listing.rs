@@ -57,7 +57,7 @@ pub struct Listing {
     /// The first place that was in sight the last time.
     seen: usize,
     /// Why records cannot be read.
-    unread: Option<Message>,
+    pub unread: Option<Message>,
 }
 
 impl Listing {
@@ -105,11 +105,6 @@ impl Listing {
             }
             Numbers::These(numbers) => numbers.len(),
         }
-    }
-
-    /// Why records cannot be read.
-    pub const fn unread(&self) -> Option<&Message> {
-        self.unread.as_ref()
     }
 
     /// The number of the record at a place.

@@ -121,8 +121,9 @@ pub struct RecordsPage {
     chosen: BTreeMap<u64, Arc<RecordRow>>,
     /// Whether simulated checks are taken into the report.
     pub with_simulated: bool,
-    open: Option<OpenRecord>,
-    correcting: Option<Correcting>,
+    pub open: Option<OpenRecord>,
+    /// The correction that is being made.
+    pub correcting: Option<Correcting>,
     /// The number of the walk that goes on.
     walks: u64,
     /// The walk along the chain.
@@ -145,18 +146,9 @@ impl RecordsPage {
         self.chosen.contains_key(&number)
     }
 
-    pub const fn opened(&self) -> Option<&OpenRecord> {
-        self.open.as_ref()
-    }
-
     /// The record that is open, where it could be read.
     pub fn opened_row(&self) -> Option<&Arc<RecordRow>> {
         self.open.as_ref()?.row.as_ref()?.as_ref().ok()
-    }
-
-    /// The correction that is being made.
-    pub const fn correcting(&self) -> Option<&Correcting> {
-        self.correcting.as_ref()
     }
 
     /// What time it is: a question may ask for today.

@@ -178,7 +178,7 @@ impl Rows {
     /// What a row says, and its check as an import makes it; `None` where it was not read yet.
     pub(crate) fn row(&self, number: u64, sources: &Sources, now: DateTime) -> Option<ShownRow> {
         let picked = self.read.get(&number)?;
-        let layout = self.layout()?;
+        let layout = self.layout.as_deref()?;
         let line = layout.line + picked.line;
         let is_split = picked.judged.is_some() || picked.cells.len() != 1 || layout.names.len() == 1;
         let cells = picked.cells.iter().enumerate().map(|(at, cell)| {

@@ -39,7 +39,8 @@ pub struct Rows {
     pub path: PathBuf,
     /// Why it is judged row by row.
     pub large: Large,
-    layout: Option<Arc<Layout>>,
+    /// What its rows are, once that is known.
+    pub layout: Option<Arc<Layout>>,
     parts: Vec<Arc<Part>>,
     /// How many listed rows come before each part, and how many there are.
     before: Vec<usize>,
@@ -52,7 +53,8 @@ pub struct Rows {
     pub bytes: (u64, Option<u64>),
     /// For how long it was judged, in milliseconds.
     pub elapsed_ms: u64,
-    end: Option<End>,
+    /// How it has ended, if it has.
+    pub end: Option<End>,
     /// SHA-256 of the file, once it was read to its end.
     pub sha256: Option<Hash>,
     /// Which rows are listed.
@@ -68,10 +70,11 @@ pub struct Rows {
     /// Those that are being read.
     asked: BTreeSet<u64>,
     /// Why rows cannot be read again.
-    unread: Option<Message>,
+    pub unread: Option<Message>,
     /// The row whose check is to be shown as soon as it is read.
     wanted: Option<u64>,
-    shown: Option<ShownRow>,
+    /// The row whose check is shown.
+    pub shown: Option<ShownRow>,
 }
 
 /// The row whose check is shown.
@@ -134,19 +137,9 @@ impl Rows {
         }
     }
 
-    /// What its rows are, once that is known.
-    pub fn layout(&self) -> Option<&Layout> {
-        self.layout.as_deref()
-    }
-
     /// Whether rows are being judged.
     pub const fn is_running(&self) -> bool {
         self.end.is_none()
-    }
-
-    /// How it has ended, if it has.
-    pub const fn end(&self) -> Option<&End> {
-        self.end.as_ref()
     }
 
     /// How many rows there are so far.
@@ -226,16 +219,6 @@ impl Rows {
     /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
     pub fn look(&self) -> (u64, Option<usize>) {
         (self.look, self.cursor.and_then(|number| self.place_of(number)))
-    }
-
-    /// Why rows cannot be read again.
-    pub const fn unread(&self) -> Option<&Message> {
-        self.unread.as_ref()
-    }
-
-    /// The row whose check is shown.
-    pub const fn shown(&self) -> Option<&ShownRow> {
-        self.shown.as_ref()
     }
 
     /// Nothing of it is shown any more.

@@ -40,8 +40,8 @@ impl Session {
     /// The tool table as the run of the open page has changed it; `None` where it has changed nothing.
     pub fn changed_tools(&self) -> Option<&ToolTable> {
         match self.shared.page {
-            Page::Program => self.program.run()?.changed_tools(),
-            Page::Cycles => self.cycles.run()?.monitoring.as_ref()?.changed(),
+            Page::Program => self.program.run.as_ref()?.changed_tools(),
+            Page::Cycles => self.cycles.run.as_ref()?.monitoring.as_ref()?.changed(),
             _ => None,
         }
     }

@@ -81,7 +81,7 @@ impl SimulatedWorkpiece {
     /// The simulated machine, or what is wrong with its first field.
     pub fn machine(&self) -> Result<&Simulation, Message> {
         let wrong = || self.form.problem().unwrap_or_else(|| message!("cycles-no-workpiece"));
-        self.form.simulation().ok_or_else(wrong)
+        self.form.simulation.as_ref().ok_or_else(wrong)
     }
 
     /// The simulated machine as a file's bytes.

@@ -24,7 +24,7 @@ pub(super) fn editor_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     let edit = TextEdit::singleline(&mut text).id(id).lock_focus(true).font(theme::font(sizes().body));
     let edit = edit.desired_width(rect.width()).min_size(rect.size()).align(eframe::egui::Align2::LEFT_CENTER);
     let response = ui.put(rect, edit);
-    let (row, column) = view.session.parts().sheet().at();
+    let (row, column) = view.session.parts().sheet.at();
     let name = message!("parts-page-editing").text("column", view.text(&column_id(column))).count("row", row + 1);
     let name = view.words.say(&name);
     response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &name));
@@ -77,7 +77,7 @@ fn choices_ui(ui: &Ui, view: &View<'_>, rect: Rect, has_focus: bool) -> Choice {
         return Choice::None;
     }
     let mut at: Option<usize> = ui.data(|data| data.get_temp(key)).flatten();
-    let cell = view.session.parts().sheet().at();
+    let cell = view.session.parts().sheet.at();
     let of = ui.data_mut(|data| data.get_temp_mut_or_insert_with(key.with("of"), || None).replace((cell, words.len())));
     if of != Some((cell, words.len())) {
         at = None;

@@ -21,7 +21,7 @@ pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
 /// What is wrong with the cell at which the keys are, in a line that is always there.
 pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &mut View<'_>) {
     let parts = view.session.parts();
-    let (row, column) = parts.sheet().at();
+    let (row, column) = parts.sheet.at();
     let finding = parts.document.finding(row, Some(column)).or_else(|| parts.document.finding(row, None));
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(space(5.0));

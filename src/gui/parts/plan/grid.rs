@@ -65,7 +65,7 @@ fn columns(view: &View<'_>) -> Vec<PlanColumn> {
         let limits = (*column == Column::Callout).then_some(PlanColumn::Limits);
         std::iter::once(PlanColumn::Of(*column)).chain(limits)
     };
-    view.session.parts().sheet().columns.iter().flat_map(of).collect()
+    view.session.parts().sheet.columns.iter().flat_map(of).collect()
 }
 
 /// The table in the room that is left.
@@ -82,7 +82,7 @@ pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     leave(ui, view);
     let is_focused = grid.place_ui(ui, rect, &view.text("parts-page-table")).has_focus();
     // The field of the cell takes the focus where it is drawn, which is after this.
-    if is_focused && !view.session.parts().sheet().is_editing {
+    if is_focused && !view.session.parts().sheet.is_editing {
         typed(ui, view);
     }
     let cells = grid.cells_ui(ui, rect, |ui, cells| body_ui(ui, view, &columns, (&grid, cells), is_focused));
@@ -99,7 +99,7 @@ fn leave(ui: &Ui, view: &View<'_>) {
     let has_focus = ui.memory(|memory| memory.has_focus(grid_id()));
     let forwards = ui.input(|input| input.key_pressed(Key::Tab).then_some(!input.modifiers.shift));
     if let Some(forwards) = forwards.filter(|_| has_focus)
-        && !parts.sheet().can_tab(forwards, parts.document.draft())
+        && !parts.sheet.can_tab(forwards, parts.document.draft())
     {
         let direction = if forwards { FocusDirection::Next } else { FocusDirection::Previous };
         ui.memory_mut(|memory| memory.move_focus(direction));
@@ -125,7 +125,7 @@ fn typed(ui: &Ui, view: &mut View<'_>) {
     if !text.is_empty() {
         commands.push(PlanCommand::Edit(Some(text)));
     }
-    let can = |forwards: &bool| view.session.parts().sheet().can_tab(*forwards, view.session.parts().document.draft());
+    let can = |forwards: &bool| view.session.parts().sheet.can_tab(*forwards, view.session.parts().document.draft());
     commands.extend(tabs.into_iter().filter(can).map(PlanCommand::Tab));
     for command in commands {
         view.send(PartsCommand::Plan(command));
@@ -151,17 +151,17 @@ fn body_ui(
             }
         }
     }
-    let (row, column) = view.session.parts().sheet().at();
+    let (row, column) = view.session.parts().sheet.at();
     let Some(place) = columns.iter().position(|shown| *shown == PlanColumn::Of(column)) else { return };
     follow(ui, view, cells, (row, place));
-    if view.session.parts().sheet().is_editing {
+    if view.session.parts().sheet.is_editing {
         editor::editor_ui(ui, view, cells.rect(row, place));
     }
 }
 
 /// The cell comes into sight when the keys have moved, or the table has become lower; afterwards scrolling is free.
 fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usize)) {
-    let moves = (view.session.parts().sheet().moves, lines_of(cells.seen.height()));
+    let moves = (view.session.parts().sheet.moves, lines_of(cells.seen.height()));
     let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(grid_id().with("moves")), moves));
     if before != moves {
         cells.look_at(ui, row, place);
@@ -172,7 +172,7 @@ fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usi
 fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column): (usize, Column), is_focused: bool) {
     let parts = view.session.parts();
     let document = &parts.document;
-    let sheet = parts.sheet();
+    let sheet = &parts.sheet;
     let text = document.draft().rows.get(row).map_or("", |cells| &cells.cell(column).text);
     let finding = document.finding(row, Some(column));
     let place = sheet.columns.iter().position(|of| *of == column);
@@ -248,7 +248,7 @@ fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[PlanColumn], rect: Rect, cell
     let palette = palette(ui.ctx());
     let mut rows = Vec::new();
     let parts = view.session.parts();
-    let (row, column) = parts.sheet().at();
+    let (row, column) = parts.sheet.at();
     cells.heads_ui(
         ui,
         rect,
@@ -267,10 +267,10 @@ fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[PlanColumn], rect: Rect, cell
         },
     );
     // The head of a row selects all of it; with Shift, all rows between.
-    let columns = &parts.sheet().columns;
+    let columns = &parts.sheet.columns;
     if let (Some(at), Some(first), Some(last)) = (rows.pop(), columns.first(), columns.last()) {
         let extends = ui.input(|input| input.modifiers.shift);
-        let from = if extends { parts.sheet().at().0 } else { at };
+        let from = if extends { parts.sheet.at().0 } else { at };
         for (at, column, extends) in [(from, *last, false), (at, *first, true)] {
             view.send(PartsCommand::Plan(PlanCommand::Go(at, column, extends)));
         }

@@ -29,7 +29,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = &session.parts().walking;
     let room = room(ui, view);
-    if let Some(question) = walking.question() {
+    if let Some(question) = walking.question.as_ref() {
         return question_ui(ui, view, question, room);
     }
     let (card, below) = fitted(ui, view, headline_card(view, walking), room);
@@ -41,7 +41,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         standing_strip_ui(ui, view, walking);
     }
     if walking.is_begun() && session.recording().is_on() {
-        let recorded = walking.faced_value().filter(|_| walking.refusal().is_none());
+        let recorded = walking.faced_value().filter(|_| walking.refusal.is_none());
         recorded_ui(ui, view, recorded.and_then(|(_, value)| recorded_of(view, value)));
     }
 }
@@ -105,7 +105,7 @@ fn no_card(view: &View<'_>, lines: Vec<String>) -> Card {
 
 /// The card of what the one look is for.
 fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
-    if let Some(refusal) = walking.refusal() {
+    if let Some(refusal) = walking.refusal.as_ref() {
         return no_card(view, vec![view.words.say(refusal)]);
     }
     match walking.headline() {
@@ -181,7 +181,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some((at, values)) = &contradicted {
         contradicted_ui(ui, view, walking.name(*at), values);
     }
-    if walking.question().is_none() {
+    if walking.question.is_none() {
         lines_below_ui(ui, &headline_card(view, walking));
     }
     let below: Vec<String> = remembered(ui, below_id());
@@ -236,7 +236,7 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
                 });
             });
             view.field_button(ui, PartsAction::WatchFolder);
-            if view.session.parts().watched.folder().is_some() {
+            if view.session.parts().watched.folder.is_some() {
                 view.field_button(ui, PartsAction::StopWatch);
             }
         });

@@ -20,7 +20,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let session = view.session;
     let walking = &session.parts().walking;
-    let Some(plan) = walking.plan() else { return begin_ui(ui, view) };
+    let Some(plan) = walking.plan.as_ref() else { return begin_ui(ui, view) };
     part_ui(ui, view, plan);
     ui.separator();
     // Nothing else is asked until that is answered: the buttons come back in their places.

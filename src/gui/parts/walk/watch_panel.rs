@@ -16,7 +16,7 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
     let session = view.session;
     let watched = &session.parts().watched;
     heading(ui, view.text("walk-page-watched"));
-    if let Some(folder) = watched.folder() {
+    if let Some(folder) = watched.folder.as_deref() {
         ui.label(folder.display().to_string());
         if let Some(name) = session.parts().watched_plan() {
             quiet(ui, view.words.say(&message!("walk-page-judged-by-plan").text("name", name)));
@@ -35,7 +35,7 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
     if let MaskChoice::Own { name, .. } = session.mask() {
         quiet(ui, view.words.say(&message!("walk-page-mask").text("name", name)));
     }
-    if let Some(trouble) = watched.trouble() {
+    if let Some(trouble) = watched.trouble.as_ref() {
         problem(ui, view.words.say(trouble));
     }
     if watched.is_recording() {
