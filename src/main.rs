@@ -33,7 +33,7 @@ fn outlive_the_largest_file() {
 /// What a file is opened for. A file that the window does not open is wrong usage, and ends the program.
 fn purpose(path: PathBuf) -> Result<(Purpose, PathBuf), ExitCode> {
     let head = files::read_head(&path, HEAD).map_err(|error| tell(&error.to_string()))?;
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
     match Purpose::of_file(&name, &head) {
         // The window has no folder of its own that a path could begin from.
         Ok(purpose) => Ok((purpose, std::path::absolute(&path).unwrap_or(path))),

@@ -60,7 +60,8 @@ fn binding(member: &Member) -> Ident {
 fn arm(case: &Case) -> TokenStream {
     let path = case.variant.as_ref().map_or_else(|| quote!(Self), |variant| quote!(Self::#variant));
     let bindings = case.fields.iter().map(|field| {
-        let (member, name) = (&field.member, binding(&field.member));
+        let member = &field.member;
+        let name = binding(member);
         // A field that no argument asks for may still be used by a computed value.
         let is_used = field.argument.is_some() || matches!(case.text, Text::Transparent) || !case.computed.is_empty();
         match member {
@@ -75,7 +76,8 @@ fn arm(case: &Case) -> TokenStream {
         return quote!(#pattern => ::fitcheck_core::message::Say::message(#(#inner)*),);
     };
     let arguments = case.fields.iter().filter_map(|field| {
-        let (argument, name) = (field.argument.as_ref()?, binding(&field.member));
+        let argument = field.argument.as_ref()?;
+        let name = binding(&field.member);
         Some(if let Some(with) = &field.with {
             quote!(.with(#argument, &#with(#name)))
         } else {
@@ -94,7 +96,8 @@ fn conversions<'a>(said: &'a Said, case: &'a Case) -> impl Iterator<Item = Token
     let (for_impl, for_type, conditions) = said.generics.split_for_impl();
     let name = &said.name;
     case.fields.iter().filter(|field| field.is_from).map(move |field| {
-        let (ty, member) = (&field.ty, &field.member);
+        let ty = &field.ty;
+        let member = &field.member;
         let path = case.variant.as_ref().map_or_else(|| quote!(Self), |variant| quote!(Self::#variant));
         quote! {
             impl #for_impl ::std::convert::From<#ty> for #name #for_type #conditions {

@@ -290,7 +290,7 @@ impl Session {
         }
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
-        shared.own_mask = saved.mask.clone().map(OwnMask::Awaited).unwrap_or_default();
+        shared.own_mask = saved.mask.clone().map_or(OwnMask::Settled, OwnMask::Awaited);
         let session = Self::with_pages(&saved, shared);
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
         let mask = saved.mask.map(|path| Effect::Read(Purpose::LoadMask, path));
@@ -368,7 +368,7 @@ impl Session {
             self.check.say_repeated();
             return Vec::new();
         }
-        action.command(self).map(|command| self.apply(command, now)).unwrap_or_default()
+        action.command(self).map_or_else(Vec::new, |command| self.apply(command, now))
     }
 
     /// Applies a command that belongs to no page.
@@ -377,7 +377,8 @@ impl Session {
         match command {
             applied_before!() => {}
             Command::Workpiece(command) => {
-                let (cycles, program) = (&self.cycles, &self.program);
+                let cycles = &self.cycles;
+                let program = &self.program;
                 shared.apply_workpiece(command, |shared| match shared.page {
                     Page::Program => program.suited(shared).map(Ok),
                     _ => Some(cycles.suited(shared)),

@@ -343,7 +343,8 @@ impl Shared {
 
     pub fn refuse_dialog(&mut self, problem: Message) {
         if let Some(dialog) = &mut self.dialog {
-            (dialog.busy, dialog.problem) = (false, Some(problem));
+            dialog.busy = false;
+            dialog.problem = Some(problem);
         }
     }
 

@@ -257,7 +257,7 @@ fn cells(row: &ImportRow) -> [String; 9] {
     let deviation = row.deviation.map_or_else(String::new, Length::signed_um);
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
-        format!("{}:{}", row.file, row.line.unwrap_or_default()),
+        row.line.map_or_else(|| row.file.to_string(), |line| format!("{}:{line}", row.file)),
         row.id.replace(char::is_control, "\u{fffd}"),
         row.callout.as_ref().map_or_else(String::new, Clone::clone),
         row.measured.map_or_else(String::new, mm),

@@ -35,7 +35,8 @@ impl BudgetPage {
     /// Something that the answer depends on is another.
     pub(super) fn answer_anew(&mut self) {
         self.errors.clear();
-        let (conditions, day) = (self.conditions(), self.day());
+        let conditions = self.conditions();
+        let day = self.day();
         let conditions = self.taken(conditions);
         let day = self.taken(day);
         let Some(Ok(budget)) = &self.read else {
@@ -77,7 +78,8 @@ impl BudgetPage {
 
     /// The contacts of the fields; none where both are empty.
     fn steps(&self) -> Result<Option<Geometry>, Refusal> {
-        let (touches, step) = (BudgetField::Touches, BudgetField::Step);
+        let touches = BudgetField::Touches;
+        let step = BudgetField::Step;
         let missing = |field| Err((field, message!("budget-page-other-missing")));
         match (self.given(touches, self.asks.contacts), self.given(step, self.asks.contacts)) {
             ("", "") => Ok(None),

@@ -100,7 +100,8 @@ impl BudgetPage {
 
     /// Checks use no budget any more.
     pub(super) fn leave(&mut self, shared: &mut Shared) {
-        (self.used_file, self.awaits_used) = (None, false);
+        self.used_file = None;
+        self.awaits_used = false;
         shared.budget = None;
         shared.spread(News::Budget);
     }

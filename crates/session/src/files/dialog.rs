@@ -68,12 +68,16 @@ impl Dialog {
         if self.purpose.is_reading() {
             self.list.filter(&path);
         }
-        (self.path, self.problem, self.chosen) = (path, None, None);
+        self.path = path;
+        self.problem = None;
+        self.chosen = None;
         self.list.unselect();
     }
 
     pub(super) fn begin(&mut self) {
-        (self.busy, self.problem, self.nothing_picked) = (true, None, false);
+        self.busy = true;
+        self.problem = None;
+        self.nothing_picked = false;
     }
 
     /// The system's dialog answered.
@@ -86,7 +90,8 @@ impl Dialog {
     }
 
     pub(super) fn ask(&mut self, path: PathBuf) {
-        (self.busy, self.exists) = (false, Some(path));
+        self.busy = false;
+        self.exists = Some(path);
     }
 
     /// What was typed is a folder: it is shown.
@@ -170,8 +175,8 @@ impl Dialog {
     /// Whether what is typed for a file that is written can only be a folder: its last part is no name, or is ended.
     fn names_folder(&self) -> bool {
         let typed = self.path.trim();
-        let last = typed.rsplit(std::path::is_separator).next().unwrap_or_default();
-        !self.purpose.is_reading() && (matches!(last, "" | "." | "..") || typed == "~")
+        let last = typed.rsplit(std::path::is_separator).next();
+        !self.purpose.is_reading() && (matches!(last, None | Some("" | "." | "..")) || typed == "~")
     }
 
     fn wants_folder(&self) -> bool {
@@ -193,7 +198,9 @@ impl Dialog {
     }
 
     fn choose(&mut self, path: PathBuf, shown: String) {
-        (self.path, self.chosen, self.problem) = (shown, Some(path), None);
+        self.path = shown;
+        self.chosen = Some(path);
+        self.problem = None;
     }
 
     /// The name of a selected file stands in the field.

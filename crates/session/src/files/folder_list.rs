@@ -88,8 +88,11 @@ impl FolderList {
 
     /// Another folder is to be read; its list is empty until then.
     pub(super) fn ask(&mut self, folder: PathBuf) {
-        (self.asked, self.is_new) = (Some(folder), true);
-        (self.read, self.problem, self.selected) = (None, None, None);
+        self.asked = Some(folder);
+        self.is_new = true;
+        self.read = None;
+        self.problem = None;
+        self.selected = None;
         self.filter.clear();
         self.shown.clear();
     }

@@ -33,7 +33,7 @@ impl Purpose {
     /// ```
     pub fn of_file(name: &str, head: &[u8]) -> Result<Self, OpenError> {
         let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        let purpose = match ending.as_deref().unwrap_or_default() {
+        let purpose = match ending.as_deref().unwrap_or("") {
             "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
             "toml" if Document::is_toml(head) => Some(Self::OpenPlan),

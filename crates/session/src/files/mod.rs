@@ -113,7 +113,7 @@ impl Session {
                 names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, purpose.ending())
             }),
             Purpose::ExportStatus => {
-                let part = self.check.shown.as_ref().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
+                let part = self.check.shown.as_ref().map_or_else(String::new, |shown| names::of_record(&shown.record));
                 names::dated(&names::allowed(&format!("{part}-status")), now, purpose.ending())
             }
             // A control knows a table and a log by these names.
@@ -157,7 +157,7 @@ impl Session {
     /// The user was asked and writes over the file.
     fn replace(&mut self, now: DateTime) -> Vec<Effect> {
         let path = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
-        path.map(|path| self.send(path, true, now)).unwrap_or_default()
+        path.map_or_else(Vec::new, |path| self.send(path, true, now))
     }
 
     /// Sends the dialog's file to work, or says in the dialog why not.

@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use fitcheck_core::length::Length;
+use fitcheck_core::text::Within as _;
 use fitcheck_core::tolerance::compare::{Comparison, Difference, compare};
 use fitcheck_core::tolerance::table_edit::{TableEdit, standard_column};
 use fitcheck_core::tolerance::{DeviationTable, Deviations, ToleranceClass, iso286};
@@ -99,8 +100,8 @@ impl Document {
     /// steps of the standard.
     pub fn differences(&self, column: usize, range: usize) -> &[Difference] {
         let place = self.differing.binary_search_by_key(&(column, range), |(column, range, _)| (*column, *range)).ok();
-        let numbers = place.and_then(|place| self.differing.get(place)).map(|(.., numbers)| numbers.clone());
-        numbers.and_then(|numbers| self.comparison.differences.get(numbers)).unwrap_or_default()
+        let cell = place.and_then(|place| self.differing.get(place));
+        cell.map_or(&[], |(.., numbers)| self.comparison.differences.within(numbers.clone()))
     }
 
     /// How many cells of a column differ.
@@ -128,8 +129,10 @@ impl Document {
     /// A size range: above this, up to and including this, mm.
     pub fn range(&self, range: usize) -> Option<(Length, Length)> {
         let ends = self.table().ends();
-        let over = range.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or_default();
-        Some((over, *ends.get(range)?))
+        let to = *ends.get(range)?;
+        // The first range begins at zero.
+        let over = range.checked_sub(1).and_then(|before| ends.get(before));
+        Some((over.copied().unwrap_or(Length::ZERO), to))
     }
 
     /// What ISO 286 gives for a cell; `None` where it gives nothing, or several values for the size range.
@@ -144,7 +147,7 @@ impl Document {
     pub fn defined(&self, class: ToleranceClass) -> Vec<(Length, Length)> {
         // Beyond the standard's last size every class is refused, and the error knows where it is defined.
         let refused = iso286::deviations(class, Length::MAX, self.options);
-        refused.err().map(|undefined| undefined.defined()).unwrap_or_default()
+        refused.map_or_else(|undefined| undefined.defined(), |_| Vec::new())
     }
 
     /// Whether there are edits that no file holds.
@@ -243,7 +246,7 @@ impl Document {
         self.differing.clear();
         for (number, difference) in self.comparison.differences.iter().enumerate() {
             let columns = self.edit.table().columns();
-            let column = columns.iter().position(|column| column.class == difference.class).unwrap_or_default();
+            let Some(column) = columns.iter().position(|column| column.class == difference.class) else { continue };
             match self.differing.last_mut() {
                 Some((last, range, numbers)) if (*last, *range) == (column, difference.range) => {
                     numbers.end = number + 1;

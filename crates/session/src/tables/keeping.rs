@@ -34,7 +34,7 @@ impl TablesPage {
             return Err(message!("tables-nothing-to-save"));
         };
         // The table has the name of its file; a blank would end the name.
-        let name = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_whitespace, "_");
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().replace(char::is_whitespace, "_");
         let bytes = (format.write)(&renamed(document.table(), &name)).map_err(|error| error.message())?;
         // A built-in table never changes; a file in another format cannot be opened again. Neither counts as saving.
         let saves = format.endings.contains(&"tab") && document.origin != Origin::Shipped;
