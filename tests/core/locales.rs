@@ -319,7 +319,7 @@ fn a_code_is_kept_and_an_unknown_one_is_english() {
     assert_eq!(text.try_into::<Language>().unwrap(), Language::Nl);
     assert_eq!(toml::Value::from("tlh").try_into::<Language>().unwrap(), Language::En);
     assert_eq!(Language::from_code("nl_BE.UTF-8"), Some(Language::Nl));
-    assert_eq!(Language::from_code("de"), None);
+    assert_eq!(Language::from_code("tlh"), None);
 }
 
 /// Names that are put together from a list of the program: each of its members has its text.

@@ -153,7 +153,7 @@ impl Write for Measured {
 
 #[test]
 fn a_report_is_written_check_by_check() {
-    let report = Report::new(date(2026, 11, 21).at(11, 0, 0, 0), Made(1_500));
+    let report = Report::new(date(2026, 11, 21).at(11, 0, 0, 0), Made(5_000));
     for rendering in RENDERINGS {
         let mut out = Measured::default();
         (rendering.render)(&report, &Words::new(Language::Nl), &mut out).unwrap();

@@ -202,8 +202,8 @@ impl Args {
             parts,
             ..Report::new(now, Arc::clone(&checks))
         };
-        if rendering.name == report::csv::RENDERING.name {
-            self.warn_of_csv(report.notes.len(), io);
+        if rendering.is_checks_alone {
+            self.warn_of_checks_alone(report.notes.len(), io);
         }
         let written = match &self.output {
             Output::Standard => (rendering.render)(&report, &words, io.data()).map_err(CliError::from),
@@ -216,8 +216,8 @@ impl Args {
         Ok(outcome)
     }
 
-    /// Warns of what CSV has no place for.
-    fn warn_of_csv(&self, notes: usize, io: &mut Io<'_>) {
+    /// Warns of what a file of checks alone has no place for.
+    fn warn_of_checks_alone(&self, notes: usize, io: &mut Io<'_>) {
         let given = [
             ("--title", &self.title),
             ("--part", &self.part),

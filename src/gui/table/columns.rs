@@ -26,8 +26,8 @@ pub(super) enum Kind {
 pub(super) enum Head {
     /// A text by its name, and a unit.
     Text(Option<&'static str>, Option<&'static str>),
-    /// A button that sorts.
-    Sorts(Action),
+    /// A button that sorts, and a unit.
+    Sorts(Action, Option<&'static str>),
 }
 
 /// A column as a page declares it.
@@ -88,13 +88,19 @@ impl Column {
 
     /// The unit of its figures.
     pub const fn unit(self, unit: &'static str) -> Self {
-        let id = if let Head::Text(id, _) = self.head { id } else { None };
-        Self { head: Head::Text(id, Some(unit)), ..self }
+        let head = match self.head {
+            Head::Text(id, _) => Head::Text(id, Some(unit)),
+            Head::Sorts(action, _) => Head::Sorts(action, Some(unit)),
+        };
+        Self { head, ..self }
     }
 
     /// A click on its head sorts.
     pub const fn sorts(self, action: Action) -> Self {
-        Self { head: Head::Sorts(action), ..self }
+        let unit = match self.head {
+            Head::Text(_, unit) | Head::Sorts(_, unit) => unit,
+        };
+        Self { head: Head::Sorts(action, unit), ..self }
     }
 
     /// Where there is too little room it gives way, the lowest first; the row says it all under the pointer.

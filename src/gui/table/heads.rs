@@ -19,7 +19,7 @@ const NEAR: f32 = 4.0;
 /// The height of the heads; none where no column has one.
 pub(super) fn height(ui: &Ui, columns: &[Column]) -> f32 {
     let has = |of: fn(&Head) -> bool| columns.iter().any(|column| of(&column.head));
-    if has(|head| matches!(head, Head::Sorts(_))) {
+    if has(|head| matches!(head, Head::Sorts(..))) {
         control(ui)
     } else if has(|head| *head != Head::Text(None, None)) {
         space(6.0)
@@ -48,7 +48,7 @@ pub(super) fn heads_ui(ui: &mut Ui, view: &mut View<'_>, table: &Table<'_>, acro
         let Some(across) = across else { continue };
         let cell = Rect::from_x_y_ranges(*across, rect.y_range());
         match column.head {
-            Head::Sorts(action) => sort_ui(ui, view, action, table.sorted, cell, number),
+            Head::Sorts(action, unit) => sort_ui(ui, view, (action, unit), table.sorted, cell, number),
             Head::Text(id, unit) => {
                 let parts = id.map(|id| view.text(id)).into_iter().chain(unit.map(str::to_owned));
                 let text = parts.collect::<Vec<_>>().join(", ");
@@ -67,12 +67,13 @@ pub(super) fn heads_ui(ui: &mut Ui, view: &mut View<'_>, table: &Table<'_>, acro
 fn sort_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
-    action: Action,
+    (action, unit): (Action, Option<&str>),
     sorted: Option<(Action, bool)>,
     cell: Rect,
     number: usize,
 ) {
-    let name = action.text(view.session, view.words);
+    let name = std::iter::once(action.text(view.session, view.words)).chain(unit.map(str::to_owned));
+    let name = name.collect::<Vec<_>>().join(", ");
     let told = |id| view.words.say(&Message::new(id).text("column", &name));
     let (shown, said, direction) = match sorted.filter(|(by, _)| *by == action) {
         None => (name.clone(), name.clone(), None),

@@ -23,7 +23,14 @@ use super::row::ReportRow;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
 
-pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
+pub const RENDERING: Rendering = Rendering {
+    name: "csv",
+    title: "CSV",
+    is_for_people: false,
+    is_checks_alone: true,
+    endings: &["csv"],
+    render: render_report,
+};
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
     let more = report.checks.more()?;

@@ -17,7 +17,14 @@ use super::row::ReportRow;
 use super::{Checks, RenderError, Rendering, Report};
 use crate::journal::Record;
 
-pub const RENDERING: Rendering = Rendering { name: "json", endings: &["json"], render: render_report };
+pub const RENDERING: Rendering = Rendering {
+    name: "json",
+    title: "JSON",
+    is_for_people: false,
+    is_checks_alone: false,
+    endings: &["json"],
+    render: render_report,
+};
 
 /// The version of the file's structure. What a reader knows of an older version stays where it is.
 pub const VERSION: u32 = 1;

@@ -19,10 +19,9 @@
 //!
 //! 1. Write a file with its `RENDERING`. Add its `mod` line, its line in [`RENDERINGS`] and its row above.
 //!    Its line comes last: Ctrl+S saves as the first one.
-//! 2. Add `export-NAME` to `window.ftl` and `walk-page-report-NAME` to `walk-page.ftl` in every folder of `assets/locales`.
-//! 3. Test it in `tests/core/renderings`. Add a call of `fitcheck report` to the corpus and record the answers
+//! 2. Test it in `tests/core/renderings`. Add a call of `fitcheck report` to the corpus and record the answers
 //!    (`tests/core/corpus.rs`). The test `report` holds every rendering to small pieces: checks are written one by one.
-//! 4. Describe it in the help of `src/cli/report/mod.rs`, in `docs/manual/reports.md` and `formats.md`, and in `CHANGELOG.md`.
+//! 3. Describe it in the help of `src/cli/report/mod.rs`, in `docs/manual/reports.md`, and in `CHANGELOG.md`.
 //!
 //! The formats of the command line, the entries of the window's menus and the filters of its dialogs follow.
 
@@ -147,6 +146,12 @@ impl Report {
 pub struct Rendering {
     /// Its name on the command line.
     pub name: &'static str,
+    /// What its format is called, in every language.
+    pub title: &'static str,
+    /// Whether a person reads the file; otherwise it is for spreadsheets and programs.
+    pub is_for_people: bool,
+    /// Whether it has no place for title, part, order, inspector and notes of the report. The command line says so.
+    pub is_checks_alone: bool,
     /// Endings of its files without the point, the usual one first.
     pub endings: &'static [&'static str],
     /// Writes the file check by check. Machine-readable renderings do not use the words.

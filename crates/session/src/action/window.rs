@@ -4,7 +4,7 @@ use fitcheck_core::message::message;
 use fitcheck_core::tolerance::Base;
 use fitcheck_core::tolerance::iso286::{Edition, JsHalves, Options};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::RENDERINGS;
+use fitcheck_exchange::report::{RENDERINGS, Rendering};
 
 use super::possible::{
     can_export, has_bad, has_history, has_status, is_of_1988, rounds_js, shows_columns, tells_of_file, told_columns,
@@ -176,7 +176,11 @@ impl Actions for WindowAction {
 
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         Some(match *self {
-            Self::Export(number) => words.get(&format!("export-{}", RENDERINGS.get(number)?.name)),
+            Self::Export(number) => {
+                let Rendering { title, is_for_people, .. } = *RENDERINGS.get(number)?;
+                let [people, programs] = [message!("export-people"), message!("export-programs")];
+                words.say(&if is_for_people { people } else { programs }.text("format", title))
+            }
             Self::Undo => words.say(&message!("undo-what").message("what", session.history().undoes()?)),
             Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),
             _ => return None,

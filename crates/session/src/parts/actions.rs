@@ -1,9 +1,9 @@
 //! What can be done on the parts page.
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::MOST_FEATURES;
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::RENDERINGS;
+use fitcheck_exchange::report::{RENDERINGS, Rendering};
 
 use super::{PartsCommand, PartsField, PartsView, PlanCommand, PlanField, WalkCommand, WalkField};
 use crate::Session;
@@ -252,7 +252,11 @@ impl Actions for PartsAction {
 
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         match *self {
-            Self::ReportPart(number) => Some(words.get(&format!("walk-page-report-{}", RENDERINGS.get(number)?.name))),
+            Self::ReportPart(number) => {
+                let Rendering { title, is_for_people, .. } = *RENDERINGS.get(number)?;
+                let [people, programs] = [message!("walk-page-report-people"), message!("walk-page-report-programs")];
+                Some(words.say(&if is_for_people { people } else { programs }.text("format", title)))
+            }
             Self::TakeMeantCell => {
                 let meant = session.parts().meant_here().map_or_else(String::new, |meant| words.number(&meant));
                 Some(words.say(&Message::new(self.row().text).text("meant", meant)))

@@ -2,59 +2,51 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{
-    Declaration, Use, asme_relaxed, asme_simple, asme_stringent, fixed, ilac_g8, iso14253_1998, iso14253_2017, simple,
-};
+use super::{Declaration, Use};
 
-/// Which rule. A state file keeps it by its word.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-#[serde(into = "&'static str", try_from = "String")]
-pub enum RuleName {
+macro_rules! rules {
+    ($($(#[$doc:meta])* $name:ident: $file:ident;)+) => {
+        /// Which rule. A state file keeps it by its word.
+        #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+        #[serde(into = "&'static str", try_from = "String")]
+        pub enum RuleName {
+            #[default]
+            $($(#[$doc])* $name,)+
+        }
+
+        impl RuleName {
+            /// Every rule, in the order of menus and help.
+            pub const ALL: [Self; [$(stringify!($name)),+].len()] = [$(Self::$name),+];
+
+            pub(super) const fn declaration(self) -> &'static Declaration {
+                match self {
+                    $(Self::$name => &super::$file::DECLARATION,)+
+                }
+            }
+        }
+    };
+}
+
+rules! {
     /// The control's own.
-    #[default]
-    Simple,
+    Simple: simple;
     /// Conformity with 95 % probability.
-    Iso14253Of2017,
+    Iso14253Of2017: iso14253_2017;
     /// The expanded uncertainty.
-    Iso14253Of1998,
+    Iso14253Of1998: iso14253_1998;
     /// A multiple of the expanded uncertainty.
-    IlacG8,
+    IlacG8: ilac_g8;
     /// No guard band, where the uncertainty is small enough.
-    AsmeSimple,
+    AsmeSimple: asme_simple;
     /// A smaller zone of acceptance.
-    AsmeStringent,
+    AsmeStringent: asme_stringent;
     /// A larger zone of acceptance.
-    AsmeRelaxed,
+    AsmeRelaxed: asme_relaxed;
     /// A guard band of a given width.
-    Fixed,
+    Fixed: fixed;
 }
 
 impl RuleName {
-    /// Every rule, in the order of menus and help.
-    pub const ALL: [Self; 8] = [
-        Self::Simple,
-        Self::Iso14253Of2017,
-        Self::Iso14253Of1998,
-        Self::IlacG8,
-        Self::AsmeSimple,
-        Self::AsmeStringent,
-        Self::AsmeRelaxed,
-        Self::Fixed,
-    ];
-
-    pub(super) const fn declaration(self) -> &'static Declaration {
-        match self {
-            Self::Simple => &simple::DECLARATION,
-            Self::Iso14253Of2017 => &iso14253_2017::DECLARATION,
-            Self::Iso14253Of1998 => &iso14253_1998::DECLARATION,
-            Self::IlacG8 => &ilac_g8::DECLARATION,
-            Self::AsmeSimple => &asme_simple::DECLARATION,
-            Self::AsmeStringent => &asme_stringent::DECLARATION,
-            Self::AsmeRelaxed => &asme_relaxed::DECLARATION,
-            Self::Fixed => &fixed::DECLARATION,
-        }
-    }
-
     /// The word for it on the command line, in files and in answers for programs.
     pub const fn word(self) -> &'static str {
         self.declaration().name

@@ -30,7 +30,14 @@ use super::text;
 use super::{Rendering, Report};
 use crate::journal::Record;
 
-pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "htm"], render };
+pub const RENDERING: Rendering = Rendering {
+    name: "html",
+    title: "HTML",
+    is_for_people: true,
+    is_checks_alone: false,
+    endings: &["html", "htm"],
+    render,
+};
 
 /// The most checks that a page lists: some 15 MB, which a browser opens in seconds.
 pub const MOST_CHECKS: usize = 2_000;
