@@ -5,7 +5,8 @@
 //!
 //! To add a subcommand:
 //!
-//! 1. Write a file with its `Args` and their `run`, and its `mod` line.
+//! 1. Write a file with its `Args` and their `run`, and its `mod` line; `table/verify.rs` is a small one to read first. What an argument
+//!    is called in errors is a variant of `ErrorSubject`.
 //! 2. Add its line to the table `subcommands!`, and declare what it answers with `row!` (CSV and JSON) or `object!` (JSON).
 //! 3. Add calls of it and of each option and value to the corpus and record the answers (`tests/core/corpus.rs`). A test names every
 //!    missing call.

@@ -34,7 +34,8 @@
 //! 3. Carry out its new effects in `effects.rs`: what touches a file or takes long runs off the frame's thread.
 //! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
 //! 5. Test it by label and key in `tests/gui/NAME_page.rs`; add it to `sizes.rs` (every size and language) and, with its picture, to
-//!    `readme.rs` there. Both `main.rs` name the files of tests.
+//!    `readme.rs` there. Both `main.rs` name the files of tests. The name of a page stands in every picture of a whole window: take them
+//!    anew (`tests/gui/pictures.rs` says how) and look at them.
 //! 6. Describe it in `docs/manual/`, whose `README.md` lists the pages, its keys in `window.md`, and it in `CHANGELOG.md`; add its words to
 //!    `docs/TERMS.md`.
 

@@ -55,11 +55,12 @@
 //!
 //! 1. Write a file or folder with its `FORMAT`. Add its `mod` line, its row above and its line in [`FORMATS`], before
 //!    formats that would take its files, too: the first that recognises a file reads it.
-//! 2. Add its errors as variants of [`ImportErrorKind`] (`error.rs`). Add their texts and `exchange-format-NAME` to `exchange.ftl`, or a
-//!    file of its own, in every folder of `assets/locales`.
+//!    `calypso` is a small one to read first.
+//! 2. Add `exchange-format-NAME` to `exchange.ftl` in every folder of `assets/locales`. An error that no variant of [`ImportErrorKind`]
+//!    (`error.rs`) says is a new variant there, with its text.
 //! 3. For every row, ask `sink.is_full(line)`, refuse a line beyond `LONGEST_ROW`, and hand out a record, something set aside or an error.
 //!    Hand out `NoRows` where there was none.
-//! 4. Give a value with limits of its own to `Characteristic::judge`. Set a value without limits aside as [`WhyUnjudged::NoCallout`], or
+//! 4. Give a value with limits of its own to `Characteristic::judge`; `context.lookup` finds the limits of a callout. Set a value without limits aside as [`WhyUnjudged::NoCallout`], or
 //!    as `NotPositive` where it is zero or less: a plan judges it. `by_plan::is_plain` lists the reasons that a plan may overrule.
 //! 5. Put what a device says of the status into the labels as a [`Claim`]; a contradiction is then reported by itself. Put what the file
 //!    says was measured into `Labels::quantity`, so that no plan takes a width for a diameter.

@@ -13,8 +13,8 @@
 //!
 //! To add a rule:
 //!
-//! 1. Write a file with its declaration; `Use` says what its bands are for. Add its `mod` line here and its lines in `names.rs`: variant,
-//!    `ALL` with its length, `declaration`.
+//! 1. Write a file with its declaration; `Use` says what its bands are for, and with that whether the rule proves anything. Add its `mod`
+//!    line here and its line in `names.rs`.
 //! 2. Add its sentence `rule-WORD` to `tolerance.ftl` and its name `rule-name-WORD` to `check-rule.ftl`, in every folder of
 //!    `assets/locales`.
 //! 3. Add a row of borders for each prover in `tests/core/rules.rs`.
