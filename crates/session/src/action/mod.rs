@@ -28,7 +28,7 @@ mod place;
 pub(crate) mod possible;
 pub(crate) mod row;
 mod shortcut;
-mod window;
+pub(crate) mod window;
 mod workpiece;
 
 pub use place::{ActionScope, Keeps, Part};

@@ -176,11 +176,7 @@ impl Actions for WindowAction {
 
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         Some(match *self {
-            Self::Export(number) => {
-                let Rendering { title, is_for_people, .. } = *RENDERINGS.get(number)?;
-                let [people, programs] = [message!("export-people"), message!("export-programs")];
-                words.say(&if is_for_people { people } else { programs }.text("format", title))
-            }
+            Self::Export(number) => report_name(number, words)?,
             Self::Undo => words.say(&message!("undo-what").message("what", session.history().undoes()?)),
             Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),
             _ => return None,
@@ -203,6 +199,13 @@ impl Actions for WindowAction {
     fn on_enter(field: Field, _page: Page) -> Option<Self> {
         (field == RecordsField::Who.into()).then_some(Self::TakeName)
     }
+}
+
+/// What writing checks in a format of the report's list is called.
+pub(crate) fn report_name(number: usize, words: &Words) -> Option<String> {
+    let Rendering { title, is_for_people, .. } = *RENDERINGS.get(number)?;
+    let [people, programs] = [message!("export-people"), message!("export-programs")];
+    Some(words.say(&if is_for_people { people } else { programs }.text("format", title)))
 }
 
 const fn open(purpose: Purpose) -> Command {

@@ -6,6 +6,7 @@ use fitcheck_exchange::report::RENDERINGS;
 use super::{RecordsCommand, RecordsField, Shorthand, Walk};
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
+use crate::action::window::report_name;
 use crate::action::{ActionScope, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
@@ -162,7 +163,7 @@ impl Actions for RecordsAction {
 
     fn name(&self, _session: &Session, words: &Words) -> Option<String> {
         match *self {
-            Self::ReportRecords(number) => Some(words.get(&format!("export-{}", RENDERINGS.get(number)?.name))),
+            Self::ReportRecords(number) => report_name(number, words),
             _ => None,
         }
     }
