@@ -15,7 +15,7 @@ use super::pages::{dropped_ui, page_of};
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{dialogs, field, keys, parts, top_bar};
+use super::{dialogs, field, keys, palette, parts, top_bar};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
@@ -255,9 +255,11 @@ fn touched(ui: &Ui) -> Option<bool> {
 
 /// The top bar, the open page, and what lies over it.
 fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
+    field::arrive(ui.ctx(), view);
     keys::keys_ui(ui, view);
     top_bar::top_bar_ui(ui, view);
     (page_of(view.session.page()).ui)(ui, view);
     dropped_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
+    palette::palette_ui(ui, view);
 }

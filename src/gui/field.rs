@@ -10,6 +10,7 @@ use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
+use super::in_turn::hold;
 use super::keypad;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet, remembered};
@@ -175,10 +176,28 @@ fn underlined(ui: &Ui, text: &str, font: &FontId, culprit: Option<&Range<usize>>
     job
 }
 
-/// Gives the focus to a field and selects its text, so that typing replaces it.
+/// Gives the focus to a field and selects its text, so that typing replaces it. As long as something lies over the page, egui takes the
+/// focus from it again: then it is given once that is gone.
 pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
+    if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
+        ctx.data_mut(|data| data.insert_temp(soon(), Some(field)));
+        hold(ctx);
+        return ctx.request_repaint();
+    }
     ctx.memory_mut(|memory| memory.request_focus(id(field)));
     select_all(ctx, id(field), text);
+}
+
+fn soon() -> Id {
+    Id::unique("field-soon")
+}
+
+/// Gives the focus to the field that it was promised to.
+pub(super) fn arrive(ctx: &Context, view: &View<'_>) {
+    let promised = ctx.data_mut(|data| std::mem::take(data.get_temp_mut_or_default::<Option<Field>>(soon())));
+    if let Some(field) = promised {
+        go_to(ctx, field, view.session.text(field));
+    }
 }
 
 /// Selects the whole text of a field.

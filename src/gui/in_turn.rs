@@ -61,6 +61,11 @@ pub(super) fn give_back(ui: &Ui, which: impl Fn(&Event) -> bool) {
     });
 }
 
+/// Keys wait for the next frame: the focus is on its way to where they belong.
+pub(super) fn hold(ctx: &Context) {
+    ctx.with_plugin(|turns: &mut InTurn| turns.settles = true);
+}
+
 impl InTurn {
     /// What the next frame gets; `is_typing` says whether a text field has the focus.
     fn take(&mut self, is_typing: bool) -> Vec<Event> {

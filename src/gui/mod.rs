@@ -12,7 +12,7 @@
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
-//! | `over_page` | what lies over a page |
+//! | `over_page`, `palette` | what lies over a page; everything that can be done, found by its name |
 //! | `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
@@ -70,6 +70,7 @@ mod over_page;
 mod page;
 mod pages;
 mod pairing;
+mod palette;
 mod parts;
 mod picture;
 mod popup;

@@ -100,6 +100,7 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
+    view.menu_item(ui, WindowAction::Palette);
     recent_ui(ui, view);
     ui.separator();
     ui.menu_button(view.text("language"), |ui| {

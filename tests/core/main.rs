@@ -120,6 +120,7 @@ mod session_filter;
 mod session_fit;
 mod session_history;
 mod session_pairing;
+mod session_palette;
 mod session_part_report;
 mod session_parts;
 mod session_plan;

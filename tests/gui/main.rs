@@ -17,6 +17,7 @@ mod history;
 mod keeping;
 mod keyboard;
 mod pairing_page;
+mod palette;
 mod parts;
 mod pictures;
 mod plan_page;

@@ -479,6 +479,15 @@ fit-these-parts = These parts: { $clearance }
 ## Own materials
 materials-refused = Own materials cannot be used: { $path }, { $reason }
 
+## Palette
+palette = Search or do anything
+palette-do = Do
+palette-open = Open
+palette-settings = Settings
+palette-check = Check { $callout }
+palette-nothing = Nothing has this name
+palette-hint = A callout, a page, a command or a file
+
 ## Leaving
 leave = Close Fitcheck?
 discard = Discard the changes?

@@ -479,6 +479,15 @@ fit-these-parts = Deze onderdelen: { $clearance }
 ## Own materials
 materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }
 
+## Palette
+palette = Zoeken of iets doen
+palette-do = Doen
+palette-open = Openen
+palette-settings = Instellingen
+palette-check = { $callout } controleren
+palette-nothing = Niets heet zo
+palette-hint = Een maat met passing, een pagina, een opdracht of een bestand
+
 ## Leaving
 leave = Fitcheck afsluiten?
 discard = De wijzigingen weggooien?

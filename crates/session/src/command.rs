@@ -16,6 +16,7 @@ use super::field::Field;
 use super::files::{DialogId, FilesCommand};
 use super::history::ListCommand;
 use super::page::{Page, pages};
+use super::palette::PaletteCommand;
 use super::parts::{PartsCommand, WalkCommand};
 use super::purpose::Purpose;
 use super::rows::RowsCommand;
@@ -35,6 +36,8 @@ macro_rules! command {
             Workpiece(WorkpieceCommand),
             /// Does something with the tool table.
             Tools(ToolsCommand),
+            /// Does something with the palette.
+            Palette(PaletteCommand),
             /// Does something with the file dialog, recent files or a file that was written.
             Files(FilesCommand),
             OpenPage(Page),
@@ -109,7 +112,7 @@ macro_rules! command {
 }
 
 pages!(command);
-from_variants!(Command: Columns(ColumnsCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
+from_variants!(Command: Palette(PaletteCommand), Columns(ColumnsCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
 
 impl From<RowsCommand> for Command {
     fn from(command: RowsCommand) -> Self {

@@ -28,6 +28,7 @@
 //! | `purpose`, `settings`, `step` | what files are for; how the window looks; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
+//! | `palette` | everything that can be done, found by its name |
 //! | `columns` | the columns of files of measurements, as they are corrected and remembered |
 //! | `saved` | what survives a restart |
 //!
@@ -66,6 +67,7 @@ mod fit;
 mod history;
 mod page;
 mod pairing;
+mod palette;
 mod part;
 pub mod parts;
 pub mod program;
@@ -131,6 +133,7 @@ pub use pairing::{
     Bin, FromMiddle, Marks, PairRow, Paired, PairingAction, PairingCommand, PairingField, PairingPage, PairingView,
     PairsPicture, usable,
 };
+pub use palette::{Palette, PaletteCommand, PaletteEntry, PaletteGroup};
 pub use part::{feature_message, shape_id};
 pub use parts::{PartsAction, PartsCommand, PartsField, PartsPage, PlanField, WalkField};
 pub use program::{ProgramAction, ProgramCommand, ProgramField, ProgramPage};
@@ -176,12 +179,14 @@ macro_rules! session {
             $($folder: $State,)+
             /// When a page asked something last.
             asking: Asking,
+            /// The palette, while it is open.
+            pub palette: Option<Palette>,
         }
 
         impl Session {
             /// Every page as it was left.
             fn with_pages(saved: &Saved, shared: Shared) -> Self {
-                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), shared }
+                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), palette: None, shared }
             }
 
             /// Adds what every page keeps.
@@ -385,6 +390,10 @@ impl Session {
                 });
             }
             Command::Tools(command) => shared.apply_tools(command),
+            Command::Palette(command) => {
+                let commands = self.apply_palette(command);
+                return commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
+            }
             Command::OpenPage(page) => shared.open(page),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::ShowKeypad(shown) => shared.keypad = shown,

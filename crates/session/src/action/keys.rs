@@ -41,7 +41,8 @@ impl Session {
         let is_covered = self.dialog().is_some()
             || self.open_columns().is_some()
             || self.is_leaving()
-            || self.asks_about().is_some();
+            || self.asks_about().is_some()
+            || self.palette.is_some();
         let is_heard = |action: Action| match action.place() {
             ActionScope::Everywhere => true,
             // The workpiece's window lies over the listing, and takes Escape.

@@ -46,6 +46,7 @@ use super::columns::ColumnsCommand;
 use super::field::Field;
 use super::files::FilesAction;
 use super::page::pages;
+use super::palette::PaletteCommand;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Page, Session};
 
@@ -164,7 +165,9 @@ impl Session {
 
     /// The command that closes the topmost thing over the page.
     fn uppermost(&self) -> Option<Command> {
-        if self.is_leaving() {
+        if self.palette.is_some() {
+            Some(PaletteCommand::Show(false).into())
+        } else if self.is_leaving() {
             Some(Command::Leave(false))
         } else if self.asks_about().is_some() {
             Some(Command::Discard(false))

@@ -19,6 +19,7 @@ use crate::field::Field;
 use crate::files::{FilesCommand, Launch};
 use crate::history::ListCommand;
 use crate::page::Page;
+use crate::palette::PaletteCommand;
 use crate::purpose::{ImportInto, Purpose};
 use crate::records::{RecordsCommand, RecordsField};
 use crate::settings::{Density, Theme};
@@ -28,6 +29,8 @@ actions! {
     WindowAction
 
     Open(Page): Page::ALL;
+    /// Opens the palette.
+    Palette;
     /// Reads measurements.
     Import;
     /// Reads measurements once their columns were seen.
@@ -94,6 +97,7 @@ impl Actions for WindowAction {
                     None => row,
                 }
             }
+            Self::Palette => everywhere("palette", PaletteCommand::Show(true).into()).key(Shortcut::ctrl('K')),
             Self::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
             Self::ImportColumns => everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History)))
                 .hint("columns-page-hint"),

@@ -1,0 +1,155 @@
+//! One entry of the palette, and every one that there is.
+
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
+
+use fitcheck_core::message::message;
+use fitcheck_core::tolerance::Callout;
+use fitcheck_core::words::{Language, Words};
+
+use crate::Session;
+use crate::action::{Action, ActionScope, Shortcut, WindowAction};
+use crate::check::{CheckCommand, CheckField};
+use crate::command::Command;
+use crate::files::FilesCommand;
+use crate::page::Page;
+
+/// Under which head an entry stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum PaletteGroup {
+    /// What can be done.
+    Do,
+    /// Pages and recent files.
+    Open,
+    /// How the window looks, and where limits come from.
+    Settings,
+}
+
+impl PaletteGroup {
+    /// The id of its head.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Do => "palette-do",
+            Self::Open => "palette-open",
+            Self::Settings => "palette-settings",
+        }
+    }
+}
+
+/// What an entry stands for.
+#[derive(Debug, Clone)]
+pub(super) enum Does {
+    Action(Action),
+    Commands(Vec<Command>),
+}
+
+/// Something that can be chosen.
+#[derive(Debug, Clone)]
+pub struct PaletteEntry {
+    pub group: PaletteGroup,
+    pub text: String,
+    /// What else is to be known: the page of an action, the folder of a file, the limits of a callout.
+    pub note: String,
+    /// Its keys on its page.
+    pub keys: Option<Shortcut>,
+    /// Whether it can be done now.
+    pub is_possible: bool,
+    /// Everything that it is found by, in small letters: its name in every language.
+    pub(super) names: Vec<String>,
+    pub(super) does: Does,
+}
+
+/// Everything that can be found now.
+pub(super) fn all(session: &Session) -> Vec<PaletteEntry> {
+    let own = Words::new(session.language());
+    let others: Vec<Words> =
+        Language::all().filter(|language| *language != session.language()).map(Words::new).collect();
+    let mut seen = BTreeSet::new();
+    let mut entries = Vec::new();
+    for action in Action::all().filter(|action| is_listed(*action)) {
+        let entry = of_action(action, session, &own, &others);
+        // The steps of a table have one name.
+        if seen.insert((entry.text.clone(), entry.note.clone())) {
+            entries.push(entry);
+        }
+    }
+    entries.extend(session.recent_files().iter().enumerate().map(|(number, file)| {
+        let path = file.path.as_path();
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        let folder = path.parent().map_or(OsStr::new(""), |folder| folder.as_os_str());
+        PaletteEntry {
+            group: PaletteGroup::Open,
+            names: vec![path.display().to_string().to_lowercase()],
+            text: name,
+            note: folder.to_string_lossy().into_owned(),
+            keys: None,
+            is_possible: true,
+            does: Does::Commands(vec![FilesCommand::OpenRecent(number).into()]),
+        }
+    }));
+    entries
+}
+
+/// Whether an action stands in the palette: those of a dialog do not, for none is open, nor what only closes the palette.
+fn is_listed(action: Action) -> bool {
+    action.place() != ActionScope::Dialog
+        && !matches!(action, Action::Window(WindowAction::Palette | WindowAction::Close))
+}
+
+fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -> PaletteEntry {
+    let group = match action {
+        Action::Window(WindowAction::Open(_)) => PaletteGroup::Open,
+        Action::Window(
+            WindowAction::UseTheme(_)
+            | WindowAction::UseDensity(_)
+            | WindowAction::UseSource(_)
+            | WindowAction::RoundJs
+            | WindowAction::Edition1988
+            | WindowAction::LoadTables
+            | WindowAction::NoOwnTables
+            | WindowAction::LoadMask
+            | WindowAction::Keypad,
+        ) => PaletteGroup::Settings,
+        _ => PaletteGroup::Do,
+    };
+    let page = match action.place() {
+        ActionScope::Page(page) => Some(page),
+        ActionScope::Part(part) => Some(part.page),
+        ActionScope::Everywhere | ActionScope::Workpiece | ActionScope::Dialog => None,
+    };
+    let text = action.text(session, own);
+    let elsewhere = others.iter().map(|words| action.text(session, words));
+    let on_page = |words: &Words| page.map_or_else(String::new, |page| words.get(page.name()));
+    let pages = std::iter::once(own).chain(others).map(on_page);
+    let names = std::iter::once(text.clone()).chain(elsewhere).zip(pages);
+    PaletteEntry {
+        group,
+        names: names.map(|(name, page)| format!("{name} {page}").to_lowercase()).collect(),
+        note: on_page(own),
+        keys: action.shortcut_on(page.unwrap_or(session.page())),
+        is_possible: session.can(action),
+        does: Does::Action(action),
+        text,
+    }
+}
+
+/// The entry of a callout: the check page checks it, with the limits that it has now.
+pub(super) fn of_callout(query: &str, session: &Session, words: &Words) -> Option<PaletteEntry> {
+    let callout: Callout = query.trim().parse().ok()?;
+    let limits = session.sources().limits(&callout, callout.feature()).ok()?;
+    let range = format!("{} … {}", words.mm(limits.minimum(), 3), words.mm(limits.maximum(), 3));
+    let text = callout.to_string();
+    Some(PaletteEntry {
+        group: PaletteGroup::Do,
+        names: Vec::new(),
+        text: words.say(&message!("palette-check").text("callout", &text)),
+        note: format!("{range} mm"),
+        keys: None,
+        is_possible: true,
+        does: Does::Commands(vec![
+            Command::OpenPage(Page::Check),
+            CheckCommand::Type(CheckField::Callout, text).into(),
+            Command::GoTo(CheckField::Measured.into()),
+        ]),
+    })
+}

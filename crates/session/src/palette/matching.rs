@@ -1,0 +1,32 @@
+//! Which entries a query finds: every word of it stands in one name of the entry. What begins with the query comes first, then names of
+//! which a word begins with it, then the rest; what cannot be done now comes last.
+
+use super::entry::PaletteEntry;
+
+/// How well a name fits; the smaller, the better.
+fn rank(query: &str, words: &[&str], name: &str) -> Option<u8> {
+    if !words.iter().all(|word| name.contains(word)) {
+        return None;
+    }
+    let begins = |word: &&str| name.split(|c: char| !c.is_alphanumeric()).any(|part| part.starts_with(*word));
+    Some(match () {
+        () if name.starts_with(query) => 0,
+        () if words.iter().all(begins) => 1,
+        () => 2,
+    })
+}
+
+/// The entries that a query finds, group by group; all of them for an empty one.
+pub(super) fn found(query: &str, all: &[PaletteEntry]) -> Vec<PaletteEntry> {
+    let query = query.trim().to_lowercase();
+    let words: Vec<&str> = query.split_whitespace().collect();
+    let rank_of = |entry: &PaletteEntry| entry.names.iter().filter_map(|name| rank(&query, &words, name)).min();
+    let mut found: Vec<_> = all.iter().filter_map(|entry| Some((rank_of(entry)?, entry))).collect();
+    // The order of the list decides between equals.
+    found.sort_by_key(|(rank, entry)| (!entry.is_possible, *rank));
+    let best = |group| found.iter().position(|(_, entry)| entry.group == group).unwrap_or(usize::MAX);
+    let mut ordered: Vec<_> = found.iter().map(|(_, entry)| *entry).collect();
+    // The group of the best match comes first.
+    ordered.sort_by_key(|entry| best(entry.group));
+    ordered.into_iter().cloned().collect()
+}

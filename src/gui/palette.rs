@@ -1,0 +1,167 @@
+//! The palette over the page: a field, and what it finds. Arrows choose, Enter does the highlighted entry, Escape closes.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Align2, Id, Key, Label, Layout, Memory, Modal, Modifiers, RichText, ScrollArea, Sense, TextEdit, TextStyle,
+    Ui, UiBuilder, WidgetInfo, vec2,
+};
+
+use super::key_names::told;
+use super::over_page::just_opened;
+use super::theme::{control, palette, sizes, space};
+use super::view::{View, quiet};
+use crate::session::{Palette, PaletteCommand, PaletteEntry, Step};
+
+/// Its width and its distance from the top, in steps of the grid.
+const WIDTH: f32 = 160.0;
+const TOP: f32 = 22.0;
+
+/// How much of the height of the window its list takes at most.
+const SHARE: f32 = 0.6;
+
+/// The id of its field.
+fn field_id() -> Id {
+    Id::unique("palette-field")
+}
+
+/// Draws the palette where it is open.
+pub(super) fn palette_ui(ui: &Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let Some(open) = &session.palette else { return go_home(ui) };
+    let screen = ui.ctx().content_rect();
+    let width = space(WIDTH).min(screen.width() - space(8.0));
+    let top = space(TOP).min(screen.height() * 0.1);
+    let id = Id::unique("palette");
+    let area = Modal::default_area(id).anchor(Align2::CENTER_TOP, vec2(0.0, top));
+    let shown = Modal::new(id).area(area).show(ui.ctx(), |ui| {
+        ui.set_width(width);
+        field_ui(ui, view, open);
+        ui.separator();
+        ScrollArea::vertical().max_height(screen.height() * SHARE).auto_shrink([false, true]).show(ui, |ui| {
+            list_ui(ui, view, open);
+        });
+        ui.separator();
+        quiet(ui, view.text("palette-hint"));
+    });
+    if shown.backdrop_response.clicked() {
+        view.send(PaletteCommand::Show(false));
+    }
+}
+
+fn home_id() -> Id {
+    Id::unique("palette-home")
+}
+
+/// After the palette the keys go where they went before, unless what was done has given them to something else.
+fn go_home(ui: &Ui) {
+    let Some(home) = ui.data(|data| data.get_temp::<Id>(home_id())) else { return };
+    if ui.memory(|memory| memory.top_modal_layer().is_some()) {
+        return ui.ctx().request_repaint();
+    }
+    ui.data_mut(|data| data.remove::<Id>(home_id()));
+    if ui.memory(Memory::focused).is_none() {
+        ui.memory_mut(|memory| memory.request_focus(home));
+    }
+}
+
+fn field_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
+    let opened = just_opened(ui, field_id());
+    if let Some(focused) = ui.memory(Memory::focused).filter(|_| opened) {
+        ui.data_mut(|data| data.insert_temp(home_id(), focused));
+    }
+    // The keys of the list, before the field takes them.
+    let step = ui.input_mut(|input| {
+        let keys = [
+            (Key::ArrowDown, Step::Down),
+            (Key::ArrowUp, Step::Up),
+            (Key::PageDown, Step::PageDown),
+            (Key::PageUp, Step::PageUp),
+        ];
+        keys.into_iter().find(|(key, _)| input.consume_key(Modifiers::NONE, *key)).map(|(_, step)| step)
+    });
+    if let Some(step) = step {
+        view.send(PaletteCommand::Move(step));
+    }
+    let mut query = open.query.clone();
+    let field = TextEdit::singleline(&mut query)
+        .id(field_id())
+        .font(TextStyle::Heading)
+        .hint_text(view.text("palette"))
+        .desired_width(f32::INFINITY)
+        .min_size(vec2(0.0, control(ui)));
+    let response = ui.add(field);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(view.text("palette")));
+    if opened {
+        response.request_focus();
+    }
+    if response.changed() {
+        view.send(PaletteCommand::Type(query));
+    }
+    // What is typed together with Enter is searched for first.
+    if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+        view.send(PaletteCommand::Do(None));
+    }
+}
+
+fn list_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
+    if open.found.is_empty() {
+        quiet(ui, view.text("palette-nothing"));
+        return;
+    }
+    let moved = ui.data_mut(|data| {
+        let at = (open.query.clone(), open.at);
+        let last = std::mem::replace(data.get_temp_mut_or_default(Id::unique("palette-at")), at.clone());
+        last != at
+    });
+    let mut group = None;
+    for (number, entry) in open.found.iter().enumerate() {
+        if group != Some(entry.group) {
+            group = Some(entry.group);
+            ui.add_space(space(1.0));
+            quiet(ui, view.text(entry.group.name()));
+        }
+        entry_ui(ui, view, (number, entry), (number == open.at, moved));
+    }
+}
+
+/// An entry: its name, what else is to be known of it, and its keys at the right.
+fn entry_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    (number, entry): (usize, &PaletteEntry),
+    (is_highlighted, moved): (bool, bool),
+) {
+    let size = vec2(ui.available_width(), space(11.0));
+    let (rect, response) = ui.allocate_exact_size(size, Sense::CLICK);
+    let (text, quiet) = (palette(ui.ctx()).text.0, palette(ui.ctx()).quiet.0);
+    if is_highlighted {
+        ui.painter().rect_filled(rect, 5.0, ui.visuals().selection.bg_fill);
+        if moved {
+            ui.scroll_to_rect(rect, None);
+        }
+    } else if response.hovered() {
+        ui.painter().rect_filled(rect, 5.0, ui.visuals().widgets.hovered.weak_bg_fill);
+    }
+    let inner = rect.shrink2(vec2(space(3.0), 0.0));
+    let row = UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center));
+    ui.scope_builder(row, |ui| {
+        if !entry.is_possible {
+            ui.disable();
+        }
+        if let Some(keys) = entry.keys {
+            ui.label(RichText::new(told(ui, keys)).size(sizes().small).color(quiet));
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let name = RichText::new(&entry.text).size(sizes().body).color(text);
+            ui.add(Label::new(name).truncate().selectable(false));
+            ui.add(
+                Label::new(RichText::new(&entry.note).size(sizes().small).color(quiet)).truncate().selectable(false),
+            );
+        });
+    });
+    let said = if entry.note.is_empty() { entry.text.clone() } else { format!("{}, {}", entry.text, entry.note) };
+    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, entry.is_possible, is_highlighted, &said));
+    if response.clicked() {
+        view.send(PaletteCommand::Do(Some(number)));
+    }
+}
