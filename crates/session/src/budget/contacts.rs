@@ -20,7 +20,7 @@ impl TakenContacts {
     pub(super) fn of_check(record: &Record) -> Result<Self, GeometryError> {
         let geometry = Geometry::of_contacts(&record.measurement.contacts)?;
         let callout = record.callout.map(|callout| callout.to_string());
-        let what = std::iter::once(record.id.to_string()).chain(callout).filter(|part| !part.is_empty());
+        let what = std::iter::once(record.id.clone()).chain(callout).filter(|part| !part.is_empty());
         let is_simulated = record.measurement.origin.is_simulated();
         let id = if is_simulated { "budget-page-of-simulated-check" } else { "budget-page-of-check" };
         let of = Message::new(id)
