@@ -11,7 +11,8 @@ use fitcheck::session::parts::{PartsView, PlanCommand};
 use fitcheck::session::program::Speed;
 use fitcheck::session::{
     Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, Page, Paired, PairingCommand,
-    PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand, Session, Step, TablesCommand, Theme,
+    PairingField, PaletteCommand, PartsCommand, ProgramCommand, Purpose, RecordsCommand, Session, Step, TablesCommand,
+    Theme,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::words::Language;
@@ -99,8 +100,11 @@ impl Pair {
         self.window.step();
     }
 
-    /// Closes dialogs and opens the page again.
+    /// Closes the palette and dialogs, and opens the page again.
     fn clean(&mut self, page: Page) {
+        if self.session.palette.is_some() {
+            self.send(PaletteCommand::Show(false));
+        }
         if self.session.dialog().is_some() {
             self.send(Command::Close);
         }
