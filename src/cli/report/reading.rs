@@ -84,6 +84,12 @@ impl Checks for ReportChecks {
             let mut seen = Ok(());
             work.again(&name(path));
             self.read((path, file, work), &mut |item| {
+                // A file that cannot be read to its end the second time would leave out checks that the first look has counted.
+                if let Item::Error(error) = &item
+                    && matches!(error.what.kind, exchange::ImportErrorKind::Read { .. })
+                {
+                    seen = Err(io::Error::other(error.to_string()));
+                }
                 // What cannot be judged was noted at the first look.
                 if seen.is_ok()
                     && let Item::Record { record, labels, .. } = item
