@@ -56,6 +56,14 @@ impl Part {
 }
 
 impl ActionScope {
+    /// The page that it belongs to; `None` where that is no single one.
+    pub(crate) const fn page(self) -> Option<Page> {
+        match self {
+            Self::Page(page) | Self::Part(Part { page, .. }) => Some(page),
+            Self::Everywhere | Self::Workpiece | Self::Dialog => None,
+        }
+    }
+
     pub fn is_on(self, page: Page) -> bool {
         match self {
             Self::Everywhere => true,

@@ -112,11 +112,7 @@ fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -
         ) => PaletteGroup::Settings,
         _ => PaletteGroup::Do,
     };
-    let page = match action.place() {
-        ActionScope::Page(page) => Some(page),
-        ActionScope::Part(part) => Some(part.page),
-        ActionScope::Everywhere | ActionScope::Workpiece | ActionScope::Dialog => None,
-    };
+    let page = action.place().page();
     let text = action.text(session, own);
     let elsewhere = others.iter().map(|words| action.text(session, words));
     let on_page = |words: &Words| page.map_or_else(String::new, |page| words.get(page.name()));

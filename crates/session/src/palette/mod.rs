@@ -19,7 +19,6 @@ pub use entry::{PaletteEntry, PaletteGroup};
 
 use self::entry::{Does, all};
 use super::Session;
-use super::action::ActionScope;
 use super::command::Command;
 use super::step::Step;
 
@@ -99,12 +98,7 @@ impl Session {
         let commands = match &entry.does {
             Does::Commands(commands) => commands.clone(),
             Does::Action(action) => {
-                let page = match action.place() {
-                    ActionScope::Page(page) => Some(page),
-                    ActionScope::Part(part) => Some(part.page),
-                    ActionScope::Everywhere | ActionScope::Workpiece | ActionScope::Dialog => None,
-                };
-                let page = page.filter(|page| *page != self.page()).map(Command::OpenPage);
+                let page = action.place().page().filter(|page| *page != self.page()).map(Command::OpenPage);
                 page.into_iter().chain(action.command(self)).collect()
             }
         };
