@@ -7,7 +7,7 @@ use std::time::SystemTime;
 
 use fitcheck_core::text::{Within as _, long};
 
-use crate::exchange::Body;
+use crate::exchange::{Body, ImportErrorKind, Item};
 use crate::files::{self, FileError};
 use crate::journal::chain::{FileHash, Hash};
 
@@ -59,6 +59,19 @@ impl Measured {
 fn stamp(file: &File) -> Option<(u64, SystemTime)> {
     let about = file.metadata().ok()?;
     Some((about.len(), about.modified().ok()?))
+}
+
+/// That the system cannot read a file to its end: what it holds besides is not known, and another look at it may find more.
+pub(super) fn unreadable(path: &Path, item: &Item) -> Option<FileError> {
+    match item {
+        Item::Error(error) => match &error.what.kind {
+            ImportErrorKind::Read { reason } => {
+                Some(FileError::System { reason: reason.clone(), path: path.to_owned() })
+            }
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// A file whose hash is found while it is read: the hash of what was read, whatever becomes of the file later.

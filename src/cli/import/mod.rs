@@ -13,7 +13,7 @@ use print::Printed;
 
 use super::admitted::Admits as _;
 use super::judging::{Judge, JudgeArgs};
-use super::measured::{Hashing, Measured};
+use super::measured::{Hashing, Measured, unreadable};
 use super::parts::{PlanParts, RepeatArgs};
 use super::progress::{Watched, Work};
 use super::record::RecordArgs;
@@ -234,6 +234,10 @@ impl Import<'_> {
                 work.row();
             }
             warn(path, &item, io);
+            // The drive is to be seen to, so it is said beside the row.
+            if let Some(error) = unreadable(path, &item) {
+                io.fail(&error);
+            }
             if let Some(row) = ImportRow::against(path, &item)
                 && self.printed.is_ok()
             {

@@ -167,8 +167,9 @@ impl Args {
                 Ok(file) => {
                     let work = Work::on(&name(path), file.size());
                     io.watch(&work);
-                    collected.file((path, &file, &work), &given, io);
+                    let read = collected.file((path, &file, &work), &given, io);
                     work.line().end();
+                    read?;
                     given.files.push((path.clone(), file, work));
                     if let Some(stopped) = given.stopped() {
                         return Err(stopped);

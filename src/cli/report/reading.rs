@@ -8,7 +8,7 @@ use jiff::civil::DateTime;
 
 use super::super::admitted::Admits as _;
 use super::super::judging::{Judge, Sizes, Warned};
-use super::super::measured::Measured;
+use super::super::measured::{Measured, unreadable};
 use super::super::progress::{Watched, Work, stopped};
 use super::super::said::warning;
 use super::super::{CliError, Io, Outcome};
@@ -85,9 +85,7 @@ impl Checks for ReportChecks {
             work.again(&name(path));
             self.read((path, file, work), &mut |item| {
                 // A file that cannot be read to its end the second time would leave out checks that the first look has counted.
-                if let Item::Error(error) = &item
-                    && matches!(error.what.kind, exchange::ImportErrorKind::Read { .. })
-                {
+                if let Some(error) = unreadable(path, &item) {
                     seen = Err(io::Error::other(error.to_string()));
                 }
                 // What cannot be judged was noted at the first look.
@@ -135,13 +133,14 @@ pub(super) struct Collected {
 }
 
 impl Collected {
-    /// Looks at a file of measurements.
+    /// Looks at a file of measurements, which the system has to read to its end.
     pub(super) fn file(
         &mut self,
         (path, file, work): (&Path, &Measured, &Work),
         given: &ReportChecks,
         io: &mut Io<'_>,
-    ) {
+    ) -> Result<(), FileError> {
+        let mut read = Ok(());
         let name = &name(path);
         let line = |line: usize| message!("report-note-line").text("place", name).text("line", line);
         let sizes = Sizes::of(given.plan.as_deref());
@@ -157,7 +156,10 @@ impl Collected {
                 Err(error) => self.refuse(line(at), error.message(), io),
             },
             Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
-            Item::Error(error) => self.refuse(message!("report-note").text("place", name), error.message(), io),
+            Item::Error(ref error) => match unreadable(path, &item) {
+                Some(error) => read = Err(error),
+                None => self.refuse(message!("report-note").text("place", name), error.message(), io),
+            },
             Item::Warning(warning) => {
                 if warning.what.kind.wants_a_look() {
                     io.look_first();
@@ -167,6 +169,7 @@ impl Collected {
             }
             Item::Contacts(_) => {}
         });
+        read
     }
 
     /// The whole parts, and the name of the part that the plan is of. What keeps them from being complete is told.
