@@ -1,8 +1,9 @@
 """Cuts the fonts in this folder from their upstream packages; README.md has the commands.
 
-usage: python subset.py <Source Sans folder> <Source Code Pro folder> <DejaVu folder> <output folder>
+usage: python subset.py <Source Sans folder> <Source Code Pro folder> <DejaVu folder> <Phosphor folder> <output folder>
 """
 
+import re
 import sys
 from pathlib import Path
 
@@ -16,6 +17,8 @@ from fontTools.ttLib import TTFont
 
 # One line for all three files: where egui falls back from one to another, the baselines meet.
 ASCENT, DESCENT = 1.000, -0.326
+# Where the window names its icons.
+ICONS = Path(__file__).parent.parent.parent / "src/gui/theme/icon.rs"
 # Half the height of a capital in Source Sans; its circles and squares are centred on it too.
 CENTRE = 0.33
 
@@ -167,12 +170,23 @@ def symbols_font(source, target):
     font.save(target)
 
 
+def icons_font(source, target, style):
+    """The icons that the window names; their squares keep Phosphor's own line, so that one is centred in its row."""
+    named = re.findall(r"= '\\u\{([0-9a-f]+)\}'", ICONS.read_text())
+    font = TTFont(source, recalcTimestamp=False)
+    subset(font, [int(point, 16) for point in named])
+    name(font, "Fitcheck Icons", style)
+    font.save(target)
+
+
 def main():
-    sans, mono, dejavu, target = map(Path, sys.argv[1:])
+    sans, mono, dejavu, phosphor, target = map(Path, sys.argv[1:])
     text_font(sans / "TTF/SourceSans3-Regular.ttf", target / "sans-regular.ttf", "Fitcheck Sans", "Regular")
     text_font(sans / "TTF/SourceSans3-Semibold.ttf", target / "sans-semibold.ttf", "Fitcheck Sans", "Semibold")
     text_font(mono / "TTF/SourceCodePro-Regular.ttf", target / "mono-regular.ttf", "Fitcheck Mono", "Regular")
     symbols_font(dejavu / "ttf/DejaVuSans.ttf", target / "symbols.ttf")
+    for style, file in [("Regular", "regular/Phosphor"), ("Bold", "bold/Phosphor-Bold"), ("Fill", "fill/Phosphor-Fill")]:
+        icons_font(phosphor / f"src/{file}.ttf", target / f"icons-{style.lower()}.ttf", style)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
+use eframe::egui::{CentralPanel, Context, Event, Frame, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::effects::{EffectContext, Runner};
@@ -12,6 +12,7 @@ use super::in_turn::InTurn;
 use super::journal::Records;
 use super::keeping::Keeper;
 use super::pages::{dropped_ui, page_of};
+use super::rail::rail_ui;
 use super::store::Store;
 use super::theme;
 use super::view::View;
@@ -253,12 +254,18 @@ fn touched(ui: &Ui) -> Option<bool> {
     })
 }
 
-/// The top bar, the open page, and what lies over it.
+/// Below this height the cards come closer to the edges of the window.
+const LOW: f32 = 700.0;
+
+/// The rail, the top bar, the open page, and what lies over it.
 fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     field::arrive(ui.ctx(), view);
     keys::keys_ui(ui, view);
+    rail_ui(ui, view);
     top_bar::top_bar_ui(ui, view);
-    (page_of(view.session.page()).ui)(ui, view);
+    let margin = if ui.ctx().content_rect().height() < LOW { 8 } else { 16 };
+    let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(margin);
+    CentralPanel::default().frame(canvas).show(ui, |ui| (page_of(view.session.page()).ui)(ui, view));
     dropped_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
     palette::palette_ui(ui, view);

@@ -1,14 +1,32 @@
 //! What is around every card: an answer at which one look is enough. A screen reader says it whenever it changes.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui};
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, Ui};
 
+use super::columns::is_low;
 use super::shapes;
-use super::theme::{self, palette};
+use super::theme::{self, palette, space};
 use super::view::live;
 
 /// Around the text of a card.
 pub(super) const MARGIN: i8 = 12;
+
+/// The ground of a part of a page.
+pub(super) fn page_frame(ui: &Ui) -> Frame {
+    let palette = palette(ui.ctx());
+    let is_small = is_low(ui) || ui.available_width() < space(75.0);
+    let frame = Frame::new().fill(palette.surface.0).stroke(Stroke::new(1.0, palette.line.0)).corner_radius(12.0);
+    frame.inner_margin(Margin::same(if is_small { 8 } else { 16 }))
+}
+
+/// A part of a page, on a ground of its own. It takes all the room there is.
+pub(super) fn page_card_ui<T>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> T) -> T {
+    let shown = page_frame(ui).show(ui, |ui| {
+        ui.set_min_size(ui.available_size());
+        content(ui)
+    });
+    shown.inner
+}
 
 /// The card of a verdict in its colours, with dashes around what nobody measured; its content returns what is said of it, part by part.
 pub(super) fn verdict_ui(
@@ -30,7 +48,7 @@ pub(super) fn plain_ui(
     content: impl FnOnce(&mut Ui) -> Vec<String>,
 ) {
     let palette = palette(ui.ctx());
-    let look = (palette.background.0, is_simulated.then_some(palette.text.0), Margin::same(MARGIN));
+    let look = (palette.sunken.0, is_simulated.then_some(palette.text.0), Margin::same(MARGIN));
     around_ui(ui, (id, Live::Polite), look, |ui| ui.with_layout(Layout::top_down(Align::Center), content).inner);
 }
 
@@ -41,7 +59,7 @@ fn around_ui(
     (fill, dashes, margin): (Color32, Option<Color32>, Margin),
     content: impl FnOnce(&mut Ui) -> Vec<String>,
 ) {
-    let shown = Frame::new().fill(fill).corner_radius(6.0).inner_margin(margin).show(ui, |ui| {
+    let shown = Frame::new().fill(fill).corner_radius(12.0).inner_margin(margin).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
         content(ui)
     });

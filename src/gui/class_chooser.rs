@@ -50,5 +50,5 @@ pub(super) const fn feature_classes_id(feature: Feature) -> &'static str {
 pub(super) fn feature_picture(ui: &mut Ui, feature: Feature, size: f32) {
     let (rect, _) = ui.allocate_exact_size(vec2(size, size), Sense::hover());
     let palette = palette(ui.ctx());
-    shapes::feature(ui.painter(), rect.shrink(1.0), feature, palette.line.0, palette.panel.0, palette.text.0);
+    shapes::feature(ui.painter(), rect.shrink(1.0), feature, palette.line.0, palette.surface.0, palette.text.0);
 }

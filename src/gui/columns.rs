@@ -9,12 +9,16 @@ use eframe::egui::{
     AsIdSalt, CentralPanel, Event, EventFilter, Frame, Id, Key, Margin, Memory, Panel, Rect, ScrollArea, Ui, vec2,
 };
 
+use super::card::{page_card_ui, page_frame};
 use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
 
 /// The least width of the left column.
-const LEAST_ASKED: f32 = 224.0;
+const LEAST_ASKED: f32 = 256.0;
+
+/// Between two cards.
+const GAP: i8 = 12;
 
 /// Draws a part of a page.
 pub(super) type Draw = fn(&mut Ui, &mut View<'_>);
@@ -97,11 +101,8 @@ fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
     let most = (ui.available_width() - space(40.0)).max(least);
     let sizes = (right.clamp(least, most), least..=most);
     let salt = (page.name, "answer", is_narrow);
-    panel_ui(ui, view, Side::Right, salt, sizes, |ui, view| answer_ui(ui, view, page, false));
-    ui.scope(|ui| {
-        let frame = Frame::central_panel(ui.style());
-        CentralPanel::default().frame(frame).show(ui, |ui| (page.seen)(ui, view));
-    });
+    area_ui(ui, view, Side::Right, salt, sizes, |ui, view| answer_ui(ui, view, page, false));
+    rest_ui(ui, view, page.seen);
 }
 
 fn two_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
@@ -116,15 +117,15 @@ fn two_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
     let least_asked = LEAST_ASKED.max(keypad::width(view)).min(most);
     let sizes = (page.left.clamp(least_asked, most), least_asked..=most);
     panel_ui(ui, view, Side::Left, (page.name, "asked", 2), sizes, |ui, view| asked_ui(ui, view, page));
-    CentralPanel::default().show(ui, |ui| answer_ui(ui, view, page, !is_tall));
+    CentralPanel::default().frame(Frame::NONE).show(ui, |ui| answer_ui(ui, view, page, !is_tall));
 }
 
 fn one_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
-    let margin = Frame::side_top_panel(ui.style()).inner_margin(Margin::same(4));
-    let top = Panel::top((page.name, "verdict")).frame(margin).resizable(false);
+    let margin = Frame::new().inner_margin(Side::Top.gap());
+    let top = Panel::top((page.name, "verdict")).frame(margin).resizable(false).show_separator_line(false);
     top.show(ui, |ui| (page.verdict)(ui, view));
     keypad_ui(ui, view);
-    CentralPanel::default().show(ui, |ui| {
+    rest_ui(ui, view, |ui, view| {
         column_ui(ui, (page.name, "all"), |ui| {
             for part in page.head.iter().chain([&page.asked]) {
                 part(ui, view);
@@ -161,12 +162,15 @@ fn asked_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
 
 fn answer_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, with_seen: bool) {
     (page.verdict)(ui, view);
-    column_ui(ui, (page.name, "answer"), |ui| {
-        (page.answer)(ui, view);
-        if with_seen {
-            ui.separator();
-            of_height(ui, page.seen_height, |ui| (page.seen)(ui, view));
-        }
+    ui.add_space(f32::from(GAP) - ui.spacing().item_spacing.y);
+    rest_ui(ui, view, |ui, view| {
+        column_ui(ui, (page.name, "answer"), |ui| {
+            (page.answer)(ui, view);
+            if with_seen {
+                ui.separator();
+                of_height(ui, page.seen_height, |ui| (page.seen)(ui, view));
+            }
+        });
     });
 }
 
@@ -180,6 +184,16 @@ pub(super) enum Side {
 }
 
 impl Side {
+    /// The gap between its panel and what is beside it.
+    pub const fn gap(self) -> Margin {
+        match self {
+            Self::Left => Margin { right: GAP, ..Margin::ZERO },
+            Self::Right => Margin { left: GAP, ..Margin::ZERO },
+            Self::Top => Margin { bottom: GAP, ..Margin::ZERO },
+            Self::Bottom => Margin { top: GAP, ..Margin::ZERO },
+        }
+    }
+
     /// The arrows that make its panel larger and smaller.
     const fn arrows(self) -> [Key; 2] {
         match self {
@@ -191,9 +205,44 @@ impl Side {
     }
 }
 
-/// A panel whose edge is dragged with the pointer, or moved with the arrow keys once it has the focus. It keeps its
+/// A card whose edge is dragged with the pointer, or moved with the arrow keys once it has the focus. It keeps its
 /// place, also after a restart.
 pub(super) fn panel_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    side: Side,
+    salt: impl AsIdSalt + Copy,
+    sizes: (f32, RangeInclusive<f32>),
+    content: impl FnOnce(&mut Ui, &mut View<'_>),
+) {
+    area_ui(ui, view, side, salt, sizes, |ui, view| page_card_ui(ui, |ui| content(ui, view)));
+}
+
+/// A card of its own height over the width of the page: tools, or what is always in sight.
+pub(super) fn bar_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    side: Side,
+    salt: &str,
+    content: impl FnOnce(&mut Ui, &mut View<'_>),
+) {
+    let panel = if side == Side::Top { Panel::top(salt) } else { Panel::bottom(salt) };
+    let panel = panel.resizable(false).show_separator_line(false).frame(Frame::new().inner_margin(side.gap()));
+    panel.show(ui, |ui| {
+        page_frame(ui).show(ui, |ui| {
+            ui.set_min_width(ui.available_width());
+            content(ui, view);
+        });
+    });
+}
+
+/// What panels leave, as a card.
+pub(super) fn rest_ui(ui: &mut Ui, view: &mut View<'_>, content: impl FnOnce(&mut Ui, &mut View<'_>)) {
+    CentralPanel::default().frame(Frame::NONE).show(ui, |ui| page_card_ui(ui, |ui| content(ui, view)));
+}
+
+/// The same edge around cards that the content draws by itself.
+pub(super) fn area_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
     side: Side,
@@ -210,7 +259,8 @@ pub(super) fn panel_ui(
         Side::Top => Panel::top(salt),
         Side::Bottom => Panel::bottom(salt),
     };
-    panel.resizable(true).default_size(size).size_range(range).show(ui, |ui| {
+    let panel = panel.resizable(true).show_separator_line(false).frame(Frame::new().inner_margin(side.gap()));
+    panel.default_size(size).size_range(range).show(ui, |ui| {
         // A panel is as large as what is in it.
         ui.set_min_size(ui.available_size());
         content(ui, view);
@@ -221,7 +271,7 @@ pub(super) fn panel_ui(
         let thin = Rect::from_center_size(rect.center(), rect.size().max(vec2(3.0, 3.0)));
         let line = if thin.width() < thin.height() { vec2(3.0, thin.height()) } else { vec2(thin.width(), 3.0) };
         let line = Rect::from_center_size(thin.center(), line);
-        ui.ctx().debug_painter().rect_filled(line, 1.0, palette(ui.ctx()).accent.0);
+        ui.ctx().debug_painter().rect_filled(line, 1.0, palette(ui.ctx()).focus.0);
     }
 }
 

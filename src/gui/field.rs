@@ -32,9 +32,14 @@ impl FieldStyle {
         Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: RichText::default() }
     }
 
+    /// A field for words.
+    pub fn text(width: f32) -> Self {
+        Self { font: theme::font(theme::sizes().body), width, align: Align::LEFT, hint: RichText::default() }
+    }
+
     /// A large field of a given width.
     pub fn large(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT, hint: RichText::default() }
+        Self { font: theme::font(theme::sizes().figure), width, align: Align::LEFT, hint: RichText::default() }
     }
 }
 

@@ -65,7 +65,7 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let list = &dialog.list;
     let row = control(ui);
     let height = (room(ui) / row).floor().clamp(ROWS.0, ROWS.1) * row;
-    Frame::new().fill(palette(ui.ctx()).field.0).show(ui, |ui| {
+    Frame::new().fill(palette(ui.ctx()).surface.0).show(ui, |ui| {
         ui.set_min_size(vec2(ui.available_width(), height));
         ui.set_max_height(height);
         ui.spacing_mut().item_spacing.y = 0.0;

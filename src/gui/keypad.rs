@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
+use eframe::egui::{Button, Context, Frame, Id, Margin, Panel, RichText, Ui, Vec2, vec2};
 
 use super::field_id;
 use super::theme::{self, sizes, space};
@@ -107,7 +107,8 @@ pub(super) fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     give_focus(ui.ctx());
     let room = ui.available_height() * 0.45;
-    Panel::bottom("keypad").resizable(false).show(ui, |ui| {
+    let panel = Panel::bottom("keypad").resizable(false).show_separator_line(false);
+    panel.frame(Frame::new().inner_margin(Margin { top: 8, ..Margin::ZERO })).show(ui, |ui| {
         let field = target(ui);
         let mut state: State = remembered(ui, state_id());
         ui.spacing_mut().item_spacing = vec2(space(1.0), space(1.0));
@@ -158,7 +159,7 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Option<Field>, key: Key, stat
         Key::Shift => ((if state.is_small { "ABC" } else { "abc" }).to_owned(), view.text("key-shift")),
         Key::Enter => ("⏎".to_owned(), view.text("key-measure")),
     };
-    let button = Button::new(RichText::new(shown).font(theme::bold(sizes().value))).min_size(size);
+    let button = Button::new(RichText::new(shown).font(theme::bold(sizes().figure))).min_size(size);
     // Without a field only the keys that change the keypad itself do something.
     let changes_keypad = matches!(key, Key::Letters | Key::Shift);
     let response = ui.add_enabled_ui(changes_keypad || field.is_some(), |ui| ui.add_sized(size, button)).inner;

@@ -13,7 +13,7 @@
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
 //! | `over_page`, `palette` | what lies over a page; everything that can be done, found by its name |
-//! | `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
+//! | `rail`, `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys`, `key_names` | actions as buttons, entries of menus and keys |
@@ -75,6 +75,7 @@ mod parts;
 mod picture;
 mod popup;
 mod program;
+mod rail;
 mod reading;
 mod records;
 mod rows;

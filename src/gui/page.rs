@@ -4,11 +4,31 @@ use std::path::Path;
 
 use eframe::egui::Ui;
 
+use super::theme::Icon;
 use super::view::View;
 use crate::session::{Command, CycleFile, FilesCommand, Purpose};
 
+/// What pages are for: they stand together in the rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Group {
+    Measure,
+    Results,
+    Design,
+    Control,
+    Uncertainty,
+    /// At the foot of the rail.
+    Foot,
+}
+
+impl Group {
+    /// Those above the foot, from top to bottom.
+    pub const RAIL: [Self; 5] = [Self::Measure, Self::Results, Self::Design, Self::Control, Self::Uncertainty];
+}
+
 /// What the window has to know of a page.
 pub(super) struct PageView {
+    pub group: Group,
+    pub icon: Icon,
     pub ui: fn(&mut Ui, &mut View<'_>),
     /// What is done with a file that is dropped on it: its path, and its number among those that were dropped together.
     pub dropped: fn(&View<'_>, &Path, usize) -> Command,

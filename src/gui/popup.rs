@@ -3,9 +3,9 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use eframe::egui::{Frame, Label, Margin, RichText, ScrollArea, Stroke, Ui};
+use eframe::egui::{Frame, Label, Margin, RichText, ScrollArea, Ui};
 
-use super::theme::{self, palette, sizes, space};
+use super::theme::{self, Icon, Weight, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::Message;
 
@@ -36,14 +36,14 @@ pub(super) fn popup_ui(
 /// A window of the control with its title.
 pub(super) fn frame_ui(ui: &mut Ui, title: String, content: impl FnOnce(&mut Ui)) {
     let palette = palette(ui.ctx());
-    let frame = Frame::new().fill(palette.popup.0).stroke(Stroke::new(2.0, palette.popup_title.0)).corner_radius(2.0);
-    frame.show(ui, |ui| {
+    Frame::new().fill(palette.sunken.0).corner_radius(8.0).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        Frame::new().fill(palette.popup_title.0).inner_margin(Margin::symmetric(8, 3)).show(ui, |ui| {
-            ui.set_min_width(ui.available_width());
-            ui.label(RichText::new(title).size(sizes().small).color(palette.on_popup_title.0));
+        ui.horizontal(|ui| {
+            ui.spacing_mut().interact_size.y = 0.0;
+            ui.label(Icon::AppWindow.text(Weight::Regular, space(4.5)).color(palette.quiet.0));
+            ui.label(RichText::new(title).font(theme::bold(sizes().small)));
         });
-        Frame::new().inner_margin(Margin::same(8)).show(ui, content);
+        content(ui);
     });
 }
 

@@ -52,7 +52,7 @@ pub(super) fn ratio(part: usize, all: usize) -> f32 {
 
 /// The ring around a part of a page that has the focus as a whole.
 pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
-    let stroke = Stroke::new(2.0, palette(ui.ctx()).accent.0);
+    let stroke = Stroke::new(2.0, palette(ui.ctx()).focus.0);
     ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
 }
 

@@ -1,8 +1,8 @@
 //! A list and what is open of it: beside each other where there is room, else the open one in the place of the list.
 
-use eframe::egui::{CentralPanel, Ui};
+use eframe::egui::Ui;
 
-use super::columns::{Draw, Side, panel_ui};
+use super::columns::{Draw, Side, panel_ui, rest_ui};
 use super::keypad::keypad_ui;
 use super::theme::space;
 use super::view::View;
@@ -30,5 +30,5 @@ pub(super) fn split_ui(ui: &mut Ui, view: &mut View<'_>, split: &Split, is_open:
         keypad_ui(ui, view);
     }
     let shown = if is_open && !is_beside { split.detail } else { split.list };
-    CentralPanel::default().show(ui, |ui| shown(ui, view));
+    rest_ui(ui, view, shown);
 }

@@ -1,78 +1,173 @@
-//! Top: pages, import and export, and the menu of settings.
+//! Top: which page this is, the search field, what is recorded, and the menu.
 
 use std::path::Path;
 
-use eframe::egui::{Button, Id, Panel, RichText, Ui};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align2, Frame, Id, Margin, Panel, Rect, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
-use super::theme::{self, control, sizes, space};
+use super::check::grouped;
+use super::key_names::told;
+use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::message;
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
+use crate::session::{Action, Command, Density, FilesCommand, Theme};
 use crate::session::{CheckAction, WindowAction};
 use crate::tolerance::Base;
 use crate::words::Language;
 
-/// The bar: pages, import and export, settings; where the window is narrow, all of them in menus.
+/// How much of the bar's right end gives way: the search field becomes an icon, then words go, then what the menu has, too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Fold {
+    Nothing,
+    Search,
+    Words,
+    Buttons,
+    Who,
+}
+
+impl Fold {
+    const ALL: [Self; 5] = [Self::Nothing, Self::Search, Self::Words, Self::Buttons, Self::Who];
+}
+
+/// The widest and the narrowest search field, and the room around it.
+const SEARCH: [f32; 2] = [480.0, 320.0];
+const AROUND: f32 = 12.0;
+
+/// The bar: which page this is, the search field in its middle, what is recorded and by whom, Undo, the page's own action, the menu.
 pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
-    Panel::top("top").resizable(false).show(ui, |ui| {
-        ui.horizontal(|ui| {
-            ui.set_min_height(control(ui));
-            let id = Id::unique("top-bar");
-            // The widths of the last frame: what has no room goes into the menus.
-            let [pages, buttons]: [f32; 2] = remembered(ui, id);
-            let all = ui.available_width();
-            let has_room = pages + buttons + space(4.0) <= all;
-            let before = ui.cursor().left();
-            if has_room {
-                pages_ui(ui, view);
-            } else {
-                let open = WindowAction::Open(view.session.page()).text(view.session, view.words);
-                let text = RichText::new(format!("{open} ▾")).font(theme::bold(sizes().heading));
-                ui.menu_button(text, |ui| {
-                    for page in Page::ALL.map(WindowAction::Open) {
-                        view.menu_item(ui, page);
-                    }
-                });
-            }
-            let pages = if has_room { ui.cursor().left() - before } else { pages };
-            // As wide as the buttons, so that they end at the right edge in reading order.
-            let width = if has_room { buttons } else { remembered(ui, id.with("few")) };
-            ui.add_space((ui.available_width() - width).max(0.0));
-            let shown = ui.horizontal(|ui| {
-                if has_room {
-                    who_ui(ui, view);
-                    view.button(ui, WindowAction::Import);
-                    ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
-                }
-                ui.menu_button(view.text("menu"), |ui| {
-                    if !has_room {
-                        if view.session.recording().is_on() {
-                            ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
-                        }
-                        view.menu_item(ui, WindowAction::Import);
-                        ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
-                        ui.separator();
-                    }
-                    menu_ui(ui, view);
-                });
-            });
-            let width = shown.response.rect.width();
-            ui.data_mut(|data| {
-                data.insert_temp(id, [pages, if has_room { width } else { buttons }]);
-                data.insert_temp(id.with("few"), width);
-            });
-        });
+    let palette = palette(ui.ctx());
+    let is_low = ui.ctx().content_rect().height() < space(120.0);
+    let height = if is_low { control(ui) + space(1.0) } else { space(13.0) };
+    let frame = Frame::new().fill(palette.surface.0).inner_margin(Margin::symmetric(if is_low { 8 } else { 16 }, 0));
+    Panel::top("top").resizable(false).exact_size(height).frame(frame).show(ui, |ui| {
+        ui.horizontal_centered(|ui| bar_ui(ui, view));
     });
 }
 
-/// The pages by name.
-fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for page in Page::ALL.map(WindowAction::Open) {
-        let text = RichText::new(page.text(view.session, view.words)).font(theme::bold(sizes().heading));
-        view.button_as(ui, page, Button::selectable(page.is_on(view.session) == Some(true), text));
+fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let bar = ui.max_rect();
+    let page = WindowAction::Open(view.session.page()).text(view.session, view.words);
+    ui.label(RichText::new(page).font(theme::bold(sizes().title)));
+    let id = Id::unique("top-bar");
+    // The widths of the frames before, by how much was folded.
+    let widths: [f32; Fold::ALL.len()] = remembered(ui, id);
+    let room = bar.right() - ui.cursor().left() - AROUND;
+    let search = (bar.width() * 0.25).clamp(SEARCH[1], SEARCH[0]);
+    let has_search = |right: f32| {
+        let middle = bar.center().x;
+        ui.cursor().left() + AROUND <= middle - search / 2.0 && middle + search / 2.0 + AROUND <= bar.right() - right
+    };
+    let fits = |(fold, width): &(Fold, f32)| if *fold == Fold::Nothing { has_search(*width) } else { *width <= room };
+    let fold = Fold::ALL.into_iter().zip(widths).find(fits).map_or(Fold::Who, |(fold, _)| fold);
+    if fold == Fold::Nothing {
+        let field = Rect::from_center_size(bar.center(), vec2(search, control(ui).min(bar.height() - space(2.0))));
+        search_ui(ui, view, field);
     }
+    let known = widths.into_iter().zip(Fold::ALL).find(|(_, of)| *of == fold).map_or(0.0, |(width, _)| width);
+    // As wide as what follows, so that it ends at the right edge in reading order.
+    ui.add_space((bar.right() - ui.cursor().left() - known).max(0.0));
+    let shown = ui.horizontal(|ui| right_ui(ui, view, fold)).response.rect.width();
+    if 0.5 < (shown - known).abs() {
+        let widths = std::array::from_fn(|at| match (Fold::ALL.get(at), widths.get(at)) {
+            (Some(of), _) if *of == fold => shown,
+            (_, width) => width.copied().unwrap_or(0.0),
+        });
+        ui.data_mut(|data| data.insert_temp::<[f32; Fold::ALL.len()]>(id, widths));
+        ui.ctx().request_repaint();
+    }
+}
+
+/// The search field: it opens the palette.
+fn search_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
+    let palette = palette(ui.ctx());
+    let name = WindowAction::Palette.text(view.session, view.words);
+    let response = ui.allocate_rect(rect, Sense::click());
+    let fill = if response.hovered() { palette.tint.0 } else { palette.hover.0 };
+    ui.painter().rect_filled(rect, 8.0, fill);
+    if response.has_focus() {
+        ui.painter().rect_stroke(rect, 8.0, Stroke::new(2.0, palette.focus.0), StrokeKind::Inside);
+    }
+    let at = rect.left_center() + vec2(space(5.0), 0.0);
+    Icon::MagnifyingGlass.paint(ui.painter(), at, Weight::Regular, space(5.0), palette.quiet.0);
+    let text = rect.left_center() + vec2(space(9.5), 0.0);
+    ui.painter().text(text, Align2::LEFT_CENTER, &name, theme::font(sizes().body), palette.quiet.0);
+    if let Some(keys) = Action::from(WindowAction::Palette).shortcut_shown(view.session.page()) {
+        let keys = told(ui, keys);
+        let galley = ui.painter().layout_no_wrap(keys, theme::font(sizes().tiny), palette.quiet.0);
+        let cap = Align2::RIGHT_CENTER.align_size_within_rect(galley.size() + vec2(12.0, 4.0), rect.shrink(8.0));
+        ui.painter().rect(cap, 4.0, palette.surface.0, Stroke::new(1.0, palette.line.0), StrokeKind::Inside);
+        ui.painter().galley(cap.center() - galley.size() / 2.0, galley, palette.quiet.0);
+    }
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    if response.clicked() {
+        view.act(WindowAction::Palette);
+    }
+}
+
+fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
+    if Fold::Search <= fold {
+        view.icon_button(ui, WindowAction::Palette, Icon::MagnifyingGlass);
+    }
+    recorded_ui(ui, view, fold < Fold::Words);
+    if fold < Fold::Who {
+        who_ui(ui, view);
+    }
+    view.icon_button(ui, WindowAction::Undo, Icon::ArrowUUpLeft);
+    if fold < Fold::Buttons {
+        view.button(ui, WindowAction::Import);
+    }
+    let name = view.text("menu");
+    theme::looking(ui, theme::plain, |ui| {
+        let icon = Icon::DotsThree.text(Weight::Bold, space(5.0));
+        let shown = ui.menu_button(icon, |ui| {
+            if fold == Fold::Who && view.session.recording().is_on() {
+                ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
+            }
+            if Fold::Buttons <= fold {
+                view.menu_item(ui, WindowAction::Import);
+            }
+            ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
+            ui.separator();
+            menu_ui(ui, view);
+        });
+        shown.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    });
+}
+
+/// Whether checks are recorded, and the number of the newest one; where they are not, in words whatever the room.
+fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, has_words: bool) {
+    let recording = view.session.recording();
+    let is_bad = recording.has_failed_to_open() || 0 < recording.failed();
+    let is_recorded = recording.is_on() && !is_bad;
+    let said = match recording.newest {
+        _ if !is_recorded => view.text("top-not-recorded"),
+        0 => view.text("top-recording"),
+        _ if 0 < recording.unwritten() => view.text("top-recording"),
+        newest => view.words.say(&message!("top-recorded").text("number", grouped(newest))),
+    };
+    let palette = palette(ui.ctx());
+    let colour = if is_bad { palette.error.0 } else { palette.quiet.0 };
+    let (icon, weight) = match is_recorded {
+        true => (Icon::CheckCircle, Weight::Fill),
+        false => (Icon::WarningCircle, Weight::Regular),
+    };
+    let icon_colour = if is_recorded { palette.accent.0 } else { colour };
+    ui.spacing_mut().item_spacing.x = space(1.5);
+    let shown = ui.label(icon.text(weight, space(4.5)).color(icon_colour));
+    if has_words || is_bad {
+        // Read as one.
+        shown.widget_info(|| WidgetInfo::labeled(Role::Image, true, ""));
+        ui.label(RichText::new(said).font(theme::font(sizes().small)).color(colour));
+    } else {
+        shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
+        shown.on_hover_text(said);
+    }
+    if is_bad {
+        view.button(ui, WindowAction::RecordAgain);
+    }
+    ui.spacing_mut().item_spacing.x = space(2.0);
 }
 
 fn export_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -91,7 +91,7 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
         ui.spacing_mut().item_spacing.y = space(1.0);
         ui.vertical_centered(|ui| {
             if let Some(simulated) = &simulated {
-                ui.label(RichText::new(simulated).font(theme::bold(sizes().value)).color(colour));
+                ui.label(RichText::new(simulated).font(theme::bold(sizes().figure)).color(colour));
             }
             let size = word_ui(ui, card, colour);
             if let Some((what, rest)) = &card.instruction {
@@ -101,7 +101,7 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
                 }
             }
             if let Some(value) = &card.value {
-                ui.label(RichText::new(value).font(theme::bold(sizes().value)).color(colour));
+                ui.label(RichText::new(value).font(theme::bold(sizes().figure)).color(colour));
             }
             // Where there is no room the lines stand below the card.
             let lines = if is_tiny(ui) { [].as_slice() } else { card.lines.as_slice() };
@@ -125,7 +125,7 @@ pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
         heights.push(shape_above(ui));
     }
     if card.is_simulated {
-        heights.push(text(&view.text("simulated"), theme::bold(sizes().value)).y);
+        heights.push(text(&view.text("simulated"), theme::bold(sizes().figure)).y);
     }
     if let Some((what, rest)) = &card.instruction {
         heights.push(text(what, theme::bold(instruction_size(size))).y);
@@ -133,7 +133,7 @@ pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
             heights.push(text(rest, theme::font(sizes().limits)).y);
         }
     }
-    heights.extend(card.value.iter().map(|value| text(value, theme::bold(sizes().value)).y));
+    heights.extend(card.value.iter().map(|value| text(value, theme::bold(sizes().figure)).y));
     if !is_tiny(ui) {
         heights.extend(card.lines.iter().map(|line| text(line, theme::font(sizes().limits)).y));
     }
@@ -150,7 +150,7 @@ fn instruction_size(word: f32) -> f32 {
 /// that is narrower than the word sets it smaller. No result is set smaller.
 fn word_size(ui: &Ui, card: &Card, width: f32) -> f32 {
     let room = (width * 0.2).min(ui.ctx().content_rect().height() * 0.14);
-    let wanted = if card.status.is_some() { sizes().status.max(room) } else { sizes().value };
+    let wanted = if card.status.is_some() { sizes().status.max(room) } else { sizes().figure };
     wanted.min(wanted * width / word_width(ui, &card.word, wanted).max(1.0)).floor()
 }
 

@@ -10,7 +10,7 @@ use egui_plot::Plot;
 
 use super::key_names::{is_held, told};
 use super::shapes;
-use super::theme::{self, control};
+use super::theme::{self, Icon, Weight, control};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::{Say as _, message};
@@ -59,10 +59,28 @@ impl View<'_> {
         self.button_as(ui, action, button)
     }
 
-    /// Draws an action as a button of another look. Its keys show under the pointer.
+    /// Draws an action as a button of another look.
     pub fn button_as(&mut self, ui: &mut Ui, action: impl Into<Action>, button: Button<'_>) -> Response {
         let action = action.into();
-        let mut response = ui.add_enabled(self.session.can(action), button);
+        let is_possible = self.session.can(action);
+        let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, button));
+        self.pressed(ui, action, response)
+    }
+
+    /// Draws an action as an icon, named under the pointer.
+    pub fn icon_button(&mut self, ui: &mut Ui, action: impl Into<Action>, icon: Icon) -> Response {
+        let action = action.into();
+        let name = action.text(self.session, self.words);
+        let side = control(ui);
+        let button = Button::new(icon.text(Weight::Regular, theme::space(5.0))).min_size(vec2(side, side));
+        let is_possible = self.session.can(action);
+        let response = theme::looking(ui, theme::plain, |ui| ui.add_enabled(is_possible, button));
+        let response = response.accessible_name(&name).on_hover_text(name);
+        self.pressed(ui, action, response)
+    }
+
+    /// Does an action where its button was pressed. Its keys show under the pointer.
+    fn pressed(&mut self, ui: &Ui, action: Action, mut response: Response) -> Response {
         let keys = action.shortcut_shown(self.session.page()).map(|keys| told(ui, keys));
         let hint: Vec<String> = action.hint().map(|id| self.text(id)).into_iter().chain(keys).collect();
         if !hint.is_empty() {

@@ -1,10 +1,10 @@
 //! Who is measuring: in the top bar, with the last names and a field for another one.
 
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{PopupCloseBehavior, RichText, Ui};
+use eframe::egui::{Button, PopupCloseBehavior, RichText, Ui};
 
 use super::field::{FieldStyle, field_ui};
-use super::theme::{self, control, sizes, space};
+use super::theme::{self, Icon, Weight, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
 use crate::session::WindowAction;
@@ -21,7 +21,11 @@ pub(super) fn who_ui(ui: &mut Ui, view: &mut View<'_>) {
     let said = Message::new(if who.is_empty() { "records-page-who-nobody" } else { "records-page-who-is" });
     let said = view.words.say(&said.text("name", who));
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    let (button, _) = MenuButton::new(shown).config(config).ui(ui, |ui| names_ui(ui, view));
+    let icon = Icon::User.text(Weight::Regular, space(4.5));
+    let caret = Icon::CaretDown.text(Weight::Bold, space(3.0));
+    let (button, _) = theme::looking(ui, theme::plain, |ui| {
+        MenuButton::from_button(Button::new((icon, shown, caret))).config(config).ui(ui, |ui| names_ui(ui, view))
+    });
     button.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::Button, true, &said));
     button.on_hover_text(said);
 }
@@ -53,7 +57,7 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     ui.separator();
     let name = quiet(ui, view.text("records-page-new-name"));
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(space(46.0)) };
+    let look = FieldStyle::text(space(46.0));
     let before = view.commands.len();
     field_ui(ui, view, RecordsField::Who, name.id, look);
     let button = view.named(WindowAction::TakeName).min_size(eframe::egui::vec2(0.0, control(ui)));

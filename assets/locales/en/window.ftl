@@ -480,6 +480,10 @@ fit-these-parts = These parts: { $clearance }
 materials-refused = Own materials cannot be used: { $path }, { $reason }
 
 ## Palette
+rail-more = More
+top-recorded = Recorded, { $number }
+top-recording = Recording
+top-not-recorded = Not recorded
 palette = Search or do anything
 palette-do = Do
 palette-open = Open

@@ -480,6 +480,10 @@ fit-these-parts = Deze onderdelen: { $clearance }
 materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }
 
 ## Palette
+rail-more = Meer
+top-recorded = Vastgelegd, { $number }
+top-recording = Wordt vastgelegd
+top-not-recorded = Niet vastgelegd
 palette = Zoeken of iets doen
 palette-do = Doen
 palette-open = Openen

@@ -59,7 +59,7 @@ fn validity_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) -> Vec<String> 
             (None, palette.error.0, view.text("budget-page-not-yet"), Some(rest))
         }
     };
-    let font = if rest.is_some() { theme::bold(sizes().value) } else { theme::font(sizes().body) };
+    let font = if rest.is_some() { theme::bold(sizes().figure) } else { theme::font(sizes().body) };
     let galley = ui.painter().layout_no_wrap(word.clone(), font, colour);
     let mark = space(4.0);
     let size = vec2(mark + space(1.5) + galley.size().x, galley.size().y.max(mark));
@@ -94,7 +94,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
     let u = message!("budget-page-standard").number("um", format!("{:.3}", found.u()));
-    ui.label(RichText::new(view.words.say(&u)).font(theme::bold(sizes().value)));
+    ui.label(RichText::new(view.words.say(&u)).font(theme::bold(sizes().figure)));
     if let Answer::Combined(evaluation) = &found.answer {
         let infinite = || view.text("budget-page-infinite");
         let shown =

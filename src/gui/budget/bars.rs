@@ -71,9 +71,9 @@ impl ContributionBar {
         painter.galley(at, Arc::clone(&self.amount), palette.text.0);
         let top = rect.top() + self.name.size().y;
         let whole = Rect::from_x_y_ranges(rect.x_range(), top..=top + space(HEIGHT)).shrink(0.5);
-        painter.rect_filled(whole, 2.0, palette.background.0);
+        painter.rect_filled(whole, 2.0, palette.sunken.0);
         let length = (whole.width() * screen(self.length)).max(1.0);
-        painter.rect_filled(Rect::from_min_size(whole.min, vec2(length, whole.height())), 2.0, palette.accent.0);
+        painter.rect_filled(Rect::from_min_size(whole.min, vec2(length, whole.height())), 2.0, palette.data.0);
         painter.rect_stroke(whole, 2.0, Stroke::new(1.0, palette.line.0), StrokeKind::Middle);
     }
 }

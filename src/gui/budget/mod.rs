@@ -19,13 +19,13 @@ use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, column_ui, columns_ui};
 use super::over_page::just_opened;
-use super::theme::space;
+use super::theme::{Icon, space};
 use super::view::{View, quiet};
-use crate::gui::page::{PageView, ending, open};
+use crate::gui::page::{Group, PageView, ending, open};
 use crate::session::Command;
 use crate::session::Purpose;
 
-pub(super) const PAGE: PageView = PageView { ui: budget_ui, dropped };
+pub(super) const PAGE: PageView = PageView { group: Group::Uncertainty, icon: Icon::PlusMinus, ui: budget_ui, dropped };
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {

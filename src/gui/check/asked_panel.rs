@@ -8,7 +8,7 @@ use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
-use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
 use crate::session::{CheckAction, WindowAction};
@@ -133,7 +133,7 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
     );
     let name = ui.label(view.text("part-name"));
     let width = ui.available_width();
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
+    let look = FieldStyle::text(width);
     field_ui(ui, view, CheckField::Part, name.id, look);
     record_ui(ui, view);
 }

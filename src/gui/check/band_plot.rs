@@ -153,7 +153,7 @@ impl Drawing<'_> {
             self.painter.vline(x, body.y_range(), Stroke::new(2.0, self.palette.zone_edge.0));
             let text = format!("{}{}", if 0.0 < um { "+" } else { "" }, self.words.number(&format!("{um}")));
             // On a ground: the line of the nominal size goes up to the edge.
-            let colours = (self.palette.panel.0, self.palette.text.0);
+            let colours = (self.palette.surface.0, self.palette.text.0);
             self.label(pos2(x, body.top() - 2.0), Align2::CENTER_BOTTOM, &text, colours);
         }
         let nominal = self.x(0.0);
@@ -212,7 +212,7 @@ impl Drawing<'_> {
         for band in self.guard_bands() {
             let rect = self.of_band(band, body);
             let (ground, hatch, colour) = match band.guarded {
-                Guarded::Undecided => (self.palette.panel.0, Hatch::Upright, self.measure_again()),
+                Guarded::Undecided => (self.palette.surface.0, Hatch::Upright, self.measure_again()),
                 Guarded::AcceptedBeyond => (self.palette.zone.0, Hatch::Falling, self.palette.zone_edge.0),
             };
             self.painter.rect_filled(rect, 0.0, ground);
@@ -234,10 +234,10 @@ impl Drawing<'_> {
             let mark =
                 Rect::from_center_size(rect.center_bottom() - vec2(0.0, space(4.0)), vec2(space(4.0), space(4.0)));
             if galley.size().x + 6.0 < rect.width() {
-                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.panel.0);
+                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.surface.0);
                 self.painter.galley(at.min, galley, self.palette.text.0);
             } else if band.guarded == Guarded::Undecided && space(5.0) < rect.width() {
-                self.painter.rect_filled(mark.expand(2.0), 2.0, self.palette.panel.0);
+                self.painter.rect_filled(mark.expand(2.0), 2.0, self.palette.surface.0);
                 shapes::status(&self.painter, mark, Some(Status::ReMeasure), self.palette.text.0);
             }
         }
@@ -267,7 +267,7 @@ impl Drawing<'_> {
         if galley.size().x + space(4.0) < rect.width() {
             let at = anchor.pos_in_rect(&rect.shrink(4.0));
             let ground = anchor.anchor_size(at, galley.size()).expand(3.0);
-            self.painter.rect_filled(ground, 3.0, self.palette.panel.0);
+            self.painter.rect_filled(ground, 3.0, self.palette.surface.0);
             self.painter.galley(anchor.anchor_size(at, galley.size()).min, galley, self.palette.text.0);
         }
     }
@@ -284,7 +284,7 @@ impl Drawing<'_> {
             self.painter.add(eframe::egui::epaint::PathShape::convex_polygon(
                 points,
                 colour,
-                Stroke::new(1.0, self.palette.panel.0),
+                Stroke::new(1.0, self.palette.surface.0),
             ));
         };
         match marker {
@@ -298,11 +298,16 @@ impl Drawing<'_> {
             }
             Marker::BeyondLeft(_) => {
                 triangle(tip(body.left() + 2.0), vec2(-size * 1.6, 0.0));
-                self.label(tip(body.left() + size * 2.4), Align2::LEFT_CENTER, &said, (self.palette.panel.0, colour));
+                self.label(tip(body.left() + size * 2.4), Align2::LEFT_CENTER, &said, (self.palette.surface.0, colour));
             }
             Marker::BeyondRight(_) => {
                 triangle(tip(body.right() - 2.0), vec2(size * 1.6, 0.0));
-                self.label(tip(body.right() - size * 2.4), Align2::RIGHT_CENTER, &said, (self.palette.panel.0, colour));
+                self.label(
+                    tip(body.right() - size * 2.4),
+                    Align2::RIGHT_CENTER,
+                    &said,
+                    (self.palette.surface.0, colour),
+                );
             }
         }
     }
@@ -336,7 +341,7 @@ impl Drawing<'_> {
                     (beside, limit + (limit - x).signum() * space(2.0))
                 };
                 let at = anchor.anchor_size(pos2(at, y), galley.size());
-                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.panel.0);
+                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.surface.0);
                 self.painter.galley(at.min, galley, stroke.color);
             }
         }

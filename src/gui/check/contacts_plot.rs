@@ -180,7 +180,7 @@ impl Picture {
                     Line::new(name, PlotPoints::from(points.to_vec())).allow_hover(false)
                 };
                 plot.line(line("nominal", &nominal).color(palette.quiet.0).width(1.5).style(LineStyle::dashed_loose()));
-                plot.line(line("fitted", &self.fitted).color(palette.accent.0).width(2.0));
+                plot.line(line("fitted", &self.fitted).color(palette.data.0).width(2.0));
                 for axis in [[[-0.06, 0.0], [0.06, 0.0]], [[0.0, -0.06], [0.0, 0.06]]] {
                     plot.line(line("nominal centre", &axis).color(palette.quiet.0).width(1.0));
                 }
@@ -188,7 +188,7 @@ impl Picture {
                     Points::new("centre", vec![self.centre])
                         .shape(MarkerShape::Cross)
                         .radius(6.0)
-                        .color(palette.accent.0),
+                        .color(palette.data.0),
                 );
                 plot.points(Points::new("contacts", self.contacts.clone()).radius(5.0).color(palette.text.0));
             });
@@ -209,7 +209,7 @@ impl Picture {
                 (Align2([side(*x, Align::Max, Align::Min), side(*y, Align::Min, Align::Max)]), out)
             };
             let rect = anchor.anchor_size(at + out, galley.size());
-            painter.rect_filled(rect.expand(2.0), 2.0, palette.panel.0);
+            painter.rect_filled(rect.expand(2.0), 2.0, palette.surface.0);
             painter.rect_stroke(
                 rect.expand(2.0),
                 2.0,

@@ -95,7 +95,7 @@ fn chosen_ui(ui: &mut Ui, view: &View<'_>) {
 /// The filter; Escape empties it and goes to the list.
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("history-filter"));
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(space(40.0)) };
+    let look = FieldStyle::text(space(40.0));
     let filter = field_ui(ui, view, CheckField::HistoryFilter, name.id, look);
     let left = filter.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     // A notice over the page takes Escape first.

@@ -72,7 +72,7 @@ fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
         plot.bottom() - plot.height() * screen(share)
     };
     let zone = Rect::from_min_max(pos2(plot.left(), y(high)), pos2(plot.right(), y(low)));
-    painter.rect_filled(plot, 0.0, palette.background.0);
+    painter.rect_filled(plot, 0.0, palette.sunken.0);
     painter.rect_filled(zone, 0.0, palette.zone.0);
     for (um, length) in [(low, lower), (high, upper)] {
         painter.hline(plot.x_range(), y(um), Stroke::new(2.0, palette.zone_edge.0));
@@ -89,10 +89,10 @@ fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
     for (place, record) in records.iter().enumerate() {
         let centre = at(place, record);
         let mark = Rect::from_center_size(centre, vec2(space(3.5), space(3.5)));
-        painter.circle_filled(centre, space(2.2), palette.panel.0);
+        painter.circle_filled(centre, space(2.2), palette.surface.0);
         shapes::status(&painter, mark, Some(record.verdict.status()), palette.text.0);
         if shown.is_some_and(|shown| std::ptr::eq(shown.record.as_ref(), *record)) {
-            painter.circle_stroke(centre, space(3.0), Stroke::new(2.0, palette.accent.0));
+            painter.circle_stroke(centre, space(3.0), Stroke::new(2.0, palette.data.0));
         }
     }
 }

@@ -27,7 +27,7 @@ mod status_panel;
 mod worth_lines;
 
 pub(super) use answer_panel::card as check_card;
-use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
+use eframe::egui::{Align, Layout, Ui, vec2};
 #[cfg(test)]
 pub(super) use history_list::COLUMNS as HISTORY;
 pub(super) use record_panel::recorded_ui;
@@ -37,10 +37,10 @@ pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
-use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
+use super::columns::{Page, Shape, Side, area_ui, bar_ui, column_ui, columns_ui, panel_ui, rest_ui};
 use super::keypad::keypad_ui;
-use super::page::{PageView, measurements};
-use super::theme::space;
+use super::page::{Group, PageView, measurements};
+use super::theme::{Icon, space};
 use super::verdict_card::least_width;
 use super::view::View;
 
@@ -50,7 +50,8 @@ const ULTRA_WIDE: f32 = 650.0;
 /// From this width on the columns are wider, and the history is a table whatever the height.
 const WIDE: f32 = 400.0;
 
-pub(super) const PAGE: PageView = PageView { ui: check_ui, dropped: measurements };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Measure, icon: Icon::Ruler, ui: check_ui, dropped: measurements };
 
 /// The check page: left what is asked, middle what was seen, right the answer, bottom the earlier checks.
 fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -99,8 +100,7 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let has_keypad = view.session.has_keypad() && size.y < space(230.0);
     let folded = has_keypad || (size.x < space(300.0) && size.y < size.x * 1.3) || size.y < space(175.0);
     if folded && !history_panel::is_unfolded(ui) {
-        let frame = Frame::side_top_panel(ui.style());
-        Panel::bottom("strip").frame(frame).show(ui, |ui| history_panel::strip_ui(ui, view));
+        bar_ui(ui, view, Side::Bottom, "strip", history_panel::strip_ui);
         return;
     }
     let share = if folded || size.x * 1.3 < size.y || space(WIDE) <= size.x { 0.38 } else { 0.24 };
@@ -123,18 +123,18 @@ fn below_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
 fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let height = ui.available_height();
     let sizes = (height * 0.4, height * 0.25..=height * 0.6);
-    panel_ui(ui, view, Side::Top, "check-tall", sizes, |ui, view| {
+    area_ui(ui, view, Side::Top, "check-tall", sizes, |ui, view| {
         let width = ui.available_width();
         let sizes = (page.least.max(width * 0.5), page.least.max(width * 0.35)..=page.least.max(width * 0.65));
-        panel_ui(ui, view, Side::Left, "check-tall-answer", sizes, |ui, view| (page.verdict)(ui, view));
-        CentralPanel::default().show(ui, |ui| seen_ui(ui, view));
+        area_ui(ui, view, Side::Left, "check-tall-answer", sizes, |ui, view| (page.verdict)(ui, view));
+        rest_ui(ui, view, seen_ui);
     });
     let width = ui.available_width();
     panel_ui(ui, view, Side::Left, "check-tall-asked", (width * 0.5, width * 0.35..=width * 0.65), |ui, view| {
         keypad_ui(ui, view);
         column_ui(ui, "check-tall-asked", |ui| (page.asked)(ui, view));
     });
-    CentralPanel::default().show(ui, |ui| {
+    rest_ui(ui, view, |ui, view| {
         column_ui(ui, "check-tall-rest", |ui| (page.answer)(ui, view));
     });
 }

@@ -16,7 +16,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
         for (field, name) in [(CheckField::Serial, "records-page-serial"), (CheckField::Remark, "records-page-remark")]
         {
             let name = ui.label(view.text(name));
-            let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
+            let look = FieldStyle::text(width);
             field_ui(ui, view, field, name.id, look);
             error_ui(ui, view, field);
         }

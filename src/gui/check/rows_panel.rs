@@ -135,7 +135,7 @@ fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (RowFat
     let painter = ui.painter();
     painter.rect_filled(rect, 4.0, fill);
     let at = |left: f32| Rect::from_min_size(inner.left_center() + vec2(left, -mark / 2.0), vec2(mark, mark));
-    painter.rect(at(0.0), 2.0, palette(ui.ctx()).field.0, Stroke::new(1.5, colour), StrokeKind::Inside);
+    painter.rect(at(0.0), 2.0, palette(ui.ctx()).surface.0, Stroke::new(1.5, colour), StrokeKind::Inside);
     if is_chosen {
         shapes::status(painter, at(0.0).shrink(2.0), Some(Status::Good), palette(ui.ctx()).text.0);
     }

@@ -18,7 +18,7 @@ pub(super) mod picture;
 mod seen_panel;
 pub(super) mod workpiece_window;
 
-use crate::gui::page::{PageView, cycle_file, ending, open};
+use crate::gui::page::{Group, PageView, cycle_file, ending, open};
 use crate::session::Purpose;
 use eframe::egui::{Id, Ui};
 use std::path::Path;
@@ -26,12 +26,12 @@ use std::path::Path;
 use super::columns::{Page, columns_ui};
 use super::field;
 use super::over_page::just_opened;
-use super::theme::space;
+use super::theme::{Icon, space};
 use super::verdict_card::least_width;
 use super::view::{View, remembered};
 use crate::session::{Action, Command, CycleField, CyclesCommand};
 
-pub(super) const PAGE: PageView = PageView { ui: cycles_ui, dropped };
+pub(super) const PAGE: PageView = PageView { group: Group::Control, icon: Icon::Target, ui: cycles_ui, dropped };
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -71,11 +71,11 @@ pub(super) fn kind_ui(ui: &mut Ui, view: &View<'_>) {
         let palette = palette(ui.ctx());
         if !is_low(ui) {
             let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
-            shapes::fit_kind(ui.painter(), rect, fit.kind(), palette.text.0, palette.background.0);
+            shapes::fit_kind(ui.painter(), rect, fit.kind(), palette.text.0, palette.sunken.0);
         }
         word_ui(ui, &word, (0.12, 0.1));
         let line = range(view, fit.minimum_clearance(), fit.maximum_clearance());
-        ui.label(RichText::new(&line).font(theme::bold(sizes().value)).color(palette.text.0));
+        ui.label(RichText::new(&line).font(theme::bold(sizes().figure)).color(palette.text.0));
         let mut said = vec![word, line];
         if !is_tiny(ui) {
             ui.with_layout(Layout::top_down(Align::Min), |ui| said.extend(figures_ui(ui, view, fit)));
@@ -173,7 +173,7 @@ fn parts_ui(ui: &mut Ui, view: &View<'_>, parts: &MeasuredParts) {
 }
 
 fn both_ui(ui: &mut Ui, view: &View<'_>, actual: &Actual) {
-    ui.label(RichText::new(clearance(view, actual.clearance)).font(theme::bold(sizes().value)));
+    ui.label(RichText::new(clearance(view, actual.clearance)).font(theme::bold(sizes().figure)));
     let id = if actual.conforms { "fit-conforms" } else { "fit-conforms-not" };
     ui.label(view.text(id));
     part_ui(ui, view, Feature::Hole, actual.hole, actual.hole_verdict.status());
@@ -187,7 +187,7 @@ fn one_ui(ui: &mut Ui, view: &View<'_>, possible: &Possible) {
     };
     ui.label(view.text(id));
     let line = range(view, possible.minimum, possible.maximum);
-    ui.label(RichText::new(line).font(theme::bold(sizes().value)));
+    ui.label(RichText::new(line).font(theme::bold(sizes().figure)));
     part_ui(ui, view, possible.feature, possible.measured, possible.verdict.status());
 }
 
@@ -210,7 +210,7 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, feature: Feature, measured: Length, sta
 fn warm_ui(ui: &mut Ui, view: &View<'_>, warm: &WarmFit) {
     let degrees = view.words.number(&warm.temperature.to_string());
     heading(ui, view.words.say(&message!("fit-at-temperature").text("degrees", degrees)));
-    ui.label(RichText::new(range(view, warm.minimum, warm.maximum)).font(theme::bold(sizes().value)));
+    ui.label(RichText::new(range(view, warm.minimum, warm.maximum)).font(theme::bold(sizes().figure)));
     let kind = view.text(kind_id(FitKind::of(warm.minimum, warm.maximum)));
     let change = message!("fit-temperature-change").text("um", view.words.signed_um(warm.change));
     ui.label(format!("{kind}; {}", view.words.say(&change)));

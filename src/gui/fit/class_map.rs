@@ -106,7 +106,7 @@ fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<Tole
         }
     }
     if whole.has_focus() {
-        let ring = Stroke::new(2.0, palette(ui.ctx()).accent.0);
+        let ring = Stroke::new(2.0, palette(ui.ctx()).data.0);
         ui.painter().rect_stroke(rect, 4.0, ring, StrokeKind::Inside);
     }
 }
@@ -158,7 +158,7 @@ impl Table<'_> {
         let is_chosen = self.chosen == Some(cell.class);
         let inner = place.shrink(1.0);
         let fill = if is_chosen {
-            self.palette.accent.0
+            self.palette.data.0
         } else {
             match self.side {
                 Feature::Hole => self.palette.hole.0,
@@ -167,7 +167,7 @@ impl Table<'_> {
         };
         self.painter.rect_filled(inner, 1.0, fill);
         if response.hovered() {
-            self.painter.rect_stroke(inner, 1.0, Stroke::new(1.5, self.palette.accent.0), StrokeKind::Inside);
+            self.painter.rect_stroke(inner, 1.0, Stroke::new(1.5, self.palette.data.0), StrokeKind::Inside);
         }
         if is_chosen {
             // An additional mark: the chosen class is not shown by colour alone.

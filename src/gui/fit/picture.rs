@@ -139,7 +139,7 @@ impl<'a> Drawing<'a> {
         // No figure is cut off at an edge of the picture.
         let aside = (self.whole.left() - rect.left()).max(0.0) - (rect.right() - self.whole.right()).max(0.0);
         let rect = rect.translate(vec2(aside, shift));
-        self.painter.rect_filled(rect.expand2(vec2(3.0, -1.0)), 2.0, self.palette.panel.0);
+        self.painter.rect_filled(rect.expand2(vec2(3.0, -1.0)), 2.0, self.palette.surface.0);
         self.painter.galley(rect.min, galley, self.palette.text.0);
     }
 

@@ -52,10 +52,10 @@ pub(super) fn staircase_ui(
         let is_chosen = chosen == Some(cell.class);
         if is_chosen {
             let column = Rect::from_x_y_ranges(x..=x + columns.step, rect.y_range());
-            painter.rect_filled(column, 2.0, palette.selection.0);
+            painter.rect_filled(column, 2.0, palette.tint.0);
             painter.hline(column.x_range(), y(0.0), Stroke::new(1.5, palette.text.0));
         }
-        let (fill, edge) = if is_chosen { (palette.accent.0, 2.0) } else { (fill, 1.0) };
+        let (fill, edge) = if is_chosen { (palette.data.0, 2.0) } else { (fill, 1.0) };
         painter.rect(bar, 0.0, fill, Stroke::new(edge, palette.text.0), StrokeKind::Middle);
         let is_hit = pointer.is_some_and(|pointer| x <= pointer && pointer < x + columns.step);
         if is_hit && response.clicked() {

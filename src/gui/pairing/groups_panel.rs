@@ -34,7 +34,7 @@ pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: P
                 ui.allocate_exact_size(vec2(ui.available_width() - space(2.5), height), Sense::hover());
             let lines = lines(view, at + 1, group, wanted);
             if at % 2 == 1 {
-                ui.painter().rect_filled(rect, 3.0, palette(ui.ctx()).background.0);
+                ui.painter().rect_filled(rect, 3.0, palette(ui.ctx()).sunken.0);
             }
             let colour = palette(ui.ctx()).text.0;
             let mut at = rect.min + vec2(space(1.0), space(1.0));

@@ -18,7 +18,7 @@ use std::path::Path;
 
 use eframe::egui::{Id, Ui};
 
-use crate::gui::page::{PageView, open};
+use crate::gui::page::{Group, PageView, open};
 use crate::session::Command;
 use crate::session::PairingCommand;
 use crate::session::Purpose;
@@ -29,11 +29,12 @@ pub(super) use pairs_list::columns;
 use super::columns::{Page, columns_ui, of_height};
 use super::field;
 use super::over_page::just_opened;
-use super::theme::{control, space};
+use super::theme::{Icon, control, space};
 use super::view::View;
 use crate::session::PairingField;
 
-pub(super) const PAGE: PageView = PageView { ui: pairing_ui, dropped };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Design, icon: Icon::LinkSimpleHorizontal, ui: pairing_ui, dropped };
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -139,7 +139,7 @@ impl<'a> Drawing<'a> {
         }
         let selected = self.view.session.pairing().selected;
         if let Some(at) = selected {
-            self.pair(at, Stroke::new(3.0, self.palette.accent.0));
+            self.pair(at, Stroke::new(3.0, self.palette.data.0));
         }
         // The selected pair has its names in any case, leftovers go before other pairs.
         let mut named = [Vec::new(), Vec::new()];
@@ -198,7 +198,7 @@ impl<'a> Drawing<'a> {
                 self.inner.line_segment([at - corner, at + corner], stroke);
             }
         } else if mark.feature == Feature::Hole {
-            self.inner.circle(at, MARK, self.palette.panel.0, stroke);
+            self.inner.circle(at, MARK, self.palette.surface.0, stroke);
         } else {
             self.inner.circle_filled(at, MARK, colour);
         }
@@ -264,6 +264,6 @@ impl<'a> Drawing<'a> {
         let top = share(self.sight.high);
         let bottom = share(self.sight.low);
         let frame = Rect::from_x_y_ranges(room.x_range(), top..=bottom.max(top + 4.0)).expand2(vec2(2.0, 1.0));
-        self.painter.rect_stroke(frame, 2.0, Stroke::new(2.0, self.palette.accent.0), StrokeKind::Outside);
+        self.painter.rect_stroke(frame, 2.0, Stroke::new(2.0, self.palette.data.0), StrokeKind::Outside);
     }
 }

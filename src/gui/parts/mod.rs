@@ -17,10 +17,12 @@ mod walk;
 
 use std::path::Path;
 
-use eframe::egui::{CentralPanel, Frame, Panel, Ui};
+use eframe::egui::Ui;
 
+use super::columns::{Side, bar_ui};
+use super::theme::Icon;
 use super::view::View;
-use crate::gui::page::{PageView, ending, open};
+use crate::gui::page::{Group, PageView, ending, open};
 use crate::session::Command;
 use crate::session::Purpose;
 use crate::session::parts::PartsView;
@@ -30,7 +32,7 @@ pub(super) use plan::grid_id as plan_id;
 pub(super) use walk::SIZES;
 pub(super) use walk::sizes_id;
 
-pub(super) const PAGE: PageView = PageView { ui: parts_ui, dropped };
+pub(super) const PAGE: PageView = PageView { group: Group::Measure, icon: Icon::Cube, ui: parts_ui, dropped };
 
 /// The page.
 fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -38,13 +40,12 @@ fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
     let is_walk = view.session.parts().view == PartsView::Walk;
     // Where there is no room, the head scrolls with the walk: the verdict stays in sight.
     if !(is_walk && walk::has_head(ui, view)) {
-        let frame = Frame::side_top_panel(ui.style());
-        Panel::top("parts-head").frame(frame).show(ui, |ui| head::head_ui(ui, view));
+        bar_ui(ui, view, Side::Top, "parts-head", head::head_ui);
     }
     if is_walk {
         walk::walk_ui(ui, view);
     } else {
-        CentralPanel::default().show(ui, |ui| plan_view::plan_ui(ui, view));
+        plan_view::plan_ui(ui, view);
     }
 }
 

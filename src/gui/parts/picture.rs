@@ -139,7 +139,7 @@ fn draw(ui: &Ui, picture: &Arc<PartPicture>, rect: Rect) {
         texture
     });
     // What an SVG picture leaves open is paper, whatever the theme: its lines are black.
-    let paper = palette_of(Theme::Light).field.0;
+    let paper = palette_of(Theme::Light).surface.0;
     ui.painter().rect_filled(rect, 0.0, paper);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     ui.painter().image(texture.id(), rect, whole, paper);
@@ -229,12 +229,12 @@ fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused
     let palette = palette(ui.ctx());
     let radius = control(ui) * 0.36;
     let (fill, text) = match balloon.status {
-        None => (palette.panel.0, palette.text.0),
+        None => (palette.surface.0, palette.text.0),
         status => colours(palette, status, balloon.is_simulated),
     };
     if balloon.is_next {
-        painter.circle_filled(at, radius + space(2.0), palette.accent.0);
-        painter.circle_filled(at, radius + space(1.0), palette.panel.0);
+        painter.circle_filled(at, radius + space(2.0), palette.data.0);
+        painter.circle_filled(at, radius + space(1.0), palette.surface.0);
     }
     painter.circle(at, radius, fill, Stroke::new(1.5, palette.text.0));
     if balloon.is_simulated {
@@ -250,6 +250,6 @@ fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused
         shapes::status(painter, mark.shrink(space(0.5)), balloon.status, text);
     }
     if is_focused {
-        painter.circle_stroke(at, radius + space(2.5), Stroke::new(2.0, palette.accent.0));
+        painter.circle_stroke(at, radius + space(2.5), Stroke::new(2.0, palette.data.0));
     }
 }

@@ -1,10 +1,10 @@
 //! The plan as a table, with its picture beside it and what is wrong with it below.
 
-use eframe::egui::{CentralPanel, Frame, Ui};
+use eframe::egui::Ui;
 
 use super::picture;
 use super::plan::{faults, form, grid, tools};
-use crate::gui::columns::{Side, column_ui, of_height, panel_ui};
+use crate::gui::columns::{Side, bar_ui, column_ui, of_height, panel_ui, rest_ui};
 use crate::gui::empty::empty_ui;
 use crate::gui::keypad::keypad_ui;
 use crate::gui::theme::space;
@@ -17,13 +17,13 @@ const ROOM: [f32; 2] = [225.0, 160.0];
 pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.parts().document.is_empty() {
         let actions = [PartsAction::OpenPlan, PartsAction::NewPlan].map(Action::from);
-        return empty_ui(ui, view, "parts-page-no-plan", &actions);
+        return rest_ui(ui, view, |ui, view| empty_ui(ui, view, "parts-page-no-plan", &actions));
     }
     keypad_ui(ui, view);
     let size = ui.ctx().content_rect().size();
     let [width, height] = ROOM.map(space);
     if size.x < width || size.y < height {
-        small_ui(ui, view);
+        rest_ui(ui, view, small_ui);
     } else {
         large_ui(ui, view);
     }
@@ -47,8 +47,10 @@ fn small_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn large_ui(ui: &mut Ui, view: &mut View<'_>) {
-    form::form_ui(ui, view);
-    tools::tools_ui(ui, view);
+    bar_ui(ui, view, Side::Top, "plan-tools", |ui, view| {
+        form::form_ui(ui, view);
+        tools::tools_ui(ui, view);
+    });
     if view.session.parts().sight().is_some() {
         let all = ui.available_width();
         let sizes = (all * 0.38, all * 0.2..=all * 0.6);
@@ -59,7 +61,7 @@ fn large_ui(ui: &mut Ui, view: &mut View<'_>) {
         let sizes = ((all * 0.4).min(space(50.0)), space(22.0)..=(all * 0.6).max(space(23.0)));
         panel_ui(ui, view, Side::Bottom, "plan-faults", sizes, faults::list_ui);
     }
-    CentralPanel::default().frame(Frame::central_panel(ui.style()).inner_margin(0.0)).show(ui, |ui| {
+    rest_ui(ui, view, |ui, view| {
         // In its place whether there are faults or not: the table does not move.
         faults::count_ui(ui, view);
         let room = ui.available_height() - space(8.0);

@@ -52,7 +52,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let is_simulated = run.is_some() && view.session.program().is_simulated();
     let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
     let simulated = (is_simulated && status.is_some()).then(|| view.text("simulated"));
-    let size = if status.is_some() { sizes().status * 0.5 } else { sizes().value };
+    let size = if status.is_some() { sizes().status * 0.5 } else { sizes().figure };
     card::verdict_ui(ui, (fill, colour), simulated.is_some(), Margin::symmetric(MARGIN, 8), |ui| {
         // As high before the run as after it: nothing below moves.
         let line = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::bold(size)));

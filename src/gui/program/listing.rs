@@ -98,15 +98,15 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &VisibleLine, 
     let is_selected = row.block == Some(document.selected);
     let body = row.block.and_then(|block| document.program.blocks().get(block)).map(|block| &block.body);
     if row.is_current {
-        painter.rect_filled(whole, 0.0, palette.selection.0);
+        painter.rect_filled(whole, 0.0, palette.tint.0);
     } else if is_selected {
-        painter.rect_filled(whole, 0.0, palette.field.0);
+        painter.rect_filled(whole, 0.0, palette.surface.0);
     } else if matches!(body, Some(Body::Heading { .. })) {
-        painter.rect_filled(whole, 0.0, palette.background.0);
+        painter.rect_filled(whole, 0.0, palette.sunken.0);
     }
     if is_selected {
         let bar = Rect::from_min_size(whole.left_top(), vec2(3.0, whole.height()));
-        painter.rect_filled(bar, 0.0, palette.accent.0);
+        painter.rect_filled(bar, 0.0, palette.data.0);
     }
     let text = document.program.line(row.line);
     let line = paint::line(document.program.notation(), text, row.begins, palette);

@@ -29,21 +29,22 @@ use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 
-use super::columns::{Side, column_ui, of_height, panel_ui};
+use super::card::page_card_ui;
+use super::columns::{Side, area_ui, bar_ui, column_ui, of_height, panel_ui, rest_ui};
 use super::cycles::workpiece_window;
 use super::field;
 use super::keypad::{self, keypad_ui};
 use super::over_page::just_opened;
-use super::theme::{palette, space};
+use super::theme::{Icon, space};
 use super::view::View;
-use crate::gui::page::{PageView, ending, open};
+use crate::gui::page::{Group, PageView, ending, open};
 use crate::session::Command;
 use crate::session::CycleFile;
 use crate::session::Purpose;
 use crate::session::program::Speed;
 use crate::session::{ProgramCommand, ProgramField};
 
-pub(super) const PAGE: PageView = PageView { ui: program_ui, dropped };
+pub(super) const PAGE: PageView = PageView { group: Group::Control, icon: Icon::FileCode, ui: program_ui, dropped };
 
 /// The page: left what goes in, middle the program, right what comes out.
 fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -53,7 +54,7 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     // Where the window is low, the path of the probe is below the inputs.
     let narrow = size.x < 1200.0;
     let low = size.y < 640.0;
-    Panel::top("program-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
+    bar_ui(ui, view, Side::Top, "program-tools", tool_bar::tool_bar_ui);
     let inputs = |ui: &mut Ui, view: &mut View<'_>| {
         form_panel::form_ui(ui, view);
         if low && path_panel::has_room(view) {
@@ -64,15 +65,17 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     if size.x < space(225.0) {
         // Beside the program everything else in one column, the verdict above it.
         let sizes = (size.x * 0.42, size.x * 0.3..=size.x * 0.7);
-        panel_ui(ui, view, Side::Left, "program-side", sizes, |ui, view| {
+        area_ui(ui, view, Side::Left, "program-side", sizes, |ui, view| {
             answer_panel::verdict_ui(ui, view);
-            keypad_ui(ui, view);
-            column_ui(ui, "program-side", |ui| {
-                inputs(ui, view);
-                ui.separator();
-                answer_panel::answer_ui(ui, view);
-                ui.separator();
-                of_height(ui, space(80.0), |ui| watch_panel::watch_ui(ui, view));
+            rest_ui(ui, view, |ui, view| {
+                keypad_ui(ui, view);
+                column_ui(ui, "program-side", |ui| {
+                    inputs(ui, view);
+                    ui.separator();
+                    answer_panel::answer_ui(ui, view);
+                    ui.separator();
+                    of_height(ui, space(80.0), |ui| watch_panel::watch_ui(ui, view));
+                });
             });
         });
     } else {
@@ -84,33 +87,37 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
         let side = if narrow { space(78.0) } else { space(90.0) };
         let sizes = (side, space(66.0)..=(size.x * 0.4).max(space(66.0)));
-        panel_ui(ui, view, Side::Right, "program-answer", sizes, |ui, view| {
+        area_ui(ui, view, Side::Right, "program-answer", sizes, |ui, view| {
             answer_panel::verdict_ui(ui, view);
             // The parameters keep a share of the height whatever is above them.
             let height = ui.available_height();
             let sizes = ((height * 0.4).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
             panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
-            CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+            rest_ui(ui, view, |ui, view| {
                 column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
             });
         });
     }
-    let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
-    CentralPanel::default().frame(frame).show(ui, |ui| {
+    CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
         if !low && path_panel::has_room(view) {
             // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
             let height = ui.available_height() * 0.36;
-            Panel::bottom("program-path").exact_size(height).show(ui, |ui| {
+            let below = Panel::bottom("program-path").exact_size(height).show_separator_line(false);
+            below.frame(Frame::new().inner_margin(Side::Bottom.gap())).show(ui, |ui| {
                 if 0 < view.session.program().note_count() {
                     let half = ui.available_width() * 0.5;
-                    Panel::left("program-notes").exact_size(half).show(ui, |ui| notes_panel::notes_ui(ui, view));
+                    let notes = Panel::left("program-notes").exact_size(half).show_separator_line(false);
+                    let notes = notes.frame(Frame::new().inner_margin(Side::Left.gap()));
+                    notes.show(ui, |ui| page_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
                 }
-                CentralPanel::default().show(ui, |ui| path_panel::path_ui(ui, view));
+                rest_ui(ui, view, |ui, view| path_panel::path_ui(ui, view));
             });
         } else if let Some(height) = notes_panel::height(ui, view) {
-            Panel::bottom("program-notes-below").exact_size(height).show(ui, |ui| notes_panel::notes_ui(ui, view));
+            let notes = Panel::bottom("program-notes-below").exact_size(height).show_separator_line(false);
+            let notes = notes.frame(Frame::new().inner_margin(Side::Bottom.gap()));
+            notes.show(ui, |ui| page_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
         }
-        listing::listing_ui(ui, view);
+        rest_ui(ui, view, listing::listing_ui);
     });
     workpiece_window::workpiece_ui(ui, view);
 }

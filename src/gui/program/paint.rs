@@ -36,7 +36,7 @@ fn format(token: Token, palette: &Palette) -> TextFormat {
         Token::Plain | Token::Text | Token::Heading => palette.text.0,
         Token::Number | Token::Comment => palette.quiet.0,
         Token::Keyword => palette.keyword.0,
-        Token::Parameter => palette.accent.0,
+        Token::Parameter => palette.data.0,
     };
     let plain = TextFormat::simple(theme::mono(sizes().mono), colour);
     match token {
@@ -59,13 +59,13 @@ pub(super) fn current(painter: &Painter, rect: Rect, failed: bool, palette: &Pal
     let at = rect.center();
     let half = rect.height() * 0.3;
     let tail = pos2(rect.left() + 1.0, at.y);
-    painter.line_segment([tail, pos2(rect.right() - half, at.y)], Stroke::new(2.0, palette.accent.0));
+    painter.line_segment([tail, pos2(rect.right() - half, at.y)], Stroke::new(2.0, palette.data.0));
     let points = vec![
         pos2(rect.right(), at.y),
         pos2(rect.right() - half * 1.4, at.y - half),
         pos2(rect.right() - half * 1.4, at.y + half),
     ];
-    painter.add(Shape::convex_polygon(points, palette.accent.0, Stroke::NONE));
+    painter.add(Shape::convex_polygon(points, palette.data.0, Stroke::NONE));
 }
 
 /// The state of a run, as on a player: triangle, two bars, square, cross.
@@ -75,7 +75,7 @@ pub(super) fn state(painter: &Painter, rect: Rect, state: Option<State>, palette
     match state {
         Some(State::Running) => {
             let points = vec![rect.left_top(), rect.right_center(), rect.left_bottom()];
-            painter.add(Shape::convex_polygon(points, palette.accent.0, Stroke::NONE));
+            painter.add(Shape::convex_polygon(points, palette.data.0, Stroke::NONE));
         }
         Some(State::Paused) => {
             let bar = vec2(rect.width() * 0.32, rect.height());

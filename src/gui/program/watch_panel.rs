@@ -21,8 +21,7 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         heading(ui, view.text("program-page-parameters"));
         let name = quiet(ui, view.text("program-page-filter"));
-        let look =
-            FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(ui.available_width() - space(5.0)) };
+        let look = FieldStyle::text(ui.available_width() - space(5.0));
         field_ui(ui, view, ProgramField::Filter, name.id, look);
     });
     given_ui(ui, view);
@@ -47,7 +46,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space(1.5);
         let name = quiet(ui, view.text("program-page-set"));
-        let small = |width| FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
+        let small = |width| FieldStyle::text(width);
         field_ui(ui, view, ProgramField::Name, name.id, small(space(14.0)));
         let value = quiet(ui, "=");
         let give = view.text("program-page-give");
@@ -133,7 +132,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) 
 fn changed_mark(ui: &Ui, rect: Rect) {
     let palette = palette(ui.ctx());
     let mark = Rect::from_center_size(pos2(rect.left() + space(1.5), rect.center().y), vec2(space(1.5), space(1.5)));
-    ui.painter().rect_filled(mark, 0.0, palette.accent.0);
+    ui.painter().rect_filled(mark, 0.0, palette.data.0);
 }
 
 fn pin_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, rect: Rect) {

@@ -6,7 +6,7 @@ use super::list;
 use crate::gui::check::grouped;
 use crate::gui::columns::is_tiny;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
@@ -43,7 +43,7 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The field; Escape empties it and goes to the list.
 fn question_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
+    let look = FieldStyle::text(width);
     let asked = field_ui(ui, view, RecordsField::Question, name, look);
     let left = asked.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     // What lies over the page takes Escape first.

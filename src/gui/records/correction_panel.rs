@@ -3,7 +3,7 @@
 use eframe::egui::{Ui, vec2};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
 use crate::session::RecordsField;
@@ -51,7 +51,7 @@ pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting)
 
 fn field(ui: &mut Ui, view: &mut View<'_>, field: RecordsField, name: &str) {
     let name = quiet(ui, view.text(name));
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(ui.available_width()) };
+    let look = FieldStyle::text(ui.available_width());
     field_ui(ui, view, field, name.id, look);
     error_ui(ui, view, field);
 }

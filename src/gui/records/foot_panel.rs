@@ -7,7 +7,7 @@ use crate::gui::check::grouped;
 use crate::gui::columns::is_tiny;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::shapes::share;
-use crate::gui::theme::{self, sizes, space};
+use crate::gui::theme::space;
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
 use crate::session::records::{Verified, Walk};
@@ -58,8 +58,7 @@ fn place_ui(ui: &mut Ui, view: &View<'_>) {
 /// The form for the server of the shop.
 fn server_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = quiet(ui, view.text("records-page-server-address"));
-    let look =
-        FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(ui.available_width().min(space(140.0))) };
+    let look = FieldStyle::text(ui.available_width().min(space(140.0)));
     field_ui(ui, view, RecordsField::Server, name.id, look);
     error_ui(ui, view, RecordsField::Server);
     ui.horizontal_wrapped(|ui| {

@@ -17,22 +17,24 @@ mod list;
 mod reasons;
 mod record_panel;
 
-use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
+use eframe::egui::{Id, Ui};
 
-use crate::gui::page::{PageView, measurements};
+use crate::gui::page::{Group, PageView, measurements};
 #[cfg(test)]
 pub(super) use list::COLUMNS;
 
-use super::columns::column_ui;
+use super::columns::{Side, bar_ui, column_ui, rest_ui};
 use super::over_page::just_opened;
 use super::split::{Split, split_ui};
+use super::theme::Icon;
 use super::view::{View, heading, quiet};
 use crate::session::Keeping;
 
 /// From this width on the open record stands beside the list.
 const BESIDE: f32 = 230.0;
 
-pub(super) const PAGE: PageView = PageView { ui: records_ui, dropped: measurements };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Results, icon: Icon::ListChecks, ui: records_ui, dropped: measurements };
 
 /// The page.
 fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -42,8 +44,7 @@ fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
     if !view.session.recording().is_on() {
         return nothing_ui(ui, view);
     }
-    let frame = Frame::side_top_panel(ui.style());
-    Panel::bottom("records-foot").frame(frame).resizable(false).show(ui, |ui| foot_panel::foot_ui(ui, view));
+    bar_ui(ui, view, Side::Bottom, "records-foot", foot_panel::foot_ui);
     let split = Split { name: "records-open", beside: BESIDE, list: listed_ui, detail: record_panel::record_ui };
     split_ui(ui, view, &split, view.session.records().open.is_some());
 }
@@ -54,8 +55,8 @@ fn listed_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// Nothing is recorded, and why.
-fn nothing_ui(ui: &mut Ui, view: &View<'_>) {
-    CentralPanel::default().show(ui, |ui| {
+fn nothing_ui(ui: &mut Ui, view: &mut View<'_>) {
+    rest_ui(ui, view, |ui, view| {
         column_ui(ui, "records-none", |ui| {
             heading(ui, view.text("page-records"));
             let is_off = view.session.recording().keeping == Keeping::Off;

@@ -65,7 +65,7 @@ fn verdict_ui(ui: &mut Ui, words: &Words, row: &RecordRow) {
         }
         if !cells.measured.is_empty() {
             let value = format!("{} mm", cells.measured);
-            ui.label(RichText::new(value).font(theme::bold(sizes().value)));
+            ui.label(RichText::new(value).font(theme::bold(sizes().figure)));
         }
         if !cells.deviation.is_empty() {
             ui.label(&cells.deviation);

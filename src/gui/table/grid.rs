@@ -159,7 +159,7 @@ impl Cells<'_> {
         for row in self.rows() {
             left(&painter, Rect::from_x_y_ranges(corner.x_range(), self.down(row)), row);
         }
-        ui.painter().rect_filled(corner, 0.0, palette(ui.ctx()).background.0);
+        ui.painter().rect_filled(corner, 0.0, palette(ui.ctx()).sunken.0);
         corner
     }
 }
@@ -173,7 +173,7 @@ pub(in crate::gui) fn ground(painter: &Painter, rect: Rect, fill: Hex) {
 /// The ground of a head: marked where the keys are in its row or column.
 pub(in crate::gui) fn head_ground(painter: &Painter, rect: Rect, is_marked: bool) {
     let palette = palette(painter.ctx());
-    ground(painter, rect, if is_marked { palette.selection } else { palette.background });
+    ground(painter, rect, if is_marked { palette.tint } else { palette.sunken });
 }
 
 /// The frame of a cell that is not as it should be; a sign goes with it.
@@ -184,6 +184,6 @@ pub(in crate::gui) fn wrong_frame(painter: &Painter, rect: Rect) {
 
 /// The frame of the cell at which the keys are: a heavier one while the grid has the focus.
 pub(in crate::gui) fn cursor_frame(painter: &Painter, rect: Rect, is_focused: bool) {
-    let stroke = Stroke::new(if is_focused { 3.0 } else { 1.5 }, palette(painter.ctx()).accent.0);
+    let stroke = Stroke::new(if is_focused { 3.0 } else { 1.5 }, palette(painter.ctx()).focus.0);
     painter.rect_stroke(rect, 2.0, stroke, StrokeKind::Inside);
 }

@@ -111,7 +111,7 @@ fn edges_ui(ui: &Ui, table: &Table<'_>, across: &Across, rect: Rect) {
         );
         let edge = edge.on_hover_and_drag_cursor(CursorIcon::ResizeColumn);
         if edge.hovered() || edge.dragged() {
-            ui.painter().vline(across.max, rect.y_range(), Stroke::new(1.5, palette(ui.ctx()).accent.0));
+            ui.painter().vline(across.max, rect.y_range(), Stroke::new(1.5, palette(ui.ctx()).focus.0));
         }
         let asked = edge.interact_pointer_pos().filter(|_| edge.dragged()).map(|pointer| {
             let most = columns::most(table.columns, at, rect.width() - space(BAR));

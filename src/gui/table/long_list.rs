@@ -99,7 +99,7 @@ fn bar_ui(ui: &Ui, id: Id, rect: Rect, (top, last): (Top, Top), width: f32) -> T
     let at = shapes::ratio(top.place, last.place.max(1)) * way;
     let handle = Rect::from_min_size(pos2(rail.left(), rail.top() + at), vec2(width, size)).shrink2(vec2(2.0, 0.0));
     let palette = palette(ui.ctx());
-    ui.painter().rect_filled(rail, 0.0, palette.background.0);
+    ui.painter().rect_filled(rail, 0.0, palette.sunken.0);
     ui.painter().rect_filled(handle, 2.0, if response.hovered() { palette.text.0 } else { palette.quiet.0 });
     top
 }

@@ -145,9 +145,9 @@ fn row_ui<K: Copy + Debug + Hash>(
 fn ground<K>(ui: &Ui, rect: Rect, row: &Row<K>, is_odd: bool) {
     let palette = palette(ui.ctx());
     let ground = match (row.is_open, row.is_cursor, is_odd) {
-        (true, ..) => Some(palette.selection.0),
-        (_, true, _) => Some(palette.field.0),
-        (_, _, true) => Some(palette.background.0),
+        (true, ..) => Some(palette.tint.0),
+        (_, true, _) => Some(palette.surface.0),
+        (_, _, true) => Some(palette.sunken.0),
         _ => None,
     };
     if let Some(ground) = ground {
@@ -230,7 +230,7 @@ fn choice_ui(
 ) -> bool {
     let palette = palette(ui.ctx());
     let mark = Rect::from_center_size(rect.center(), vec2(space(5.0), space(5.0)));
-    ui.painter().rect(mark, 2.0, palette.field.0, Stroke::new(1.5, palette.quiet.0), StrokeKind::Inside);
+    ui.painter().rect(mark, 2.0, palette.surface.0, Stroke::new(1.5, palette.quiet.0), StrokeKind::Inside);
     if is_chosen {
         shapes::status(ui.painter(), mark.shrink(3.0), Some(Status::Good), palette.text.0);
     }

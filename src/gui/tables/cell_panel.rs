@@ -54,7 +54,7 @@ pub(super) fn cell_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
     let range = range_text(view, selected.range);
     ui.horizontal(|ui| {
-        ui.label(RichText::new(selected.class.as_str()).font(theme::bold(sizes().value)));
+        ui.label(RichText::new(selected.class.as_str()).font(theme::bold(sizes().figure)));
         ui.label(RichText::new(range).font(theme::font(sizes().limits)));
     });
 }

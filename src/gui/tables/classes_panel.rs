@@ -3,7 +3,7 @@
 use eframe::egui::Ui;
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::theme::{self, sizes, space};
+use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
 use crate::session::TablesAction;
 use crate::session::TablesField;
@@ -13,7 +13,7 @@ pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.5);
     heading(ui, view.text("tables-from-standard"));
     let name = quiet(ui, view.text("tables-classes"));
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(ui.available_width()) };
+    let look = FieldStyle::text(ui.available_width());
     field_ui(ui, view, TablesField::Classes, name.id, look);
     error_ui(ui, view, TablesField::Classes);
     ui.horizontal_wrapped(|ui| {

@@ -14,23 +14,28 @@ mod grid;
 mod paint;
 mod tool_bar;
 
-use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
+use eframe::egui::{Frame, Panel, ScrollArea, Ui};
 
-use super::columns::{Side, panel_ui};
+use super::columns::{Side, bar_ui, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
-use super::theme::{palette, space};
+use super::theme::{Icon, space};
 use super::view::View;
-use crate::gui::page::{PageView, open};
+use crate::gui::page::{Group, PageView, open};
 use crate::session::Purpose;
 
-pub(super) const PAGE: PageView =
-    PageView { ui: tables_ui, dropped: |_view, path, _number| open(Purpose::OpenTable, path) };
+pub(super) const PAGE: PageView = PageView {
+    group: Group::Design,
+    icon: Icon::Table,
+    ui: tables_ui,
+    dropped: |_view, path, _number| open(Purpose::OpenTable, path),
+};
 
 /// The page: above which table, middle its cells, right the selected cell.
 fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
-    Panel::top("table-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
-    Panel::bottom("table-strip").exact_size(space(8.0)).show(ui, |ui| tool_bar::strip_ui(ui, view));
+    bar_ui(ui, view, Side::Top, "table-tools", tool_bar::tool_bar_ui);
+    let strip = Panel::bottom("table-strip").exact_size(space(8.0)).show_separator_line(false).frame(Frame::NONE);
+    strip.show(ui, |ui| tool_bar::strip_ui(ui, view));
     let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
     let most = (size.x * 0.6).max(space(50.0));
     let sizes = (side.min(most).max(keypad::width(view)), space(50.0)..=most);
@@ -44,6 +49,5 @@ fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
             classes_panel::classes_panel_ui(ui, view);
         });
     });
-    let frame = Frame::new().fill(palette(ui.ctx()).panel.0);
-    CentralPanel::default().frame(frame).show(ui, |ui| grid::grid_ui(ui, view));
+    rest_ui(ui, view, grid::grid_ui);
 }

@@ -25,7 +25,7 @@ pub(super) struct TableCellView<'a> {
 /// A cell: upper over lower deviation, or a quiet dash.
 pub(super) fn cell(painter: &Painter, rect: Rect, look: &TableCellView<'_>) {
     let palette = look.palette;
-    ground(painter, rect, if look.cursor.is_none() { palette.field } else { palette.selection });
+    ground(painter, rect, if look.cursor.is_none() { palette.surface } else { palette.tint });
     if let Some(pair) = look.cell {
         let third = rect.height() * 0.29;
         figure(painter, rect, rect.top() + third, look, pair.upper());
@@ -36,7 +36,7 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &TableCellView<'_>) {
         painter.line_segment([at - half, at + half], Stroke::new(1.0, palette.quiet.0));
     }
     if look.marked {
-        let line = Stroke::new(2.0, palette.accent.0);
+        let line = Stroke::new(2.0, palette.focus.0);
         painter.hline(rect.x_range(), rect.top() + 1.0, line);
         painter.hline(rect.x_range(), rect.bottom() - 1.0, line);
     }

@@ -92,7 +92,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-filter"));
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(space(40.0)) };
+    let look = FieldStyle::text(space(40.0));
     let field = field_ui(ui, view, TablesField::Filter, name.id, look);
     field.on_hover_text(view.text("tables-filter-hint"));
     let Some(document) = view.session.tables().shown() else { return };

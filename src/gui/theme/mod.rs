@@ -6,8 +6,10 @@
 //! |---|---|
 //! | here | what panels ask for: a colour, a size, a font, a space |
 //! | `tokens` | what the theme file holds |
+//! | `icon` | the icons |
 //! | `style` | the fonts, and how egui draws its own widgets |
 
+mod icon;
 mod style;
 #[cfg(test)]
 mod tests;
@@ -15,9 +17,11 @@ mod tokens;
 
 use std::sync::LazyLock;
 
-use eframe::egui::{ColorImage, Context, FontFamily, FontId, Theme, Ui};
+use eframe::egui::{ColorImage, Context, FontFamily, FontId, Id, Theme, Ui};
 
-pub use style::install;
+pub use icon::{Icon, Weight};
+use style::style;
+pub use style::{install, looking, plain, tonal};
 pub use tokens::{Hex, Palette, Sizes, Tokens};
 
 /// The embedded theme. A test proves that it can be read, so the message is for people who edit the file.
@@ -70,9 +74,26 @@ pub fn palette_of(theme: Theme) -> &'static Palette {
     }
 }
 
+/// Switches high contrast on or off: it takes the place of light.
+pub fn set_contrast(ctx: &Context, is_on: bool) {
+    let before = ctx.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<bool>(contrast()), is_on));
+    if before != is_on {
+        let height = ctx.style_of(Theme::Light).spacing.interact_size.y;
+        let mut look = style(Theme::Light, if is_on { &TOKENS.contrast } else { &TOKENS.light });
+        look.spacing.interact_size.y = height;
+        ctx.set_style_of(Theme::Light, look);
+    }
+}
+
+fn contrast() -> Id {
+    Id::unique("high-contrast")
+}
+
 /// The colours of what is on screen now.
 pub fn palette(ctx: &Context) -> &'static Palette {
-    palette_of(ctx.theme())
+    let theme = ctx.theme();
+    let is_contrast = theme == Theme::Light && ctx.data_mut(|data| *data.get_temp_mut_or_default::<bool>(contrast()));
+    if is_contrast { &TOKENS.contrast } else { palette_of(theme) }
 }
 
 /// The family of headings and the status word.

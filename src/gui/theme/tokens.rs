@@ -1,4 +1,4 @@
-//! What `assets/theme.toml` holds: the colours of light and dark, and the sizes.
+//! What `assets/theme.toml` holds: the colours of light, dark and high contrast, and the sizes.
 
 use eframe::egui::Color32;
 use serde::Deserialize;
@@ -20,7 +20,7 @@ impl TryFrom<String> for Hex {
 
 macro_rules! palette {
     ($($(#[$doc:meta])* $name:ident)*) => {
-        /// The colours of light or dark.
+        /// The colours of one look.
         #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
         #[serde(deny_unknown_fields)]
         pub struct Palette { $($(#[$doc])* pub $name: Hex),* }
@@ -28,24 +28,32 @@ macro_rules! palette {
 }
 
 palette! {
-    /// Behind everything.
-    background
-    panel
-    /// Text fields.
-    field
+    /// Behind the cards.
+    canvas
+    /// Cards and fields.
+    surface
+    /// Charts and wells.
+    sunken
+    /// Tonal buttons, and what is under the pointer.
+    hover
+    /// What is chosen.
+    tint
     /// Thin lines between things.
     line
     text
     /// Secondary text.
     quiet
-    /// The focus ring and the main action.
-    accent
-    /// Text on the main action.
-    on_accent
+    /// The edge of a field.
+    edge
+    /// Around what has the focus.
+    focus
     /// Errors beside fields.
     error
-    /// Selected rows and text.
-    selection
+    /// Lines and points of pictures and charts.
+    data
+    /// The main action, and the page where one is.
+    accent
+    on_accent
     good
     on_good
     rework
@@ -81,11 +89,9 @@ palette! {
     shaft
     /// Words of the language in an NC program.
     keyword
-    /// The status window.
-    popup
-    /// Its title bar.
-    popup_title
-    on_popup_title
+    /// What has just happened, in the corner.
+    toast
+    on_toast
 }
 
 impl Palette {
@@ -117,14 +123,22 @@ impl Palette {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sizes {
-    /// Table heads, remarks.
+    /// The rail and key caps.
+    pub tiny: f32,
+    /// Table heads, labels, remarks.
     pub small: f32,
     pub body: f32,
     pub limits: f32,
+    /// The name of a page.
+    pub title: f32,
+    /// The head of a card.
+    pub heading: f32,
+    /// A figure that stands out.
+    pub figure: f32,
+    /// A callout that is typed.
+    pub callout: f32,
     /// Values that are typed or measured.
     pub value: f32,
-    /// Headings.
-    pub heading: f32,
     /// The status window.
     pub mono: f32,
     /// The status word.
@@ -145,5 +159,7 @@ pub struct Sizes {
 pub struct Tokens {
     pub light: Palette,
     pub dark: Palette,
+    /// High contrast.
+    pub contrast: Palette,
     pub sizes: Sizes,
 }

@@ -47,7 +47,7 @@ impl<'a> Canvas<'a> {
     }
 
     pub(super) fn strong(&self) -> Stroke {
-        Stroke::new(STRONG, self.palette.accent.0)
+        Stroke::new(STRONG, self.palette.data.0)
     }
 
     pub(super) fn line(&self, from: Pos2, to: Pos2, stroke: Stroke) {
@@ -115,7 +115,7 @@ impl<'a> Canvas<'a> {
 
     /// The key of what is highlighted.
     pub(super) fn key(&self, at: Pos2, anchor: Align2, text: &str) {
-        self.label(at, anchor, text, theme::bold(sizes().body), self.palette.accent.0);
+        self.label(at, anchor, text, theme::bold(sizes().body), self.palette.data.0);
     }
 
     /// A word or a number beside something, in light type and without a background.
@@ -143,7 +143,7 @@ impl<'a> Canvas<'a> {
         let aside = (self.rect.left() - rect.left()).max(0.0) - (rect.right() - self.rect.right()).max(0.0);
         let shift = (self.rect.top() - rect.top()).max(0.0) - (rect.bottom() - self.rect.bottom()).max(0.0);
         let rect = rect.translate(vec2(aside, shift));
-        self.painter.rect_filled(rect.expand2(vec2(2.0, -1.0)), 2.0, self.palette.panel.0);
+        self.painter.rect_filled(rect.expand2(vec2(2.0, -1.0)), 2.0, self.palette.surface.0);
         self.painter.galley(rect.min, galley, colour);
         rect
     }
@@ -167,7 +167,7 @@ impl<'a> Canvas<'a> {
     }
 
     pub(super) fn ball(&self, ball: Pos2, radius: f32) {
-        self.circle(ball, radius, self.palette.field.0, self.edge());
+        self.circle(ball, radius, self.palette.surface.0, self.edge());
         self.circle(ball, 1.5, self.palette.text.0, Stroke::NONE);
     }
 
@@ -177,7 +177,7 @@ impl<'a> Canvas<'a> {
     }
 
     pub(super) fn contact(&self, at: Pos2, colour: Color32) {
-        self.circle(at, 4.0, colour, Stroke::new(1.0, self.palette.panel.0));
+        self.circle(at, 4.0, colour, Stroke::new(1.0, self.palette.surface.0));
     }
 }
 

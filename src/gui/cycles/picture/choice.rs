@@ -90,7 +90,7 @@ impl Choice<'_> {
             self.canvas.line(from, to, self.canvas.strong());
         }
         let along = if is_over { Vec2::Y } else { Vec2::X };
-        self.canvas.head(to, along, self.canvas.palette.accent.0);
+        self.canvas.head(to, along, self.canvas.palette.data.0);
     }
 
     fn circle(&self, radius: f32, is_stud: bool) {
@@ -99,7 +99,7 @@ impl Choice<'_> {
             self.canvas.circle(self.middle, radius, palette.none.0, self.canvas.edge());
         } else {
             self.canvas.painter.rect_filled(self.panel.shrink(6.0), 3.0, palette.none.0);
-            self.canvas.circle(self.middle, radius, palette.panel.0, self.canvas.edge());
+            self.canvas.circle(self.middle, radius, palette.surface.0, self.canvas.edge());
         }
     }
 
@@ -126,7 +126,7 @@ impl Choice<'_> {
         self.canvas.cross(self.middle, 4.0, self.canvas.thin());
         let mut degrees = 90.0;
         while degrees < 449.0 {
-            self.canvas.contact(polar(self.middle, radius, degrees), self.canvas.palette.accent.0);
+            self.canvas.contact(polar(self.middle, radius, degrees), self.canvas.palette.data.0);
             degrees += step;
         }
     }
@@ -138,7 +138,7 @@ impl Choice<'_> {
         let ball = polar(self.middle, ball, 20.0);
         let from = polar(self.middle, from, 20.0);
         self.canvas.ball(ball, BALL);
-        self.canvas.contact(polar(self.middle, radius, 20.0), self.canvas.palette.accent.0);
+        self.canvas.contact(polar(self.middle, radius, 20.0), self.canvas.palette.data.0);
         self.canvas.arrow(from, ball - (ball - from).normalized() * BALL, self.canvas.strong());
     }
 
@@ -165,7 +165,7 @@ impl Choice<'_> {
         let first = first * 0.72;
         let second = second * 0.72;
         let patch = vec![origin, origin + first, origin + first + second, origin + second];
-        let fill = self.canvas.palette.selection.0;
+        let fill = self.canvas.palette.tint.0;
         self.canvas.painter.add(PathShape::convex_polygon(patch, fill, self.canvas.strong()));
     }
 
@@ -174,7 +174,7 @@ impl Choice<'_> {
         let (origin, axes) = self.tripod(active);
         // Onto the face across that axis.
         let Some(axis) = active.and_then(|active| axes.get(active)) else { return };
-        self.canvas.head(origin + *axis, *axis, self.canvas.palette.accent.0);
+        self.canvas.head(origin + *axis, *axis, self.canvas.palette.data.0);
     }
 
     fn direction(&self, is_negative: bool) {
@@ -205,7 +205,7 @@ impl Choice<'_> {
                 self.canvas.painter.rect(
                     page,
                     2.0,
-                    self.canvas.palette.field.0,
+                    self.canvas.palette.surface.0,
                     self.canvas.edge(),
                     StrokeKind::Middle,
                 );
@@ -213,7 +213,7 @@ impl Choice<'_> {
             }
             2 => {
                 let display = Rect::from_center_size(self.middle - vec2(0.0, 4.0), vec2(62.0, 44.0));
-                let fill = self.canvas.palette.field.0;
+                let fill = self.canvas.palette.surface.0;
                 self.canvas.painter.rect(display, 3.0, fill, self.canvas.edge(), StrokeKind::Middle);
                 lines(display, self.canvas.strong());
                 let foot = display.center_bottom();
@@ -231,7 +231,7 @@ impl Choice<'_> {
     /// The program goes on, or stops.
     fn go_or_stop(&self, at: Pos2, size: f32, is_stop: bool) {
         let quiet = self.canvas.palette.quiet.0;
-        let accent = self.canvas.palette.accent.0;
+        let accent = self.canvas.palette.data.0;
         if is_stop {
             let square = Rect::from_center_size(at, Vec2::splat(size * 1.5));
             self.canvas.painter.rect_filled(square, 2.0, accent);

@@ -258,7 +258,7 @@ impl<'a> Drawing<'a> {
         }
         for (contact, foot) in self.picture.contacts.iter().zip(&self.picture.feet) {
             self.canvas.line(self.at(*foot), self.at(*contact), self.canvas.edge());
-            self.canvas.circle(self.at(*contact), 4.5, palette.text.0, Stroke::new(1.0, palette.panel.0));
+            self.canvas.circle(self.at(*contact), 4.5, palette.text.0, Stroke::new(1.0, palette.surface.0));
         }
         if self.picture.contacts.len() <= MOST_NUMBERS {
             self.numbers();

@@ -127,7 +127,7 @@ fn rim(canvas: &Canvas<'_>, seen: &FeatureOutline) {
 }
 
 fn space_of(canvas: &Canvas<'_>, seen: &FeatureOutline) {
-    let fill = canvas.palette.panel.0;
+    let fill = canvas.palette.surface.0;
     match seen {
         FeatureOutline::Circle(at, radius) => canvas.circle(*at, *radius, fill, canvas.edge()),
         FeatureOutline::Corners(corners) => polygon(canvas, corners, fill, canvas.edge()),

@@ -72,7 +72,7 @@ impl Plan<'_> {
         self.canvas.arrow(origin, self.at(pos2(DATUM.x, 6.0)), self.canvas.thin());
         self.canvas.note(self.at(pos2(254.0, DATUM.y + 3.0)), Align2::RIGHT_TOP, first);
         self.canvas.note(self.at(pos2(DATUM.x - 6.0, 6.0)), Align2::RIGHT_TOP, second);
-        self.canvas.circle(origin, 3.5, self.canvas.palette.panel.0, self.canvas.edge());
+        self.canvas.circle(origin, 3.5, self.canvas.palette.surface.0, self.canvas.edge());
     }
 
     /// Half the lengths between walls, from their centre.
@@ -92,7 +92,7 @@ impl Plan<'_> {
         if !shape.is_outside() {
             self.canvas.block(block);
         }
-        let fill = if shape.is_outside() { palette.none.0 } else { palette.panel.0 };
+        let fill = if shape.is_outside() { palette.none.0 } else { palette.surface.0 };
         match shape {
             Shape::Slot | Shape::Ridge | Shape::Pocket | Shape::Boss => {
                 let walls = Rect::from_center_size(centre, self.halves() * 2.0);
@@ -216,7 +216,7 @@ impl Plan<'_> {
             self.canvas.line(centre, polar(centre, radius.max(RADIUS) + 6.0, degrees), self.canvas.thin());
         }
         self.canvas.ball(self.touching(FIRST), BALL);
-        self.canvas.contact(polar(centre, RADIUS, FIRST), self.canvas.palette.accent.0);
+        self.canvas.contact(polar(centre, RADIUS, FIRST), self.canvas.palette.data.0);
         self.canvas.arc_arrow(centre, radius, [0.0, FIRST], self.canvas.strong());
         let beside = polar(centre, radius.max(RADIUS) + 4.0, FIRST * 0.4);
         self.canvas.key(beside, Align2::LEFT_CENTER, self.key);
@@ -229,7 +229,7 @@ impl Plan<'_> {
         for (number, touch) in ["1", "2", "3"].into_iter().zip(0_u8..) {
             let degrees = 15.0 + STEP * f32::from(touch);
             self.canvas.line(centre, polar(centre, RADIUS, degrees), self.canvas.thin());
-            let colour = if touch < 2 { self.canvas.palette.accent.0 } else { self.canvas.palette.text.0 };
+            let colour = if touch < 2 { self.canvas.palette.data.0 } else { self.canvas.palette.text.0 };
             self.canvas.contact(polar(centre, RADIUS, degrees), colour);
             let place = polar(centre, RADIUS - 11.0, degrees + 18.0);
             self.canvas.note(place, Align2::CENTER_CENTER, number);
@@ -251,7 +251,7 @@ impl Plan<'_> {
         self.canvas.key(to + vec2(2.0, -5.0), Align2::CENTER_BOTTOM, &format!("+{}", self.key));
         let back = polar(centre, 30.0, 200.0);
         self.canvas.dashed(&[polar(centre, 2.0, 200.0), back], self.canvas.strong(), 4.0, 3.0);
-        self.canvas.head(back, polar(Pos2::ZERO, 1.0, 200.0).to_vec2(), self.canvas.palette.accent.0);
+        self.canvas.head(back, polar(Pos2::ZERO, 1.0, 200.0).to_vec2(), self.canvas.palette.data.0);
         self.canvas.key(polar(centre, RADIUS + 8.0, 200.0), Align2::RIGHT_CENTER, &format!("−{}", self.key));
     }
 
@@ -301,7 +301,7 @@ impl Plan<'_> {
             let ball = wall - towards * BALL;
             self.canvas.arrow(ball - towards * 26.0, ball - towards * BALL, self.canvas.thin());
             self.canvas.ball(ball, BALL);
-            self.canvas.contact(wall, self.canvas.palette.accent.0);
+            self.canvas.contact(wall, self.canvas.palette.data.0);
         }
         let [low, high] = [first, second].map(|wall| pos2(centre.x, wall.y));
         self.extension(low, first);
@@ -319,7 +319,7 @@ impl Plan<'_> {
         self.canvas.arrow(ball + vec2(36.0 * side, 0.0), ball + vec2(BALL * side, 0.0), self.canvas.thin());
         self.canvas.ball(ball, BALL);
         self.coordinate_of(point, axis);
-        self.canvas.contact(self.at(point), self.canvas.palette.accent.0);
+        self.canvas.contact(self.at(point), self.canvas.palette.data.0);
     }
 
     /// The block with the point on its face.
@@ -336,7 +336,7 @@ impl Plan<'_> {
         self.canvas.arrow(ball + vec2(50.0, 0.0), ball + vec2(BALL, 0.0), self.canvas.thin());
         self.canvas.ball(ball, BALL);
         self.coordinate_of(point, axis);
-        self.canvas.contact(self.at(point), self.canvas.palette.accent.0);
+        self.canvas.contact(self.at(point), self.canvas.palette.data.0);
     }
 
     /// A limit of the face's coordinate, beside the face.

@@ -121,7 +121,7 @@ impl Scale {
     ) {
         let canvas = Canvas::new(&canvas.painter, canvas.palette, self.rect);
         let frame = Stroke::new(1.0, canvas.palette.line.0);
-        canvas.painter.rect_filled(self.rect, 4.0, canvas.palette.panel.0);
+        canvas.painter.rect_filled(self.rect, 4.0, canvas.palette.surface.0);
         if way.features.is_empty() {
             self.nominal(&canvas, way);
         } else {
@@ -146,7 +146,7 @@ impl Scale {
         let is_outside = surface.shape().is_outside();
         let palette = canvas.palette;
         let (out, within) =
-            if is_outside { (palette.panel.0, palette.none.0) } else { (palette.none.0, palette.panel.0) };
+            if is_outside { (palette.surface.0, palette.none.0) } else { (palette.none.0, palette.surface.0) };
         // Walls without an end reach beyond the view.
         match surface.outline(self.reach()) {
             Outline::Circle { centre: [first, second], radius } if radius < FARTHEST_MM => {
@@ -258,9 +258,9 @@ impl Scale {
         }
         for (at, towards, text, is_done) in marks {
             if is_done {
-                canvas.contact(at, canvas.palette.accent.0);
+                canvas.contact(at, canvas.palette.data.0);
             } else {
-                canvas.circle(at, 4.0, canvas.palette.panel.0, canvas.thin());
+                canvas.circle(at, 4.0, canvas.palette.surface.0, canvas.thin());
             }
             let beyond = if towards.length() < 0.01 { vec2(14.0, -12.0) } else { towards.normalized() * 15.0 };
             canvas.note(at + beyond, Align2::CENTER_CENTER, &text);
@@ -289,7 +289,7 @@ impl Scale {
         let wide = width(&text);
         let top = right - vec2(self.length(mm).max(wide), sizes().small + space(2.0));
         let ground = Rect::from_two_pos(top, right).expand(space(1.0));
-        canvas.painter.rect_filled(ground, 2.0, canvas.palette.panel.0);
+        canvas.painter.rect_filled(ground, 2.0, canvas.palette.surface.0);
         canvas.line(left, right, canvas.edge());
         for end in [left, right] {
             canvas.line(end - vec2(0.0, 3.0), end + vec2(0.0, 3.0), canvas.edge());
@@ -336,7 +336,7 @@ fn stroke(canvas: &Canvas<'_>, points: &[Pos2], phase: Phase, is_done: bool) {
     match phase {
         Phase::PrePosition => canvas.dashed(points, Stroke::new(1.5, colour(palette.text.0)), 6.0, 4.0),
         Phase::Approach => {
-            let stroke = Stroke::new(2.5, colour(palette.accent.0));
+            let stroke = Stroke::new(2.5, colour(palette.data.0));
             canvas.polyline(points.to_vec(), stroke);
             if 12.0 < (*last - *before).length() {
                 canvas.head(*last, *last - *before, stroke.color);

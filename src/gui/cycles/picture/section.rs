@@ -86,7 +86,7 @@ impl Section<'_> {
         self.canvas.arrow(datum, top, self.canvas.thin());
         let [.., third] = self.scene.axes;
         self.canvas.note(top + vec2(6.0, 0.0), Align2::LEFT_TOP, third);
-        self.canvas.circle(datum, 3.5, self.canvas.palette.panel.0, self.canvas.edge());
+        self.canvas.circle(datum, 3.5, self.canvas.palette.surface.0, self.canvas.edge());
     }
 
     fn surface(&self, across: &str) -> (Pos2, Pos2, Vec2) {
@@ -130,7 +130,7 @@ impl Section<'_> {
             self.canvas.dimension(pos2(datum.x, y), pos2(point.x, y));
             self.canvas.key(pos2(f32::midpoint(datum.x, point.x), y), Align2::CENTER_CENTER, self.key);
         }
-        self.canvas.contact(point, self.canvas.palette.accent.0);
+        self.canvas.contact(point, self.canvas.palette.data.0);
     }
 
     fn measuring_height(&self) {
@@ -138,7 +138,7 @@ impl Section<'_> {
         let ball = point + normal * BALL;
         self.canvas.probe(ball, BALL);
         self.height(datum, ball);
-        self.canvas.circle(ball, 3.0, self.canvas.palette.accent.0, Stroke::NONE);
+        self.canvas.circle(ball, 3.0, self.canvas.palette.data.0, Stroke::NONE);
     }
 
     fn clearance_height(&self) {
@@ -192,7 +192,7 @@ impl Section<'_> {
         self.canvas.ghost(other, LARGE);
         self.canvas.circle(one, LARGE, eframe::egui::Color32::TRANSPARENT, self.canvas.edge());
         for (ball, number) in [(one, "1"), (other, "2")] {
-            self.canvas.contact(ball + vec2(LARGE, 0.0), self.canvas.palette.accent.0);
+            self.canvas.contact(ball + vec2(LARGE, 0.0), self.canvas.palette.data.0);
             self.canvas.note(ball - vec2(LARGE - 16.0, 0.0), Align2::CENTER_CENTER, number);
         }
         let y = self.at(pos2(0.0, 30.0)).y;

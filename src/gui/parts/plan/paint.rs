@@ -24,9 +24,9 @@ pub(super) struct PlanCellView<'a> {
 pub(super) fn cell(painter: &Painter, rect: Rect, look: &PlanCellView<'_>) {
     let palette = look.palette;
     let fill = match (look.is_selected, look.is_fixed) {
-        (true, _) => palette.selection,
-        (false, true) => palette.background,
-        (false, false) => palette.field,
+        (true, _) => palette.tint,
+        (false, true) => palette.sunken,
+        (false, false) => palette.surface,
     };
     ground(painter, rect, fill);
     let mut room = rect.shrink2(vec2(PAD, 0.0));

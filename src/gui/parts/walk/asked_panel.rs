@@ -137,7 +137,7 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
 fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) {
     let feature = size.feature;
     name_ui(ui, size);
-    ui.label(RichText::new(asked_text(view.words, size)).font(theme::font(sizes().value)));
+    ui.label(RichText::new(asked_text(view.words, size)).font(theme::font(sizes().figure)));
     limits_ui(ui, view, size.limits);
     match feature.place {
         Some(place) => {
@@ -159,7 +159,7 @@ fn name_ui(ui: &mut Ui, size: &Size<'_>) {
     if !size.feature.number.is_empty() {
         name = format!("{}  {name}", size.feature.number);
     }
-    ui.label(RichText::new(name).font(theme::bold(sizes().value)));
+    ui.label(RichText::new(name).font(theme::bold(sizes().figure)));
 }
 
 /// What is wrong with the value; else what there is of the size already. The lines are there in any case: the buttons keep their places.

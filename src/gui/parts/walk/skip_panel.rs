@@ -4,7 +4,7 @@ use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::over_page::just_opened;
-use crate::gui::theme::{self, control, sizes};
+use crate::gui::theme::control;
 use crate::gui::view::{View, heading, steady};
 use crate::session::parts::WalkCommand;
 use crate::session::{PartsAction, WalkField};
@@ -29,7 +29,7 @@ pub(super) fn skip_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let name = ui.label(view.text("walk-page-reason"));
     let width = ui.available_width();
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width) };
+    let look = FieldStyle::text(width);
     field_ui(ui, view, WalkField::Reason, name.id, look);
     error_ui(ui, view, WalkField::Reason);
     ui.horizontal_wrapped(|ui| {
