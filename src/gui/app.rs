@@ -141,9 +141,10 @@ impl App {
     fn prefer_theme(&self, ctx: &Context) {
         ctx.set_theme(match self.session.theme() {
             Theme::System => ThemePreference::System,
-            Theme::Light => ThemePreference::Light,
+            Theme::Light | Theme::Contrast => ThemePreference::Light,
             Theme::Dark => ThemePreference::Dark,
         });
+        theme::set_contrast(ctx, self.session.theme() == Theme::Contrast);
         theme::set_density(ctx, self.session.is_for_touch());
     }
 

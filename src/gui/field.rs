@@ -10,6 +10,7 @@ use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
+use super::columns::is_low;
 use super::in_turn::hold;
 use super::keypad;
 use super::theme::{self, control, space};
@@ -24,22 +25,56 @@ pub(super) struct FieldStyle {
     pub align: Align,
     /// What counts while nothing is typed, or that something must be.
     pub hint: RichText,
+    /// The least height in points, where that is more than what everything has that is pressed.
+    pub height: f32,
 }
 
 impl FieldStyle {
     /// A small field for a number, right-aligned.
     pub fn number(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().body), width, align: Align::RIGHT, hint: RichText::default() }
+        Self {
+            font: theme::font(theme::sizes().body),
+            width,
+            align: Align::RIGHT,
+            hint: RichText::default(),
+            height: 0.0,
+        }
     }
 
     /// A field for words.
     pub fn text(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().body), width, align: Align::LEFT, hint: RichText::default() }
+        Self {
+            font: theme::font(theme::sizes().body),
+            width,
+            align: Align::LEFT,
+            hint: RichText::default(),
+            height: 0.0,
+        }
+    }
+
+    /// The field of the callout, as wide as there is room.
+    pub fn callout(ui: &Ui) -> Self {
+        let height = if is_low(ui) { 0.0 } else { space(11.5) };
+        let font = theme::font(theme::sizes().callout);
+        Self { font, height, ..Self::text(ui.available_width()) }
+    }
+
+    /// The field of the measured value.
+    pub fn value(ui: &Ui, width: f32) -> Self {
+        let height = if is_low(ui) { 0.0 } else { space(13.5) };
+        let size = if is_low(ui) { theme::sizes().callout } else { theme::sizes().value };
+        Self { font: theme::bold(size), height, ..Self::text(width) }
     }
 
     /// A large field of a given width.
     pub fn large(width: f32) -> Self {
-        Self { font: theme::font(theme::sizes().figure), width, align: Align::LEFT, hint: RichText::default() }
+        Self {
+            font: theme::font(theme::sizes().figure),
+            width,
+            align: Align::LEFT,
+            hint: RichText::default(),
+            height: 0.0,
+        }
     }
 }
 
@@ -70,7 +105,7 @@ pub(super) fn field_ui(
         .desired_width(look.width)
         .align(eframe::egui::Align2([look.align, Align::Center]))
         .hint_text(look.hint)
-        .min_size(vec2(look.width, control(ui)));
+        .min_size(vec2(look.width, control(ui).max(look.height)));
     if culprit.is_some() {
         edit = edit.layouter(&mut layouter);
     }

@@ -22,7 +22,7 @@
 //! | `table` | a list of rows with heads |
 //! | `columns`, `split` | three columns, a list with what is open of it, and how both fold |
 //! | `empty` | what stands where there is nothing yet |
-//! | `card`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `card`, `section`, `segments`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 //!
@@ -79,6 +79,8 @@ mod rail;
 mod reading;
 mod records;
 mod rows;
+mod section;
+mod segments;
 mod shapes;
 mod split;
 mod store;

@@ -3,7 +3,7 @@
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
-use super::theme::palette;
+use super::theme::{Icon, Weight, palette};
 use crate::text::long;
 use crate::tolerance::Feature;
 use crate::tolerance::fit::FitKind;
@@ -65,39 +65,14 @@ pub(super) fn dashed_frame(painter: &Painter, rect: Rect, colour: Color32) {
 
 /// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.
 pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colour: Color32) {
-    let size = rect.size().min_elem();
-    let at = |x: f32, y: f32| rect.center() + vec2(x, y) * size;
-    let stroke = Stroke::new(size * 0.14, colour);
-    let line = |points: Vec<Pos2>| painter.add(PathShape::line(points, stroke));
-    match status {
-        Some(Status::Good) => _ = line(vec![at(-0.38, 0.02), at(-0.12, 0.3), at(0.4, -0.3)]),
-        Some(Status::Scrap) => {
-            line(vec![at(-0.32, -0.32), at(0.32, 0.32)]);
-            line(vec![at(0.32, -0.32), at(-0.32, 0.32)]);
-        }
-        Some(Status::Rework) => {
-            line(arc(rect.center(), size * 0.34, -50.0, 230.0));
-            arrow_head(painter, at(0.22, -0.26), vec2(-0.8, -0.6), size * 0.26, colour);
-        }
-        Some(Status::ReMeasure) => {
-            line(arc(rect.center(), size * 0.34, 20.0, 160.0));
-            line(arc(rect.center(), size * 0.34, 200.0, 340.0));
-            arrow_head(painter, at(0.32, 0.12), vec2(0.35, -0.94), size * 0.22, colour);
-            arrow_head(painter, at(-0.32, -0.12), vec2(-0.35, 0.94), size * 0.22, colour);
-        }
-        None => _ = line(vec![at(-0.3, 0.0), at(0.3, 0.0)]),
-    }
-}
-
-/// Points of an arc about a centre, degrees clockwise from +x as on the screen.
-fn arc(centre: Pos2, radius: f32, from: f32, to: f32) -> Vec<Pos2> {
-    const STEPS: u8 = 40;
-    (0..=STEPS)
-        .map(|step| {
-            let angle = (from + (to - from) * f32::from(step) / f32::from(STEPS)).to_radians();
-            centre + vec2(angle.cos(), angle.sin()) * radius
-        })
-        .collect()
+    let icon = match status {
+        Some(Status::Good) => Icon::Check,
+        Some(Status::Rework) => Icon::ArrowCounterClockwise,
+        Some(Status::Scrap) => Icon::X,
+        Some(Status::ReMeasure) => Icon::Repeat,
+        None => Icon::Minus,
+    };
+    icon.paint(painter, rect.center(), Weight::Bold, rect.size().min_elem(), colour);
 }
 
 pub(super) fn arrow_head(painter: &Painter, tip: Pos2, direction: Vec2, size: f32, colour: Color32) {

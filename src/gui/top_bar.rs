@@ -170,7 +170,8 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, has_words: bool) {
     ui.spacing_mut().item_spacing.x = space(2.0);
 }
 
-fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// What of the history can be exported, and as what.
+pub(super) fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     for number in 0..RENDERINGS.len() {
         view.menu_item(ui, WindowAction::Export(number));
     }
@@ -207,7 +208,7 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     ui.menu_button(view.text("theme"), |ui| {
-        choices_ui(ui, view, [Theme::System, Theme::Light, Theme::Dark].map(WindowAction::UseTheme));
+        choices_ui(ui, view, Theme::ALL.map(WindowAction::UseTheme));
     });
     ui.menu_button(view.text("density"), |ui| choices_ui(ui, view, Density::ALL.map(WindowAction::UseDensity)));
     ui.menu_button(view.text("limits-from"), |ui| {

@@ -2,9 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextWrapping};
-use eframe::egui::{
-    Align, Align2, Color32, FontId, Layout, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::{Align2, Color32, FontId, Label, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::card::{MARGIN, verdict_ui};
 use super::columns::{is_low, is_tiny};
@@ -48,9 +46,9 @@ impl Card {
     }
 }
 
-/// The width that a card needs so that no word is set smaller than its size.
+/// The width that a card needs so that no word is set smaller than can be read from two metres.
 pub(super) fn least_width(ui: &Ui, view: &View<'_>) -> f32 {
-    let width = |status: Status| word_width(ui, &view.words.told(&status), sizes().status);
+    let width = |status: Status| word_width(ui, &view.words.told(&status), WORD[0]);
     Status::ALL.map(width).into_iter().fold(0.0, f32::max) + f32::from(MARGIN) * 2.0 + space(4.0)
 }
 
@@ -74,41 +72,99 @@ pub(super) fn lines_below_ui(ui: &mut Ui, card: &Card) {
     }
 }
 
-/// The width of a word; of several words or parts, which go below each other, that of the longest.
+/// The size of the word, at least and at most: the least can be read from two metres.
+const WORD: [f32; 2] = [44.0, 76.0];
+
+/// The size of what comes first below the word: what to do, or else the value.
+const FIRST: [f32; 2] = [24.0, 40.0];
+
 fn word_width(ui: &Ui, word: &str, size: f32) -> f32 {
-    let width =
-        |part: &str| ui.painter().layout_no_wrap(part.to_owned(), theme::bold(size), Color32::PLACEHOLDER).size().x;
-    word.split_inclusive(['-', ' ']).map(|part| width(part.trim_end())).fold(0.0, f32::max)
+    ui.painter().layout_no_wrap(word.to_owned(), theme::bold(size), Color32::PLACEHOLDER).size().x
+}
+
+/// How a card is set in a width.
+struct Setting {
+    word: f32,
+    /// The side of its shape.
+    shape: f32,
+    /// Whether the shape stands beside the word; elsewhere it stands above it.
+    is_beside: bool,
+    /// What stands below the word, line by line.
+    lines: Vec<(String, FontId)>,
+}
+
+impl Setting {
+    fn of(ui: &Ui, card: &Card, width: f32) -> Self {
+        let [least, most] = WORD;
+        let wanted = if card.status.is_some() {
+            (width * 0.2).min(ui.ctx().content_rect().height() * 0.12).clamp(least, most)
+        } else {
+            sizes().figure
+        };
+        let fits = |room: f32| wanted.min(wanted * room / word_width(ui, &card.word, wanted).max(1.0)).floor();
+        let beside = fits(width / (1.0 + (wanted * 0.8 + space(3.0)) / word_width(ui, &card.word, wanted).max(1.0)));
+        // The shape goes above a long word, unless the window is so low that it would take the place of what is said.
+        let is_beside = least.min(wanted) <= beside || is_low(ui);
+        let word = if is_beside { beside } else { fits(width) };
+        let shape = if is_beside { word * 0.8 } else { space(11.0) };
+        let first = theme::bold((width * 0.12).clamp(FIRST[0], FIRST[1]).min(word).floor());
+        let mut lines = Vec::new();
+        let mut value = first.clone();
+        if let Some((what, rest)) = &card.instruction {
+            lines.push((what.clone(), first));
+            if !is_tiny(ui) {
+                lines.push((rest.clone(), theme::font(sizes().body)));
+            }
+            value = theme::bold(sizes().figure);
+        }
+        lines.extend(card.value.iter().map(|text| (text.clone(), value.clone())));
+        // Where there is no room the lines stand below the card.
+        if !is_tiny(ui) {
+            lines.extend(card.lines.iter().map(|text| (text.clone(), theme::font(sizes().limits))));
+        }
+        Self { word, shape, is_beside, lines }
+    }
 }
 
 /// The card, which is also a live region: a screen reader says the word and the lines.
 pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
+    footed_card_ui(ui, view, card, None);
+}
+
+/// What stands at the foot of a card, in its colour.
+pub(super) type Foot<'a> = &'a mut dyn FnMut(&mut Ui, Color32);
+
+/// The same with a line at its foot.
+pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Option<Foot<'_>>) {
     let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated);
     let simulated = card.is_simulated.then(|| view.text("simulated"));
     verdict_ui(ui, (fill, colour), card.is_simulated, Margin::same(MARGIN), |ui| {
-        let least = if is_low(ui) { 0.0 } else { space(54.0) };
-        ui.set_min_height(least.max(card.height - f32::from(MARGIN) * 2.0));
+        let least = if is_low(ui) || foot.is_some() { 0.0 } else { space(54.0) };
+        let least = least.max(card.height - f32::from(MARGIN) * 2.0);
+        if foot.is_none() {
+            ui.set_min_height(least);
+        }
         ui.spacing_mut().item_spacing.y = space(1.0);
-        ui.vertical_centered(|ui| {
+        ui.vertical(|ui| {
             if let Some(simulated) = &simulated {
-                ui.label(RichText::new(simulated).font(theme::bold(sizes().figure)).color(colour));
+                ui.label(RichText::new(simulated).font(theme::bold(sizes().body)).color(colour));
             }
-            let size = word_ui(ui, card, colour);
-            if let Some((what, rest)) = &card.instruction {
-                ui.label(RichText::new(what).font(theme::bold(instruction_size(size))).color(colour));
-                if !is_tiny(ui) {
-                    ui.label(RichText::new(rest).font(theme::font(sizes().limits)).color(colour));
-                }
-            }
-            if let Some(value) = &card.value {
-                ui.label(RichText::new(value).font(theme::bold(sizes().figure)).color(colour));
-            }
-            // Where there is no room the lines stand below the card.
-            let lines = if is_tiny(ui) { [].as_slice() } else { card.lines.as_slice() };
-            for line in lines {
-                ui.label(RichText::new(line).font(theme::font(sizes().limits)).color(colour));
+            let setting = Setting::of(ui, card, ui.available_width());
+            word_ui(ui, card, &setting, colour);
+            for (line, font) in setting.lines {
+                ui.label(RichText::new(line).font(font).color(colour));
             }
         });
+        if let Some(foot) = foot {
+            let line = control(ui).min(space(9.0));
+            let above =
+                card.height - f32::from(MARGIN) * 2.0 - ui.min_rect().height() - line - ui.spacing().item_spacing.y;
+            ui.add_space(above.max(0.0));
+            ui.horizontal(|ui| {
+                ui.set_min_height(line);
+                foot(ui, colour);
+            });
+        }
         card.said(simulated.as_ref())
     });
 }
@@ -117,99 +173,50 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
 pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
     let width = ui.available_width() - f32::from(MARGIN) * 2.0;
     let text =
-        |text: &str, font: FontId| ui.painter().layout(text.to_owned(), font, Color32::PLACEHOLDER, width).size();
-    let size = word_size(ui, card, width);
-    let word = text(&card.word, theme::bold(size));
-    let mut heights = vec![word.y];
-    if !is_beside(ui, card, size, width) {
-        heights.push(shape_above(ui));
+        |text: &str, font: FontId| ui.painter().layout(text.to_owned(), font, Color32::PLACEHOLDER, width).size().y;
+    let setting = Setting::of(ui, card, width);
+    let mut heights = vec![text(&card.word, theme::bold(setting.word))];
+    if !setting.is_beside {
+        heights.push(setting.shape);
     }
     if card.is_simulated {
-        heights.push(text(&view.text("simulated"), theme::bold(sizes().figure)).y);
+        heights.push(text(&view.text("simulated"), theme::bold(sizes().body)));
     }
-    if let Some((what, rest)) = &card.instruction {
-        heights.push(text(what, theme::bold(instruction_size(size))).y);
-        if !is_tiny(ui) {
-            heights.push(text(rest, theme::font(sizes().limits)).y);
-        }
-    }
-    heights.extend(card.value.iter().map(|value| text(value, theme::bold(sizes().figure)).y));
-    if !is_tiny(ui) {
-        heights.extend(card.lines.iter().map(|line| text(line, theme::font(sizes().limits)).y));
-    }
+    heights.extend(setting.lines.into_iter().map(|(line, font)| text(&line, font)));
     let gaps = space(1.0) * f32::from(u8::try_from(heights.len()).unwrap_or(u8::MAX).saturating_sub(1));
     heights.into_iter().sum::<f32>() + gaps + f32::from(MARGIN) * 2.0
 }
 
-/// The size of what is to be done, below a word of a size.
-fn instruction_size(word: f32) -> f32 {
-    (word * 0.5).ceil()
-}
-
-/// The size of a card's word: 64 points and up, according to the panel. Pages keep [`least_width`] for it; only a window
-/// that is narrower than the word sets it smaller. No result is set smaller.
-fn word_size(ui: &Ui, card: &Card, width: f32) -> f32 {
-    let room = (width * 0.2).min(ui.ctx().content_rect().height() * 0.14);
-    let wanted = if card.status.is_some() { sizes().status.max(room) } else { sizes().figure };
-    wanted.min(wanted * width / word_width(ui, &card.word, wanted).max(1.0)).floor()
-}
-
-/// What a shape beside a word of a size takes of the width.
-fn beside(size: f32) -> f32 {
-    size + space(2.0)
-}
-
-/// Whether the shape stands beside the word: where the window is low and there is room. Elsewhere it stands above it.
-fn is_beside(ui: &Ui, card: &Card, size: f32, width: f32) -> bool {
-    let word = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), Color32::PLACEHOLDER);
-    is_low(ui) && word.size().x + beside(size) < width
-}
-
-/// The side of a shape above a word: smaller where the window is low, and never left out.
-fn shape_above(ui: &Ui) -> f32 {
-    if is_tiny(ui) {
-        space(6.0)
-    } else if is_low(ui) {
-        space(9.0)
-    } else {
-        space(16.0)
-    }
-}
-
-/// Shape and word; returns the word's size.
-fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
-    let width = ui.available_width();
-    let size = word_size(ui, card, width);
-    let text = RichText::new(&card.word).font(theme::bold(size)).color(colour);
-    if is_beside(ui, card, size, width) {
-        let galley = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour);
-        let beside = beside(size);
-        let row = vec2(width, galley.size().y);
-        ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
-            ui.add_space((width - galley.size().x - beside) / 2.0);
-            let (rect, _) = ui.allocate_exact_size(vec2(size * 0.8, size * 0.8), Sense::hover());
-            shapes::status(ui.painter(), rect, card.status, colour);
-            ui.label(text);
+/// Shape and word.
+fn word_ui(ui: &mut Ui, card: &Card, setting: &Setting, colour: Color32) {
+    let text = RichText::new(&card.word).font(theme::bold(setting.word)).color(colour);
+    let shape = vec2(setting.shape, setting.shape);
+    let shape_ui = |ui: &mut Ui| {
+        let (rect, _) = ui.allocate_exact_size(shape, Sense::hover());
+        shapes::status(ui.painter(), rect, card.status, colour);
+    };
+    if setting.is_beside {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = space(3.0);
+            shape_ui(ui);
+            ui.add(Label::new(text).extend());
         });
     } else {
-        let side = shape_above(ui);
-        let (rect, _) = ui.allocate_exact_size(vec2(side, side), Sense::hover());
-        shapes::status(ui.painter(), rect, card.status, colour);
+        shape_ui(ui);
         ui.label(text);
     }
-    size
 }
 
 /// A small verdict: shape, text and colour.
 pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), theme::bold(sizes().body), colour);
-    let mark = space(4.0);
-    let gap = space(2.0);
-    let size = vec2(mark + gap + galley.size().x, galley.size().y.max(mark)) + vec2(16.0, 8.0);
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), theme::bold(sizes().small), colour);
+    let mark = space(3.5);
+    let gap = space(1.5);
+    let size = vec2(mark + gap + galley.size().x, galley.size().y.max(mark)) + vec2(16.0, 6.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let inner = rect.shrink2(vec2(8.0, 4.0));
-    ui.painter().rect_filled(rect, 4.0, fill);
+    ui.painter().rect_filled(rect, 6.0, fill);
     let shape = Align2::LEFT_CENTER.align_size_within_rect(vec2(mark, mark), inner);
     shapes::status(ui.painter(), shape, Some(status), colour);
     let at = Align2::RIGHT_CENTER.align_size_within_rect(galley.size(), inner);
@@ -226,7 +233,7 @@ pub(super) fn strip_height(ui: &Ui) -> f32 {
 pub(super) fn strip_ui(ui: &mut Ui, status: Option<Status>, is_simulated: bool, text: &str) {
     let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), strip_height(ui)), Sense::hover());
-    ui.painter().rect_filled(rect, 4.0, fill);
+    ui.painter().rect_filled(rect, 8.0, fill);
     let inner = rect.shrink2(vec2(space(2.0), space(1.0)));
     let side = space(5.0);
     let mark = Align2::LEFT_CENTER.align_size_within_rect(vec2(side, side), inner);

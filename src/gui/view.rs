@@ -79,6 +79,20 @@ impl View<'_> {
         self.pressed(ui, action, response)
     }
 
+    /// The same for an action that is on or off.
+    pub fn icon_toggle(&mut self, ui: &mut Ui, action: impl Into<Action>, icon: Icon) -> Response {
+        let action = action.into();
+        let name = action.text(self.session, self.words);
+        let is_on = action.is_on(self.session) == Some(true);
+        let button = Button::new(icon.text(Weight::Regular, theme::space(5.0))).selected(is_on);
+        let button = button.min_size(Vec2::splat(control(ui)));
+        let is_possible = self.session.can(action);
+        let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, button));
+        response.widget_info(|| WidgetInfo::selected(Role::Button, is_possible, is_on, &name));
+        let response = response.on_hover_text(name);
+        self.pressed(ui, action, response)
+    }
+
     /// Does an action where its button was pressed. Its keys show under the pointer.
     fn pressed(&mut self, ui: &Ui, action: Action, mut response: Response) -> Response {
         let keys = action.shortcut_shown(self.session.page()).map(|keys| told(ui, keys));

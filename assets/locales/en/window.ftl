@@ -14,6 +14,7 @@ theme = Appearance
 theme-system = Follow system
 theme-light = Light
 theme-dark = Dark
+theme-contrast = High contrast
 density = Size of controls
 density-by-use = Automatic
 density-mouse = Mouse
@@ -60,6 +61,7 @@ tolerance-class = Class
 class-none = Choose
 classes-hole = Hole classes
 classes-shaft = Shaft classes
+part-section = Part
 part-name = Part or feature
 
 probe-position = Probe position
@@ -92,7 +94,6 @@ band-describe = Deviation from nominal size in micrometres: zone from { $lower }
 band-describe-measured = Measured { $deviation }, { $above } above the minimum, { $below } below the maximum.
 side-rework = rework
 side-scrap = scrap
-zone = zone
 
 last-values = Last values
 last-values-empty = The last values of these limits appear here
@@ -151,6 +152,10 @@ remove-per-side = on the diameter; { $um } µm per side
 position-in = Centre in position
 position-out = Centre out of position
 diameter-alone = Diameter alone: { $status }
+first-steps = First
+first-step-callout = 1. Callout: what the drawing says
+first-step-value = 2. Measured value: typed, simulated, or from a file
+first-step-verdict = 3. Verdict, and how much to remove
 why = Why?
 why-limits = Limits from { $what }
 why-measured = Measured value: { $what }
@@ -480,6 +485,7 @@ fit-these-parts = These parts: { $clearance }
 materials-refused = Own materials cannot be used: { $path }, { $reason }
 
 ## Palette
+section-said = { $name }: { $value }
 rail-more = More
 top-recorded = Recorded, { $number }
 top-recording = Recording

@@ -14,6 +14,7 @@ theme = Weergave
 theme-system = Systeem volgen
 theme-light = Licht
 theme-dark = Donker
+theme-contrast = Hoog contrast
 density = Grootte van de bediening
 density-by-use = Automatisch
 density-mouse = Muis
@@ -60,6 +61,7 @@ tolerance-class = Klasse
 class-none = Kiezen
 classes-hole = Klassen voor boringen
 classes-shaft = Klassen voor assen
+part-section = Onderdeel
 part-name = Onderdeel of element
 
 probe-position = Tastpositie
@@ -92,7 +94,6 @@ band-describe = Afwijking van de nominale maat in micrometer: tolerantieveld van
 band-describe-measured = Gemeten { $deviation }, { $above } boven het minimum, { $below } onder het maximum.
 side-rework = nabewerking
 side-scrap = afkeur
-zone = tolerantie
 
 last-values = Laatste waarden
 last-values-empty = Hier verschijnen de laatste waarden bij deze grensmaten
@@ -151,6 +152,10 @@ remove-per-side = op de diameter; { $um } µm per zijde
 position-in = Midden in positie
 position-out = Midden buiten positie
 diameter-alone = Alleen de diameter: { $status }
+first-steps = Eerst
+first-step-callout = 1. Passing: wat de tekening zegt
+first-step-value = 2. Meetwaarde: getypt, gesimuleerd of uit een bestand
+first-step-verdict = 3. Oordeel, en hoeveel eraf moet
 why = Waarom?
 why-limits = Grensmaten uit { $what }
 why-measured = Gemeten waarde: { $what }
@@ -480,6 +485,7 @@ fit-these-parts = Deze onderdelen: { $clearance }
 materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, { $reason }
 
 ## Palette
+section-said = { $name }: { $value }
 rail-more = Meer
 top-recorded = Vastgelegd, { $number }
 top-recording = Wordt vastgelegd

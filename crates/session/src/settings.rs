@@ -1,6 +1,6 @@
 //! How the window looks.
 
-/// Light or dark.
+/// The colours of the window.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Theme {
@@ -9,6 +9,13 @@ pub enum Theme {
     System,
     Light,
     Dark,
+    /// High contrast: black on white.
+    Contrast,
+}
+
+impl Theme {
+    /// Every choice.
+    pub const ALL: [Self; 4] = [Self::System, Self::Light, Self::Dark, Self::Contrast];
 }
 
 /// How high everything is that is pressed.

@@ -1,27 +1,25 @@
 //! Right, above: the answer. One word that can be read from two metres, its shape, and what to do.
 
-use eframe::egui::{CollapsingHeader, Ui, vec2};
+use eframe::egui::{Align, Button, Color32, Layout, Popup, PopupCloseBehavior, RichText, Ui, vec2};
 
 use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::worth_lines;
-use crate::gui::columns::is_low;
-use crate::gui::theme::{control, space};
-use crate::gui::verdict_card::{Card, card_ui, chip_ui, half, lines_below_ui, question_card, remove, status_id};
-use crate::gui::view::{Digits, View, doubt_text, heading, quiet};
+use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::verdict_card::{
+    Card, card_ui, chip_ui, footed_card_ui, half, lines_below_ui, question_card, remove, status_id,
+};
+use crate::gui::view::{Digits, View, doubt_text, heading};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say, message};
 use crate::session::CheckAction;
-use crate::session::{DoubtedText, Lot, Question, Step};
+use crate::session::{DoubtedText, Lot, Question, Recorded, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
 
-/// The imported lot, if there is one and room for it, and the verdict card; or a question instead.
-pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if let Some(lot) = view.session.check().lot.as_ref().filter(|_| !is_low(ui)) {
-        lot_ui(ui, view, lot);
-    }
+/// The verdict card over a height; or a question instead.
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     if let Some(doubted) = view.session.check().doubted() {
         return doubted_ui(ui, view, doubted);
     }
@@ -30,29 +28,63 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     let card = record.map_or_else(|| no_card(view), |record| card(view.words, record, true));
-    card_ui(ui, view, &card);
-    recorded_ui(ui, view, view.session.check_recorded());
+    let recorded = view.session.check_recorded();
+    // What was not recorded is said below the card, where its colour is no verdict's.
+    let has_failed = matches!(recorded, Some(Recorded::Failed(_)));
+    let below = if has_failed { control(ui) * 2.0 } else { 0.0 };
+    let card = Card { height: height - below, ..card };
+    let said = match recorded {
+        Some(Recorded::Kept(number)) => view.words.say(&message!("records-page-record").text("number", number)),
+        Some(Recorded::Waiting) => view.text("records-page-waiting"),
+        _ => String::new(),
+    };
+    match record {
+        Some(record) => {
+            let mut foot = |ui: &mut Ui, colour: Color32| foot_ui(ui, view, (record, &said), colour);
+            footed_card_ui(ui, view, &card, Some(&mut foot));
+        }
+        None => card_ui(ui, view, &card),
+    }
+    if has_failed {
+        recorded_ui(ui, view, recorded);
+    }
 }
+
+/// The number of the record, and the reasons, which open over what stands below.
+fn foot_ui(ui: &mut Ui, view: &View<'_>, (record, said): (&Record, &str), colour: Color32) {
+    ui.label(RichText::new(said).font(theme::font(sizes().small)).color(colour));
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let text = RichText::new(view.text("why")).font(theme::bold(sizes().body)).color(colour);
+        let button = ui.add(Button::new(text).frame(false).min_size(vec2(0.0, control(ui).min(space(9.0)))));
+        let popup = Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        popup.width(space(90.0)).show(|ui| why_ui(ui, view, record));
+    });
+}
+
+/// What comes after what, for who has not typed anything yet.
+const STEPS: [&str; 3] = ["first-step-callout", "first-step-value", "first-step-verdict"];
 
 /// The card without a record: where a measurement was refused, that nothing was measured, and why.
 fn no_card(view: &View<'_>) -> Card {
     let refused = |why: &Message| vec![view.text("nothing-measured"), view.words.say(why)];
     let row = view.session.check().rows.as_ref().and_then(|rows| rows.shown.as_ref()?.why.as_ref());
     let of_row = || row.map(|why| view.words.say(why)).into_iter().collect();
-    let lines = view.session.check().refusal.as_ref().map_or_else(of_row, refused);
+    let lines: Vec<String> = view.session.check().refusal.as_ref().map_or_else(of_row, refused);
+    if lines.is_empty() && view.session.check().asked.limits.is_none() {
+        // Nothing is asked yet: what comes after what.
+        return Card {
+            word: view.text("first-steps"),
+            lines: STEPS.map(|id| view.text(id)).to_vec(),
+            ..Card::default()
+        };
+    }
     Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 
-/// The reasons for the verdict; before them the lot where it would push the verdict off a low window.
-pub(super) fn reasons_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if is_low(ui)
-        && let Some(lot) = view.session.check().lot.as_ref()
-    {
-        lot_ui(ui, view, lot);
-    }
+/// What has no room in the card of a very low window.
+pub(super) fn rest_of_card_ui(ui: &mut Ui, view: &View<'_>) {
     if let Some(shown) = view.session.check().shown.as_ref() {
         lines_below_ui(ui, &card(view.words, &shown.record, true));
-        why_ui(ui, view, &shown.record);
     } else if view.session.check().question.is_none() {
         lines_below_ui(ui, &no_card(view));
     }
@@ -88,7 +120,7 @@ fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &DoubtedText) {
 }
 
 /// How many rows of an imported file are what, and which of them is shown.
-fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
+pub(super) fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     let words = view.words;
     let said = |id: &'static str, count: usize| words.say(&Message::new(id).count("count", count));
     heading(ui, words.say(&message!("lot-title").text("name", &lot.name).count("rows", lot.rows)));
@@ -171,17 +203,15 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
 }
 
 fn why_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
-    CollapsingHeader::new(view.text("why")).id_salt("why").show_unindented(ui, |ui| {
-        let words = view.words;
-        let said = |id: &'static str, what: &dyn Say| words.say(&Message::new(id).message("what", what.message()));
-        quiet(ui, said("why-limits", &record.limits.source));
-        quiet(ui, said("why-measured", &record.measurement.origin));
-        quiet(ui, said("why-rule", &record.verdict.rule));
-        for reason in worth_lines::reasons(view, record) {
-            quiet(ui, reason);
-        }
-        for caveat in record.caveats() {
-            quiet(ui, said("why-caveat", &caveat));
-        }
-    });
+    let words = view.words;
+    let said = |id: &'static str, what: &dyn Say| words.say(&Message::new(id).message("what", what.message()));
+    ui.label(said("why-limits", &record.limits.source));
+    ui.label(said("why-measured", &record.measurement.origin));
+    ui.label(said("why-rule", &record.verdict.rule));
+    for reason in worth_lines::reasons(view, record) {
+        ui.label(reason);
+    }
+    for caveat in record.caveats() {
+        ui.label(said("why-caveat", &caveat));
+    }
 }

@@ -1,6 +1,6 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
-use eframe::egui::{Align, CollapsingHeader, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
+use eframe::egui::{Align, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
 
 use super::field_pairs::pairs_ui;
 use crate::gui::check::record_panel::record_ui;
@@ -8,14 +8,16 @@ use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
-use crate::gui::theme::{control, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::section::Section;
+use crate::gui::segments::segments_ui;
+use crate::gui::theme::{Icon, control, sizes, space};
+use crate::gui::view::{View, quiet};
 use crate::message::message;
 use crate::session::{CheckAction, WindowAction};
 use crate::session::{CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
-/// The panel's content.
+/// The panel's content: what is asked, and below it what an engineer sets, folded.
 pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let features = callout_ui(ui, view);
@@ -24,23 +26,28 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
         Some(limits) => limits_ui(ui, view, limits),
         None => no_limits_ui(ui, view),
     }
-    ui.separator();
+    ui.add_space(space(1.0));
+    let size = vec2(ui.available_width(), sizes().small * 1.4 + control(ui) + space(1.0));
+    let (size_and_class, _) = ui.allocate_exact_size(size, Sense::hover());
+    ui.add_space(space(1.0));
     measured_ui(ui, view, features);
-    ui.separator();
-    worth_ui(ui, view);
-    ui.separator();
-    size_and_class_ui(ui, view);
+    // Tab goes from the callout to the value, as the work does.
+    let mut child = ui.new_child(UiBuilder::new().max_rect(size_and_class));
+    size_and_class_ui(&mut child, view);
+    ui.add_space(space(3.0));
     ui.separator();
     position_ui(ui, view);
-    ui.add_space(space(1.0));
     simulation_ui(ui, view);
+    worth_ui(ui, view);
+    part_ui(ui, view);
+    record_ui(ui, view);
 }
 
 /// The callout; returns the room for hole and shaft, where it does not say which.
 fn callout_ui(ui: &mut Ui, view: &mut View<'_>) -> Option<Rect> {
-    let name = heading(ui, view.text("callout"));
-    let width = ui.available_width();
-    field_ui(ui, view, CheckField::Callout, name.id, FieldStyle::large(width));
+    let name = quiet(ui, view.text("callout"));
+    let style = FieldStyle::callout(ui);
+    field_ui(ui, view, CheckField::Callout, name.id, style);
     error_ui(ui, view, CheckField::Callout);
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let is_asked = view.session.check().asked.needs_feature();
@@ -90,11 +97,12 @@ fn no_limits_ui(ui: &mut Ui, view: &View<'_>) {
 }
 
 fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
-    let name = heading(ui, view.text("measured-value"));
+    let name = quiet(ui, view.text("measured-value"));
     let width = ui.available_width();
     ui.horizontal(|ui| {
         let unit = space(8.0);
-        field_ui(ui, view, CheckField::Measured, name.id, FieldStyle::large(width - unit - space(4.0)));
+        let style = FieldStyle::value(ui, width - unit - space(2.0));
+        field_ui(ui, view, CheckField::Measured, name.id, style);
         quiet(ui, "mm");
     });
     if let Some(rect) = features {
@@ -105,23 +113,26 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
         quiet(ui, view.text("measured-once"));
     }
     ui.horizontal(|ui| {
-        for by in [MeasureBy::Typing, MeasureBy::Simulating] {
-            view.radio(ui, CheckAction::MeasureBy(by));
-        }
-        view.toggle(ui, WindowAction::Keypad);
+        let ways = [MeasureBy::Typing, MeasureBy::Simulating].map(CheckAction::MeasureBy);
+        let width = width - control(ui) - ui.spacing().item_spacing.x;
+        segments_ui(ui, view, &ways, width);
+        view.icon_toggle(ui, WindowAction::Keypad, Icon::Numpad);
     });
+    ui.add_space(space(0.5));
     ui.horizontal(|ui| {
-        view.main_button(ui, CheckAction::Measure, vec2(width * 0.6, control(ui)));
-        view.field_button(ui, CheckAction::ClearResult);
+        let clear = view.width_of(ui, &[CheckAction::ClearResult]) + ui.spacing().item_spacing.x;
+        view.main_button(ui, CheckAction::Measure, vec2((width - clear).max(width * 0.5), control(ui) + space(1.0)));
+        let button = view.named(CheckAction::ClearResult).min_size(vec2(0.0, control(ui) + space(1.0)));
+        view.button_as(ui, CheckAction::ClearResult, button);
     });
 }
 
 fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
-    Grid::new("size-and-class").num_columns(2).min_row_height(0.0).spacing(vec2(space(2.0), space(0.5))).show(
+    Grid::new("size-and-class").num_columns(2).min_row_height(0.0).spacing(vec2(space(3.0), space(0.5))).show(
         ui,
         |ui| {
-            let name = ui.label(view.text("nominal-size"));
-            let class = ui.label(view.text("tolerance-class"));
+            let name = quiet(ui, view.text("nominal-size"));
+            let class = quiet(ui, view.text("tolerance-class"));
             ui.end_row();
             ui.horizontal(|ui| {
                 field_ui(ui, view, CheckField::Nominal, name.id, FieldStyle::number(space(22.0)));
@@ -131,28 +142,37 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.end_row();
         },
     );
-    let name = ui.label(view.text("part-name"));
-    let width = ui.available_width();
-    let look = FieldStyle::text(width);
-    field_ui(ui, view, CheckField::Part, name.id, look);
-    record_ui(ui, view);
 }
 
+/// The name of what is measured.
+fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let value = view.session.text(CheckField::Part).trim().to_owned();
+    let is_wrong = view.session.error(CheckField::Part).is_some();
+    Section { icon: Icon::Cube, name: "part-section", value, is_wrong }.show(ui, view, |ui, view| {
+        let name = quiet(ui, view.text("part-name"));
+        let width = ui.available_width();
+        field_ui(ui, view, CheckField::Part, name.id, FieldStyle::text(width));
+        error_ui(ui, view, CheckField::Part);
+    });
+}
+
+/// Where it is probed; open where something is measured on a simulated part.
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
-    heading(ui, view.text("probe-position"));
-    pairs_ui(
-        ui,
-        view,
-        space(22.0),
-        &[
-            (CheckField::CentreX, "centre-x", "mm"),
-            (CheckField::CentreY, "centre-y", "mm"),
-            (CheckField::Height, "height-z", "mm"),
-            (CheckField::FirstAngle, "first-contact", "°"),
-            (CheckField::Clearance, "clearance", "mm"),
-            (CheckField::CentreTolerance, "centre-tolerance", "mm"),
-        ],
-    );
+    let fields = [
+        (CheckField::CentreX, "centre-x", "mm"),
+        (CheckField::CentreY, "centre-y", "mm"),
+        (CheckField::Height, "height-z", "mm"),
+        (CheckField::FirstAngle, "first-contact", "°"),
+        (CheckField::Clearance, "clearance", "mm"),
+        (CheckField::CentreTolerance, "centre-tolerance", "mm"),
+    ];
+    let [x, y, z] = [CheckField::CentreX, CheckField::CentreY, CheckField::Height]
+        .map(|field| view.words.number(view.session.text(field).trim()));
+    let value = format!("X {x} Y {y} Z {z}");
+    let is_wrong = fields.iter().any(|(field, ..)| view.session.error(*field).is_some());
+    Section { icon: Icon::Crosshair, name: "probe-position", value, is_wrong }.show(ui, view, |ui, view| {
+        pairs_ui(ui, view, space(22.0), &fields);
+    });
 }
 
 fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -167,10 +187,10 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
         (CheckField::SurfaceScatter, "surface-scatter", "mm"),
         (CheckField::ProbeScatter, "probe-scatter", "mm"),
     ];
-    // An error is never folded away.
     let is_wrong = fields.iter().any(|(field, ..)| view.session.error(*field).is_some());
-    let header = CollapsingHeader::new(view.text("simulated-workpiece")).id_salt("simulated");
-    header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
+    let value = view.words.number(view.session.text(CheckField::TrueDiameter).trim());
+    let section = Section { icon: Icon::Play, name: "simulated-workpiece", value, is_wrong };
+    section.show(ui, view, |ui, view| {
         quiet(ui, view.text("simulated-hint"));
         pairs_ui(ui, view, space(22.0), &fields);
     });

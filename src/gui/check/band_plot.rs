@@ -1,13 +1,12 @@
 //! The limit band: deviation from the nominal size, the zone, both sides named and hatched, the measured value.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, RichText, Stroke, Ui, WidgetInfo, pos2, vec2};
-use egui_plot::{AxisHints, GridMark, PlotBounds, PlotTransform, VLine, VPlacement};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::limits::feature_id;
-use crate::gui::shapes::{self, Hatch};
+use crate::gui::shapes::{self, Hatch, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
-use crate::gui::view::{Digits, View, heading, quiet, still_plot};
+use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::message;
@@ -17,13 +16,11 @@ use crate::verdict::Rule;
 use crate::verdict::Status;
 use crate::words::Words;
 
-/// How far down the band the distance to the lower limit is drawn.
-const FIRST_LINE: f32 = 0.68;
-
-/// Heading and plot over the given height.
-pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
+/// Heading and plot over the height there is.
+pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>) {
     let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = 0.0;
         heading(ui, view.text("limit-band"));
         if let Some(limits) = view.session.check().asked.limits.as_ref() {
             quiet(ui, title(view, limits));
@@ -45,6 +42,7 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
         Rule::default()
     });
     let band = Band::by(&rule, limits, measured);
+    let height = ui.available_height();
     plot_ui(ui, view.words, &band, limits, record, height);
 }
 
@@ -56,37 +54,25 @@ fn title(view: &View<'_>, limits: &Limits) -> String {
     }
 }
 
+/// The height of what is drawn above and below the track.
+const ABOVE: f32 = 46.0;
+const BELOW: f32 = 54.0;
+
+/// The track itself, at least and at most.
+const TRACK: [f32; 2] = [36.0, 124.0];
+
 fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Option<&Record>, height: f32) {
     let palette = palette(ui.ctx());
-    let axis = AxisHints::new_x()
-        .formatter(|mark, _| words.number(&format!("{}", (mark.value * 1000.0).round() / 1000.0)))
-        .tick_label_font(theme::font(sizes().small))
-        .tick_label_color(palette.text.0)
-        .label("µm")
-        .placement(VPlacement::Bottom);
-    let response = still_plot("limit-band", height)
-        .custom_x_axes(vec![axis])
-        .show_axes([true, false])
-        .x_grid_spacer(|_| ticks(band))
-        .set_margin_fraction(vec2(0.0, 0.0))
-        .show(ui, |plot| {
-            plot.set_plot_bounds(PlotBounds::from_min_max([band.axis_min_um, 0.0], [band.axis_max_um, 1.0]));
-            plot.vline(VLine::new("nominal", 0.0).color(palette.quiet.0).width(1.0).allow_hover(false));
-        });
-    let painter = ui.painter().with_clip_rect(response.response.rect);
-    Drawing { painter, transform: response.transform, palette, words, band }.draw(record);
+    let height = height.max(TRACK[0] + ABOVE + BELOW);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+    let track = (height - ABOVE - BELOW).min(TRACK[1]);
+    let top = rect.top() + ABOVE + (height - ABOVE - BELOW - track) * 0.4;
+    let body = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), track));
+    Drawing { painter, body, frame: rect, palette, words, band, limits }.draw(record);
     let said = describe(words, limits, record, band);
-    response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("limit-band")));
-    ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(said.clone()));
-}
-
-/// The band's own ticks, each with a label.
-fn ticks(band: &Band) -> Vec<GridMark> {
-    let step_size = match band.ticks.as_slice() {
-        [first, second, ..] => second - first,
-        _ => band.axis_max_um - band.axis_min_um,
-    };
-    band.ticks.iter().map(|&value| GridMark { value, step_size }).collect()
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("limit-band")));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(said.clone()));
 }
 
 /// What the picture shows, in words, for users who cannot see it.
@@ -126,84 +112,132 @@ const fn side_id(feature: Feature, left: bool) -> &'static str {
 
 struct Drawing<'a> {
     painter: Painter,
-    transform: PlotTransform,
+    /// The track: zone, sides and guard bands.
+    body: Rect,
+    frame: Rect,
     palette: &'a Palette,
     words: &'a Words,
     band: &'a Band,
+    limits: &'a Limits,
 }
 
 impl Drawing<'_> {
     fn draw(&self, record: Option<&Record>) {
-        let frame = *self.transform.frame();
-        let body = Rect::from_min_max(
-            pos2(frame.left(), frame.top() + space(7.0)),
-            pos2(frame.right(), frame.bottom() - space(7.0)),
-        );
+        let body = self.body;
         let lower = self.x(self.band.lower_um);
         let upper = self.x(self.band.upper_um);
-        let left = Rect::from_min_max(body.min, pos2(lower, body.bottom()));
-        let right = Rect::from_min_max(pos2(upper, body.top()), body.max);
-        self.side(left, self.band.left, Align2::LEFT_TOP);
-        self.side(right, self.band.right, Align2::RIGHT_TOP);
+        self.painter.rect_filled(body, 10.0, self.palette.sunken.0);
+        self.side(Rect::from_min_max(body.min, pos2(lower, body.bottom())), self.band.left);
+        self.side(Rect::from_min_max(pos2(upper, body.top()), body.max), self.band.right);
         // A zone of no width is still drawn as a line.
         let zone = Rect::from_min_max(pos2(lower, body.top()), pos2(upper.max(lower + 1.0), body.bottom()));
         self.painter.rect_filled(zone, 0.0, self.palette.zone.0);
         self.guard(body);
-        for (x, um) in [(lower, self.band.lower_um), (upper, self.band.upper_um)] {
-            self.painter.vline(x, body.y_range(), Stroke::new(2.0, self.palette.zone_edge.0));
-            let text = format!("{}{}", if 0.0 < um { "+" } else { "" }, self.words.number(&format!("{um}")));
-            // On a ground: the line of the nominal size goes up to the edge.
-            let colours = (self.palette.surface.0, self.palette.text.0);
-            self.label(pos2(x, body.top() - 2.0), Align2::CENTER_BOTTOM, &text, colours);
-        }
-        let nominal = self.x(0.0);
-        self.painter.extend(eframe::egui::Shape::dashed_line(
-            &[pos2(nominal, body.top()), pos2(nominal, frame.bottom())],
-            Stroke::new(1.5, self.palette.quiet.0),
-            5.0,
-            4.0,
-        ));
         self.guard_marks(body);
-        if let (Some(marker), Some(record)) = (self.band.marker, record) {
-            self.marker(marker, record, body);
+        for x in [lower, upper] {
+            self.painter.vline(x, body.y_range().expand(7.0), Stroke::new(2.5, self.palette.zone_edge.0));
         }
-        // Above the distances, where the band is high enough for both.
-        let is_high = record.is_none() || sizes().body * 1.3 + sizes().small + space(1.0) < body.height() * FIRST_LINE;
-        if space(20.0) < zone.width() && is_high {
-            let ground = self.palette.zone.0;
-            let colour = self.palette.zone_edge.0;
-            let middle = zone.center().x;
-            let measured = match self.band.marker.filter(|_| record.is_some()) {
-                Some(Marker::InSight(um)) => Some(self.x(um)),
-                _ => None,
-            };
-            // Beside the line of the measured value, not across it.
-            let x = match measured {
-                Some(x) if (x - middle).abs() < space(8.0) => f32::midpoint(x, zone.right()),
-                _ => middle,
-            };
-            self.label(pos2(x, zone.top() + 4.0), Align2::CENTER_TOP, &self.words.get("zone"), (ground, colour));
+        self.limits([lower, upper]);
+        self.axis();
+        match (self.band.marker, record) {
+            (Some(marker), Some(record)) => self.marker(marker, record, body),
+            _ => self.width_of_zone(zone),
         }
     }
 
     fn x(&self, um: f64) -> f32 {
-        self.transform.position_from_point_x(um)
+        let share = (um - self.band.axis_min_um) / (self.band.axis_max_um - self.band.axis_min_um);
+        self.body.left() + self.body.width() * screen(share)
     }
 
-    /// Text without a background.
-    fn text(&self, at: Pos2, anchor: Align2, text: &str, colour: Color32) {
-        self.label(at, anchor, text, (Color32::TRANSPARENT, colour));
+    /// Above the track: which limit it is and its deviation, and its size. Two that are close stand apart.
+    fn limits(&self, [lower, upper]: [f32; 2]) {
+        let bounds = &self.limits.bounds();
+        let texts = [
+            ("minimum", self.band.lower_um, bounds.minimum(), lower),
+            ("maximum", self.band.upper_um, bounds.maximum(), upper),
+        ]
+        .map(|(id, um, size, x)| {
+            let sign = if 0.0 < um { "+" } else { "" };
+            let deviation = self.words.number(&format!("{um}"));
+            let name = format!("{} {sign}{deviation}", self.words.get(id));
+            let name = self.painter.layout_no_wrap(name, theme::font(sizes().small), self.palette.quiet.0);
+            let size = self.words.mm(size, 3);
+            let size = self.painter.layout_no_wrap(size, theme::bold(sizes().limits), self.palette.text.0);
+            (name, size, x)
+        });
+        let width = |(name, size, _): &(_, _, f32)| f32::max(galley_width(name), galley_width(size));
+        let [of_lower, of_upper] = [width(&texts[0]), width(&texts[1])];
+        // The names stay in sight and do not cross.
+        let apart = (of_lower + of_upper) / 2.0 + space(2.0) - (upper - lower);
+        let shift = (apart / 2.0).max(0.0);
+        let places = [lower - shift, upper + shift].map(|x| {
+            let half = of_lower.max(of_upper) / 2.0;
+            x.clamp(self.frame.left() + half, (self.frame.right() - half).max(self.frame.left() + half))
+        });
+        for ((name, size, _), x) in texts.into_iter().zip(places) {
+            let bottom = self.body.top() - 9.0;
+            let at = pos2(x - size.size().x / 2.0, bottom - size.size().y);
+            let above = pos2(x - name.size().x / 2.0, at.y - name.size().y + 1.0);
+            self.painter.galley(at, size, self.palette.text.0);
+            self.painter.galley(above, name, self.palette.quiet.0);
+        }
     }
 
-    /// Text on a background, so that lines and hatching do not cross it.
-    fn label(&self, at: Pos2, anchor: Align2, text: &str, (ground, colour): (Color32, Color32)) {
-        let galley = self.painter.layout_no_wrap(text.to_owned(), theme::font(sizes().body), colour);
-        let rect = anchor.anchor_size(at, galley.size());
-        // Kept inside the plot, so that no number is cut off.
-        let frame = self.transform.frame();
-        let shift = (frame.left() - rect.left()).max(0.0) - (rect.right() - frame.right()).max(0.0);
-        let rect = rect.translate(vec2(shift, 0.0));
-        self.painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, ground);
+    /// Below: a line with the band's own ticks, in micrometres from the nominal size.
+    fn axis(&self) {
+        let y = self.frame.bottom() - 22.0;
+        self.painter.hline(self.frame.x_range(), y, Stroke::new(1.0, self.palette.line.0));
+        let font = theme::font(sizes().small);
+        let unit = self.painter.layout_no_wrap("µm".to_owned(), font.clone(), self.palette.quiet.0);
+        let at = pos2(self.frame.right() - unit.size().x, y + 4.0);
+        let mut free = at.x - space(2.0);
+        self.painter.galley(at, unit, self.palette.quiet.0);
+        // From the right, where the unit stands; a number that has no room is left out, its tick is not.
+        for um in self.band.ticks.iter().rev() {
+            let x = self.x(*um);
+            self.painter.vline(x, y - 4.0..=y + 3.0, Stroke::new(1.0, self.palette.edge.0));
+            let sign = if 0.0 < *um { "+" } else { "" };
+            let number = self.words.number(&format!("{}", (um * 1000.0).round() / 1000.0));
+            let text = self.painter.layout_no_wrap(format!("{sign}{number}"), font.clone(), self.palette.quiet.0);
+            let half = text.size().x / 2.0;
+            if x + half <= free && self.frame.left() <= x - half {
+                free = x - half - space(2.0);
+                self.painter.galley(pos2(x - half, y + 4.0), text, self.palette.quiet.0);
+            }
+        }
+    }
+
+    /// Before a value is there: how wide the zone is, and where its middle.
+    fn width_of_zone(&self, zone: Rect) {
+        let stroke = Stroke::new(1.5, self.palette.zone_edge.0);
+        let middle = zone.center();
+        if zone.width() < space(6.0) {
+            return;
+        }
+        let dots = [pos2(middle.x, zone.top() + 4.0), pos2(middle.x, zone.bottom() - 4.0)];
+        self.painter.extend(eframe::egui::Shape::dotted_line(&dots, stroke.color, 6.0, 1.0));
+        let um = self.band.upper_um - self.band.lower_um;
+        let text = format!("{} µm", self.words.number(&format!("{}", (um * 1000.0).round() / 1000.0)));
+        self.dimension(zone.left(), zone.right(), middle.y, &text, self.palette.zone.0);
+    }
+
+    /// A dimension line between two places with its number in the middle, on a ground; without arrows where there is no room.
+    fn dimension(&self, from: f32, to: f32, y: f32, text: &str, ground: Color32) {
+        let colour = self.palette.zone_edge.0;
+        let stroke = Stroke::new(1.5, colour);
+        let (left, right) = (from.min(to), from.max(to));
+        self.painter.hline(left..=right, y, stroke);
+        if space(4.0) < right - left {
+            for (tip, along) in [(left, 1.0), (right, -1.0)] {
+                for across in [-3.5, 3.5] {
+                    self.painter.line_segment([pos2(tip, y), pos2(tip + along * 6.0, y + across)], stroke);
+                }
+            }
+        }
+        let galley = self.painter.layout_no_wrap(text.to_owned(), theme::bold(sizes().small), colour);
+        let rect = Align2::CENTER_CENTER.anchor_size(pos2(f32::midpoint(left, right), y), galley.size());
+        self.painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 2.0, ground);
         self.painter.galley(rect.min, galley, colour);
     }
 
@@ -256,58 +290,64 @@ impl Drawing<'_> {
         self.palette.of_status(Some(Status::ReMeasure)).0
     }
 
-    fn side(&self, rect: Rect, side: Side, anchor: Align2) {
+    /// A side of the zone, hatched, with its name where that has room beside the marker.
+    fn side(&self, rect: Rect, side: Side) {
         let (id, hatch, colour) = match side {
             Side::Rework => ("side-rework", Hatch::Single, self.palette.hatch_rework.0),
             Side::Scrap => ("side-scrap", Hatch::Cross, self.palette.hatch_scrap.0),
         };
-        shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.0, colour.gamma_multiply(0.55)));
-        let text = self.words.get(id);
-        let galley = self.painter.layout_no_wrap(text.clone(), theme::bold(sizes().body), self.palette.text.0);
-        if galley.size().x + space(4.0) < rect.width() {
-            let at = anchor.pos_in_rect(&rect.shrink(4.0));
-            let ground = anchor.anchor_size(at, galley.size()).expand(3.0);
-            self.painter.rect_filled(ground, 3.0, self.palette.surface.0);
-            self.painter.galley(anchor.anchor_size(at, galley.size()).min, galley, self.palette.text.0);
+        shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.2, colour));
+        let galley = self.painter.layout_no_wrap(self.words.get(id), theme::bold(sizes().small), self.palette.text.0);
+        let marker = match self.band.marker {
+            Some(Marker::InSight(um)) => Some(self.x(um)),
+            Some(Marker::BeyondLeft(_)) => Some(self.body.left() + space(12.0)),
+            Some(Marker::BeyondRight(_)) => Some(self.body.right() - space(12.0)),
+            None => None,
+        };
+        let ground = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), rect).expand2(vec2(6.0, 2.0));
+        let is_crossed = marker.is_some_and(|x| ground.expand2(vec2(space(2.0), 0.0)).x_range().contains(x));
+        if galley.size().x + space(5.0) < rect.width() && !is_crossed {
+            self.painter.rect_filled(ground, 6.0, self.palette.surface.0);
+            self.painter.galley(ground.center() - galley.size() / 2.0, galley, self.palette.text.0);
         }
     }
 
     fn marker(&self, marker: Marker, record: &Record, body: Rect) {
-        let deviation = record.verdict.size.deviation;
-        let said = format!("{} µm", Digits::of(record).signed_um(self.words, deviation));
         let colour = self.palette.text.0;
-        let size = space(4.0);
-        let tip = |x: f32| pos2(x, body.center().y);
+        let digits = Digits::of(record);
+        let value = digits.mm(self.words, record.measurement.diameter, 3);
         let triangle = |tip: Pos2, along: eframe::egui::Vec2| {
-            let across = vec2(-along.y, along.x) * 0.6;
+            let across = vec2(-along.y, along.x) * 0.7;
             let points = vec![tip, tip - along + across, tip - along - across];
-            self.painter.add(eframe::egui::epaint::PathShape::convex_polygon(
-                points,
-                colour,
-                Stroke::new(1.0, self.palette.surface.0),
-            ));
+            let edge = Stroke::new(1.0, self.palette.surface.0);
+            self.painter.add(eframe::egui::epaint::PathShape::convex_polygon(points, colour, edge));
+        };
+        let flag = |x: f32, text: &str| {
+            let galley =
+                self.painter.layout_no_wrap(text.to_owned(), theme::bold(sizes().body), self.palette.surface.0);
+            let size = galley.size() + vec2(20.0, 4.0);
+            let half = size.x / 2.0;
+            let x = x.clamp(self.frame.left() + half, (self.frame.right() - half).max(self.frame.left() + half));
+            let rect = Rect::from_min_size(pos2(x - half, body.bottom() + 8.0), size);
+            self.painter.rect_filled(rect, 6.0, colour);
+            self.painter.galley(rect.center() - galley.size() / 2.0, galley, self.palette.surface.0);
         };
         match marker {
             Marker::InSight(um) => {
                 let x = self.x(um);
-                self.painter.vline(x, body.y_range(), Stroke::new(2.0, colour));
-                triangle(tip(x), vec2(0.0, -size * 1.4));
+                let halo = Stroke::new(6.0, self.palette.surface.0);
+                self.painter.vline(x, body.y_range(), halo);
                 self.distances(x, record, body);
-                let frame = self.transform.frame();
-                self.text(pos2(x, frame.bottom()), Align2::CENTER_BOTTOM, &said, colour);
+                self.painter.vline(x, body.y_range().expand(4.0), Stroke::new(3.0, colour));
+                triangle(pos2(x, body.bottom()), vec2(0.0, -9.0));
+                flag(x, &value);
             }
-            Marker::BeyondLeft(_) => {
-                triangle(tip(body.left() + 2.0), vec2(-size * 1.6, 0.0));
-                self.label(tip(body.left() + size * 2.4), Align2::LEFT_CENTER, &said, (self.palette.surface.0, colour));
-            }
-            Marker::BeyondRight(_) => {
-                triangle(tip(body.right() - 2.0), vec2(size * 1.6, 0.0));
-                self.label(
-                    tip(body.right() - size * 2.4),
-                    Align2::RIGHT_CENTER,
-                    &said,
-                    (self.palette.surface.0, colour),
-                );
+            Marker::BeyondLeft(_) | Marker::BeyondRight(_) => {
+                let is_left = matches!(marker, Marker::BeyondLeft(_));
+                let (x, along) = if is_left { (body.left() + 2.0, -14.0) } else { (body.right() - 2.0, 14.0) };
+                triangle(pos2(x, body.center().y), vec2(along, 0.0));
+                let deviation = digits.signed_um(self.words, record.verdict.size.deviation);
+                flag(x, &format!("{value}  ({deviation} µm)"));
             }
         }
     }
@@ -315,35 +355,37 @@ impl Drawing<'_> {
     /// The distances that matter, as lines with their numbers: to both limits inside the zone, to the limit that is
     /// passed outside it.
     fn distances(&self, x: f32, record: &Record, body: Rect) {
-        let stroke = Stroke::new(1.5, self.palette.text.0);
         let size = &record.verdict.size;
         let is_outside = size.above_minimum < Length::ZERO || size.below_maximum < Length::ZERO;
         for (limit, distance, share) in [
-            (self.x(self.band.lower_um), size.above_minimum, FIRST_LINE),
-            (self.x(self.band.upper_um), size.below_maximum, 0.86),
+            (self.x(self.band.lower_um), size.above_minimum, 0.34),
+            (self.x(self.band.upper_um), size.below_maximum, 0.66),
         ] {
-            if is_outside && Length::ZERO <= distance {
+            if distance == Length::ZERO || (is_outside && Length::ZERO <= distance) {
                 continue;
             }
-            let y = body.top() + body.height() * share;
-            self.painter.hline(x.min(limit)..=x.max(limit), y, stroke);
-            self.painter.circle_filled(pos2(limit, y), 3.0, stroke.color);
             let text = format!("{} µm", Digits::of(record).um(self.words, distance.abs()));
-            let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), stroke.color);
-            // Beside the triangle, whose foot reaches down to the first line.
-            let has_room = galley.size().x + space(7.0) < (x - limit).abs();
-            if distance != Length::ZERO && (has_room || is_outside) {
-                // Outside the zone it stands on the zone's side of the limit where there is no room between.
-                let beside = if x < limit { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };
-                let (anchor, at) = if has_room {
-                    (Align2::CENTER_CENTER, f32::midpoint(x, limit))
-                } else {
-                    (beside, limit + (limit - x).signum() * space(2.0))
-                };
-                let at = anchor.anchor_size(pos2(at, y), galley.size());
-                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.surface.0);
-                self.painter.galley(at.min, galley, stroke.color);
+            let y = body.top() + body.height() * share;
+            let ground = if is_outside { self.palette.surface.0 } else { self.palette.zone.0 };
+            let width = self.painter.layout_no_wrap(text.clone(), theme::bold(sizes().small), ground).size().x;
+            if width + space(5.0) < (x - limit).abs() {
+                self.dimension(x, limit, y, &text, ground);
+            } else {
+                // Beside the limit where there is no room between: outside it, or on the far side within it.
+                self.dimension(x, limit, y, "", ground);
+                let is_left = if is_outside { limit < x } else { x < limit };
+                let anchor = if is_left { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
+                let beside = if is_outside { limit } else { x };
+                let at = pos2(beside + if is_left { -space(2.0) } else { space(2.0) }, y);
+                let galley = self.painter.layout_no_wrap(text, theme::bold(sizes().small), self.palette.zone_edge.0);
+                let rect = anchor.anchor_size(at, galley.size());
+                self.painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, self.palette.zone.0);
+                self.painter.galley(rect.min, galley, self.palette.zone_edge.0);
             }
         }
     }
+}
+
+fn galley_width(galley: &std::sync::Arc<eframe::egui::Galley>) -> f32 {
+    galley.size().x
 }

@@ -9,6 +9,7 @@ use super::rows_panel;
 use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::top_bar::export_ui;
 use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, heading, quiet, remembered};
 use crate::journal::Record;
@@ -59,6 +60,7 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
             ui.separator();
             filter_ui(ui, view);
             view.checkbox(ui, CheckAction::OnlyBad);
+            theme::looking(ui, theme::tonal, |ui| ui.menu_button(view.text("export"), |ui| export_ui(ui, view)));
             chosen_ui(ui, view);
         }
     });

@@ -27,7 +27,9 @@ mod status_panel;
 mod worth_lines;
 
 pub(super) use answer_panel::card as check_card;
-use eframe::egui::{Align, Layout, Ui, vec2};
+use std::ops::RangeInclusive;
+
+use eframe::egui::{Align, Frame, Layout, Panel, Ui, vec2};
 #[cfg(test)]
 pub(super) use history_list::COLUMNS as HISTORY;
 pub(super) use record_panel::recorded_ui;
@@ -37,75 +39,180 @@ pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
-use super::columns::{Page, Shape, Side, area_ui, bar_ui, column_ui, columns_ui, panel_ui, rest_ui};
-use super::keypad::keypad_ui;
+use super::columns::{Shape, Side, area_ui, bar_ui, column_ui, is_low, of_height, panel_ui, rest_ui};
+use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView, measurements};
 use super::theme::{Icon, space};
 use super::verdict_card::least_width;
 use super::view::View;
 
 /// From this width on there is room for the history beside everything else.
-const ULTRA_WIDE: f32 = 650.0;
+const ULTRA_WIDE: f32 = 620.0;
 
-/// From this width on the columns are wider, and the history is a table whatever the height.
-const WIDE: f32 = 400.0;
+/// From this width on the answer has a column of its own, with the history below it.
+const WIDE: f32 = 375.0;
+
+/// What the verdict takes of a column, so that nothing moves when it comes.
+const VERDICT: f32 = 69.0;
 
 pub(super) const PAGE: PageView =
     PageView { group: Group::Measure, icon: Icon::Ruler, ui: check_ui, dropped: measurements };
 
-/// The check page: left what is asked, middle what was seen, right the answer, bottom the earlier checks.
+/// The check page: left what is asked, right of it the band with the verdict, what else was seen, and the earlier checks.
 fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
-    let is_wide = space(WIDE) <= size.x;
-    let page = Page {
-        // Another size of window has widths and heights of its own.
-        name: if is_wide { "check-wide" } else { "check" },
-        left: if is_wide { space(85.0) } else { space(74.0) },
-        right: if is_wide { space(105.0) } else { space(88.0) },
-        head: None,
-        asked: asked_panel::asked_panel_ui,
-        seen: seen_ui,
-        seen_height: space(110.0),
-        verdict: |ui, view| answer_panel::answer_ui(ui, view),
-        least: least_width(ui, view),
-        answer: |ui, view| {
-            rows_panel::shown_row_ui(ui, view);
-            answer_panel::reasons_ui(ui, view);
-            ui.add_space(space(2.0));
-            status_panel::status_ui(ui, view);
-        },
-    };
-    if space(ULTRA_WIDE) <= size.x {
-        let sizes = (size.x * 0.3, space(150.0)..=size.x * 0.45);
-        panel_ui(ui, view, Side::Right, "history-beside", sizes, |ui, view| {
-            below_ui(ui, view, false);
+    let least = least_width(ui, view);
+    match Shape::of(ui, least) {
+        Shape::One => one_ui(ui, view),
+        _ if size.x * 1.3 < size.y => tall_ui(ui, view, least),
+        _ if space(WIDE) <= size.x && space(200.0) <= size.y => wide_ui(ui, view, least),
+        Shape::Two => narrow_ui(ui, view, least),
+        Shape::Three => desk_ui(ui, view, least),
+    }
+}
+
+fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
+    keypad_ui(ui, view);
+    column_ui(ui, "check-asked", |ui| asked_panel::asked_panel_ui(ui, view));
+}
+
+/// The width of the left column, and what the user may make of it.
+fn asked_sizes(ui: &Ui, view: &View<'_>, usual: f32, rest: f32) -> (f32, RangeInclusive<f32>) {
+    let least = space(61.0).max(keypad::width(view));
+    let most = (ui.available_width() - rest).max(least);
+    (usual.clamp(least, most), least..=most)
+}
+
+/// The verdict over all of its place.
+fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let height = ui.available_height();
+    answer_panel::answer_ui(ui, view, height);
+}
+
+/// A strip of the page over the width that is left, of a height that does not depend on what is in it.
+fn row_ui(ui: &mut Ui, view: &mut View<'_>, salt: &str, height: f32, content: impl FnOnce(&mut Ui, &mut View<'_>)) {
+    let panel = Panel::top(salt).resizable(false).exact_size(height).show_separator_line(false);
+    panel.frame(Frame::new().inner_margin(Side::Top.gap())).show(ui, |ui| {
+        ui.set_min_size(ui.available_size());
+        content(ui, view);
+    });
+}
+
+/// The desk: the band beside the verdict, below them what else was seen beside the control's window, then the history.
+fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
+    let sizes = asked_sizes(ui, view, space(68.0), least + space(90.0));
+    panel_ui(ui, view, Side::Left, "check-asked", sizes, asked_ui);
+    history_below_ui(ui, view);
+    let size = ui.available_size();
+    let verdict = least.max((size.x * 0.35).min(space(78.0)));
+    let sizes = (verdict, least..=(size.x * 0.6).max(least));
+    let row = space(VERDICT + 3.0);
+    if row + space(40.0) < size.y {
+        row_ui(ui, view, "check-answer", row, |ui, view| {
+            area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
+            rest_ui(ui, view, band_card_ui);
         });
+        panel_ui(ui, view, Side::Right, "check-status", sizes, status_card_ui);
+        rest_ui(ui, view, seen_ui);
     } else {
-        history_below_ui(ui, view, &page);
+        // Too low for two rows: the window of the control scrolls below the verdict.
+        area_ui(ui, view, Side::Right, "check-verdict", sizes, |ui, view| {
+            let height = (ui.available_height() * 0.66).min(space(VERDICT));
+            answer_panel::answer_ui(ui, view, height);
+            ui.add_space(space(1.0));
+            rest_ui(ui, view, status_card_ui);
+        });
+        rest_ui(ui, view, band_card_ui);
     }
-    if size.x * 1.3 < size.y && Shape::of(ui, page.least) != Shape::One {
-        return tall_ui(ui, view, &page);
+}
+
+/// A wide window: what is asked, what is seen, and the answer over the history.
+fn wide_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
+    if space(ULTRA_WIDE) <= ui.available_width() {
+        let all = ui.available_width();
+        let sizes = (all * 0.25, space(125.0)..=all * 0.45);
+        panel_ui(ui, view, Side::Right, "history-beside", sizes, |ui, view| below_ui(ui, view, false));
+        return columns_of_three_ui(ui, view, least, false);
     }
-    columns_ui(ui, view, &page);
+    columns_of_three_ui(ui, view, least, true);
+}
+
+/// Where the history has a column of its own, the control's window stands below the verdict.
+fn columns_of_three_ui(ui: &mut Ui, view: &mut View<'_>, least: f32, has_history: bool) {
+    let sizes = asked_sizes(ui, view, space(80.0), least + space(150.0));
+    panel_ui(ui, view, Side::Left, "check-asked-wide", sizes, asked_ui);
+    let answer = least.max(space(122.0));
+    let most = (ui.available_width() - space(100.0)).max(answer);
+    let row = space(94.0 + 3.0).min(ui.available_height() * 0.5);
+    area_ui(ui, view, Side::Right, "check-answer-wide", (answer, least..=most), |ui, view| {
+        row_ui(ui, view, "check-verdict-wide", row, verdict_ui);
+        if has_history {
+            rest_ui(ui, view, |ui, view| below_ui(ui, view, false));
+        } else {
+            rest_ui(ui, view, status_card_ui);
+        }
+    });
+    row_ui(ui, view, "check-band-wide", row, |ui, view| rest_ui(ui, view, band_card_ui));
+    if has_history {
+        let height = (space(64.0), space(40.0)..=ui.available_height() * 0.6);
+        panel_ui(ui, view, Side::Bottom, "check-status-wide", height, status_card_ui);
+    }
+    rest_ui(ui, view, seen_ui);
+}
+
+/// Two columns: the verdict above the band, the rest below it.
+fn narrow_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
+    history_below_ui(ui, view);
+    let sizes = asked_sizes(ui, view, space(65.0), least);
+    panel_ui(ui, view, Side::Left, "check-asked", sizes, asked_ui);
+    let height = if is_low(ui) { ui.available_height() * 0.46 } else { space(50.0) };
+    answer_panel::answer_ui(ui, view, height);
+    ui.add_space(space(1.0));
+    rest_ui(ui, view, |ui, view| {
+        column_ui(ui, "check-rest", |ui| {
+            of_height(ui, space(50.0).min(ui.available_height()), |ui| band_card_ui(ui, view));
+            status_card_ui(ui, view);
+            ui.separator();
+            of_height(ui, space(90.0), |ui| seen_ui(ui, view));
+        });
+    });
+}
+
+/// One column, the verdict above it.
+fn one_ui(ui: &mut Ui, view: &mut View<'_>) {
+    history_below_ui(ui, view);
+    let top = Panel::top("check-verdict-one").resizable(false).show_separator_line(false);
+    top.frame(Frame::new().inner_margin(Side::Top.gap())).show(ui, |ui| answer_panel::answer_ui(ui, view, 0.0));
+    rest_ui(ui, view, |ui, view| {
+        keypad_ui(ui, view);
+        column_ui(ui, "check-all", |ui| {
+            asked_panel::asked_panel_ui(ui, view);
+            ui.separator();
+            of_height(ui, space(50.0), |ui| band_card_ui(ui, view));
+            status_card_ui(ui, view);
+            ui.separator();
+            of_height(ui, space(90.0), |ui| seen_ui(ui, view));
+        });
+    });
 }
 
 /// The history over the width of the page: a table, or one line that unfolds where the window is small.
-fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
+fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     if view.session.check().shows_rows() {
         let share = if size.y < space(175.0) { 0.55 } else { 0.45 };
         let sizes = (size.y * share, space(50.0)..=(size.y * 0.7).max(space(50.0)));
-        return panel_ui(ui, view, Side::Bottom, (page.name, "rows"), sizes, |ui, view| below_ui(ui, view, false));
+        return panel_ui(ui, view, Side::Bottom, "check-rows", sizes, |ui, view| below_ui(ui, view, false));
     }
     let has_keypad = view.session.has_keypad() && size.y < space(230.0);
-    let folded = has_keypad || (size.x < space(300.0) && size.y < size.x * 1.3) || size.y < space(175.0);
+    let folded = has_keypad || (size.x < space(230.0) && size.y < size.x * 1.3) || size.y < space(150.0);
     if folded && !history_panel::is_unfolded(ui) {
         bar_ui(ui, view, Side::Bottom, "strip", history_panel::strip_ui);
         return;
     }
-    let share = if folded || size.x * 1.3 < size.y || space(WIDE) <= size.x { 0.38 } else { 0.24 };
+    let share = if folded || size.x * 1.3 < size.y { 0.38 } else { 0.32 };
     let sizes = (size.y * share, space(32.0)..=(size.y * 0.6).max(space(32.0)));
-    panel_ui(ui, view, Side::Bottom, (page.name, "history", folded), sizes, |ui, view| {
+    panel_ui(ui, view, Side::Bottom, ("check-history", folded), sizes, |ui, view| {
         below_ui(ui, view, folded);
     });
 }
@@ -120,31 +227,44 @@ fn below_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
 }
 
 /// A window on its side: the verdict beside the band, what is asked beside the rest.
-fn tall_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
-    let height = ui.available_height();
-    let sizes = (height * 0.4, height * 0.25..=height * 0.6);
-    area_ui(ui, view, Side::Top, "check-tall", sizes, |ui, view| {
+fn tall_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
+    history_below_ui(ui, view);
+    row_ui(ui, view, "check-tall", space(VERDICT), |ui, view| {
         let width = ui.available_width();
-        let sizes = (page.least.max(width * 0.5), page.least.max(width * 0.35)..=page.least.max(width * 0.65));
-        area_ui(ui, view, Side::Left, "check-tall-answer", sizes, |ui, view| (page.verdict)(ui, view));
-        rest_ui(ui, view, seen_ui);
+        let sizes = (least.max(width * 0.4), least..=least.max(width * 0.65));
+        area_ui(ui, view, Side::Right, "check-tall-answer", sizes, verdict_ui);
+        rest_ui(ui, view, band_card_ui);
     });
     let width = ui.available_width();
-    panel_ui(ui, view, Side::Left, "check-tall-asked", (width * 0.5, width * 0.35..=width * 0.65), |ui, view| {
-        keypad_ui(ui, view);
-        column_ui(ui, "check-tall-asked", |ui| (page.asked)(ui, view));
-    });
+    panel_ui(ui, view, Side::Left, "check-tall-asked", (width * 0.42, width * 0.35..=width * 0.65), asked_ui);
     rest_ui(ui, view, |ui, view| {
-        column_ui(ui, "check-tall-rest", |ui| (page.answer)(ui, view));
+        column_ui(ui, "check-tall-rest", |ui| {
+            status_card_ui(ui, view);
+            ui.separator();
+            of_height(ui, ui.available_height().max(space(70.0)), |ui| seen_ui(ui, view));
+        });
     });
 }
 
-/// The band; below it the contacts, or the last values where no contacts are known, or both where there is room.
+fn band_card_ui(ui: &mut Ui, view: &mut View<'_>) {
+    band_plot::band_ui(ui, view);
+}
+
+/// The control's window, and what the row of a large file says; scrolls where there is no room.
+fn status_card_ui(ui: &mut Ui, view: &mut View<'_>) {
+    column_ui(ui, "check-status", |ui| {
+        rows_panel::shown_row_ui(ui, view);
+        answer_panel::rest_of_card_ui(ui, view);
+        status_panel::status_ui(ui, view);
+    });
+}
+
+/// An imported lot; the contacts, or the last values where no contacts are known, or both where there is room.
 fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if let Some(lot) = view.session.check().lot.as_ref() {
+        answer_panel::lot_ui(ui, view, lot);
+    }
     let width = ui.available_width();
-    let height = ui.available_height();
-    band_plot::band_ui(ui, view, (height * 0.36).clamp(space(34.0), space(70.0)));
-    ui.separator();
     let has_contacts = contacts_plot::has_picture(view);
     if has_contacts && space(160.0) < width {
         let height = ui.available_height();

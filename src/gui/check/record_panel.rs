@@ -1,9 +1,10 @@
 //! What is recorded with the next checks, and what has become of the shown one.
 
-use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
+use eframe::egui::{Label, RichText, Ui};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::theme::{self, palette, sizes};
+use crate::gui::section::Section;
+use crate::gui::theme::{self, Icon, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::message;
 use crate::session::WindowAction;
@@ -11,7 +12,10 @@ use crate::session::{CheckField, Keeping, Recorded};
 
 /// Left: serial number and remark, and whether checks are recorded.
 pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
-    CollapsingHeader::new(view.text("records-page-fold")).id_salt("record").show_unindented(ui, |ui| {
+    let value = view.session.text(CheckField::Serial).trim().to_owned();
+    let is_wrong = [CheckField::Serial, CheckField::Remark].iter().any(|field| view.session.error(*field).is_some());
+    let section = Section { icon: Icon::NotePencil, name: "records-page-fold", value, is_wrong };
+    section.show(ui, view, |ui, view| {
         let width = ui.available_width();
         for (field, name) in [(CheckField::Serial, "records-page-serial"), (CheckField::Remark, "records-page-remark")]
         {

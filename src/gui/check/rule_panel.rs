@@ -1,11 +1,12 @@
 //! Left: what a measured value is worth. The decision rule, the uncertainty, what the process makes; the temperature.
 
-use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
+use eframe::egui::{Grid, Ui, vec2};
 
 use super::field_pairs::pairs_ui;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::material::material_ui;
-use crate::gui::theme::space;
+use crate::gui::section::Section;
+use crate::gui::theme::{Icon, space};
 use crate::gui::view::{View, one_of_ui, quiet};
 use crate::length::Length;
 use crate::message::{Message, message};
@@ -27,23 +28,26 @@ const OF_RULE: [CheckField; 6] = [
 const OF_TEMPERATURE: [CheckField; 4] =
     [CheckField::PartTemperature, CheckField::PartExpansion, CheckField::ScaleTemperature, CheckField::ScaleExpansion];
 
-/// The rule and the temperature, folded: their headers say what is in force.
+/// The rule and the temperature, folded: their rows say what is in force.
 pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let name = view.text(&name_id(worth(view).judging.rule));
-    let header = view.words.say(&message!("check-rule-header").text("rule", name));
-    // An error is never folded away.
     let is_wrong =
         |view: &View<'_>, fields: &[CheckField]| fields.iter().any(|field| view.session.error(*field).is_some());
-    let open = is_wrong(view, &OF_RULE).then_some(true);
-    CollapsingHeader::new(header).id_salt("rule").open(open).show_unindented(ui, |ui| rule_ui(ui, view));
+    let rule = Section {
+        icon: Icon::Scales,
+        name: "check-rule-section",
+        value: view.text(&name_id(worth(view).judging.rule)),
+        is_wrong: is_wrong(view, &OF_RULE),
+    };
+    rule.show(ui, view, rule_ui);
     let temperature = view.session.text(CheckField::PartTemperature).trim().to_owned();
-    let header = if temperature.is_empty() {
+    let value = if temperature.is_empty() {
         view.text("check-temperature-none")
     } else {
-        view.words.say(&message!("check-temperature-header").text("temperature", temperature))
+        view.words.say(&message!("check-temperature-is").text("temperature", temperature))
     };
-    let open = is_wrong(view, &OF_TEMPERATURE).then_some(true);
-    CollapsingHeader::new(header).id_salt("warm").open(open).show_unindented(ui, |ui| temperature_ui(ui, view));
+    let is_wrong = is_wrong(view, &OF_TEMPERATURE);
+    let icon = Icon::ThermometerSimple;
+    Section { icon, name: "check-temperature-section", value, is_wrong }.show(ui, view, temperature_ui);
 }
 
 const fn worth<'a>(view: &View<'a>) -> &'a RuleFields {

@@ -46,7 +46,7 @@ actions! {
     /// Writes the status window's text.
     ExportStatus;
     /// Chooses light, dark, or the system's setting.
-    UseTheme(Theme): [Theme::System, Theme::Light, Theme::Dark];
+    UseTheme(Theme): Theme::ALL;
     /// Chooses how high everything is that is pressed.
     UseDensity(Density): Density::ALL;
     /// Looks limits up in a source of the list.
@@ -120,6 +120,7 @@ impl Actions for WindowAction {
                     Theme::System => "theme-system",
                     Theme::Light => "theme-light",
                     Theme::Dark => "theme-dark",
+                    Theme::Contrast => "theme-contrast",
                 };
                 everywhere(text, Command::SetTheme(theme))
             }

@@ -1,0 +1,77 @@
+//! A part of a card that is folded away: its row says what is in force.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::collapsing_header::CollapsingState;
+use eframe::egui::{Align2, Color32, Id, Sense, Stroke, StrokeKind, TextWrapMode, Ui, WidgetInfo, WidgetText, vec2};
+
+use super::theme::{self, Icon, Weight, control, palette, sizes, space};
+use super::view::View;
+use crate::message::message;
+
+/// The row of a part that is folded away.
+pub(super) struct Section<'a> {
+    pub icon: Icon,
+    /// The text that names it.
+    pub name: &'a str,
+    /// What is in force; nothing where that says nothing.
+    pub value: String,
+    /// Whether something in it is wrong: that is never folded away.
+    pub is_wrong: bool,
+}
+
+impl Section<'_> {
+    /// The row, and below it the part where it is open.
+    pub fn show(&self, ui: &mut Ui, view: &mut View<'_>, content: impl FnOnce(&mut Ui, &mut View<'_>)) {
+        let id = Id::unique(("section", self.name));
+        let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, false);
+        if self.is_wrong {
+            state.set_open(true);
+        }
+        let name = view.text(self.name);
+        let said = match self.value.as_str() {
+            "" => name.clone(),
+            value => view.words.say(&message!("section-said").text("name", &name).text("value", value)),
+        };
+        if self.row_ui(ui, (&name, &said), state.is_open()) {
+            state.toggle(ui);
+        }
+        state.show_body_unindented(ui, |ui| {
+            ui.add_space(space(1.0));
+            content(ui, view);
+            ui.add_space(space(2.0));
+        });
+        state.store(ui.ctx());
+    }
+
+    /// Returns whether it was pressed.
+    fn row_ui(&self, ui: &mut Ui, (name, said): (&str, &str), is_open: bool) -> bool {
+        let palette = palette(ui.ctx());
+        let size = vec2(ui.available_width(), control(ui).max(space(8.5)));
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        let painter = ui.painter();
+        let fill = if response.hovered() { palette.hover.0 } else { Color32::TRANSPARENT };
+        painter.rect_filled(rect.expand2(vec2(space(1.0), 0.0)), 8.0, fill);
+        if response.has_focus() {
+            let ring = Stroke::new(2.0, palette.focus.0);
+            painter.rect_stroke(rect.expand2(vec2(space(1.0), 0.0)), 8.0, ring, StrokeKind::Inside);
+        }
+        let left = rect.left_center();
+        self.icon.paint(painter, left + vec2(space(2.5), 0.0), Weight::Regular, space(4.75), palette.text.0);
+        let caret = if is_open { Icon::CaretDown } else { Icon::CaretRight };
+        caret.paint(painter, rect.right_center() - vec2(space(1.5), 0.0), Weight::Bold, space(3.0), palette.text.0);
+        let name = painter.layout_no_wrap(name.to_owned(), theme::font(sizes().body), palette.text.0);
+        let at = left + vec2(space(6.5), 0.0);
+        let room = rect.width() - space(6.5) - name.size().x - space(6.0);
+        painter.galley(Align2::LEFT_CENTER.anchor_size(at, name.size()).min, name, palette.text.0);
+        if space(8.0) < room && !self.value.is_empty() {
+            let font = theme::font(sizes().small);
+            let value = WidgetText::from(self.value.as_str());
+            let value = value.into_galley(ui, Some(TextWrapMode::Truncate), room, font);
+            let at = rect.right_center() - vec2(space(4.0), 0.0);
+            let at = Align2::RIGHT_CENTER.anchor_size(at, value.size()).min;
+            ui.painter().galley(at, value, palette.quiet.0);
+        }
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, said));
+        response.on_hover_text(said).clicked()
+    }
+}
