@@ -28,7 +28,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
         Modal::new(Id::unique("columns-panel")).show(ui, |ui| columns_ui(ui, view, open));
     } else if let Some(working) = session.working() {
         let title = view.text("working");
-        fixed_window("working", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| {
+        fixed_window("working", title, Align2::RIGHT_BOTTOM, vec2(-space(5.0), -space(5.0))).show(ui, |ui| {
             ui.set_max_width(space(150.0));
             working_ui(ui, view, working);
         });

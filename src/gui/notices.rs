@@ -1,27 +1,60 @@
-//! The list of notices: what happened, and what can be done about it. The oldest one is shown until it is closed.
+//! The list of notices: what happened, and what can be done about it. The oldest one is shown in the corner: a problem until it is
+//! closed, anything else for some seconds.
 
-use eframe::egui::{Align2, Button, ScrollArea, Ui, vec2};
+use std::time::Duration;
+
+use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
 
 use super::over_page::fixed_window;
 use super::theme::{control, sizes, space};
 use super::view::{View, problem, quiet};
-use crate::session::{Notice, WindowAction};
+use crate::session::{Command, Notice, WindowAction};
 use crate::text::Within as _;
 
 pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
     let Some(notice) = view.session.notices().first().cloned() else { return };
     let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
-    fixed_window("notice", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| notice_ui(ui, view, &notice));
+    let shown = fixed_window("notice", title, Align2::RIGHT_BOTTOM, vec2(-space(5.0), -space(5.0)))
+        .title_bar(notice.is_problem)
+        .show(ui, |ui| notice_ui(ui, view, &notice));
+    let is_looked_at = shown.is_some_and(|shown| shown.response.contains_pointer());
+    if !notice.is_problem && !is_looked_at {
+        leave_in_time(ui, view, &notice);
+    }
+}
+
+/// How long a notice stays that asks for nothing, seconds.
+const STAYS: f64 = 6.0;
+
+/// Closes a notice that has been there long enough, unless somebody is at its buttons.
+fn leave_in_time(ui: &Ui, view: &mut View<'_>, notice: &Notice) {
+    let now = ui.input(|input| input.time);
+    let id = Id::unique("notice-since");
+    let this = (view.session.notices().len(), view.words.say(&notice.message));
+    let kept: Option<(f64, (usize, String))> = ui.data(|data| data.get_temp(id));
+    let since = match kept {
+        Some((since, which)) if which == this => since,
+        _ => {
+            ui.data_mut(|data| data.insert_temp(id, (now, this)));
+            now
+        }
+    };
+    let left = since + STAYS - now;
+    if left <= 0.0 {
+        view.send(Command::Close);
+    } else {
+        ui.ctx().request_repaint_after(Duration::from_secs_f64(left));
+    }
 }
 
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     ui.set_max_width(space(150.0));
     let text = view.words.say(&notice.message);
     if notice.is_problem {
-        problem(ui, text)
+        problem(ui, text);
     } else {
-        ui.label(text)
-    };
+        ui.label(text);
+    }
     if !notice.details.is_empty() {
         ScrollArea::vertical().max_height(space(60.0)).show_rows(
             ui,

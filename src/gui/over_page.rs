@@ -1,10 +1,10 @@
 //! What lies over a page: its title, its window, and when it is new.
 
-use eframe::egui::{Align2, Id, Ui, Window, vec2};
+use eframe::egui::{Align2, Id, Ui, Vec2, Window};
 
-/// A window that cannot be moved, at a distance below its anchor.
-pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, below: f32) -> Window<'static> {
-    let window = Window::new(title).id(Id::unique(id)).anchor(anchor, vec2(0.0, below));
+/// A window that cannot be moved, at a distance from its anchor.
+pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, from: Vec2) -> Window<'static> {
+    let window = Window::new(title).id(Id::unique(id)).anchor(anchor, from);
     window.collapsible(false).resizable(false)
 }
 

@@ -198,6 +198,8 @@ fn word_ui(ui: &mut Ui, card: &Card, setting: &Setting, colour: Color32) {
     if setting.is_beside {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = space(3.0);
+            // The row has its height before anything is in it: both stand on one middle line.
+            ui.set_min_height(setting.word * 1.33);
             shape_ui(ui);
             ui.add(Label::new(text).extend());
         });

@@ -205,7 +205,7 @@ fn the_rows_of_a_large_file_are_not_exported_as_the_history() {
 #[test]
 fn a_budget_of_the_template_is_used_by_no_check() {
     let mut page = window();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
     page.run();
     page.key_press_modifiers(Modifiers::COMMAND, Key::N);
     page.run();

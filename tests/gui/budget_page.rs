@@ -32,7 +32,7 @@ fn send(window: &mut Harnessed, command: impl Into<Command>) {
 /// The page, opened by its key.
 fn open(window: Window) -> Harnessed {
     let mut page = window.open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
     page.run();
     page
 }

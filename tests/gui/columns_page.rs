@@ -83,7 +83,7 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     drop(page);
 
     let mut page = Window { files: Vec::new(), ..window_of(folder.path(), DESK) }.open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
     page.run();
     press(&mut page, Key::Escape);
     dropped(&mut page, folder.path(), "c.csv", ODD);

@@ -19,7 +19,7 @@ use crate::pictures::can_paint;
 /// The page, opened by its key.
 fn open(window: Window) -> Harness<'static, App> {
     let mut harness = window.open();
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num3);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
     harness.run();
     assert_eq!(harness.state().session().page(), Page::Cycles);
     harness

@@ -90,7 +90,7 @@ fn a_page_is_open_before_the_next_key() {
     let mut window = window();
     let mut events = vec![Event::Text("25 H7".to_owned())];
     let key = |pressed| Event::Key {
-        key: Key::Num2,
+        key: Key::Num4,
         physical_key: None,
         pressed,
         repeat: false,
@@ -109,7 +109,7 @@ fn a_page_is_open_before_the_next_key() {
 
 #[test]
 fn hole_and_shaft_of_a_fit_are_two_fields() {
-    let mut window = page(Key::Num2);
+    let mut window = page(Key::Num4);
     scan(&mut window, "25 H7/g6");
     focus(&mut window, "Measured hole");
     scan(&mut window, "25.010⇥24.990");
@@ -119,8 +119,8 @@ fn hole_and_shaft_of_a_fit_are_two_fields() {
 
 #[test]
 fn parameters_of_a_cycle_are_a_field_each() {
-    let mut slow = page(Key::Num3);
-    let mut fast = page(Key::Num3);
+    let mut slow = page(Key::Num7);
+    let mut fast = page(Key::Num7);
     for typed in ["35", "⇥", "45", "⇥", "8", "⇥", "0", "⇥", "90", "⏎"] {
         scan(&mut slow, typed);
     }
@@ -177,7 +177,7 @@ fn cells_of_a_plan_are_typed_one_after_the_other() {
 
 #[test]
 fn a_budget_is_typed_with_its_line_breaks() {
-    let mut page = page(Key::Num7);
+    let mut page = page(Key::Num9);
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, BudgetCommand::Edit(String::new()).into());
     page.run();

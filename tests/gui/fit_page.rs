@@ -16,7 +16,7 @@ use crate::pictures::can_paint;
 /// The fit page, opened by its key.
 fn open(window: Window) -> Harness<'static, App> {
     let mut harness = window.open();
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Num4);
     harness.run();
     harness
 }

@@ -43,7 +43,7 @@ fn press_ctrl(window: &mut Harness<'_, App>, key: Key) {
 /// The pairing page, opened by its key.
 fn page(window: Window) -> Harness<'static, App> {
     let mut window = window.open();
-    press_ctrl(&mut window, Key::Num6);
+    press_ctrl(&mut window, Key::Num5);
     window
 }
 
@@ -199,7 +199,7 @@ fn checks_of_the_history_are_parts() {
     let mut window = Window::default().open();
     crate::harness::check(&mut window, "25 H7", "25.012");
     crate::harness::check(&mut window, "25 g6", "24.990");
-    press_ctrl(&mut window, Key::Num6);
+    press_ctrl(&mut window, Key::Num5);
     type_into(&mut window, FIELD, "25 H7/g6");
     click(&mut window, Role::Button, "Holes of the history");
     click(&mut window, Role::Button, "Shafts of the history");

@@ -58,7 +58,7 @@ fn arrows_choose_and_a_click_does_what_an_entry_stands_for() {
 #[test]
 fn escape_closes_it_and_the_keys_of_the_page_are_not_heard_meanwhile() {
     let mut window = opened();
-    window.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Num4);
     window.run();
     assert_eq!(window.state().session().page(), Page::Check);
     press(&mut window, Key::Escape);
@@ -66,7 +66,7 @@ fn escape_closes_it_and_the_keys_of_the_page_are_not_heard_meanwhile() {
     // The keys are where they were before.
     scan(&mut window, "12 g6");
     assert_eq!(window.state().session().text(CheckField::Callout), "12 g6");
-    window.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Num4);
     window.run();
     assert_eq!(window.state().session().page(), Page::Fit);
 }

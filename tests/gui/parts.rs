@@ -103,7 +103,7 @@ fn a_broken_part_is_refused_with_its_place_and_cycles_refuses_every_part() {
     let part = folder.path().join("part.toml");
     put(&part, "[[feature]]\nname = \"A1\"\nkind = \"bore\"\ncentre = [40, 30]\n");
     let mut page = Window::default().open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num5);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num8);
     page.run();
     click(&mut page, Role::ComboBox, "Workpiece");
     click(&mut page, Role::Button, "part of several features");
@@ -112,7 +112,7 @@ fn a_broken_part_is_refused_with_its_place_and_cycles_refuses_every_part() {
     page.get_by_label_contains("line 1, column 1");
     press(&mut page, Key::Escape);
     put(&part, "[[feature]]\nname = \"A1\"\nkind = \"bore\"\ncentre = [40, 30]\ndiameter = 25\n");
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num3);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
     page.run();
     page.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(part)));
     page.run();

@@ -299,7 +299,7 @@ fn the_words_that_a_cell_may_have_are_offered_below_it() {
 #[test]
 fn without_a_plan_there_are_buttons_where_the_text_is() {
     let mut page = Window::default().open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
     page.run();
     click(&mut page, Role::Button, "Plan");
     page.get_by_label("No plan yet: open or create one.");

@@ -21,7 +21,7 @@ type Harnessed = Harness<'static, App>;
 
 fn open(window: Window) -> Harnessed {
     let mut page = window.open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num5);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num8);
     page.run();
     assert_eq!(page.state().session().page(), Page::Program);
     page

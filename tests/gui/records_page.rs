@@ -84,7 +84,7 @@ fn a_check_has_its_number_once_it_is_on_disk_and_is_there_after_a_restart() {
     assert_eq!(again.state().session().notices(), []);
     check(&mut again, "25 H7", "25.010");
     again.get_by_label("Record 5");
-    press_ctrl(&mut again, Key::Num8);
+    press_ctrl(&mut again, Key::Num3);
     assert_eq!(again.state().session().page(), Page::Records);
     let listed = rows(&again);
     assert_eq!(listed.len(), 4);
@@ -120,7 +120,7 @@ fn a_question_is_typed_and_its_words_have_buttons() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = at(folder.path()).open();
     three(&mut window);
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     press_ctrl(&mut window, Key::F);
     type_into(&mut window, "Find", "flange");
     assert_eq!(rows(&window).len(), 2);
@@ -154,7 +154,7 @@ fn keys_walk_the_list_and_enter_opens_a_record_with_its_reasoning() {
     send(&mut window, RecordsCommand::UseName("Anna".to_owned()));
     check(&mut window, "25 H7", "24.998");
     check(&mut window, "25 H7", "25.001");
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     press(&mut window, Key::ArrowDown);
     assert!(cursor(&window).starts_with("Record 3"), "{}", cursor(&window));
     press(&mut window, Key::ArrowDown);
@@ -185,7 +185,7 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = at(folder.path()).open();
     three(&mut window);
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     let first = rows(&window)[2].clone();
     window.get_by_label(&first).click();
     window.run();
@@ -232,7 +232,7 @@ fn what_a_record_asked_for_is_measured_again() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = at(folder.path()).open();
     three(&mut window);
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     let first = rows(&window)[2].clone();
     window.get_by_label(&first).click();
     window.run();
@@ -250,7 +250,7 @@ fn the_chain_is_walked_and_the_answer_has_its_date() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = at(folder.path()).open();
     three(&mut window);
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     click(&mut window, Role::Button, "Verify");
     window.get_by_label_contains("2026-11-21 10:42:07: 4 entries verified, up to 4");
 }
@@ -398,7 +398,7 @@ fn without_a_folder_nothing_is_recorded_and_the_page_says_so() {
     let mut window = Window::default().open();
     check(&mut window, "25 H7", "25.012");
     assert_eq!(window.state().session().check_recorded(), None);
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     window.get_by_label("Checks are not recorded: there is no data folder for them");
 }
 
@@ -408,7 +408,7 @@ fn the_state_file_turns_recording_off_or_names_another_journal() {
     let state = folder.path().join("state.toml");
     fitcheck::files::write(&state, b"version = 1\n[records]\noff = true\n").unwrap();
     let mut window = Window { store: Store::at(&state), ..at(folder.path()) }.open();
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     window.get_by_label("Checks are not recorded: recording is turned off in the state file");
     drop(window);
     let other = folder.path().join("other.sqlite");
@@ -429,7 +429,7 @@ fn page(count: u64, slow: Duration) -> (Harness<'static, App>, Fake) {
     let fake = Fake::of(count, slow);
     let records = Records { always_threads: true, ..records(fake.clone(), Path::new("/nowhere")) };
     let mut window = Window { records, ..Window::default() }.open();
-    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::Num3);
     (window, fake)
 }
 

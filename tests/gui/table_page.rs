@@ -24,7 +24,7 @@ fn page() -> Page {
 
 fn open(window: Window) -> Page {
     let mut page = window.open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num4);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num6);
     page.run();
     page
 }
@@ -348,7 +348,7 @@ fn the_check_page_follows_a_table_that_is_used_for_limits() {
 fn enter_in_a_field_of_the_page_measures_nothing() {
     let mut page = window();
     type_into(&mut page, "Callout", "25 H7");
-    key(&mut page, Modifiers::COMMAND, Key::Num4);
+    key(&mut page, Modifiers::COMMAND, Key::Num6);
     for name in ["Filter", "Upper", "Classes, such as H7 K7 P9"] {
         type_into(&mut page, name, "7");
         key(&mut page, Modifiers::NONE, Key::Enter);

@@ -39,7 +39,7 @@ fn program(folder: &Path, tool: &str) -> PathBuf {
 /// The program page with that program, on a hole of a diameter.
 fn page(folder: &Path, tool: &str, diameter: &str) -> Harnessed {
     let mut page = Window::default().open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num5);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num8);
     page.run();
     page.key_press_modifiers(Modifiers::COMMAND, Key::O);
     page.run();
@@ -179,7 +179,7 @@ fn a_file_that_is_no_tool_table_is_refused_with_its_place() {
 #[test]
 fn the_form_of_a_cycle_picks_its_tool_from_the_table() {
     let mut page = Window::default().open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num3);
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
     page.run();
     click(&mut page, Role::ComboBox, "Cycle");
     click(&mut page, Role::Button, "427  MEASURE COORDINATE");

@@ -238,7 +238,7 @@ fn a_watched_folder_is_watched_again_after_a_restart_and_by_one_window_alone() {
     until(&mut page, |_| std::fs::read_to_string(&state).is_ok_and(|text| text.contains("drops")));
     let window = || Window { files: Vec::new(), ..window_of(folder.path(), DESK) };
     let mut other = window().open();
-    other.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    other.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
     other.run();
     until(&mut other, |other| other.query_by_label_contains("another program watches this folder").is_some());
     // The folder is free when the first one is gone.

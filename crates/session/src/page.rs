@@ -1,28 +1,28 @@
 //! The pages of the window: one line each, from which everything follows that has to name every page.
 
-/// Hands the pages to a macro, a line each, in the order of the top bar: what the page is for, its variant, its folder, its state, its
+/// Hands the pages to a macro, a line each, in the order of the rail: what the page is for, its variant, its folder, its state, its
 /// commands, its text fields, its actions, and its name.
 macro_rules! pages {
     ($make:ident) => {
         $make! {
             /// One part: good, rework or scrap.
             Check: check, CheckPage, CheckCommand, CheckField, CheckAction, "page-check";
-            /// Hole against shaft.
-            Fit: fit, FitPage, FitCommand, FitField, FitAction, "page-fit";
-            /// Measuring cycles.
-            Cycles: cycles, CyclesPage, CyclesCommand, CycleField, CyclesAction, "page-cycles";
-            /// Tables of deviations.
-            Tables: tables, TablesPage, TablesCommand, TablesField, TablesAction, "page-tables";
-            /// NC programs.
-            Program: program, ProgramPage, ProgramCommand, ProgramField, ProgramAction, "page-program";
-            /// Measured holes against measured shafts.
-            Pairing: pairing, PairingPage, PairingCommand, PairingField, PairingAction, "page-pairing";
-            /// Uncertainty budgets.
-            Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget";
-            /// Everything that was recorded.
-            Records: records, RecordsPage, RecordsCommand, RecordsField, RecordsAction, "page-records";
             /// Plans of whole parts, and the walk through them.
             Parts: parts, PartsPage, PartsCommand, PartsField, PartsAction, "page-parts";
+            /// Everything that was recorded.
+            Records: records, RecordsPage, RecordsCommand, RecordsField, RecordsAction, "page-records";
+            /// Hole against shaft.
+            Fit: fit, FitPage, FitCommand, FitField, FitAction, "page-fit";
+            /// Measured holes against measured shafts.
+            Pairing: pairing, PairingPage, PairingCommand, PairingField, PairingAction, "page-pairing";
+            /// Tables of deviations.
+            Tables: tables, TablesPage, TablesCommand, TablesField, TablesAction, "page-tables";
+            /// Measuring cycles.
+            Cycles: cycles, CyclesPage, CyclesCommand, CycleField, CyclesAction, "page-cycles";
+            /// NC programs.
+            Program: program, ProgramPage, ProgramCommand, ProgramField, ProgramAction, "page-program";
+            /// Uncertainty budgets.
+            Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget";
         }
     };
 }
@@ -38,7 +38,7 @@ macro_rules! page {
         }
 
         impl Page {
-            /// Every page in the order of the top bar.
+            /// Every page in the order of the rail.
             pub const ALL: [Self; [$($name),+].len()] = [$(Self::$page),+];
 
             /// The id of its name.

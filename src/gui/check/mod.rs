@@ -205,7 +205,7 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
         return panel_ui(ui, view, Side::Bottom, "check-rows", sizes, |ui, view| below_ui(ui, view, false));
     }
     let has_keypad = view.session.has_keypad() && size.y < space(230.0);
-    let folded = has_keypad || (size.x < space(230.0) && size.y < size.x * 1.3) || size.y < space(150.0);
+    let folded = has_keypad || size.x < space(150.0) || size.y < space(150.0);
     if folded && !history_panel::is_unfolded(ui) {
         bar_ui(ui, view, Side::Bottom, "strip", history_panel::strip_ui);
         return;

@@ -1,6 +1,6 @@
 //! An NC block, typed or pasted, that fills the form.
 
-use eframe::egui::{Align2, Button, Id, TextEdit, Ui, vec2};
+use eframe::egui::{Align2, Button, Id, TextEdit, Ui, Vec2, vec2};
 
 use crate::gui::over_page::{fixed_window, just_opened};
 use crate::gui::theme::{self, control, sizes, space};
@@ -11,7 +11,7 @@ use crate::session::CyclesCommand;
 /// The window, where it is open.
 pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
     let Some(mut text) = view.session.cycles().block.as_deref().map(str::to_owned) else { return };
-    fixed_window("cycle-block", view.text("cycles-block"), Align2::CENTER_CENTER, 0.0).show(ui, |ui| {
+    fixed_window("cycle-block", view.text("cycles-block"), Align2::CENTER_CENTER, Vec2::ZERO).show(ui, |ui| {
         ui.set_width(space(140.0));
         let name = quiet(ui, view.text("cycles-block-hint"));
         let id = Id::unique("cycle-block-text");

@@ -1,6 +1,6 @@
 //! The dialog of the simulated workpiece: surface, probe, scatter, temperature, all from one seed and one file.
 
-use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
+use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, Vec2, vec2};
 
 use super::parameter_row::figure_ui;
 use crate::gui::columns::follow_focus;
@@ -19,7 +19,7 @@ pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
     }
     let size = ui.ctx().content_rect().size();
     let window =
-        fixed_window("workpiece", view.text("simulated-workpiece"), Align2::CENTER_CENTER, 0.0).show(ui, |ui| {
+        fixed_window("workpiece", view.text("simulated-workpiece"), Align2::CENTER_CENTER, Vec2::ZERO).show(ui, |ui| {
             ui.set_width((size.x * 0.9).min(space(200.0)));
             ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| {
                 content_ui(ui, view);

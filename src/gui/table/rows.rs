@@ -84,8 +84,7 @@ pub(super) fn rows_ui<K: Copy + Debug + Hash>(
 ) {
     for (at, row) in rows.into_iter().enumerate() {
         let rect = first.translate(vec2(0.0, times(first.height(), at)));
-        let is_odd = (seen.places.start + at) % 2 == 1;
-        row_ui(ui, view, declared, (rect, is_odd), row, seen);
+        row_ui(ui, view, declared, rect, row, seen);
     }
 }
 
@@ -93,13 +92,13 @@ fn row_ui<K: Copy + Debug + Hash>(
     ui: &Ui,
     view: &View<'_>,
     (table, across): (&Table<'_>, &Across),
-    (rect, is_odd): (Rect, bool),
+    rect: Rect,
     row: Row<K>,
     seen: &mut Seen<K>,
 ) {
-    ground(ui, rect, &row, is_odd);
     // Not focusable: the table is one stop for Tab.
     let response = ui.interact(rect, table.id.with(row.key), Sense::CLICK);
+    ground(ui, rect, &row, response.hovered());
     response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &row.said));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_selected(row.is_cursor));
     if row.is_cursor {
@@ -141,13 +140,12 @@ fn row_ui<K: Copy + Debug + Hash>(
     }
 }
 
-/// Every other row is darker; what is shown, and where the keys are, stands out.
-fn ground<K>(ui: &Ui, rect: Rect, row: &Row<K>, is_odd: bool) {
+/// What is shown, where the keys are, and what is under the pointer stands out.
+fn ground<K>(ui: &Ui, rect: Rect, row: &Row<K>, is_hovered: bool) {
     let palette = palette(ui.ctx());
-    let ground = match (row.is_open, row.is_cursor, is_odd) {
+    let ground = match (row.is_open, row.is_cursor, is_hovered) {
         (true, ..) => Some(palette.tint.0),
-        (_, true, _) => Some(palette.surface.0),
-        (_, _, true) => Some(palette.sunken.0),
+        (_, true, _) | (_, _, true) => Some(palette.hover.0),
         _ => None,
     };
     if let Some(ground) = ground {
@@ -201,16 +199,19 @@ fn verdict(
     word: Option<&str>,
 ) {
     let (rect, corner) = match word {
-        Some(_) => {
-            let size = vec2((cell.width() - 2.0 * PAD).min(space(62.0)), cell.height().min(space(7.0)));
-            (Rect::from_min_size(cell.left_center() + vec2(PAD, -size.y / 2.0), size), 3.0)
+        Some(word) => {
+            let height = cell.height().min(space(6.0));
+            let font = theme::bold(sizes().small);
+            let text = painter.layout_no_wrap(word.to_owned(), font, colour).size().x;
+            let size = vec2((height + text + space(2.5)).min(cell.width() - 2.0 * PAD), height);
+            (Rect::from_min_size(cell.left_center() + vec2(PAD, -size.y / 2.0), size), 6.0)
         }
         None => (Rect::from_center_size(cell.center(), vec2(space(5.0), space(5.0))), 2.0),
     };
     painter.rect_filled(rect, corner, fill);
     if let Some(word) = word {
         let (shape, text) = rect.split_left_right_at_x(rect.left() + rect.height());
-        shapes::status(painter, shape.shrink(space(1.75)), status, colour);
+        shapes::status(painter, shape.shrink(space(1.25)), status, colour);
         text_ui(painter, text.shrink2(vec2(2.0, 0.0)), word, &theme::bold(sizes().small), colour);
     } else {
         shapes::status(painter, rect.shrink(1.0), status, colour);
