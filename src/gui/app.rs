@@ -11,6 +11,7 @@ use super::errands::Errands;
 use super::in_turn::InTurn;
 use super::journal::Records;
 use super::keeping::Keeper;
+use super::notices::leave_in_time;
 use super::pages::{dropped_ui, page_of};
 use super::rail::rail_ui;
 use super::store::Store;
@@ -43,6 +44,8 @@ pub struct Setup {
     pub records: Records,
     /// What is told at once.
     pub told: Vec<Message>,
+    /// How long a notice stays that asks for nothing, seconds; `None` is until it is closed.
+    pub notices_stay: Option<f64>,
 }
 
 impl Setup {
@@ -60,6 +63,7 @@ impl Setup {
             files: Vec::new(),
             records: Records::of_user(),
             told: files::zone().err().map(|error| error.message()).into_iter().collect(),
+            notices_stay: Some(6.0),
         }
     }
 }
@@ -73,6 +77,7 @@ pub struct App {
     runner: Runner,
     keeper: Keeper,
     clock: fn() -> DateTime,
+    notices_stay: Option<f64>,
     first_frame: bool,
     /// The user was asked and closes the window.
     leaves: bool,
@@ -113,6 +118,7 @@ impl App {
             keeper: Keeper::new(store, session.saved()),
             session,
             clock: setup.clock,
+            notices_stay: setup.notices_stay,
             first_frame: true,
             leaves: false,
             closes: None,
@@ -227,6 +233,9 @@ impl eframe::App for App {
             view.send(Command::Touched(is_touched));
         }
         window_ui(ui, &mut view);
+        if let Some(stays) = self.notices_stay {
+            leave_in_time(ui, &mut view, stays);
+        }
         let commands = view.commands;
         if self.first_frame {
             self.first_frame = false;

@@ -5,16 +5,19 @@ use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Strok
 
 use super::columns::is_low;
 use super::shapes;
-use super::theme::{self, palette, space};
+use super::theme::{self, palette};
 use super::view::live;
 
 /// Around the text of a card.
 pub(super) const MARGIN: i8 = 12;
 
+/// Below this width of the window what is in a card comes closer to its edges.
+const NARROW: f32 = 1_100.0;
+
 /// The ground of a part of a page.
 pub(super) fn page_frame(ui: &Ui) -> Frame {
     let palette = palette(ui.ctx());
-    let is_small = is_low(ui) || ui.available_width() < space(75.0);
+    let is_small = is_low(ui) || ui.ctx().content_rect().width() < NARROW;
     let frame = Frame::new().fill(palette.surface.0).stroke(Stroke::new(1.0, palette.line.0)).corner_radius(12.0);
     frame.inner_margin(Margin::same(if is_small { 8 } else { 16 }))
 }

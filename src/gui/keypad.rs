@@ -91,6 +91,9 @@ fn target(ui: &Ui) -> Option<Field> {
     last.filter(is_seen).or(Some(Field::Check(CheckField::Measured)).filter(is_seen))
 }
 
+/// The height of a key that a glove hits.
+const LEAST_KEY: f32 = 56.0;
+
 /// The width that a column needs for the keypad; nothing where it is switched off.
 pub(super) fn width(view: &View<'_>) -> f32 {
     if view.session.has_keypad() { shapes_width(4) } else { 0.0 }
@@ -106,7 +109,8 @@ pub(super) fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
         return;
     }
     give_focus(ui.ctx());
-    let room = ui.available_height() * 0.45;
+    // Keys for gloves first; then what is asked has room, too.
+    let room = (ui.available_height() * 0.45).max((LEAST_KEY * 4.0 + space(5.0)).min(ui.available_height() * 0.6));
     let panel = Panel::bottom("keypad").resizable(false).show_separator_line(false);
     panel.frame(Frame::new().inner_margin(Margin { top: 8, ..Margin::ZERO })).show(ui, |ui| {
         let field = target(ui);

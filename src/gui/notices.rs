@@ -14,23 +14,32 @@ use crate::text::Within as _;
 pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
     let Some(notice) = view.session.notices().first().cloned() else { return };
     let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
-    let shown = fixed_window("notice", title, Align2::RIGHT_BOTTOM, vec2(-space(5.0), -space(5.0)))
-        .title_bar(notice.is_problem)
-        .show(ui, |ui| notice_ui(ui, view, &notice));
+    let from = vec2(-space(5.0), -space(5.0));
+    let shown = fixed_window("notice", title, Align2::RIGHT_BOTTOM, from).title_bar(notice.is_problem);
+    let shown = shown.show(ui, |ui| notice_ui(ui, view, &notice));
     let is_looked_at = shown.is_some_and(|shown| shown.response.contains_pointer());
-    if !notice.is_problem && !is_looked_at {
-        leave_in_time(ui, view, &notice);
-    }
+    ui.data_mut(|data| data.insert_temp(looked_at_id(), is_looked_at));
 }
 
-/// How long a notice stays that asks for nothing, seconds.
-const STAYS: f64 = 6.0;
+fn looked_at_id() -> Id {
+    Id::unique("notice-looked-at")
+}
 
-/// Closes a notice that has been there long enough, unless somebody is at its buttons.
-fn leave_in_time(ui: &Ui, view: &mut View<'_>, notice: &Notice) {
+/// Closes a notice that is no problem once it has been there for some seconds, unless somebody is at its buttons or something lies over it.
+pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
+    let session = view.session;
+    let is_covered = session.is_leaving()
+        || session.asks_about().is_some()
+        || session.dialog().is_some()
+        || session.open_columns().is_some()
+        || session.working().is_some()
+        || session.palette.is_some();
+    let notice = session.notices().first().filter(|notice| !notice.is_problem && !is_covered);
+    let is_looked_at = ui.data(|data| data.get_temp(looked_at_id())) == Some(true);
+    let Some(notice) = notice.filter(|_| !is_looked_at) else { return };
     let now = ui.input(|input| input.time);
     let id = Id::unique("notice-since");
-    let this = (view.session.notices().len(), view.words.say(&notice.message));
+    let this = (session.notices().len(), view.words.say(&notice.message));
     let kept: Option<(f64, (usize, String))> = ui.data(|data| data.get_temp(id));
     let since = match kept {
         Some((since, which)) if which == this => since,
@@ -39,7 +48,7 @@ fn leave_in_time(ui: &Ui, view: &mut View<'_>, notice: &Notice) {
             now
         }
     };
-    let left = since + STAYS - now;
+    let left = since + stays - now;
     if left <= 0.0 {
         view.send(Command::Close);
     } else {

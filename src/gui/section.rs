@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Align2, Color32, Id, Sense, Stroke, StrokeKind, TextWrapMode, Ui, WidgetInfo, WidgetText, vec2};
+use eframe::egui::{Align2, Color32, Id, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::View;
@@ -46,7 +46,16 @@ impl Section<'_> {
     /// Returns whether it was pressed.
     fn row_ui(&self, ui: &mut Ui, (name, said): (&str, &str), is_open: bool) -> bool {
         let palette = palette(ui.ctx());
-        let size = vec2(ui.available_width(), control(ui).max(space(8.5)));
+        let text = |text: &str, size: f32, colour: Color32| {
+            ui.painter().layout_no_wrap(text.to_owned(), theme::font(size), colour)
+        };
+        let name = text(name, sizes().body, palette.text.0);
+        let value = text(&self.value, sizes().small, palette.quiet.0);
+        let beside = space(6.5) + name.size().x + space(6.0) + value.size().x;
+        // What is in force is said whole: below the name where there is no room beside it.
+        let is_below = ui.available_width() < beside && !self.value.is_empty();
+        let more = if is_below { value.size().y } else { 0.0 };
+        let size = vec2(ui.available_width(), control(ui).max(space(8.5)) + more);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         let painter = ui.painter();
         let fill = if response.hovered() { palette.hover.0 } else { Color32::TRANSPARENT };
@@ -59,18 +68,14 @@ impl Section<'_> {
         self.icon.paint(painter, left + vec2(space(2.5), 0.0), Weight::Regular, space(4.75), palette.text.0);
         let caret = if is_open { Icon::CaretDown } else { Icon::CaretRight };
         caret.paint(painter, rect.right_center() - vec2(space(1.5), 0.0), Weight::Bold, space(3.0), palette.text.0);
-        let name = painter.layout_no_wrap(name.to_owned(), theme::font(sizes().body), palette.text.0);
-        let at = left + vec2(space(6.5), 0.0);
-        let room = rect.width() - space(6.5) - name.size().x - space(6.0);
+        let at = left + vec2(space(6.5), -more / 2.0);
         painter.galley(Align2::LEFT_CENTER.anchor_size(at, name.size()).min, name, palette.text.0);
-        if space(8.0) < room && !self.value.is_empty() {
-            let font = theme::font(sizes().small);
-            let value = WidgetText::from(self.value.as_str());
-            let value = value.into_galley(ui, Some(TextWrapMode::Truncate), room, font);
-            let at = rect.right_center() - vec2(space(4.0), 0.0);
-            let at = Align2::RIGHT_CENTER.anchor_size(at, value.size()).min;
-            ui.painter().galley(at, value, palette.quiet.0);
-        }
+        let (anchor, at) = if is_below {
+            (Align2::LEFT_CENTER, left + vec2(space(6.5), space(2.5)))
+        } else {
+            (Align2::RIGHT_CENTER, rect.right_center() - vec2(space(4.0), 0.0))
+        };
+        painter.galley(anchor.anchor_size(at, value.size()).min, value, palette.quiet.0);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, said));
         response.on_hover_text(said).clicked()
     }

@@ -12,7 +12,7 @@ use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::message;
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, FilesCommand, Theme};
+use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
 use crate::session::{CheckAction, WindowAction};
 use crate::tolerance::Base;
 use crate::words::Language;
@@ -39,7 +39,7 @@ const AROUND: f32 = 12.0;
 pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     let palette = palette(ui.ctx());
     let is_low = ui.ctx().content_rect().height() < space(120.0);
-    let height = if is_low { control(ui) + space(1.0) } else { space(13.0) };
+    let height = if is_low { control(ui) + space(1.0) } else { space(13.0).max(control(ui) + space(2.0)) };
     let frame = Frame::new().fill(palette.surface.0).inner_margin(Margin::symmetric(if is_low { 8 } else { 16 }, 0));
     Panel::top("top").resizable(false).exact_size(height).frame(frame).show(ui, |ui| {
         ui.horizontal_centered(|ui| bar_ui(ui, view));
@@ -62,7 +62,7 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     let fits = |(fold, width): &(Fold, f32)| if *fold == Fold::Nothing { has_search(*width) } else { *width <= room };
     let fold = Fold::ALL.into_iter().zip(widths).find(fits).map_or(Fold::Who, |(fold, _)| fold);
     if fold == Fold::Nothing {
-        let field = Rect::from_center_size(bar.center(), vec2(search, control(ui).min(bar.height() - space(2.0))));
+        let field = Rect::from_center_size(bar.center(), vec2(search, control(ui).min(bar.height())));
         search_ui(ui, view, field);
     }
     let known = widths.into_iter().zip(Fold::ALL).find(|(_, of)| *of == fold).map_or(0.0, |(width, _)| width);
@@ -114,7 +114,10 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
     if fold < Fold::Who {
         who_ui(ui, view);
     }
-    view.icon_button(ui, WindowAction::Undo, Icon::ArrowUUpLeft);
+    // The page of tables has an Undo of its own.
+    if view.session.page() != Page::Tables {
+        view.icon_button(ui, WindowAction::Undo, Icon::ArrowUUpLeft);
+    }
     if fold < Fold::Buttons {
         view.button(ui, WindowAction::Import);
     }

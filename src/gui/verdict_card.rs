@@ -73,13 +73,24 @@ pub(super) fn lines_below_ui(ui: &mut Ui, card: &Card) {
 }
 
 /// The size of the word, at least and at most: the least can be read from two metres.
-const WORD: [f32; 2] = [44.0, 76.0];
+const WORD: [f32; 2] = [49.0, 76.0];
 
 /// The size of what comes first below the word: what to do, or else the value.
 const FIRST: [f32; 2] = [24.0, 40.0];
 
 fn word_width(ui: &Ui, word: &str, size: f32) -> f32 {
     ui.painter().layout_no_wrap(word.to_owned(), theme::bold(size), Color32::PLACEHOLDER).size().x
+}
+
+/// The side of a shape above a word: smaller where the window is low, and never left out.
+fn shape_above(ui: &Ui) -> f32 {
+    if is_tiny(ui) {
+        space(6.0)
+    } else if is_low(ui) {
+        space(8.0)
+    } else {
+        space(11.0)
+    }
 }
 
 /// How a card is set in a width.
@@ -102,11 +113,13 @@ impl Setting {
             sizes().figure
         };
         let fits = |room: f32| wanted.min(wanted * room / word_width(ui, &card.word, wanted).max(1.0)).floor();
-        let beside = fits(width / (1.0 + (wanted * 0.8 + space(3.0)) / word_width(ui, &card.word, wanted).max(1.0)));
-        // The shape goes above a long word, unless the window is so low that it would take the place of what is said.
-        let is_beside = least.min(wanted) <= beside || is_low(ui);
+        // Word and shape grow together, the gap between them does not.
+        let share = word_width(ui, &card.word, wanted) / wanted + 0.8;
+        let beside = wanted.min((width - space(4.0)) / share).floor();
+        // The shape goes above a long word.
+        let is_beside = least.min(wanted) <= beside;
         let word = if is_beside { beside } else { fits(width) };
-        let shape = if is_beside { word * 0.8 } else { space(11.0) };
+        let shape = if is_beside { word * 0.8 } else { shape_above(ui) };
         let first = theme::bold((width * 0.12).clamp(FIRST[0], FIRST[1]).min(word).floor());
         let mut lines = Vec::new();
         let mut value = first.clone();
@@ -120,7 +133,8 @@ impl Setting {
         lines.extend(card.value.iter().map(|text| (text.clone(), value.clone())));
         // Where there is no room the lines stand below the card.
         if !is_tiny(ui) {
-            lines.extend(card.lines.iter().map(|text| (text.clone(), theme::font(sizes().limits))));
+            let size = if card.status.is_some() { sizes().limits } else { sizes().small };
+            lines.extend(card.lines.iter().map(|text| (text.clone(), theme::font(size))));
         }
         Self { word, shape, is_beside, lines }
     }
@@ -171,7 +185,17 @@ pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Op
 
 /// The height that a card takes in what is left of the width, so that a page can keep it for another result.
 pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
-    let width = ui.available_width() - f32::from(MARGIN) * 2.0;
+    card_height_in(ui, view, card, ui.available_width())
+}
+
+/// The height of the line at the foot of a card, with the gap above it.
+pub(super) fn foot_height(ui: &Ui) -> f32 {
+    control(ui).min(space(9.0)) + space(1.0)
+}
+
+/// The same of a card in a width.
+pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) -> f32 {
+    let width = width - f32::from(MARGIN) * 2.0;
     let text =
         |text: &str, font: FontId| ui.painter().layout(text.to_owned(), font, Color32::PLACEHOLDER, width).size().y;
     let setting = Setting::of(ui, card, width);

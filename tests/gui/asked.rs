@@ -64,7 +64,7 @@ fn a_line_that_is_typed_in_one_go_chooses_neither_hole_nor_shaft_and_loses_no_va
     scan(&mut window, "25 +0.021 0⇥25.012⏎");
     assert_eq!(window.state().session().check().feature(), None);
     assert_eq!((text(&window, CheckField::Measured).as_str(), focused(&window).as_str()), ("25.012", "Measured value"));
-    assert_eq!(verdict(&window), "No result");
+    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
     // Enter on the choice is none.
     press(&mut window, Key::Tab);
     assert_eq!(focused(&window), "Hole");

@@ -9,7 +9,7 @@ use fitcheck::gui::App;
 use fitcheck::session::{CheckCommand, CheckField, Command, Field, FitField, MeasureBy, Page};
 use fitcheck::words::Language;
 
-use crate::harness::{Window, check, type_into, verdict, window};
+use crate::harness::{Window, check, type_into, unfold, verdict, window};
 
 #[test]
 fn a_value_inside_the_limits_is_good() {
@@ -315,6 +315,7 @@ fn the_language_can_be_switched_while_running() {
 #[test]
 fn a_parameter_out_of_range_says_its_range_beside_the_field() {
     let mut window = window();
+    unfold(&mut window, "Probe position");
     type_into(&mut window, "First contact", "361");
     window.get_by_label_contains("Q325 STARTING ANGLE = 361°");
     type_into(&mut window, "First contact", "45,5");

@@ -9,7 +9,7 @@ use fitcheck::part::Column;
 use fitcheck::session::PartsAction;
 use fitcheck::session::{BudgetCommand, CheckField, Command, Field, FitField, Page, RecordsField};
 
-use crate::harness::{DESK, click, press, scan, settle, verdict, window};
+use crate::harness::{DESK, click, press, scan, settle, unfold, verdict, window};
 use crate::walk_page::{begun, put, window_of};
 
 type Harnessed = Harness<'static, App>;
@@ -65,8 +65,9 @@ fn a_key_behind_a_class_is_no_part_of_the_class() {
 #[test]
 fn several_tabs_are_several_fields() {
     let mut window = window();
-    scan(&mut window, "25 H7⇥25.012⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥A7");
-    assert_eq!(text(&window, CheckField::Part), "A7", "the field that ten single keys lead to");
+    unfold(&mut window, "Part");
+    scan(&mut window, "25 H7⇥25.012⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥A7");
+    assert_eq!(text(&window, CheckField::Part), "A7", "the field that twelve single keys lead to");
     assert_eq!(text(&window, CheckField::Callout), "25 H7");
 }
 

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use eframe::egui::accesskit::Role;
+use eframe::egui::accesskit::{Role, Toggled};
 use eframe::egui::{Event, Key, Modifiers, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, SnapshotOptions};
@@ -95,6 +95,7 @@ impl Window {
             files: self.files,
             records: self.records,
             told: self.told,
+            notices_stay: None,
         };
         let mut harness = Harness::builder()
             .with_size(self.size)
@@ -114,8 +115,29 @@ impl Window {
     }
 }
 
+/// Opens a part of a page that is folded away; an open one stays open.
+pub fn unfold(harness: &mut Harness<'_, App>, section: &str) {
+    let row = harness.query_by(|node| {
+        let label = node.accesskit_node().label().unwrap_or_default();
+        let is_it = label == section || label.starts_with(&format!("{section}: "));
+        is_it && node.role() == Role::Button && node.accesskit_node().toggled() == Some(Toggled::False)
+    });
+    if let Some(row) = row {
+        row.click_accesskit();
+        harness.run();
+    }
+}
+
 /// Types into a field, by its name, as a user does: go there, replace, and stay.
 pub fn type_into(harness: &mut Harness<'_, App>, name: &str, text: &str) {
+    // Where a field of the check page is folded away.
+    for (field, section) in
+        [("Part or feature", "Part"), ("Serial number", "Record"), ("Remark", "Record"), ("Centre X", "Probe position")]
+    {
+        if field == name && harness.query_by_role_and_label(Role::TextInput, name).is_none() {
+            unfold(harness, section);
+        }
+    }
     harness.get_by_role_and_label(Role::TextInput, name).focus();
     harness.run();
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);

@@ -152,7 +152,6 @@ remove-per-side = on the diameter; { $um } µm per side
 position-in = Centre in position
 position-out = Centre out of position
 diameter-alone = Diameter alone: { $status }
-first-steps = First
 first-step-callout = 1. Callout: what the drawing says
 first-step-value = 2. Measured value: typed, simulated, or from a file
 first-step-verdict = 3. Verdict, and how much to remove

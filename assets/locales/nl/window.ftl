@@ -152,7 +152,6 @@ remove-per-side = op de diameter; { $um } µm per zijde
 position-in = Midden in positie
 position-out = Midden buiten positie
 diameter-alone = Alleen de diameter: { $status }
-first-steps = Eerst
 first-step-callout = 1. Passing: wat de tekening zegt
 first-step-value = 2. Meetwaarde: getypt, gesimuleerd of uit een bestand
 first-step-verdict = 3. Oordeel, en hoeveel eraf moet

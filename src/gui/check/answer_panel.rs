@@ -6,7 +6,8 @@ use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::worth_lines;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
-    Card, card_ui, chip_ui, footed_card_ui, half, lines_below_ui, question_card, remove, status_id,
+    Card, card_height_in, card_ui, chip_ui, foot_height, footed_card_ui, half, lines_below_ui, question_card, remove,
+    status_id,
 };
 use crate::gui::view::{Digits, View, doubt_text, heading};
 use crate::journal::Record;
@@ -17,6 +18,13 @@ use crate::session::{DoubtedText, Lot, Question, Recorded, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
+
+/// The height that the answer needs in a width: more than usual where there is much to say.
+pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
+    let shown = view.session.check().shown.as_ref();
+    let card = shown.map_or_else(|| no_card(view), |shown| card(view.words, &shown.record, true));
+    card_height_in(ui, view, &card, width) + shown.map_or(0.0, |_| foot_height(ui))
+}
 
 /// The verdict card over a height; or a question instead.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
@@ -73,7 +81,7 @@ fn no_card(view: &View<'_>) -> Card {
     if lines.is_empty() && view.session.check().asked.limits.is_none() {
         // Nothing is asked yet: what comes after what.
         return Card {
-            word: view.text("first-steps"),
+            word: view.text(status_id(None)),
             lines: STEPS.map(|id| view.text(id)).to_vec(),
             ..Card::default()
         };

@@ -23,13 +23,13 @@ pub(in crate::gui) fn id() -> Id {
 /// The columns of the history, behind the choice for export. What is left over goes to where a value comes from, which gives way first.
 pub(in crate::gui) const COLUMNS: [Column; 8] = [
     Column::choice(),
-    Column::text(42.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(3),
-    Column::text(24.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(4),
-    Column::text(25.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
-    Column::text(25.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
-    Column::text(25.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(2),
-    Column::verdict(62.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
-    Column::text(36.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
+    Column::text(38.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(3),
+    Column::text(22.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(4),
+    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
+    Column::text(21.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
+    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(2),
+    Column::verdict(46.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
+    Column::text(30.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
 ];
 
 /// Heads and rows in the room that is left.

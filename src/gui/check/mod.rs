@@ -106,7 +106,8 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     let size = ui.available_size();
     let verdict = least.max((size.x * 0.35).min(space(78.0)));
     let sizes = (verdict, least..=(size.x * 0.6).max(least));
-    let row = space(VERDICT + 3.0);
+    let needed = answer_panel::height_in(ui, view, verdict);
+    let row = needed.max(space(VERDICT)) + space(3.0);
     if row + space(40.0) < size.y {
         row_ui(ui, view, "check-answer", row, |ui, view| {
             area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
@@ -210,7 +211,7 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
         bar_ui(ui, view, Side::Bottom, "strip", history_panel::strip_ui);
         return;
     }
-    let share = if folded || size.x * 1.3 < size.y { 0.38 } else { 0.32 };
+    let share = if folded || size.x * 1.3 < size.y { 0.38 } else { 0.28 };
     let sizes = (size.y * share, space(32.0)..=(size.y * 0.6).max(space(32.0)));
     panel_ui(ui, view, Side::Bottom, ("check-history", folded), sizes, |ui, view| {
         below_ui(ui, view, folded);
