@@ -1,5 +1,6 @@
 //! One frame: draw the panels, apply their commands, run the effects.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -17,7 +18,7 @@ use super::rail::rail_ui;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{dialogs, field, keys, palette, parts, top_bar};
+use super::{crash, dialogs, field, keys, palette, parts, top_bar};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
@@ -52,8 +53,9 @@ impl Setup {
     /// The settings for a user.
     pub fn for_user() -> Self {
         let own = sys_locale::get_locale().and_then(|locale| Language::from_code(&locale));
+        let store = Store::of_user();
+        let crashes = store.folder().map(crash::tell).into_iter().flatten();
         Self {
-            store: Store::of_user(),
             // Who speaks none of the languages of the window gets English.
             language: own.unwrap_or(Language::En),
             words: Words::new,
@@ -62,8 +64,9 @@ impl Setup {
             home: etcetera::home_dir().ok(),
             files: Vec::new(),
             records: Records::of_user(),
-            told: files::zone().err().map(|error| error.message()).into_iter().collect(),
+            told: files::zone().err().map(|error| error.message()).into_iter().chain(crashes).collect(),
             notices_stay: Some(6.0),
+            store,
         }
     }
 }
@@ -232,7 +235,12 @@ impl eframe::App for App {
         if let Some(is_touched) = touched.filter(|is_touched| *is_touched != self.session.is_touched()) {
             view.send(Command::Touched(is_touched));
         }
-        window_ui(ui, &mut view);
+        let drawn = catch_unwind(AssertUnwindSafe(|| window_ui(ui, &mut view)));
+        if let Err(panic) = drawn {
+            // What was typed and chosen up to the last frame is not lost with the window.
+            self.keeper.finish(&self.session, &self.runner);
+            resume_unwind(panic);
+        }
         if let Some(stays) = self.notices_stay {
             leave_in_time(ui, &mut view, stays);
         }

@@ -8,6 +8,7 @@
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
 //! | `store` | the state file |
+//! | `crash` | the report that a panic leaves |
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts` | the pages |
@@ -46,6 +47,7 @@ mod check;
 mod class_chooser;
 mod columns;
 mod columns_panel;
+mod crash;
 mod cycles;
 mod dialogs;
 mod effects;
@@ -133,6 +135,9 @@ fn has_no_display() -> bool {
 pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
     if has_no_display() {
         return Err(WindowError::NoDisplay);
+    }
+    if let Some(folder) = Store::of_user().folder() {
+        crash::watch(folder.to_owned());
     }
     let open = |renderer| {
         let viewport = ViewportBuilder::default()

@@ -34,6 +34,11 @@ impl Store {
         Self { path: None }
     }
 
+    /// The folder of the state file.
+    pub fn folder(&self) -> Option<&Path> {
+        self.path.as_deref().and_then(Path::parent)
+    }
+
     /// The saved state, if there is one, and a notice if it cannot be read. If it cannot be set aside either, nothing is
     /// kept from here on, because that would replace it.
     pub fn load(&mut self) -> (Option<Saved>, Option<Message>) {

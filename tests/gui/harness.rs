@@ -118,9 +118,9 @@ impl Window {
 /// Opens a part of a page that is folded away; an open one stays open.
 pub fn unfold(harness: &mut Harness<'_, App>, section: &str) {
     let row = harness.query_by(|node| {
-        let label = node.accesskit_node().label().unwrap_or_default();
+        let label = node.label().unwrap_or_default();
         let is_it = label == section || label.starts_with(&format!("{section}: "));
-        is_it && node.role() == Role::Button && node.accesskit_node().toggled() == Some(Toggled::False)
+        is_it && node.role() == Role::Button && node.toggled() == Some(Toggled::False)
     });
     if let Some(row) = row {
         row.click_accesskit();

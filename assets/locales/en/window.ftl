@@ -485,6 +485,7 @@ materials-refused = Own materials cannot be used: { $path }, { $reason }
 
 ## Palette
 section-said = { $name }: { $value }
+crash-report = The window ended by a fault of the program. A report of it, without measured values, is in { $path }
 rail-more = More
 top-recorded = Recorded, { $number }
 top-recording = Recording

@@ -485,6 +485,7 @@ materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, 
 
 ## Palette
 section-said = { $name }: { $value }
+crash-report = Het venster is door een fout in het programma geëindigd. Een verslag ervan, zonder meetwaarden, staat in { $path }
 rail-more = Meer
 top-recorded = Vastgelegd, { $number }
 top-recording = Wordt vastgelegd
