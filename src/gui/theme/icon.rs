@@ -70,6 +70,7 @@ icons! {
     ThermometerSimple = '\u{e5cc}'
     User = '\u{e4c2}'
     WarningCircle = '\u{e4e2}'
+    X = '\u{e4f6}'
 }
 
 impl Icon {
