@@ -89,6 +89,7 @@ field-above-zero = { $given } is not above 0: up to { $limit } is allowed
 field-not-whole = { $given } is not a whole number
 
 limit-band = Limit band
+band-example = an example: { $callout }, a hole
 band-empty = The limit band appears with the limits
 band-describe = Deviation from nominal size in micrometres: zone from { $lower } to { $upper }, { $left } below it, { $right } above it.
 band-describe-measured = Measured { $deviation }, { $above } above the minimum, { $below } below the maximum.

@@ -89,6 +89,7 @@ field-above-zero = { $given } is niet groter dan 0: toegestaan is tot { $limit }
 field-not-whole = { $given } is geen geheel getal
 
 limit-band = Grensband
+band-example = een voorbeeld: { $callout }, een boring
 band-empty = De grensband verschijnt met de grensmaten
 band-describe = Afwijking van de nominale maat in micrometer: tolerantieveld van { $lower } tot { $upper }, { $left } daaronder, { $right } daarboven.
 band-describe-measured = Gemeten { $deviation }, { $above } boven het minimum, { $below } onder het maximum.

@@ -11,25 +11,34 @@ use crate::journal::Record;
 use crate::length::Length;
 use crate::message::message;
 use crate::report::band::{Band, GuardBand, Guarded, Marker, Side};
+use crate::session::CheckField;
+use crate::tolerance::callout::Callout;
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::Rule;
 use crate::verdict::Status;
 use crate::words::Words;
 
+/// The band of a page on which nothing was typed yet.
+const EXAMPLE: &str = "25 H7";
+
 /// Heading and plot over the height there is.
 pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>) {
     let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
+    let asked = view.session.check().asked.limits.as_ref();
+    let example = if asked.is_none() { example(view) } else { None };
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         heading(ui, view.text("limit-band"));
-        if let Some(limits) = view.session.check().asked.limits.as_ref() {
+        if let Some(limits) = asked {
             quiet(ui, title(view, limits));
+        } else if example.is_some() {
+            quiet(ui, view.words.say(&message!("band-example").text("callout", EXAMPLE)));
         }
         if record.is_some_and(|record| record.measurement.origin.is_simulated()) {
             ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
         }
     });
-    let Some(limits) = view.session.check().asked.limits.as_ref() else {
+    let Some(limits) = asked.or(example.as_ref()) else {
         quiet(ui, view.text("band-empty"));
         return;
     };
@@ -44,6 +53,13 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>) {
     let band = Band::by(&rule, limits, measured);
     let height = ui.available_height();
     plot_ui(ui, view.words, &band, limits, record, height);
+}
+
+/// The limits of the example, for who has not typed anything; where something is typed, no other limits are shown.
+fn example(view: &View<'_>) -> Option<Limits> {
+    let is_empty = view.session.text(CheckField::Callout).trim().is_empty();
+    let callout = is_empty.then(|| EXAMPLE.parse::<Callout>().ok())??;
+    view.session.sources().limits(&callout, callout.feature()).ok()
 }
 
 fn title(view: &View<'_>, limits: &Limits) -> String {
