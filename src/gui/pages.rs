@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use super::page::PageView;
 use super::view::View;
-use super::{budget, check, cycles, fit, pairing, parts, program, records, tables};
+use super::{budget, check, cycles, fit, help, pairing, parts, program, records, tables};
 use crate::session::Page;
 
 pub(super) const fn page_of(page: Page) -> PageView {
@@ -18,6 +18,7 @@ pub(super) const fn page_of(page: Page) -> PageView {
         Page::Budget => budget::PAGE,
         Page::Records => records::PAGE,
         Page::Parts => parts::PAGE,
+        Page::Help => help::PAGE,
     }
 }
 

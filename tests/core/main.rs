@@ -118,6 +118,7 @@ mod session_enter;
 mod session_files;
 mod session_filter;
 mod session_fit;
+mod session_help;
 mod session_history;
 mod session_pairing;
 mod session_palette;

@@ -13,6 +13,7 @@ mod fake_journal;
 mod fast_keys;
 mod fit_page;
 mod harness;
+mod help_page;
 mod history;
 mod keeping;
 mod keyboard;

@@ -17,10 +17,11 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::gui::journal::Records;
 use fitcheck::message::Bundle;
+use fitcheck::session::help::{HelpPlace, HelpTopic};
 use fitcheck::session::parts::{PartsView, PlanCommand, WalkCommand};
 use fitcheck::session::{
     BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
-    MeasureBy, Page, PairingCommand, PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand,
+    HelpCommand, MeasureBy, Page, PairingCommand, PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
@@ -298,6 +299,7 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             send(&mut window, PartsCommand::Plan(PlanCommand::New));
             send(&mut window, PartsCommand::Show(PartsView::Plan));
         }
+        Page::Help => send(&mut window, HelpCommand::Open(HelpPlace::of(HelpTopic::Manual("programs.md")))),
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
@@ -319,7 +321,7 @@ fn recorded(window: &mut Harness<'_, App>) {
 const fn has_verdict(page: Page) -> bool {
     match page {
         Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget | Page::Parts => true,
-        Page::Tables | Page::Program | Page::Records => false,
+        Page::Tables | Page::Program | Page::Records | Page::Help => false,
     }
 }
 

@@ -25,7 +25,7 @@ use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
 
 macro_rules! command {
-    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
+    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal, $manual:literal;)+) => {
         /// A change of the state.
         #[derive(Debug, Clone)]
         pub enum Command {

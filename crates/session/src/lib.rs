@@ -18,6 +18,7 @@
 //! | `budget` | how sure a measured value is |
 //! | `records` | everything that was recorded |
 //! | `parts` | plans of whole parts, and the walk through them |
+//! | `help` | the manual, and the keys |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
@@ -37,7 +38,8 @@
 //! 1. Write its folder: `mod.rs` (state), `field.rs` (text fields), `command.rs` and `apply.rs` (what can be done, and how: the trait
 //!    `PageState` in `state.rs`), `actions.rs` (menus, buttons, keys, what Enter does, and the [`action::Part`] of a list or table that
 //!    takes keys; add that to [`focused`]). `pairing` is a small one to read first.
-//! 2. Add its line to `page.rs`, its `mod` and `pub use` here. Ctrl with a digit opens the first nine pages.
+//! 2. Add its line to `page.rs`, with the page of the manual that F1 opens, its `mod` and `pub use` here. Ctrl with a digit opens the first
+//!    nine pages.
 //! 3. Add what survives a restart beside texts to `saved.rs`, with a default where a state file lacks it.
 //! 4. Test it without a window in `tests/core/session_NAME.rs`.
 
@@ -64,6 +66,7 @@ mod effect;
 mod field;
 mod files;
 mod fit;
+pub mod help;
 mod history;
 mod page;
 mod pairing;
@@ -127,6 +130,7 @@ use fitcheck_core::verdict::Rule;
 use fitcheck_core::words::Language;
 use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::control::shipped_tables;
+pub use help::{HelpAction, HelpCommand, HelpField, HelpPage};
 pub use history::{ChangeId, History, ListCommand, status_text};
 pub use page::Page;
 pub use pairing::{
@@ -163,6 +167,7 @@ use self::state::PageState as _;
 pub mod focused {
     pub use super::check::{HISTORY, ROWS};
     pub use super::fit::CLASSES;
+    pub use super::help::TOPICS;
     pub use super::pairing::PAIRS;
     pub use super::parts::{PLAN, SIZES};
     pub use super::program::LISTING;
@@ -171,7 +176,7 @@ pub mod focused {
 }
 
 macro_rules! session {
-    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
+    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal, $manual:literal;)+) => {
         /// The state of the application.
         #[derive(Debug)]
         pub struct Session {

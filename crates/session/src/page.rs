@@ -1,34 +1,36 @@
 //! The pages of the window: one line each, from which everything follows that has to name every page.
 
 /// Hands the pages to a macro, a line each, in the order of the rail: what the page is for, its variant, its folder, its state, its
-/// commands, its text fields, its actions, and its name.
+/// commands, its text fields, its actions, its name, and its page of the manual.
 macro_rules! pages {
     ($make:ident) => {
         $make! {
             /// One part: good, rework or scrap.
-            Check: check, CheckPage, CheckCommand, CheckField, CheckAction, "page-check";
+            Check: check, CheckPage, CheckCommand, CheckField, CheckAction, "page-check", "check.md";
             /// Plans of whole parts, and the walk through them.
-            Parts: parts, PartsPage, PartsCommand, PartsField, PartsAction, "page-parts";
+            Parts: parts, PartsPage, PartsCommand, PartsField, PartsAction, "page-parts", "parts.md";
             /// Everything that was recorded.
-            Records: records, RecordsPage, RecordsCommand, RecordsField, RecordsAction, "page-records";
+            Records: records, RecordsPage, RecordsCommand, RecordsField, RecordsAction, "page-records", "records.md";
             /// Hole against shaft.
-            Fit: fit, FitPage, FitCommand, FitField, FitAction, "page-fit";
+            Fit: fit, FitPage, FitCommand, FitField, FitAction, "page-fit", "fits.md";
             /// Measured holes against measured shafts.
-            Pairing: pairing, PairingPage, PairingCommand, PairingField, PairingAction, "page-pairing";
+            Pairing: pairing, PairingPage, PairingCommand, PairingField, PairingAction, "page-pairing", "pairs.md";
             /// Tables of deviations.
-            Tables: tables, TablesPage, TablesCommand, TablesField, TablesAction, "page-tables";
+            Tables: tables, TablesPage, TablesCommand, TablesField, TablesAction, "page-tables", "tables.md";
             /// Measuring cycles.
-            Cycles: cycles, CyclesPage, CyclesCommand, CycleField, CyclesAction, "page-cycles";
+            Cycles: cycles, CyclesPage, CyclesCommand, CycleField, CyclesAction, "page-cycles", "cycles.md";
             /// NC programs.
-            Program: program, ProgramPage, ProgramCommand, ProgramField, ProgramAction, "page-program";
+            Program: program, ProgramPage, ProgramCommand, ProgramField, ProgramAction, "page-program", "programs.md";
             /// Uncertainty budgets.
-            Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget";
+            Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget", "uncertainty.md";
+            /// The manual, the keys and the samples.
+            Help: help, HelpPage, HelpCommand, HelpField, HelpAction, "page-help", "window.md";
         }
     };
 }
 
 macro_rules! page {
-    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
+    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal, $manual:literal;)+) => {
         /// A page of the window.
         #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
         #[serde(rename_all = "lowercase")]
@@ -45,6 +47,13 @@ macro_rules! page {
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$page => $name,)+
+                }
+            }
+
+            /// The file of the manual's page about it, which F1 opens.
+            pub const fn manual(self) -> &'static str {
+                match self {
+                    $(Self::$page => $manual,)+
                 }
             }
 

@@ -12,7 +12,7 @@ use super::state::PageState;
 use super::workpiece::WorkpieceCommand;
 
 macro_rules! typing {
-    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
+    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal, $manual:literal;)+) => {
         impl Field {
             /// The command that replaces the field's text.
             pub fn typed(self, text: String) -> Command {

@@ -1,4 +1,4 @@
-//! The built-in files, byte for byte: texts, masks, programs and tables. Only this room knows which files exist.
+//! The built-in files, byte for byte: texts, the manual, masks, programs and tables. Only this room knows which files exist.
 //!
 //! The build makes the lists from the folders, so that a new file needs no line here.
 

@@ -17,6 +17,7 @@ use crate::columns::ColumnsCommand;
 use crate::command::Command;
 use crate::field::Field;
 use crate::files::{FilesCommand, Launch};
+use crate::help::HelpCommand;
 use crate::history::ListCommand;
 use crate::page::Page;
 use crate::palette::PaletteCommand;
@@ -31,6 +32,8 @@ actions! {
     Open(Page): Page::ALL;
     /// Opens the palette.
     Palette;
+    /// Opens the manual at its page about the open page, or goes back to where one was.
+    Help;
     /// Reads measurements.
     Import;
     /// Reads measurements once their columns were seen.
@@ -98,6 +101,9 @@ impl Actions for WindowAction {
                 }
             }
             Self::Palette => everywhere("palette", PaletteCommand::Show(true).into()).key(Shortcut::ctrl('K')),
+            Self::Help => everywhere("help-page-help", HelpCommand::ForPage.into())
+                .hint("help-page-help-hint")
+                .key(Shortcut::plain(Key::Function(1))),
             Self::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
             Self::ImportColumns => everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History)))
                 .hint("columns-page-hint"),

@@ -1,0 +1,23 @@
+page-help = Help
+
+help-page-help = Help for this page
+help-page-help-hint = Opens the manual; on the help page, returns to the page before it
+help-page-entry = Help: { $title }
+help-page-keys = Keyboard shortcuts
+help-page-search = Search the manual
+help-page-open-found = Open the best match
+help-page-nothing = No page of the manual has these words.
+help-page-topics = Contents
+help-page-list = Pages of the manual
+help-page-found = { $title }, { $heading }
+help-page-move = Go to another page of the manual
+help-page-scroll = Scroll the text
+help-page-back = Back
+help-page-english = The manual is in English.
+
+# The sheet of keys
+help-page-keys-about = A key of a page works while that page is open.
+help-page-everywhere = On every page
+help-page-in-dialogs = In dialogs
+help-page-on-workpiece = Simulated workpiece
+help-page-key-row = { $keys }: { $text }

@@ -1,0 +1,23 @@
+page-help = Hulp
+
+help-page-help = Hulp bij deze pagina
+help-page-help-hint = Opent de handleiding; op de hulppagina terug naar de pagina van daarvoor
+help-page-entry = Hulp: { $title }
+help-page-keys = Sneltoetsen
+help-page-search = Zoeken in de handleiding
+help-page-open-found = Beste treffer openen
+help-page-nothing = Geen pagina van de handleiding bevat deze woorden.
+help-page-topics = Inhoud
+help-page-list = Pagina's van de handleiding
+help-page-found = { $title }, { $heading }
+help-page-move = Naar een andere pagina van de handleiding
+help-page-scroll = Tekst verschuiven
+help-page-back = Terug
+help-page-english = De handleiding is alleen in het Engels beschikbaar.
+
+# The sheet of keys
+help-page-keys-about = Een toets van een pagina werkt zolang die pagina open is.
+help-page-everywhere = Op elke pagina
+help-page-in-dialogs = In dialoogvensters
+help-page-on-workpiece = Gesimuleerd werkstuk
+help-page-key-row = { $keys }: { $text }

@@ -1,0 +1,54 @@
+//! What can be done on the help page.
+
+use super::{HelpCommand, HelpField};
+use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
+use crate::action::{Held, Key, Part, Shortcut};
+use crate::command::Command;
+use crate::field::Field;
+use crate::page::Page;
+use crate::step::Step;
+
+/// The list of topics.
+pub const TOPICS: Part = Part::list(Page::Help, "help-topics");
+
+actions! {
+    /// What can be done on the help page.
+    HelpAction
+
+    /// Goes to the search field.
+    SearchHelp;
+    /// Opens the best of what was found.
+    OpenFound;
+    /// Shows what was read before.
+    BackInHelp;
+    /// Goes to another topic.
+    MoveTopic(Step): [Step::Up, Step::Down, Step::First, Step::Last];
+    /// Scrolls the text.
+    ScrollHelp(Step): [Step::PageUp, Step::PageDown];
+    /// Shows the topics in the place of the text, where there is no room for both.
+    ListTopics;
+}
+
+impl Actions for HelpAction {
+    fn row(&self) -> ActionRow {
+        match *self {
+            Self::SearchHelp => {
+                on(Page::Help, "help-page-search", Command::GoTo(HelpField::Search.into())).key(Shortcut::ctrl('F'))
+            }
+            Self::OpenFound => on(Page::Help, "help-page-open-found", HelpCommand::Select(0))
+                .when(|session| !session.help().found.is_empty()),
+            Self::BackInHelp => on(Page::Help, "help-page-back", HelpCommand::Back)
+                .key(Shortcut { held: Held::Alt, key: Key::Left })
+                .when(|session| !session.help().before.is_empty()),
+            Self::MoveTopic(step) => within(TOPICS, "help-page-move", HelpCommand::Move(step))
+                .when(|session| !session.help().found.is_empty())
+                .key(keys(step)),
+            Self::ScrollHelp(step) => on(Page::Help, "help-page-scroll", HelpCommand::Scroll(step)).key(keys(step)),
+            Self::ListTopics => on(Page::Help, "help-page-topics", HelpCommand::ListTopics),
+        }
+    }
+
+    fn on_enter(field: Field, _page: Page) -> Option<Self> {
+        (field == HelpField::Search.into()).then_some(Self::OpenFound)
+    }
+}

@@ -1,0 +1,130 @@
+//! How commands and news change the help page.
+
+use fitcheck_core::message::Message;
+use jiff::civil::DateTime;
+
+use super::search::search;
+use super::{CONTENTS, HelpCommand, HelpField, HelpPage, HelpPlace, HelpTopic};
+use crate::effect::Effect;
+use crate::page::Page;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::step::Step;
+
+/// How many places can be gone back to.
+const MOST_BEFORE: usize = 100;
+
+impl PageState for HelpPage {
+    type Command = HelpCommand;
+    type Field = HelpField;
+
+    fn restored(_saved: &Saved, shared: &Shared) -> Self {
+        Self {
+            query: String::new(),
+            found: search(""),
+            shown: HelpPlace::of(HelpTopic::Manual(CONTENTS)),
+            before: Vec::new(),
+            look: 0,
+            scrolled: (0, Step::PageDown),
+            lists_topics: false,
+            from: shared.page,
+            is_walking: false,
+        }
+    }
+
+    fn apply(&mut self, command: HelpCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
+        match command {
+            HelpCommand::Type(HelpField::Search, text) => {
+                self.found = search(&text);
+                self.query = text;
+                self.lists_topics = true;
+            }
+            HelpCommand::ForPage if shared.page == Page::Help => shared.open(self.from),
+            HelpCommand::ForPage => {
+                self.go_to(HelpPlace::of(HelpTopic::Manual(shared.page.manual())));
+                shared.open(Page::Help);
+            }
+            HelpCommand::Open(place) => {
+                self.go_to(place);
+                if shared.page != Page::Help {
+                    shared.open(Page::Help);
+                }
+            }
+            HelpCommand::Select(number) => {
+                if let Some(found) = self.found.get(number) {
+                    self.go_to(found.place.clone());
+                }
+            }
+            HelpCommand::Move(step) => self.walk(step),
+            HelpCommand::Back => {
+                if let Some(place) = self.before.pop() {
+                    self.show(place);
+                }
+            }
+            HelpCommand::Scroll(step) => self.scrolled = (self.scrolled.0 + 1, step),
+            HelpCommand::ListTopics => self.lists_topics = true,
+        }
+        Vec::new()
+    }
+
+    fn follow(&mut self, news: &News, shared: &mut Shared) {
+        if let News::Opened(_) = news
+            && shared.page != Page::Help
+        {
+            self.from = shared.page;
+        }
+    }
+
+    fn typed(field: HelpField, text: String) -> HelpCommand {
+        HelpCommand::Type(field, text)
+    }
+
+    fn text(&self, _field: HelpField) -> &str {
+        &self.query
+    }
+
+    fn error(&self, _field: HelpField) -> Option<&Message> {
+        None
+    }
+
+    fn is_free_text(&self, _field: HelpField) -> bool {
+        true
+    }
+}
+
+impl HelpPage {
+    /// Shows a place; the one before can be gone back to.
+    fn go_to(&mut self, place: HelpPlace) {
+        if self.shown != place {
+            let before = std::mem::replace(&mut self.shown, place.clone());
+            self.before.push(before);
+            if MOST_BEFORE < self.before.len() {
+                self.before.remove(0);
+            }
+        }
+        self.show(place);
+    }
+
+    fn show(&mut self, place: HelpPlace) {
+        self.shown = place;
+        self.look += 1;
+        self.lists_topics = false;
+        self.is_walking = false;
+    }
+
+    /// Goes to another one of what was found. The keys stay in the list, and only what was read before the first step is gone back to.
+    fn walk(&mut self, step: Step) {
+        let Some(last) = self.found.len().checked_sub(1) else { return };
+        let Some(found) = self.found.get(step.place(self.selected(), last)) else { return };
+        let place = found.place.clone();
+        let lists_topics = self.lists_topics;
+        if self.is_walking {
+            self.show(place);
+        } else {
+            self.go_to(place);
+        }
+        self.is_walking = true;
+        self.lists_topics = lists_topics;
+    }
+}

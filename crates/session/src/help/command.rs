@@ -1,0 +1,25 @@
+//! What can be done on the help page.
+
+use super::{HelpField, HelpPlace};
+use crate::step::Step;
+
+/// What can be done on the help page.
+#[derive(Debug, Clone)]
+pub enum HelpCommand {
+    /// Replaces the text of a field.
+    Type(HelpField, String),
+    /// Opens the manual at its page about the open page; on the help page goes back to where one was.
+    ForPage,
+    /// Opens the help page at a place.
+    Open(HelpPlace),
+    /// Shows what was found, by its number.
+    Select(usize),
+    /// Goes to another one of what was found.
+    Move(Step),
+    /// Shows what was read before.
+    Back,
+    /// Scrolls the text.
+    Scroll(Step),
+    /// Shows the topics in the place of the text, where there is no room for both.
+    ListTopics,
+}

@@ -1,0 +1,104 @@
+//! The help page: the manual, which is part of the program, and a sheet of all keys.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `manual`, `blocks` | the pages of the manual; how one is read |
+//! | `search` | which pages a query finds, the best first |
+//! | `sheet` | the keys of all actions |
+//! | `field`, `command`, `apply`, `actions` | the search field; what can be done, how, and by which keys |
+//!
+//! Which page of the manual is about which page of the window is said in `page.rs`.
+
+mod actions;
+mod apply;
+mod blocks;
+mod command;
+mod field;
+mod manual;
+mod search;
+mod sheet;
+
+use fitcheck_core::words::Words;
+
+pub use actions::{HelpAction, TOPICS};
+pub use blocks::{Block, Marker, Span};
+pub use command::HelpCommand;
+pub use field::HelpField;
+pub use manual::{CONTENTS, ManualPage, manual};
+pub use search::HelpFound;
+pub use sheet::{KeyGroup, KeyRow, key_groups};
+
+use super::page::Page;
+use super::step::Step;
+
+/// Something that can be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum HelpTopic {
+    /// The sheet of all keys.
+    Keys,
+    /// A page of the manual, by its file.
+    Manual(&'static str),
+}
+
+impl HelpTopic {
+    /// Its title: that of the sheet in the words of a language, that of a page as the manual has it.
+    pub fn title(self, words: &Words) -> String {
+        match self {
+            Self::Keys => words.get("help-page-keys"),
+            Self::Manual(file) => ManualPage::of(file).map_or_else(|| file.to_owned(), |page| page.title.clone()),
+        }
+    }
+}
+
+/// Everything that can be read: the contents of the manual, the keys, the pages in their order.
+pub fn topics() -> impl Iterator<Item = HelpTopic> {
+    let mut pages = manual().iter().map(|page| HelpTopic::Manual(page.file));
+    pages.next().into_iter().chain([HelpTopic::Keys]).chain(pages)
+}
+
+/// A topic, from one of its headings on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HelpPlace {
+    pub topic: HelpTopic,
+    /// The anchor of the heading; `None` for the beginning.
+    pub anchor: Option<String>,
+}
+
+impl HelpPlace {
+    /// The beginning of a topic.
+    pub const fn of(topic: HelpTopic) -> Self {
+        Self { topic, anchor: None }
+    }
+}
+
+/// The state of the help page.
+#[derive(Debug)]
+pub struct HelpPage {
+    /// What is searched for.
+    query: String,
+    /// What the query finds; every topic where nothing is searched for.
+    pub found: Vec<HelpFound>,
+    /// What is read.
+    pub shown: HelpPlace,
+    /// What was read before, the last one at the end.
+    pub before: Vec<HelpPlace>,
+    /// Goes up whenever the shown place has to come into sight.
+    pub look: u64,
+    /// How often the text was scrolled by keys, and where the last time.
+    pub scrolled: (u64, Step),
+    /// Whether the topics stand in the place of the text, where there is no room for both.
+    pub lists_topics: bool,
+    /// The page from which the help was opened.
+    pub from: Page,
+    /// Whether the keys go through the topics: those in between are not come back to.
+    is_walking: bool,
+}
+
+impl HelpPage {
+    /// The place of what is shown among what was found.
+    pub fn selected(&self) -> Option<usize> {
+        let topic = self.shown.topic;
+        self.found.iter().position(|found| found.place.topic == topic)
+    }
+}

@@ -1,0 +1,54 @@
+//! Left: the search field, and the topics that it finds.
+
+use std::ops::Range;
+
+use eframe::egui::{Id, Ui};
+
+use crate::gui::field::{FieldStyle, field_ui};
+use crate::gui::key_names::part_id;
+use crate::gui::table::{Cell, Column, Row, Table};
+use crate::gui::view::{View, quiet};
+use crate::message::message;
+use crate::session::focused::TOPICS;
+use crate::session::{HelpCommand, HelpField};
+
+/// The id of the list: it takes the focus as a whole.
+fn id() -> Id {
+    part_id(TOPICS)
+}
+
+/// The field and the list, in the room that is left.
+pub(super) fn topics_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = quiet(ui, view.text("help-page-search"));
+    let width = ui.available_width();
+    field_ui(ui, view, HelpField::Search, name.id, FieldStyle::large(width));
+    let columns = [Column::text(60.0)];
+    let help = view.session.help();
+    let table = Table {
+        count: help.found.len(),
+        look: (help.look, help.selected()),
+        empty: view.text("help-page-nothing"),
+        ..Table::new(id(), "help-page-list", &columns)
+    };
+    let seen = table.show(ui, view, rows);
+    if let Some(number) = seen.clicked {
+        view.send(HelpCommand::Select(number));
+    }
+}
+
+fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<usize>> {
+    let help = view.session.help();
+    let selected = help.selected();
+    let row = |number: usize| {
+        let found = help.found.get(number)?;
+        let title = found.place.topic.title(view.words);
+        let text = match &found.heading {
+            Some(heading) => view.words.say(&message!("help-page-found").text("title", title).text("heading", heading)),
+            None => title,
+        };
+        let is_selected = selected == Some(number);
+        let row = Row::new(number, vec![Cell::Text(text.clone())], text);
+        Some(Row { is_cursor: is_selected, is_open: is_selected, ..row })
+    };
+    places.map_while(row).collect()
+}

@@ -1,0 +1,140 @@
+//! The help page in the window, by label and key.
+
+use std::time::Duration;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, ViewportId, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::App;
+use fitcheck::session::help::{HelpPlace, HelpTopic, topics};
+use fitcheck::session::{Command, HelpCommand, Page};
+use fitcheck::words::Language;
+
+use crate::harness::{Window, click, cursor, press, rows, scan, settle, type_into};
+
+fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command.into());
+    settle(window);
+}
+
+fn page(window: &Harness<'_, App>) -> Page {
+    window.state().session().page()
+}
+
+fn help() -> Harness<'static, App> {
+    let mut window = Window::default().open();
+    send(&mut window, Command::OpenPage(Page::Help));
+    window
+}
+
+#[test]
+fn f1_opens_the_page_about_what_is_open_and_returns() {
+    let mut window = Window::default().open();
+    send(&mut window, Command::OpenPage(Page::Pairing));
+    press(&mut window, Key::F1);
+    assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Pairs of measured parts"));
+    window.get_by_role_and_label(Role::Heading, "Pairs of measured parts");
+    press(&mut window, Key::F1);
+    assert_eq!(page(&window), Page::Pairing);
+}
+
+#[test]
+fn words_are_typed_and_enter_opens_the_best_match() {
+    let mut window = help();
+    // The field has the focus.
+    scan(&mut window, "guard band");
+    assert!(rows(&window).iter().any(|row| row.starts_with("Decision rules")), "{:?}", rows(&window));
+    scan(&mut window, "⏎");
+    assert_eq!(cursor(&window), rows(&window)[0]);
+    type_into(&mut window, "Search the manual", "xyzzy");
+    window.get_by_label("No page of the manual has these words.");
+}
+
+#[test]
+fn links_lead_from_page_to_page_and_back() {
+    let mut window = help();
+    click(&mut window, Role::Link, "Reports");
+    assert_eq!(cursor(&window), "Reports");
+    click(&mut window, Role::Button, "Back");
+    assert_eq!(cursor(&window), "The manual");
+    click(&mut window, Role::Link, "Records");
+    window.key_press_modifiers(Modifiers::ALT, Key::ArrowLeft);
+    window.run();
+    assert_eq!(cursor(&window), "The manual");
+}
+
+#[test]
+fn arrows_go_through_the_list_once_it_has_the_focus() {
+    let mut window = help();
+    click(&mut window, Role::Row, "Keyboard shortcuts");
+    window.get_by_label("Ctrl+K: Search or do anything");
+    press(&mut window, Key::ArrowDown);
+    assert_eq!(cursor(&window), "Check one size");
+    press(&mut window, Key::ArrowDown);
+    assert_eq!(cursor(&window), "Whole parts");
+}
+
+#[test]
+fn page_keys_scroll_the_text_and_another_page_begins_at_its_top() {
+    let mut window = help();
+    let top = |window: &Harness<'_, App>, title: &str| window.get_by_role_and_label(Role::Heading, title).rect().top();
+    click(&mut window, Role::Row, "Run NC programs");
+    let begin = top(&window, "Run NC programs");
+    press(&mut window, Key::PageDown);
+    settle(&mut window);
+    assert!(top(&window, "Run NC programs") < begin - 300.0);
+    click(&mut window, Role::Row, "Records");
+    settle(&mut window);
+    assert!((top(&window, "Records") - begin).abs() < 1.0);
+}
+
+#[test]
+fn a_link_to_a_heading_brings_it_into_sight() {
+    let mut window = help();
+    let place = HelpPlace { topic: HelpTopic::Manual("window.md"), anchor: Some("settings".to_owned()) };
+    send(&mut window, HelpCommand::Open(place));
+    let rect = window.get_by_role_and_label(Role::Heading, "Settings").rect();
+    assert!(0.0 < rect.top() && rect.bottom() < 800.0, "{rect:?}");
+}
+
+#[test]
+fn where_there_is_no_room_the_topics_stand_in_the_place_of_the_text() {
+    let mut window = Window { size: vec2(600.0, 500.0), ..Window::default() }.open();
+    send(&mut window, Command::OpenPage(Page::Help));
+    assert!(window.query_by_role(Role::Row).is_none());
+    click(&mut window, Role::Button, "Contents");
+    click(&mut window, Role::Row, "Whole parts");
+    window.get_by_role_and_label(Role::Heading, "Whole parts");
+    assert!(window.query_by_role(Role::Row).is_none());
+}
+
+/// A glyph that no font has ends the test.
+#[test]
+fn every_topic_is_drawn_in_every_language() {
+    for language in Language::all() {
+        let mut window = Window { size: vec2(1280.0, 4000.0), language, ..Window::default() }.open();
+        for topic in topics() {
+            send(&mut window, HelpCommand::Open(HelpPlace::of(topic)));
+            window.run();
+            let says = window.query_by_label_contains("De handleiding is alleen in het Engels").is_some();
+            assert_eq!(says, language == Language::Nl && topic != HelpTopic::Keys, "{topic:?}");
+        }
+    }
+}
+
+#[test]
+fn the_settled_page_asks_for_no_repaint() {
+    let mut window = help();
+    send(&mut window, HelpCommand::Open(HelpPlace::of(HelpTopic::Manual("formats.md"))));
+    window.run();
+    assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+}
+
+#[test]
+fn a_heading_is_read_out_as_one() {
+    let window = help();
+    let title = window.get_by_role_and_label(Role::Heading, "The manual");
+    assert_eq!(title.accesskit_node().data().level(), Some(1));
+}
