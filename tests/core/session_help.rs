@@ -5,7 +5,9 @@ use std::path::Path;
 
 use fitcheck::session::action::Action;
 use fitcheck::session::help::{Block, CONTENTS, HelpTopic, ManualPage, key_groups, manual, topics};
-use fitcheck::session::{Command, Field, HelpAction, HelpCommand, HelpField, Page, Session, Step, WindowAction};
+use fitcheck::session::{
+    Command, Field, HelpAction, HelpCommand, HelpField, Page, PaletteCommand, Session, Step, WindowAction,
+};
 use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;
 
@@ -195,6 +197,19 @@ fn the_sheet_has_every_key_of_every_action() {
     for language in Language::all() {
         let words = Words::new(language);
         assert!(groups.iter().all(|group| words.find(group.name).is_some()));
+    }
+}
+
+#[test]
+fn the_palette_finds_the_pages_of_the_manual() {
+    for (query, title) in
+        [("help reports", "reports.md"), ("hulp sneltoetsen", ""), ("help: control tables", "tables.md")]
+    {
+        let mut session = Session::new(Language::En);
+        send(&mut session, PaletteCommand::Show(true));
+        send(&mut session, PaletteCommand::Type(query.to_owned()));
+        send(&mut session, PaletteCommand::Do(None));
+        assert_eq!((session.page(), shown(&session).0), (Page::Help, title), "{query}");
     }
 }
 

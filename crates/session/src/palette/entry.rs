@@ -12,6 +12,7 @@ use crate::action::{Action, ActionScope, Shortcut, WindowAction};
 use crate::check::{CheckCommand, CheckField};
 use crate::command::Command;
 use crate::files::FilesCommand;
+use crate::help::{HelpCommand, HelpPlace, HelpTopic, topics};
 use crate::page::Page;
 
 /// Under which head an entry stands.
@@ -21,7 +22,7 @@ pub enum PaletteGroup {
     Do,
     /// Pages and recent files.
     Open,
-    /// How the window looks, and where limits come from.
+    /// How the window looks, where limits come from, and the manual.
     Settings,
 }
 
@@ -87,7 +88,22 @@ pub(super) fn all(session: &Session) -> Vec<PaletteEntry> {
             does: Does::Commands(vec![FilesCommand::OpenRecent(number).into()]),
         }
     }));
+    entries.extend(topics().map(|topic| of_topic(topic, &own, &others)));
     entries
+}
+
+/// The entry of something that can be read on the help page.
+fn of_topic(topic: HelpTopic, own: &Words, others: &[Words]) -> PaletteEntry {
+    let name = |words: &Words| words.say(&message!("help-page-entry").text("title", topic.title(words)));
+    PaletteEntry {
+        group: PaletteGroup::Settings,
+        text: name(own),
+        note: String::new(),
+        keys: None,
+        is_possible: true,
+        names: std::iter::once(own).chain(others).map(|words| name(words).to_lowercase()).collect(),
+        does: Does::Commands(vec![HelpCommand::Open(HelpPlace::of(topic)).into()]),
+    }
 }
 
 /// Whether an action stands in the palette: those of a dialog do not, for none is open, nor what only closes the palette.
@@ -108,7 +124,8 @@ fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -
             | WindowAction::LoadTables
             | WindowAction::NoOwnTables
             | WindowAction::LoadMask
-            | WindowAction::Keypad,
+            | WindowAction::Keypad
+            | WindowAction::Help,
         ) => PaletteGroup::Settings,
         _ => PaletteGroup::Do,
     };
