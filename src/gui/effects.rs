@@ -24,6 +24,7 @@ use crate::exchange::Remembered;
 use crate::exchange::batch::Part;
 use crate::files::{self, FileError};
 use crate::message::message;
+use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
@@ -332,8 +333,10 @@ fn seen(purpose: Purpose, path: PathBuf, read: FileContents) -> Vec<Command> {
     };
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
     let measured = sha256.map(|sha256| RecordsCommand::Measured { name, sha256 }.into());
-    let seen = FilesCommand::Seen { purpose, path, fate }.into();
-    std::iter::once(seen).chain(measured).chain(before).chain([command]).collect()
+    // A sample is no file of the user's.
+    let is_file = Sample::bytes_at(&path).is_none();
+    let seen = is_file.then(|| FilesCommand::Seen { purpose, path, fate }.into());
+    seen.into_iter().chain(measured).chain(before).chain([command]).collect()
 }
 
 fn save(job: &Job, path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {

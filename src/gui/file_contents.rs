@@ -11,6 +11,7 @@ use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
 use crate::session::Command;
+use crate::session::help::Sample;
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
 
@@ -41,9 +42,17 @@ pub(super) struct FileContents {
 
 /// The bytes of a file that a record may name.
 pub(super) fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let bytes = file_or_sample(path)?;
     *seen = Some(Hash::of_file(&bytes));
     Ok(bytes)
+}
+
+/// The bytes of a file, or of a sample, which lies in no folder.
+pub(super) fn file_or_sample(path: &Path) -> Result<Vec<u8>, Message> {
+    match Sample::bytes_at(path) {
+        Some(bytes) => Ok(bytes.to_vec()),
+        None => files::read_file(path).map_err(|error| error.message()),
+    }
 }
 
 pub(super) fn name(path: &Path) -> String {

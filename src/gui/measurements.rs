@@ -11,6 +11,7 @@ use crate::exchange::{self, Detected, FirstRows, ImportInputs, Imported, Item, M
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, message};
+use crate::session::help::Sample;
 use crate::session::parts::WalkCommand;
 use crate::session::{
     CheckCommand, ColumnsCommand, ColumnsRequest, Command, ImportInto, RowsCommand, UsedColumns, refusal,
@@ -100,7 +101,7 @@ fn known(into: ImportInto, first: &FirstRows, with: With<'_>) -> Option<Known> {
 
 /// What is said of a file that is too large for the history; its rows are judged without a mapping.
 fn large(into: ImportInto, path: &Path, is_mapped: bool, with: With<'_>) -> Option<Command> {
-    if matches!(into, ImportInto::Part(_)) {
+    if matches!(into, ImportInto::Part(_)) || Sample::bytes_at(path).is_some() {
         return None;
     }
     let name = name(path);

@@ -4,9 +4,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use fitcheck::session::action::Action;
-use fitcheck::session::help::{Block, CONTENTS, HelpTopic, ManualPage, key_groups, manual, topics};
+use fitcheck::session::help::{Block, CONTENTS, HelpTopic, ManualPage, Sample, key_groups, manual, topics};
+use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    Command, Field, HelpAction, HelpCommand, HelpField, Page, PaletteCommand, Session, Step, WindowAction,
+    Command, Effect, Field, HelpAction, HelpCommand, HelpField, Page, PaletteCommand, PartsCommand, Purpose, Session,
+    Step, WindowAction,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;
@@ -211,6 +213,48 @@ fn the_palette_finds_the_pages_of_the_manual() {
         send(&mut session, PaletteCommand::Do(None));
         assert_eq!((session.page(), shown(&session).0), (Page::Help, title), "{query}");
     }
+}
+
+#[test]
+fn samples_are_read_as_files_and_are_called_samples() {
+    for sample in Sample::ALL {
+        let mut session = on(Page::Help);
+        let command = Action::from(WindowAction::OpenSample(sample)).command(&session).unwrap();
+        let effects = session.apply(command, now());
+        assert_eq!(effects, [Effect::Read(sample.purpose(), sample.path())]);
+        let path = sample.path();
+        assert!(path.file_name().unwrap().to_str().unwrap().starts_with("sample_"), "{}", path.display());
+        assert!(Sample::bytes_at(&path).is_some() && path.is_relative() && !path.exists());
+    }
+    let part = Sample::Part.path();
+    let plan = fitcheck::part::Document::read(Sample::bytes_at(&part).unwrap()).unwrap();
+    assert!(plan.problems.is_empty() && plan.draft.rows.len() == 6);
+    assert!(Sample::bytes_at(&part.with_extension("svg")).is_some(), "its picture lies beside it");
+    assert!(Sample::bytes_at(Path::new("assets/samples/sample_plate.toml")).is_none());
+    assert!(Sample::bytes_at(Path::new("/etc/passwd")).is_none());
+}
+
+/// Whoever tries the program records nothing that somebody could take for measured.
+#[test]
+fn the_values_of_the_sample_file_are_simulated() {
+    let path = Sample::File.path();
+    let bytes = Sample::bytes_at(&path).unwrap();
+    let imported = fitcheck::exchange::import("sample.csv", bytes, &fitcheck::tolerance::Sources::default(), now());
+    assert_eq!((imported.records.len(), imported.errors.len()), (12, 0));
+    assert!(imported.records.iter().all(|record| record.measurement.origin.is_simulated()));
+}
+
+#[test]
+fn a_sample_file_is_not_taken_for_values_of_the_part_that_is_measured() {
+    let mut session = on(Page::Parts);
+    let bytes = Sample::bytes_at(&Sample::Part.path()).unwrap();
+    let result = Ok(Box::new(fitcheck::part::Document::read(bytes).unwrap()));
+    send(&mut session, PartsCommand::Plan(PlanCommand::Read { path: Sample::Part.path(), result }));
+    send(&mut session, WalkCommand::Begin);
+    assert!(session.parts().walking.is_begun());
+    let command = Action::from(WindowAction::OpenSample(Sample::File)).command(&session).unwrap();
+    assert_eq!(session.apply(command, now()), [Effect::Read(Purpose::Import, Sample::File.path())]);
+    assert_eq!(session.page(), Page::Check);
 }
 
 #[test]

@@ -8,7 +8,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::session::help::{HelpPlace, HelpTopic, topics};
-use fitcheck::session::{Command, HelpCommand, Page};
+use fitcheck::session::parts::PictureState;
+use fitcheck::session::{Command, Density, HelpCommand, Page};
 use fitcheck::words::Language;
 
 use crate::harness::{Window, click, cursor, press, rows, scan, settle, type_into};
@@ -137,4 +138,44 @@ fn a_heading_is_read_out_as_one() {
     let window = help();
     let title = window.get_by_role_and_label(Role::Heading, "The manual");
     assert_eq!(title.accesskit_node().data().level(), Some(1));
+}
+
+#[test]
+fn samples_open_from_the_contents_and_are_no_recent_files() {
+    let mut window = help();
+    click(&mut window, Role::Button, "Open a sample part");
+    assert_eq!(page(&window), Page::Parts);
+    let parts = window.state().session().parts();
+    assert_eq!(parts.document.draft().rows.len(), 6);
+    assert!(matches!(parts.sight(), Some(PictureState::Seen(_))), "{:?}", parts.sight());
+    send(&mut window, Command::OpenPage(Page::Help));
+    click(&mut window, Role::Button, "Open a sample file");
+    assert_eq!(page(&window), Page::Check);
+    assert_eq!(window.state().session().history().len(), 12);
+    send(&mut window, Command::OpenPage(Page::Help));
+    click(&mut window, Role::Button, "Open a sample program");
+    assert_eq!(page(&window), Page::Program);
+    window.get_by_label_contains("sample_plate.h");
+    assert!(window.state().session().recent_files().is_empty());
+}
+
+#[test]
+fn a_sample_is_found_in_the_palette() {
+    let mut window = Window::default().open();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::K);
+    window.run();
+    scan(&mut window, "sample part⏎");
+    assert_eq!(page(&window), Page::Parts);
+}
+
+#[test]
+fn by_touch_the_topics_and_buttons_are_high_enough() {
+    let mut window = help();
+    send(&mut window, Command::SetDensity(Density::Touch));
+    for role in [Role::TextInput, Role::Row] {
+        assert!(window.get_all_by_role(role).all(|node| 44.0 <= node.rect().height() + 0.1), "{role:?}");
+    }
+    for name in ["Back", "Open a sample part"] {
+        assert!(44.0 <= window.get_by_role_and_label(Role::Button, name).rect().height() + 0.1, "{name}");
+    }
 }

@@ -15,6 +15,13 @@ help-page-scroll = Scroll the text
 help-page-back = Back
 help-page-english = The manual is in English.
 
+# Samples
+help-page-samples = Try it
+help-page-sample-part = Open a sample part
+help-page-sample-file = Open a sample file
+help-page-sample-program = Open a sample program
+help-page-sample-hint = Samples are part of the program. The values in the sample file are marked as simulated.
+
 # The sheet of keys
 help-page-keys-about = A key of a page works while that page is open.
 help-page-everywhere = On every page

@@ -15,6 +15,13 @@ help-page-scroll = Tekst verschuiven
 help-page-back = Terug
 help-page-english = De handleiding is alleen in het Engels beschikbaar.
 
+# Samples
+help-page-samples = Uitproberen
+help-page-sample-part = Voorbeeldonderdeel openen
+help-page-sample-file = Voorbeeldbestand openen
+help-page-sample-program = Voorbeeldprogramma openen
+help-page-sample-hint = De voorbeelden zijn ingebouwd. De waarden in het voorbeeldbestand zijn gemarkeerd als gesimuleerd.
+
 # The sheet of keys
 help-page-keys-about = Een toets van een pagina werkt zolang die pagina open is.
 help-page-everywhere = Op elke pagina

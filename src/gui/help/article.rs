@@ -8,9 +8,9 @@ use super::grid::table_ui;
 use super::sheet::sheet_ui;
 use super::text::spans_ui;
 use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, quiet, remembered};
-use crate::session::help::{Block, HelpTopic, ManualPage, Marker};
-use crate::session::{HelpAction, Step};
+use crate::gui::view::{View, heading, quiet, remembered};
+use crate::session::help::{Block, CONTENTS, HelpTopic, ManualPage, Marker, Sample};
+use crate::session::{HelpAction, Step, WindowAction};
 use crate::words::Language;
 
 /// The widest that a line of text becomes: longer ones are hard to read.
@@ -42,6 +42,9 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
         match view.session.help().shown.topic {
             HelpTopic::Keys => sheet_ui(ui, view),
             HelpTopic::Manual(file) => {
+                if file == CONTENTS {
+                    samples_ui(ui, view);
+                }
                 let blocks = ManualPage::of(file).map(|page| page.blocks.as_slice());
                 for (number, block) in blocks.into_iter().flatten().enumerate() {
                     block_ui(ui, view, (number, block), look);
@@ -49,6 +52,18 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
             }
         }
     });
+}
+
+/// What the program can be tried with.
+fn samples_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("help-page-samples"));
+    ui.horizontal_wrapped(|ui| {
+        for sample in Sample::ALL.map(WindowAction::OpenSample) {
+            view.field_button(ui, sample);
+        }
+    });
+    quiet(ui, view.text("help-page-sample-hint"));
+    ui.separator();
 }
 
 /// Whether a number is another one than in the frame before.
@@ -74,11 +89,11 @@ fn block_ui(ui: &mut Ui, view: &mut View<'_>, (number, block): (usize, &Block), 
             ui.add_space(space(if *level == 1 { 0.0 } else { 2.0 }));
             let size = if *level == 1 { sizes().value } else { sizes().heading };
             let text: String = spans.iter().map(|span| span.text.as_str()).collect();
-            let heading = ui.add(Label::new(RichText::new(&text).font(theme::bold(size))).wrap());
-            heading.widget_info(|| WidgetInfo::labeled(Role::Heading, true, &text));
-            ui.ctx().accesskit_node_builder(heading.id, |node| node.set_level(*level));
+            let drawn = ui.add(Label::new(RichText::new(&text).font(theme::bold(size))).wrap());
+            drawn.widget_info(|| WidgetInfo::labeled(Role::Heading, true, &text));
+            ui.ctx().accesskit_node_builder(drawn.id, |node| node.set_level(*level));
             if look && view.session.help().shown.anchor.as_ref() == Some(anchor) {
-                heading.scroll_to_me(Some(Align::TOP));
+                drawn.scroll_to_me(Some(Align::TOP));
             }
         }
         Block::Paragraph(spans) => spans_ui(ui, view, spans),

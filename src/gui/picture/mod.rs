@@ -10,8 +10,8 @@ use std::thread::Builder;
 
 use image::{DynamicImage, ImageDecoder as _, ImageFormat, ImageReader, Limits};
 
-use crate::files;
-use crate::message::{Message, Say as _};
+use super::file_contents::file_or_sample;
+use crate::message::Message;
 use crate::report::image::{Image, ImageKind, MOST_DOTS, broken, check_dots};
 use crate::session::parts::PartPicture;
 
@@ -27,7 +27,7 @@ const STACK: usize = 64 << 20;
 /// Why it is refused.
 pub(super) fn read(path: &Path) -> Result<PartPicture, Message> {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let bytes = file_or_sample(path)?;
     // Decoders are by others: what goes wrong there ends with their thread, and not with the window.
     std::thread::scope(|scope| {
         let thread = Builder::new().name("picture".to_owned()).stack_size(STACK);

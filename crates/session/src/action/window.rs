@@ -17,7 +17,7 @@ use crate::columns::ColumnsCommand;
 use crate::command::Command;
 use crate::field::Field;
 use crate::files::{FilesCommand, Launch};
-use crate::help::HelpCommand;
+use crate::help::{HelpCommand, Sample};
 use crate::history::ListCommand;
 use crate::page::Page;
 use crate::palette::PaletteCommand;
@@ -34,6 +34,8 @@ actions! {
     Palette;
     /// Opens the manual at its page about the open page, or goes back to where one was.
     Help;
+    /// Opens something to try the program with.
+    OpenSample(Sample): Sample::ALL;
     /// Reads measurements.
     Import;
     /// Reads measurements once their columns were seen.
@@ -104,6 +106,15 @@ impl Actions for WindowAction {
             Self::Help => everywhere("help-page-help", HelpCommand::ForPage.into())
                 .hint("help-page-help-hint")
                 .key(Shortcut::plain(Key::Function(1))),
+            Self::OpenSample(sample) => {
+                let text = match sample {
+                    Sample::Part => "help-page-sample-part",
+                    Sample::File => "help-page-sample-file",
+                    Sample::Program => "help-page-sample-program",
+                };
+                everywhere(text, FilesCommand::Open(sample.purpose(), sample.path()).into())
+                    .hint("help-page-sample-hint")
+            }
             Self::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
             Self::ImportColumns => everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History)))
                 .hint("columns-page-hint"),

@@ -45,6 +45,7 @@ pub use working::Working;
 
 use super::Session;
 use super::effect::Effect;
+use super::help::Sample;
 use super::page::Page;
 use super::purpose::Purpose;
 use super::shared::{MaskChoice, News, Notice, OwnMask};
@@ -184,8 +185,11 @@ impl Session {
 
     /// Reads a file without a dialog, on the page that shows it.
     fn open_file(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Vec<Effect> {
-        // Measurements that are dropped on a part that is being measured are its own.
-        let is_of_walk = purpose == Purpose::Import && self.shared.page == Page::Parts && self.parts.walking.is_begun();
+        // Measurements that are dropped on a part that is being measured are its own; a sample is no part's.
+        let is_of_walk = purpose == Purpose::Import
+            && self.shared.page == Page::Parts
+            && self.parts.walking.is_begun()
+            && Sample::bytes_at(&path).is_none();
         let purpose = if is_of_walk { Purpose::ImportValues(self.parts.walking.run) } else { purpose };
         if let Some(page) = purpose.page(self.shared.page) {
             self.shared.open(page);

@@ -6,6 +6,7 @@
 //! | `manual`, `blocks` | the pages of the manual; how one is read |
 //! | `search` | which pages a query finds, the best first |
 //! | `sheet` | the keys of all actions |
+//! | `samples` | built-in files to try the program with |
 //! | `field`, `command`, `apply`, `actions` | the search field; what can be done, how, and by which keys |
 //!
 //! Which page of the manual is about which page of the window is said in `page.rs`.
@@ -16,6 +17,7 @@ mod blocks;
 mod command;
 mod field;
 mod manual;
+mod samples;
 mod search;
 mod sheet;
 
@@ -26,6 +28,7 @@ pub use blocks::{Block, Marker, Span};
 pub use command::HelpCommand;
 pub use field::HelpField;
 pub use manual::{CONTENTS, ManualPage, manual};
+pub use samples::Sample;
 pub use search::HelpFound;
 pub use sheet::{KeyGroup, KeyRow, key_groups};
 

@@ -20,7 +20,7 @@ use crate::page::Page;
 pub enum PaletteGroup {
     /// What can be done.
     Do,
-    /// Pages and recent files.
+    /// Pages, recent files and samples.
     Open,
     /// How the window looks, where limits come from, and the manual.
     Settings,
@@ -114,7 +114,7 @@ fn is_listed(action: Action) -> bool {
 
 fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -> PaletteEntry {
     let group = match action {
-        Action::Window(WindowAction::Open(_)) => PaletteGroup::Open,
+        Action::Window(WindowAction::Open(_) | WindowAction::OpenSample(_)) => PaletteGroup::Open,
         Action::Window(
             WindowAction::UseTheme(_)
             | WindowAction::UseDensity(_)
