@@ -22,7 +22,8 @@ impl PageState for HelpPage {
     fn restored(_saved: &Saved, shared: &Shared) -> Self {
         Self {
             query: String::new(),
-            found: search(""),
+            // The manual is read when the page is opened: a start does not wait for it.
+            found: Vec::new(),
             shown: HelpPlace::of(HelpTopic::Manual(CONTENTS)),
             before: Vec::new(),
             look: 0,
@@ -68,11 +69,11 @@ impl PageState for HelpPage {
         Vec::new()
     }
 
-    fn follow(&mut self, news: &News, shared: &mut Shared) {
-        if let News::Opened(_) = news
-            && shared.page != Page::Help
-        {
-            self.from = shared.page;
+    fn follow(&mut self, news: &News, _shared: &mut Shared) {
+        match news {
+            News::Opened(Page::Help) => self.found = search(&self.query),
+            News::Opened(page) => self.from = *page,
+            _ => {}
         }
     }
 
