@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::scroll_area::ScrollBarVisibility;
-use eframe::egui::{Align, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, UiBuilder, WidgetInfo, vec2};
+use eframe::egui::{Align, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, WidgetInfo, vec2};
 
 use super::grid::table_ui;
 use super::sheet::sheet_ui;
@@ -121,8 +121,10 @@ fn item_ui(
     ui.horizontal_top(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         ui.add_space(left);
-        let place = ui.allocate_space(vec2(space(6.0), sizes().body)).1;
-        ui.scope_builder(UiBuilder::new().max_rect(place), |ui| ui.label(mark));
+        ui.allocate_ui(vec2(space(5.0), 0.0), |ui| {
+            ui.set_width(space(5.0));
+            ui.label(mark);
+        });
         ui.vertical(|ui| content(ui, view));
     });
 }

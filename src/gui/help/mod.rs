@@ -42,8 +42,11 @@ fn help_ui(ui: &mut Ui, view: &mut View<'_>) {
         panel_ui(ui, view, Side::Left, "help-topics", sizes, topics_panel::topics_ui);
     }
     let lists_topics = !is_beside && view.session.help().lists_topics;
-    CentralPanel::default().show(ui, |ui| match lists_topics {
-        true => topics_panel::topics_ui(ui, view),
-        false => article::article_ui(ui, view, is_beside),
+    CentralPanel::default().show(ui, |ui| {
+        if lists_topics {
+            topics_panel::topics_ui(ui, view);
+        } else {
+            article::article_ui(ui, view, is_beside);
+        }
     });
 }

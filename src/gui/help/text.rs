@@ -1,7 +1,7 @@
 //! A paragraph of the manual: its looks, and links within the manual.
 
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{FontId, Label, Link, Ui};
+use eframe::egui::{FontId, Label, Link, RichText, Ui};
 
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::View;
@@ -21,7 +21,7 @@ pub(super) fn spans_ui(ui: &mut Ui, view: &mut View<'_>, spans: &[Span]) {
         for run in spans.chunk_by(|one, other| one.link.is_none() && other.link.is_none()) {
             match run {
                 [Span { link: Some(place), text, .. }] => {
-                    if ui.add(Link::new(text)).clicked() {
+                    if ui.add(Link::new(RichText::new(text).underline())).clicked() {
                         view.send(HelpCommand::Open(place.clone()));
                     }
                 }
@@ -36,9 +36,11 @@ pub(super) fn job(ui: &Ui, spans: &[Span]) -> LayoutJob {
     let palette = palette(ui.ctx());
     let mut job = LayoutJob::default();
     for span in spans {
-        let background = if span.is_code { palette.background.0 } else { Default::default() };
-        let format =
-            TextFormat { background, italics: span.is_italic, ..TextFormat::simple(font(span), palette.text.0) };
+        let mut format = TextFormat::simple(font(span), palette.text.0);
+        format.italics = span.is_italic;
+        if span.is_code {
+            format.background = palette.background.0;
+        }
         job.append(&span.text, 0.0, format);
     }
     job
