@@ -276,6 +276,18 @@ fn keys_of_the_parts_page() {
 }
 
 #[test]
+fn keys_of_the_help_page() {
+    let mut pair = Pair::on(Page::Help);
+    pair.press_all();
+    pair.press_all();
+    for name in ["SearchHelp", "BackInHelp", "ReadTopic", "Help"] {
+        assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible: {:?}", pair.done);
+    }
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("MoveTopic")).count(), 4);
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("ScrollHelp")).count(), 2);
+}
+
+#[test]
 fn keys_of_the_budget_page() {
     let mut pair = Pair::on(Page::Budget);
     pair.press_all();

@@ -109,6 +109,16 @@ fn where_there_is_no_room_the_topics_stand_in_the_place_of_the_text() {
     click(&mut window, Role::Row, "Whole parts");
     window.get_by_role_and_label(Role::Heading, "Whole parts");
     assert!(window.query_by_role(Role::Row).is_none());
+    // By keys alone: to the field, into the list, along it, and into the text.
+    window.key_press_modifiers(Modifiers::COMMAND, Key::F);
+    settle(&mut window);
+    scan(&mut window, "journal⇥");
+    press(&mut window, Key::ArrowDown);
+    let chosen = cursor(&window);
+    press(&mut window, Key::Enter);
+    assert!(window.query_by_role(Role::Row).is_none());
+    let title = window.get_all_by_role(Role::Heading).next().and_then(|node| node.accesskit_node().label());
+    assert!(title.as_ref().is_some_and(|title| chosen.starts_with(title.as_str())), "{chosen}: {title:?}");
 }
 
 /// A glyph that no font has ends the test.

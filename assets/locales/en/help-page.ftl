@@ -11,6 +11,7 @@ help-page-topics = Contents
 help-page-list = Pages of the manual
 help-page-found = { $title }, { $heading }
 help-page-move = Go to another page of the manual
+help-page-read = Show the page
 help-page-scroll = Scroll the text
 help-page-back = Back
 help-page-english = The manual is in English.

@@ -11,6 +11,7 @@ help-page-topics = Inhoud
 help-page-list = Pagina's van de handleiding
 help-page-found = { $title }, { $heading }
 help-page-move = Naar een andere pagina van de handleiding
+help-page-read = Pagina tonen
 help-page-scroll = Tekst verschuiven
 help-page-back = Terug
 help-page-english = De handleiding is alleen in het Engels beschikbaar.

@@ -14,16 +14,13 @@ mod sheet;
 mod text;
 mod topics_panel;
 
-use eframe::egui::{CentralPanel, Id, Ui};
+use eframe::egui::{CentralPanel, Ui};
 
 use super::columns::{Side, panel_ui};
-use super::field;
 use super::keypad::keypad_ui;
-use super::over_page::just_opened;
 use super::page::{PageView, measurements};
 use super::theme::space;
 use super::view::View;
-use crate::session::HelpField;
 
 /// From this width on the topics stand beside the text.
 const BESIDE: f32 = 190.0;
@@ -32,19 +29,16 @@ pub(super) const PAGE: PageView = PageView { ui: help_ui, dropped: measurements 
 
 /// Topics and text beside each other where there is room, else one in the place of the other.
 fn help_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if just_opened(ui, Id::unique("help-page")) {
-        ui.memory_mut(|memory| memory.request_focus(field::id(HelpField::Search)));
-    }
     keypad_ui(ui, view);
     let is_beside = space(BESIDE) <= ui.available_width();
     if is_beside {
         let sizes = (space(76.0), space(52.0)..=space(110.0));
-        panel_ui(ui, view, Side::Left, "help-topics", sizes, topics_panel::topics_ui);
+        panel_ui(ui, view, Side::Left, "help-topics", sizes, |ui, view| topics_panel::topics_ui(ui, view, true));
     }
     let lists_topics = !is_beside && view.session.help().lists_topics;
     CentralPanel::default().show(ui, |ui| {
         if lists_topics {
-            topics_panel::topics_ui(ui, view);
+            topics_panel::topics_ui(ui, view, false);
         } else {
             article::article_ui(ui, view, is_beside);
         }

@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use eframe::egui::{Id, Ui};
 
-use crate::gui::field::{FieldStyle, field_ui};
+use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::key_names::part_id;
+use crate::gui::over_page::just_opened;
 use crate::gui::table::{Cell, Column, Row, Table};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
@@ -17,8 +18,11 @@ fn id() -> Id {
     part_id(TOPICS)
 }
 
-/// The field and the list, in the room that is left.
-pub(super) fn topics_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// The field and the list, in the room that is left. A list in the place of the text is gone after a click, and gets no focus.
+pub(super) fn topics_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
+    if just_opened(ui, Id::unique("help-search")) {
+        ui.memory_mut(|memory| memory.request_focus(field::id(HelpField::Search)));
+    }
     let name = quiet(ui, view.text("help-page-search"));
     let width = ui.available_width();
     field_ui(ui, view, HelpField::Search, name.id, FieldStyle::large(width));
@@ -28,6 +32,7 @@ pub(super) fn topics_ui(ui: &mut Ui, view: &mut View<'_>) {
         count: help.found.len(),
         look: (help.look, help.selected()),
         empty: view.text("help-page-nothing"),
+        keeps_focus: is_beside,
         ..Table::new(id(), "help-page-list", &columns)
     };
     let seen = table.show(ui, view, rows);

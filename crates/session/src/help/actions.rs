@@ -3,7 +3,6 @@
 use super::{HelpCommand, HelpField};
 use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
 use crate::action::{Held, Key, Part, Shortcut};
-use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
 use crate::step::Step;
@@ -23,6 +22,8 @@ actions! {
     BackInHelp;
     /// Goes to another topic.
     MoveTopic(Step): [Step::Up, Step::Down, Step::First, Step::Last];
+    /// Shows the text of the topic at which the keys are, where there is no room for both.
+    ReadTopic;
     /// Scrolls the text.
     ScrollHelp(Step): [Step::PageUp, Step::PageDown];
     /// Shows the topics in the place of the text, where there is no room for both.
@@ -32,9 +33,7 @@ actions! {
 impl Actions for HelpAction {
     fn row(&self) -> ActionRow {
         match *self {
-            Self::SearchHelp => {
-                on(Page::Help, "help-page-search", Command::GoTo(HelpField::Search.into())).key(Shortcut::ctrl('F'))
-            }
+            Self::SearchHelp => on(Page::Help, "help-page-search", HelpCommand::Search).key(Shortcut::ctrl('F')),
             Self::OpenFound => on(Page::Help, "help-page-open-found", HelpCommand::Select(0))
                 .when(|session| !session.help().found.is_empty()),
             Self::BackInHelp => on(Page::Help, "help-page-back", HelpCommand::Back)
@@ -43,6 +42,7 @@ impl Actions for HelpAction {
             Self::MoveTopic(step) => within(TOPICS, "help-page-move", HelpCommand::Move(step))
                 .when(|session| !session.help().found.is_empty())
                 .key(keys(step)),
+            Self::ReadTopic => within(TOPICS, "help-page-read", HelpCommand::Read).key(Shortcut::plain(Key::Enter)),
             Self::ScrollHelp(step) => on(Page::Help, "help-page-scroll", HelpCommand::Scroll(step)).key(keys(step)),
             Self::ListTopics => on(Page::Help, "help-page-topics", HelpCommand::ListTopics),
         }

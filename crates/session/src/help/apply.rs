@@ -64,7 +64,12 @@ impl PageState for HelpPage {
                 }
             }
             HelpCommand::Scroll(step) => self.scrolled = (self.scrolled.0 + 1, step),
+            HelpCommand::Search => {
+                self.lists_topics = true;
+                return vec![Effect::Focus(HelpField::Search.into())];
+            }
             HelpCommand::ListTopics => self.lists_topics = true,
+            HelpCommand::Read => self.lists_topics = false,
         }
         Vec::new()
     }
@@ -119,6 +124,9 @@ impl HelpPage {
         let Some(last) = self.found.len().checked_sub(1) else { return };
         let Some(found) = self.found.get(step.place(self.selected(), last)) else { return };
         let place = found.place.clone();
+        if self.shown == place {
+            return;
+        }
         let lists_topics = self.lists_topics;
         if self.is_walking {
             self.show(place);

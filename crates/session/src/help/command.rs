@@ -20,6 +20,10 @@ pub enum HelpCommand {
     Back,
     /// Scrolls the text.
     Scroll(Step),
+    /// Goes to the search field.
+    Search,
     /// Shows the topics in the place of the text, where there is no room for both.
     ListTopics,
+    /// Shows the text in the place of the topics, where there is no room for both.
+    Read,
 }
