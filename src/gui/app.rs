@@ -18,7 +18,7 @@ use super::rail::rail_ui;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{crash, dialogs, field, keys, palette, parts, top_bar};
+use super::{crash, dialogs, field, keys, palette, parts, top_bar, zoom};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
@@ -127,6 +127,7 @@ impl App {
             closes: None,
         };
         app.prefer_theme(&cc.egui_ctx);
+        zoom::set(&cc.egui_ctx, app.session.zoom());
         for effect in effects {
             app.run(&cc.egui_ctx, effect);
         }
@@ -196,6 +197,7 @@ impl App {
         if commands.is_empty() {
             return;
         }
+        let zoom = self.session.zoom();
         for command in commands {
             for effect in self.session.apply(command, (self.clock)()) {
                 self.leaves |= effect == Effect::Leave;
@@ -206,6 +208,9 @@ impl App {
             self.words = (self.words_of)(self.session.language());
         }
         self.prefer_theme(ctx);
+        if self.session.zoom() != zoom {
+            zoom::set(ctx, self.session.zoom());
+        }
         self.keeper.look(ctx, &self.session);
         // The change is drawn at once; after that nothing moves.
         ctx.request_repaint();
@@ -234,6 +239,11 @@ impl eframe::App for App {
         let mut view = View { session: &self.session, words: &self.words, commands: Vec::new() };
         if let Some(is_touched) = touched.filter(|is_touched| *is_touched != self.session.is_touched()) {
             view.send(Command::Touched(is_touched));
+        }
+        if let Some(zoom) = zoom::by_keys(ui.ctx(), self.session.zoom()) {
+            view.send(Command::SetZoom(zoom));
+            // Where keys went too far, nothing changes in the state, and the window has to come back.
+            zoom::set(ui.ctx(), zoom);
         }
         let drawn = catch_unwind(AssertUnwindSafe(|| window_ui(ui, &mut view)));
         if let Err(panic) = drawn {

@@ -18,6 +18,7 @@
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys`, `key_names` | actions as buttons, entries of menus and keys |
+//! | `zoom` | the scale of the window |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
 //! | `table` | a list of rows with heads |
@@ -97,6 +98,7 @@ mod view;
 mod watching;
 mod who;
 mod working;
+mod zoom;
 
 pub use app::{App, Setup};
 pub use errands::Errands;

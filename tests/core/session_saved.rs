@@ -6,7 +6,7 @@ use fitcheck::message::Message;
 use fitcheck::session::WindowAction;
 use fitcheck::session::{
     CheckCommand, CheckField, Command, Effect, Field, FilesCommand, FitField, MeasureBy, Purpose, Saved, SavedError,
-    Session, TablesField, Theme,
+    Session, TablesField, Theme, Zoom,
 };
 use fitcheck::tolerance::table::Column;
 use fitcheck::tolerance::{Base, DeviationTable, Deviations};
@@ -257,4 +257,24 @@ fn a_window_writes_only_what_it_has_changed_over_what_another_has_written() {
     assert!(matches!(after.write_over(&before, b"version = 99"), Err(SavedError::Newer { .. })));
     // What another window has written already is written once more as it is.
     assert_eq!(Saved::read(&after.write_over(&before, &after.write().unwrap()).unwrap()), Ok(after));
+}
+
+#[test]
+fn the_scale_of_the_window_survives_and_stays_within_what_can_be_read() {
+    let mut session = Session::new(Language::En);
+    session.apply(Command::SetZoom(Zoom::from(150)), now());
+    let saved = session.saved().write().unwrap();
+    assert!(String::from_utf8(saved.clone()).unwrap().contains("zoom = 150"));
+    assert_eq!(Session::restore(Saved::read(&saved).unwrap()).0.zoom(), Zoom::from(150));
+    for (text, percent) in [("version = 1", 100), ("zoom = 10", 75), ("zoom = 1000", 300)] {
+        assert_eq!(Saved::read(text.as_bytes()).unwrap().zoom.percent(), percent, "{text}");
+    }
+}
+
+#[test]
+fn a_step_of_the_scale_goes_to_the_next_ten_per_cent() {
+    for (from, larger, smaller) in [(75, 80, 75), (100, 110, 90), (125, 130, 120), (300, 300, 290)] {
+        let zoom = Zoom::from(from);
+        assert_eq!((zoom.larger().percent(), zoom.smaller().percent()), (larger, smaller), "{from}");
+    }
 }

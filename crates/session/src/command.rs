@@ -23,6 +23,7 @@ use super::rows::RowsCommand;
 use super::settings::{Density, Theme};
 use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
+use super::zoom::Zoom;
 
 macro_rules! command {
     ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal, $manual:literal;)+) => {
@@ -53,6 +54,8 @@ macro_rules! command {
             SetTheme(Theme),
             /// Chooses how high everything is that is pressed.
             SetDensity(Density),
+            /// Scales the whole window.
+            SetZoom(Zoom),
             /// A finger touched the window, or a mouse moved over it.
             Touched(bool),
             /// Draws the status window with a built-in mask; `None` is the mask of the language.

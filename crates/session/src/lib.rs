@@ -26,7 +26,7 @@
 //! | `page`, `state` | the list of the pages; what every page is |
 //! | `command`, `effect` | every command, and what it asks of the outside world |
 //! | `field`, `texts`, `typing` | every text field, the texts in them, and what typing does |
-//! | `purpose`, `settings`, `step` | what files are for; how the window looks; every step from one thing to the next |
+//! | `purpose`, `settings`, `zoom`, `step` | what files are for; how the window looks; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
 //! | `palette` | everything that can be done, found by its name |
@@ -89,6 +89,7 @@ mod texts;
 mod tools;
 mod typing;
 mod workpiece;
+mod zoom;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -155,6 +156,7 @@ pub use step::Step;
 pub use tables::{TablesAction, TablesCommand, TablesField, TablesPage};
 pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
 pub use workpiece::{OpenPart, RecordedContacts, WorkpieceCommand};
+pub use zoom::Zoom;
 
 use self::asking::Asking;
 use self::files::Places;
@@ -290,6 +292,7 @@ impl Session {
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files.clone());
         shared.density = saved.density;
+        shared.zoom = saved.zoom;
         shared.columns = columns::Columns::restore(saved.columns.clone());
         let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
@@ -318,6 +321,7 @@ impl Session {
             theme: self.shared.theme,
             keypad: self.shared.keypad,
             density: self.shared.density,
+            zoom: self.shared.zoom,
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             mask: self.shared.mask_file().filter(|path| path.to_str().is_some()),
@@ -405,6 +409,7 @@ impl Session {
             Command::SetLanguage(language) => shared.set_language(language),
             Command::SetTheme(theme) => shared.theme = theme,
             Command::SetDensity(density) => shared.density = density,
+            Command::SetZoom(zoom) => shared.zoom = zoom,
             Command::Touched(is_touched) => shared.is_touched = is_touched,
             Command::SetMask(language) => {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));

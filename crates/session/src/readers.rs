@@ -20,6 +20,7 @@ use super::recording::{Recorded, Recording};
 use super::settings::{Density, Theme};
 use super::shared::{MaskChoice, Notice, ProgramFiles};
 use super::workpiece::{OpenPart, RecordedContacts};
+use super::zoom::Zoom;
 
 impl Session {
     /// The open page.
@@ -60,6 +61,11 @@ impl Session {
     /// How high everything is that is pressed, as it was chosen.
     pub const fn density(&self) -> Density {
         self.shared.density
+    }
+
+    /// The scale of the window.
+    pub const fn zoom(&self) -> Zoom {
+        self.shared.zoom
     }
 
     /// Whether a finger was used last.

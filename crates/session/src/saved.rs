@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::check::{MeasureBy, RuleChoice};
 use super::settings::{Density, Theme};
+use super::zoom::Zoom;
 
 /// The version that is written.
 const VERSION: u32 = 1;
@@ -30,6 +31,8 @@ pub struct Saved {
     pub keypad: bool,
     /// How high everything is that is pressed.
     pub density: Density,
+    /// The scale of the window in per cent.
+    pub zoom: Zoom,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
     /// The user's own mask, where one is chosen.
@@ -148,6 +151,7 @@ impl Default for Saved {
             theme: Theme::default(),
             keypad: false,
             density: Density::default(),
+            zoom: Zoom::default(),
             tables_folder: None,
             mask: None,
             budget: None,

@@ -30,6 +30,7 @@ use super::saved::SavedRecords;
 use super::settings::{Density, Theme};
 use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
+use super::zoom::Zoom;
 
 /// The mask that the status window is drawn with.
 #[derive(Debug, Clone, Default)]
@@ -163,6 +164,7 @@ pub(super) struct Shared {
     /// Whether the keypad is shown.
     pub keypad: bool,
     pub density: Density,
+    pub zoom: Zoom,
     /// Whether a finger was used last.
     pub is_touched: bool,
     pub mask: MaskChoice,
