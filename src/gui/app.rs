@@ -110,6 +110,9 @@ impl App {
             Some(Err(told)) => session.tell(told),
             None => {}
         }
+        if let Some(file) = &store.path {
+            session.use_state_file(file.clone());
+        }
         session.use_program_files(|program| Box::new(Folders::beside(program)));
         if let Some(home) = setup.home {
             session.use_home(home);

@@ -11,7 +11,7 @@
 //! | `crash` | the report that a panic leaves |
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
-//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts`, `help` | the pages |
+//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts`, `help`, `settings` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
 //! | `over_page`, `palette` | what lies over a page; everything that can be done, found by its name |
 //! | `rail`, `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
@@ -85,6 +85,7 @@ mod records;
 mod rows;
 mod section;
 mod segments;
+mod settings;
 mod shapes;
 mod split;
 mod store;

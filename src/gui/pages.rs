@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use super::page::PageView;
 use super::view::View;
-use super::{budget, check, cycles, fit, help, pairing, parts, program, records, tables};
+use super::{budget, check, cycles, fit, help, pairing, parts, program, records, settings, tables};
 use crate::session::Page;
 
 pub(super) const fn page_of(page: Page) -> PageView {
@@ -19,6 +19,7 @@ pub(super) const fn page_of(page: Page) -> PageView {
         Page::Records => records::PAGE,
         Page::Parts => parts::PAGE,
         Page::Help => help::PAGE,
+        Page::Settings => settings::PAGE,
     }
 }
 

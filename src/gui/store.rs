@@ -16,7 +16,7 @@ use crate::tolerance::fit::materials::Materials;
 /// Where the state is kept; `None` keeps nothing.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Store {
-    path: Option<PathBuf>,
+    pub(super) path: Option<PathBuf>,
 }
 
 impl Store {

@@ -129,6 +129,7 @@ mod session_program;
 mod session_records;
 mod session_rules;
 mod session_saved;
+mod session_settings;
 mod session_tables;
 mod session_tokens;
 mod session_tools;

@@ -27,6 +27,7 @@ mod readme;
 mod records_page;
 mod rows;
 mod rules;
+mod settings_page;
 mod sizes;
 mod table_page;
 mod tools;

@@ -22,6 +22,7 @@ use fitcheck::session::parts::{PartsView, PlanCommand, WalkCommand};
 use fitcheck::session::{
     BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
     HelpCommand, MeasureBy, Page, PairingCommand, PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand,
+    Section, SettingsCommand, SettingsField,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
@@ -300,6 +301,7 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             send(&mut window, PartsCommand::Show(PartsView::Plan));
         }
         Page::Help => send(&mut window, HelpCommand::Open(HelpPlace::of(HelpTopic::Manual("programs.md")))),
+        Page::Settings => return settings_page(&mut window, tongue, &what),
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
@@ -307,6 +309,19 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
         check_frame(&window, points, &what);
     }
     faults(&window, tongue, &what)
+}
+
+/// Every section of the settings, and what a search finds.
+fn settings_page(window: &mut Harness<'_, App>, tongue: Tongue, what: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for section in Section::ALL {
+        send(window, SettingsCommand::Show(section));
+        paint(window, &format!("{what} {section:?}"));
+        found.extend(faults(window, tongue, &format!("{what}, {section:?}")));
+    }
+    typed(window, SettingsField::Find, "e");
+    found.extend(faults(window, tongue, &format!("{what}, found")));
+    found
 }
 
 /// Records in sight, one of them open and being corrected.
@@ -321,7 +336,7 @@ fn recorded(window: &mut Harness<'_, App>) {
 const fn has_verdict(page: Page) -> bool {
     match page {
         Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget | Page::Parts => true,
-        Page::Tables | Page::Program | Page::Records | Page::Help => false,
+        Page::Tables | Page::Program | Page::Records | Page::Help | Page::Settings => false,
     }
 }
 

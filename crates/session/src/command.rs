@@ -21,6 +21,7 @@ use super::parts::{PartsCommand, WalkCommand};
 use super::purpose::Purpose;
 use super::rows::RowsCommand;
 use super::settings::{Density, Theme};
+use super::settings_page::Section;
 use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
 use super::zoom::Zoom;
@@ -56,6 +57,8 @@ macro_rules! command {
             SetDensity(Density),
             /// Scales the whole window.
             SetZoom(Zoom),
+            /// Sets what a section of the settings page has back to what a first start has.
+            BackToDefaults(Section),
             /// A finger touched the window, or a mouse moved over it.
             Touched(bool),
             /// Draws the status window with a built-in mask; `None` is the mask of the language.

@@ -19,6 +19,7 @@
 //! | `records` | everything that was recorded |
 //! | `parts` | plans of whole parts, and the walk through them |
 //! | `help` | the manual, and the keys |
+//! | `settings_page` | everything that can be set |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
@@ -81,6 +82,7 @@ pub mod records;
 mod rows;
 mod saved;
 mod settings;
+mod settings_page;
 mod shared;
 mod state;
 mod step;
@@ -150,6 +152,10 @@ pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
 pub use settings::{Density, Theme};
+pub use settings_page::{
+    Control, KeyRow, KeysOfPlace, SETTINGS, Section, Setting, SettingsAction, SettingsCommand, SettingsField,
+    SettingsPage, Told,
+};
 use shared::OwnMask;
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
@@ -445,6 +451,10 @@ impl Session {
             Command::SetStandard(options) => {
                 let sources = shared.sources.as_ref().clone().with_options(options);
                 shared.use_sources(sources);
+            }
+            Command::BackToDefaults(section) => {
+                let commands = self.commands_to_defaults(section);
+                return commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
             }
             Command::Saved { path, result } => self.saved_file(&path, result),
         }

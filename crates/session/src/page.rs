@@ -25,6 +25,8 @@ macro_rules! pages {
             Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget", "uncertainty.md";
             /// The manual, the keys and the samples.
             Help: help, HelpPage, HelpCommand, HelpField, HelpAction, "page-help", "window.md";
+            /// Everything that can be set.
+            Settings: settings_page, SettingsPage, SettingsCommand, SettingsField, SettingsAction, "page-settings", "settings.md";
         }
     };
 }

@@ -148,6 +148,11 @@ impl Session {
         self.shared.places.home.as_deref()
     }
 
+    /// Sets the file that keeps the settings.
+    pub fn use_state_file(&mut self, file: PathBuf) {
+        self.settings_page.state_file = Some(file);
+    }
+
     /// Sets where the NC program of a file finds other files.
     pub fn use_program_files(&mut self, files: fn(&Path) -> Box<dyn Store>) {
         self.shared.program_files = ProgramFiles(files);

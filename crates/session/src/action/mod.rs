@@ -120,7 +120,7 @@ impl Part {
 }
 
 impl Action {
-    fn row(self) -> ActionRow {
+    pub(crate) fn row(self) -> ActionRow {
         self.list().row()
     }
 

@@ -217,7 +217,11 @@ impl Actions for CheckAction {
         })
     }
 
-    fn on_enter(field: Field, _page: Page) -> Option<Self> {
+    fn on_enter(field: Field, page: Page) -> Option<Self> {
+        // Some fields also stand on the settings page: there nothing is measured.
+        if page != Page::Check {
+            return None;
+        }
         Some(match field {
             Field::Check(CheckField::HistoryFilter) => return None,
             Field::Check(_) => Self::Measure,

@@ -14,6 +14,7 @@ use crate::command::Command;
 use crate::files::FilesCommand;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic, topics};
 use crate::page::Page;
+use crate::settings_page::setting_of;
 
 /// Under which head an entry stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -113,26 +114,20 @@ fn is_listed(action: Action) -> bool {
 }
 
 fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -> PaletteEntry {
+    let setting = setting_of(action);
     let group = match action {
         Action::Window(WindowAction::Open(_) | WindowAction::OpenSample(_)) => PaletteGroup::Open,
-        Action::Window(
-            WindowAction::UseTheme(_)
-            | WindowAction::UseDensity(_)
-            | WindowAction::UseSource(_)
-            | WindowAction::RoundJs
-            | WindowAction::Edition1988
-            | WindowAction::LoadTables
-            | WindowAction::NoOwnTables
-            | WindowAction::LoadMask
-            | WindowAction::Keypad
-            | WindowAction::Help,
-        ) => PaletteGroup::Settings,
+        Action::Window(WindowAction::Help) => PaletteGroup::Settings,
+        _ if setting.is_some() => PaletteGroup::Settings,
         _ => PaletteGroup::Do,
     };
     let page = action.place().page();
     let text = action.text(session, own);
     let elsewhere = others.iter().map(|words| action.text(session, words));
-    let on_page = |words: &Words| page.map_or_else(String::new, |page| words.get(page.name()));
+    // A choice alone says little: its setting stands beside it, but not twice where it is a switch.
+    let of_setting = setting.map(|setting| setting.name).filter(|name| own.get(name) != text);
+    let beside = page.map(Page::name).or(of_setting);
+    let on_page = |words: &Words| beside.map_or_else(String::new, |id| words.get(id));
     let pages = std::iter::once(own).chain(others).map(on_page);
     let names = std::iter::once(text.clone()).chain(elsewhere).zip(pages);
     PaletteEntry {

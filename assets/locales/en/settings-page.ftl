@@ -1,0 +1,110 @@
+page-settings = Settings
+
+# The sections
+settings-page-find = Find a setting
+settings-page-sections = Section
+settings-page-general = General
+settings-page-appearance = Appearance
+settings-page-rule = Rule and limits
+settings-page-own-files = Own files
+settings-page-records = Records
+settings-page-shop-server = Shop server
+settings-page-folders = Folders
+settings-page-keys = Keys
+settings-page-about = About
+settings-page-nothing = No setting has these words
+settings-page-defaults = Back to defaults
+settings-page-defaults-hint = Sets this section as at the first start. Files, names and addresses stay.
+
+# General
+settings-page-language-about = All texts of the window, and its decimal sign.
+settings-page-keypad-about = Large keys for touch screens and gloves.
+
+# Appearance
+settings-page-colours = Colours
+settings-page-colours-about = The verdict also has a word and a shape, whatever its colour.
+settings-page-zoom = Zoom
+settings-page-zoom-about = Scales everything. The keys are Ctrl with plus, minus and 0.
+settings-page-zoom-out = Zoom out
+settings-page-zoom-in = Zoom in
+settings-page-zoom-normal = Zoom to 100 %
+settings-page-percent = { $percent } %
+settings-page-density-about = Automatic: a touch makes buttons and fields larger, the mouse makes them smaller.
+
+# Rule and limits
+settings-page-limits-about = Where the limits of a class are looked up. Your own tables always come first.
+settings-page-js-about = For drawings by the edition of 1988, grades 7 to 11. Otherwise half micrometres are kept.
+settings-page-1988-about = For drawings by the edition of 1988. Otherwise they are defined for larger sizes, too.
+settings-page-decision-rule = Decision rule
+settings-page-decision-rule-about = Which part of the zone is accepted, given the uncertainty of the value.
+settings-page-prover = Burden of proof
+settings-page-prover-about = Who has to prove that a part conforms, or does not.
+settings-page-uncertainty-from = Uncertainty is given as
+settings-page-uncertainty-from-about = A typed value, or the budget, which knows each size and its contacts.
+settings-page-uncertainty-about = Of every value on the check page. Empty: not known.
+settings-page-coverage-about = How many standard uncertainties make the expanded one.
+settings-page-budget = Uncertainty budget
+settings-page-budget-about = Open a budget on its page and use it for checks.
+settings-page-guard-factor-about = The width of the guard band, for rules that take a multiple.
+settings-page-guard-width-about = For the rule with a fixed guard band.
+settings-page-part-temperature = Temperature of the part
+settings-page-part-temperature-about = Values are corrected to 20 °C. Empty: not corrected.
+settings-page-part-expansion-about = How much the material of the part expands.
+settings-page-scale-temperature = Temperature of the scales
+settings-page-scale-temperature-about = Only if the machine does not compensate for it.
+settings-page-scale-expansion-about = How much the scales of the machine expand.
+settings-page-clearance-about = How far from the surface the probe begins to look for it.
+settings-page-height = Measuring height Z
+settings-page-height-about = At which height the probe touches the workpiece.
+settings-page-first-contact-about = The angle of the first contact.
+settings-page-centre-tolerance-about = How far the centre may be off in X and Y. 0: not monitored.
+
+# Own files
+settings-page-own-tables = Own tables
+settings-page-own-tables-about = A folder with tables as on your control. They come before ISO 286.
+settings-page-mask = Mask of the status window
+settings-page-mask-about = What the control prints, in which language.
+settings-page-own-mask = Own mask
+settings-page-own-mask-about = A mask file of your control in place of the built-in one.
+settings-page-columns = Columns of files
+settings-page-columns-about = Shows which column is which before a file is imported, and remembers it.
+
+# Records
+settings-page-journal = Journal
+settings-page-journal-about = Every check is written here. The state file can name another file.
+settings-page-who-about = Each check is recorded with this name.
+settings-page-station = Station
+settings-page-station-about = The name of this computer in the records.
+
+# Shop server
+settings-page-server = Address of the server
+settings-page-server-about = Sends each record to PostgreSQL in the background, such as postgres://mill3@shop.example/checks. A password goes to the keyring.
+settings-page-sent = Sent so far
+settings-page-sent-about = Records wait on this computer until the server has them.
+
+# Folders
+settings-page-watched = Watched folder
+settings-page-watched-about = Files dropped into it are judged by the open plan and recorded.
+settings-page-recent-about = The menu lists the files that were read last.
+settings-page-recent-count = { $count ->
+    [0] no files
+    [one] 1 file
+   *[other] { $count } files
+}
+
+# Keys
+settings-page-everywhere = Everywhere
+settings-page-on-workpiece = Cycles and programs
+settings-page-in-dialog = In the file dialog
+
+# About
+settings-page-version = Version
+settings-page-version-about = Fitcheck tells at a glance whether a measured hole or shaft is good.
+settings-page-licence = Licence
+settings-page-licence-about = Free software. The embedded fonts have licences of their own.
+settings-page-state-file = State file
+settings-page-state-file-about = Keeps settings, fields and recent files, a second after each change.
+settings-page-journal-file = Journal file
+settings-page-journal-file-about = Keeps every check of this station.
+settings-page-not-used = not in use
+settings-page-nowhere = not kept

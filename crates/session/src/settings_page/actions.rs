@@ -1,0 +1,128 @@
+//! What can be done on the settings page, and what can be set everywhere and is no action of another page.
+
+use fitcheck_core::verdict::rules::{Prover, RuleName};
+use fitcheck_core::words::{Dialogue, Language, Words};
+
+use super::{Section, SettingsCommand, SettingsField};
+use crate::Session;
+use crate::action::row::{ActionRow, Actions, Sends, actions, everywhere, on};
+use crate::action::{ActionScope, Shortcut};
+use crate::check::{CheckCommand, UncertaintyFrom};
+use crate::command::Command;
+use crate::page::Page;
+use crate::shared::MaskChoice;
+use crate::zoom::Zoom;
+
+actions! {
+    /// What can be done on the settings page, and what can be set everywhere.
+    SettingsAction
+
+    ShowSection(Section): Section::ALL;
+    /// Goes to the field in which settings are looked for.
+    FindSetting;
+    /// Sets what the shown section has back to what a first start has.
+    BackToDefaults;
+    /// Changes the language of the window.
+    UseLanguage(Language): Language::all();
+    ZoomOut;
+    ZoomIn;
+    /// Draws the window as large as the system says.
+    ZoomNormal;
+    /// Chooses the decision rule.
+    UseRule(RuleName): RuleName::ALL;
+    /// Says who has to prove.
+    LetProve(Prover): [Prover::Supplier, Prover::Customer];
+    /// Chooses how the uncertainty is told.
+    TellUncertainty(UncertaintyFrom): UncertaintyFrom::ALL;
+    /// Draws the status window with a built-in mask; `None` is the mask of the language.
+    UseMask(Option<Dialogue>): std::iter::once(None).chain(Dialogue::ALL.map(Some));
+}
+
+impl Actions for SettingsAction {
+    fn row(&self) -> ActionRow {
+        match *self {
+            Self::ShowSection(section) => on(Page::Settings, section.name(), SettingsCommand::Show(section)),
+            Self::FindSetting => on(Page::Settings, "settings-page-find", Command::GoTo(SettingsField::Find.into()))
+                .key(Shortcut::ctrl('F')),
+            Self::BackToDefaults => ActionRow::new(
+                ActionScope::Page(Page::Settings),
+                "settings-page-defaults",
+                Sends::FromState(|session| Command::BackToDefaults(session.settings_page().section)),
+            )
+            .hint("settings-page-defaults-hint")
+            .when(|session| {
+                let page = session.settings_page();
+                page.found.is_none() && !session.commands_to_defaults(page.section).is_empty()
+            }),
+            Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
+            Self::ZoomOut => scaled("settings-page-zoom-out", |session| Command::SetZoom(session.zoom().smaller()))
+                .when(|session| Zoom::LEAST < session.zoom()),
+            Self::ZoomIn => scaled("settings-page-zoom-in", |session| Command::SetZoom(session.zoom().larger()))
+                .when(|session| session.zoom() < Zoom::MOST),
+            Self::ZoomNormal => everywhere("settings-page-zoom-normal", Command::SetZoom(Zoom::NORMAL)),
+            Self::UseRule(rule) => everywhere("check-rule", CheckCommand::UseRule(rule).into()),
+            Self::LetProve(prover) => {
+                let text = match prover {
+                    Prover::Supplier => "prover-supplier",
+                    Prover::Customer => "prover-customer",
+                };
+                everywhere(text, CheckCommand::LetProve(prover).into())
+            }
+            Self::TellUncertainty(from) => {
+                let text = match from {
+                    UncertaintyFrom::Standard => "uncertainty-standard",
+                    UncertaintyFrom::Expanded => "uncertainty-expanded",
+                    UncertaintyFrom::Budget => "uncertainty-budget",
+                };
+                everywhere(text, CheckCommand::TellUncertainty(from).into())
+            }
+            Self::UseMask(language) => everywhere("mask-choice-of-language", Command::SetMask(language)),
+        }
+    }
+
+    fn name(&self, _session: &Session, words: &Words) -> Option<String> {
+        self.listed_name(words)
+    }
+
+    fn is_on(&self, session: &Session) -> Option<bool> {
+        let judging = session.check().asked.worth.judging;
+        Some(match *self {
+            Self::ShowSection(section) => {
+                let page = session.settings_page();
+                page.found.is_none() && page.section == section
+            }
+            Self::UseLanguage(language) => session.language() == language,
+            Self::UseRule(rule) => judging.rule == rule,
+            Self::LetProve(prover) => judging.prover == prover,
+            Self::TellUncertainty(from) => judging.from == from,
+            Self::UseMask(language) => mask_is(session, language),
+            _ => return None,
+        })
+    }
+}
+
+impl SettingsAction {
+    /// Its name, where that comes from a list.
+    pub(super) fn listed_name(self, words: &Words) -> Option<String> {
+        Some(match self {
+            Self::UseLanguage(language) => language.name().to_owned(),
+            Self::UseRule(rule) => words.get(&format!("rule-name-{}", rule.word())),
+            Self::UseMask(Some(language)) => language.name().to_owned(),
+            _ => return None,
+        })
+    }
+}
+
+/// A step from the scale that there is.
+fn scaled(text: &'static str, command: fn(&Session) -> Command) -> ActionRow {
+    ActionRow::new(ActionScope::Everywhere, text, Sends::FromState(command))
+}
+
+/// Whether the status window is drawn with a built-in mask, or with that of the language (`None`).
+fn mask_is(session: &Session, language: Option<Dialogue>) -> bool {
+    match (session.mask(), language) {
+        (MaskChoice::OfLanguage, None) => true,
+        (MaskChoice::Shipped(drawn), Some(language)) => *drawn == language,
+        _ => false,
+    }
+}

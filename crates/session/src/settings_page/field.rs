@@ -1,0 +1,8 @@
+//! The text fields of the settings page. Settings that are texts stand in the fields of the pages that use them.
+
+/// A text field of the settings page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SettingsField {
+    /// Words of the settings that are looked for.
+    Find,
+}

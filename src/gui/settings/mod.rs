@@ -1,0 +1,55 @@
+//! The settings page: sections at the left, and the settings of the chosen one, or all that are found, at the right.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | where everything stands |
+//! | `sections_panel` | left, or above where the window is narrow: the search and the sections |
+//! | `rows_panel` | the settings, a row each |
+//! | `controls` | how a setting is set, by its kind |
+//! | `told` | what is in force |
+//! | `keys_panel` | every key |
+
+mod controls;
+mod keys_panel;
+mod rows_panel;
+mod sections_panel;
+mod told;
+
+use eframe::egui::{CentralPanel, Id, Panel, Ui};
+
+use super::field;
+use super::keypad::keypad_ui;
+use super::over_page::just_opened;
+use super::page::{PageView, measurements};
+use super::theme::space;
+use super::view::View;
+use crate::session::SettingsField;
+
+/// From this width on the sections stand beside the settings.
+const BESIDE: f32 = 180.0;
+
+/// The width of the sections, in steps of the grid.
+const SECTIONS: f32 = 56.0;
+
+pub(super) const PAGE: PageView = PageView { ui: settings_ui, dropped: measurements };
+
+fn settings_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if just_opened(ui, Id::unique("settings-page")) {
+        ui.memory_mut(|memory| memory.request_focus(field::id(SettingsField::Find)));
+    }
+    let is_beside = space(BESIDE) <= ui.available_width();
+    if is_beside {
+        Panel::left("settings-sections").resizable(false).exact_size(space(SECTIONS)).show(ui, |ui| {
+            sections_panel::find_ui(ui, view);
+            sections_panel::list_ui(ui, view);
+        });
+    }
+    keypad_ui(ui, view);
+    CentralPanel::default().show(ui, |ui| {
+        if !is_beside {
+            sections_panel::find_ui(ui, view);
+            sections_panel::chooser_ui(ui, view);
+        }
+        rows_panel::rows_ui(ui, view);
+    });
+}

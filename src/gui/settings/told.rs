@@ -1,0 +1,60 @@
+//! What a row of the settings page says is in force.
+
+use std::path::Path;
+
+use crate::gui::check::grouped;
+use crate::gui::view::View;
+use crate::message::message;
+use crate::session::{MaskChoice, Told};
+
+/// What is in force; `None` where there is nothing to say.
+pub(super) fn told(view: &View<'_>, of: Told) -> Option<String> {
+    let session = view.session;
+    let recording = session.recording();
+    let place = |path: Option<&Path>, none: &str| match path {
+        Some(path) => path.display().to_string(),
+        None => view.text(none),
+    };
+    Some(match of {
+        Told::None => return None,
+        Told::OwnTables => place(session.tables_folder().map(AsRef::as_ref), "settings-page-not-used"),
+        Told::OwnMask => match session.mask() {
+            MaskChoice::Own { path, .. } => path.display().to_string(),
+            MaskChoice::OfLanguage | MaskChoice::Shipped(_) => view.text("settings-page-not-used"),
+        },
+        Told::Budget => match session.used_budget() {
+            Some(open) => {
+                let said = message!("check-budget-used").text("name", &open.budget.name).text("file", &open.file);
+                view.words.say(&said)
+            }
+            None => view.text("check-budget-none"),
+        },
+        Told::Journal if !recording.is_on() => view.text("records-page-not-recording"),
+        Told::Journal => {
+            let file = place(recording.file.as_deref(), "settings-page-nowhere");
+            let said = message!("records-page-place").text("file", file).text("entries", grouped(recording.newest));
+            view.words.say(&said)
+        }
+        Told::Station if recording.station.is_empty() => view.text("records-page-not-recording"),
+        Told::Station => recording.station.clone(),
+        Told::Server => {
+            let Some(server) = recording.server() else { return Some(view.text("settings-page-not-used")) };
+            let said = match (recording.trouble(), recording.unsent()) {
+                (Some(why), _) => message!("records-page-not-sent").message("why", why.clone()),
+                (None, None) => message!("records-page-server-unknown").text("server", server),
+                (None, Some(0)) => message!("records-page-all-sent").text("server", server),
+                (None, Some(unsent)) => {
+                    message!("records-page-unsent").text("count", grouped(unsent)).text("server", server)
+                }
+            };
+            view.words.say(&said)
+        }
+        Told::Watched => place(session.parts().watched.folder.as_deref(), "settings-page-not-used"),
+        Told::RecentFiles => {
+            view.words.say(&message!("settings-page-recent-count").count("count", session.recent_files().len()))
+        }
+        Told::Version => env!("CARGO_PKG_VERSION").to_owned(),
+        Told::Licence => env!("CARGO_PKG_LICENSE").to_owned(),
+        Told::StateFile => place(session.settings_page().state_file.as_deref(), "settings-page-nowhere"),
+    })
+}

@@ -1,0 +1,159 @@
+//! The settings page by label and key: settings are found, take effect at once, and go back to their defaults.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::{App, Store};
+use fitcheck::session::{Command, Density, Page, Section, SettingsCommand, SettingsField, Theme, Zoom};
+use fitcheck::tolerance::Base;
+use fitcheck::verdict::rules::RuleName;
+use fitcheck::words::Language;
+
+use crate::harness::{Window, click, press, scan, type_into};
+
+fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command.into());
+    window.run();
+}
+
+fn page(window: Window) -> Harness<'static, App> {
+    let mut window = window.open();
+    send(&mut window, Command::OpenPage(Page::Settings));
+    window
+}
+
+fn section(window: &mut Harness<'_, App>, section: Section) {
+    send(window, SettingsCommand::Show(section));
+}
+
+#[test]
+fn a_setting_is_found_by_words_and_takes_effect_at_once() {
+    let mut window = page(Window::default());
+    // The search has the focus.
+    scan(&mut window, "dark");
+    click(&mut window, Role::RadioButton, "Dark");
+    assert_eq!(window.state().session().theme(), Theme::Dark);
+    press(&mut window, Key::Escape);
+    assert_eq!(window.state().session().text(SettingsField::Find), "");
+    window.get_by_label("Language");
+}
+
+#[test]
+fn the_sections_are_at_the_left_and_one_is_chosen() {
+    let mut window = page(Window::default());
+    click(&mut window, Role::Tab, "Rule and limits");
+    assert_eq!(window.state().session().settings_page().section, Section::Rule);
+    click(&mut window, Role::RadioButton, "The control's tables, 47 classes to 400 mm");
+    assert_eq!(window.state().session().sources().base(), Base::ControlTables);
+    click(&mut window, Role::Button, "Back to defaults");
+    assert_eq!(window.state().session().sources().base(), Base::Iso286);
+    let back = window.get_by_role_and_label(Role::Button, "Back to defaults");
+    assert!(back.accesskit_node().is_disabled(), "nothing is left to set back");
+}
+
+#[test]
+fn a_switch_has_the_name_of_its_row() {
+    let mut window = page(Window::default());
+    click(&mut window, Role::CheckBox, "Keypad");
+    assert!(window.state().session().has_keypad());
+}
+
+#[test]
+fn a_field_of_the_check_page_is_the_same_one_here() {
+    let mut window = page(Window::default());
+    section(&mut window, Section::Rule);
+    type_into(&mut window, "Temperature of the part", "26");
+    assert_eq!(window.state().session().text(fitcheck::session::CheckField::PartTemperature), "26");
+    type_into(&mut window, "Temperature of the part", "warm");
+    window.get_by_label_contains("warm");
+    press(&mut window, Key::Enter);
+    assert!(window.state().session().history().is_empty(), "nothing is measured here");
+}
+
+#[test]
+fn a_rule_is_taken_from_its_list() {
+    let mut window = page(Window::default());
+    section(&mut window, Section::Rule);
+    click(&mut window, Role::ComboBox, "Decision rule");
+    click(&mut window, Role::Button, "ILAC-G8, multiple of U");
+    assert_eq!(window.state().session().check().asked.worth.judging.rule, RuleName::IlacG8);
+}
+
+#[test]
+fn the_language_changes_the_whole_page() {
+    let mut window = page(Window::default());
+    click(&mut window, Role::RadioButton, "Nederlands");
+    assert_eq!(window.state().session().language(), Language::Nl);
+    window.get_by_role_and_label(Role::TextInput, "Instelling zoeken");
+}
+
+/// The scale of the window by buttons and by the keys of every program.
+#[test]
+fn the_window_is_scaled_by_buttons_and_keys() {
+    let mut window = page(Window::default());
+    section(&mut window, Section::Appearance);
+    click(&mut window, Role::Button, "Zoom in");
+    window.run();
+    assert_eq!(window.state().session().zoom(), Zoom::from(110));
+    assert!((window.ctx.zoom_factor() - 1.1).abs() < 0.001);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Minus);
+    window.run();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Minus);
+    window.run();
+    assert_eq!(window.state().session().zoom(), Zoom::from(90));
+    for _ in 0..5 {
+        window.key_press_modifiers(Modifiers::COMMAND, Key::Minus);
+        window.run();
+    }
+    assert_eq!(window.state().session().zoom(), Zoom::LEAST);
+    assert!((window.ctx.zoom_factor() - 0.75).abs() < 0.001, "keys go no further than a window can be read");
+    click(&mut window, Role::Button, "75 %, Zoom to 100 %");
+    window.run();
+    assert!((window.ctx.zoom_factor() - 1.0).abs() < 0.001);
+}
+
+#[test]
+fn the_scale_survives_a_restart_and_the_page_says_where_it_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.toml");
+    let mut first = page(Window { store: Store::at(&path), ..Window::default() });
+    send(&mut first, Command::SetZoom(Zoom::from(120)));
+    section(&mut first, Section::About);
+    first.get_by_label(&path.display().to_string());
+    first.get_by_label(env!("CARGO_PKG_VERSION"));
+    first.get_by_label("MIT OR Apache-2.0");
+    eframe::App::on_exit(first.state_mut(), None);
+    let again = Window { store: Store::at(&path), ..Window::default() }.open();
+    assert!((again.ctx.zoom_factor() - 1.2).abs() < 0.001);
+}
+
+#[test]
+fn every_key_is_listed() {
+    let mut window = page(Window::default());
+    section(&mut window, Section::Keys);
+    window.get_by_label("Ctrl+K");
+    window.get_by_label("F10");
+}
+
+#[test]
+fn a_narrow_window_has_the_sections_in_a_list() {
+    const NARROW: Vec2 = vec2(480.0, 600.0);
+    let mut window = page(Window { size: NARROW, ..Window::default() });
+    assert!(window.query_all_by_role(Role::Tab).next().is_none());
+    click(&mut window, Role::ComboBox, "Section");
+    click(&mut window, Role::Button, "Appearance");
+    click(&mut window, Role::RadioButton, "Touch");
+    assert_eq!(window.state().session().density(), Density::Touch);
+}
+
+#[test]
+fn ctrl_f_goes_to_the_search() {
+    let mut window = page(Window::default());
+    window.get_by_role_and_label(Role::CheckBox, "Keypad").focus();
+    window.run();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::F);
+    window.run();
+    assert!(window.get_by_role_and_label(Role::TextInput, "Find a setting").accesskit_node().is_focused());
+}
