@@ -47,7 +47,10 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Workpiece(WorkpieceCommand::PartRead { result, .. }) => result.is_ok(),
         Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
         Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
-        Command::Budget(BudgetCommand::Read { result, .. } | BudgetCommand::UsedRead { result, .. }) => result.is_ok(),
+        Command::SettingsRead { result, .. }
+        | Command::Budget(BudgetCommand::Read { result, .. } | BudgetCommand::UsedRead { result, .. }) => {
+            result.is_ok()
+        }
         Command::Budget(BudgetCommand::ReadingsRead { result, .. }) => result.is_ok(),
         Command::Parts(PartsCommand::Plan(PlanCommand::Read { result, .. })) => result.is_ok(),
         // A picture's name is taken now, and its dots are read afterwards; of measurements the columns are asked for first.
@@ -69,6 +72,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileConte
         Purpose::ImportValues(run) => return measurements::read(ImportInto::Part(run), path, None, with),
         Purpose::AskColumns(into) => return measurements::ask(into, path, with),
         Purpose::LoadMask => Command::MaskRead { result: read_mask(&path), path },
+        Purpose::ImportSettings => Command::SettingsRead { result: read_settings(&path), path },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
         Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path, &mut seen), path }.into(),
@@ -112,6 +116,11 @@ fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
     Ok((Box::new(mask), warnings.iter().map(crate::message::Say::message).collect()))
+}
+
+fn read_settings(path: &Path) -> Result<String, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    Ok(decode(&bytes).into_owned())
 }
 
 fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Message> {

@@ -213,6 +213,13 @@ fn keys_of_the_fit_page() {
 }
 
 #[test]
+fn keys_of_the_settings_page() {
+    let mut pair = Pair::on(Page::Settings);
+    pair.press_all();
+    pair.check_done();
+}
+
+#[test]
 fn keys_of_the_pairing_page() {
     let mut pair = Pair::on(Page::Check);
     for (callout, measured) in [("25 H7", "25.012"), ("25 H7", "25.004"), ("25 g6", "24.990"), ("25 g6", "24.985")] {

@@ -157,3 +157,21 @@ fn ctrl_f_goes_to_the_search() {
     window.run();
     assert!(window.get_by_role_and_label(Role::TextInput, "Find a setting").accesskit_node().is_focused());
 }
+
+#[test]
+fn settings_are_exported_to_a_file_and_imported_at_another_station() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("shop.toml").display().to_string();
+    let mut window = page(Window::default());
+    send(&mut window, Command::UseSource(Base::ControlTables));
+    click(&mut window, Role::Button, "Export settings…");
+    type_into(&mut window, "File", &path);
+    press(&mut window, Key::Enter);
+    window.get_by_label_contains("shop.toml was written");
+    let mut other = page(Window::default());
+    click(&mut other, Role::Button, "Import settings…");
+    type_into(&mut other, "File", &path);
+    press(&mut other, Key::Enter);
+    assert_eq!(other.state().session().sources().base(), Base::ControlTables);
+    other.get_by_label_contains("shop.toml: 1 setting changed");
+}

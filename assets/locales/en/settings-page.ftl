@@ -19,6 +19,21 @@ settings-page-defaults-hint = Sets this section as at the first start. Files, na
 # General
 settings-page-language-about = All texts of the window, and its decimal sign.
 settings-page-keypad-about = Large keys for touch screens and gloves.
+settings-page-shop = Settings for the whole shop
+settings-page-shop-about = One file for other stations. It has no name, no address of a server and no callout.
+settings-page-export = Export settings…
+settings-page-import = Import settings…
+settings-page-dialog-export = Export settings
+settings-page-dialog-import = Import settings
+settings-page-imported = { $count ->
+    [0] { $name }: nothing is different
+    [one] { $name }: 1 setting changed
+   *[other] { $name }: { $count } settings changed
+}
+settings-page-unknown-key = { $key } is not a setting of this version. An export keeps it.
+settings-page-no-version = the file has no version: it is not a file of settings
+settings-page-edition = Edition of ISO 286
+file-kind-settings = Settings
 
 # Appearance
 settings-page-colours = Colours

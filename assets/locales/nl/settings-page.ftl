@@ -19,6 +19,21 @@ settings-page-defaults-hint = Zet deze groep terug zoals bij de eerste start. Be
 # General
 settings-page-language-about = Alle teksten van het venster, en het decimaalteken.
 settings-page-keypad-about = Grote toetsen voor aanraakschermen en handschoenen.
+settings-page-shop = Instellingen voor de hele werkplaats
+settings-page-shop-about = Eén bestand voor andere stations. Zonder naam, serveradres en passing.
+settings-page-export = Instellingen exporteren…
+settings-page-import = Instellingen importeren…
+settings-page-dialog-export = Instellingen exporteren
+settings-page-dialog-import = Instellingen importeren
+settings-page-imported = { $count ->
+    [0] { $name }: er verandert niets
+    [one] { $name }: 1 instelling gewijzigd
+   *[other] { $name }: { $count } instellingen gewijzigd
+}
+settings-page-unknown-key = { $key } is geen instelling van deze versie. Bij exporteren blijft de sleutel behouden.
+settings-page-no-version = het bestand heeft geen versie: het is geen instellingenbestand
+settings-page-edition = Uitgave van ISO 286
+file-kind-settings = Instellingen
 
 # Appearance
 settings-page-colours = Kleuren

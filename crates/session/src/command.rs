@@ -93,6 +93,11 @@ macro_rules! command {
                 /// The tables, and warnings.
                 result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
             },
+            /// A file of settings was read, or not.
+            SettingsRead {
+                path: PathBuf,
+                result: Result<String, Message>,
+            },
             /// Stops using the user's own tables.
             NoOwnTables,
             /// Looks limits up in another source, after the user's own tables.

@@ -443,6 +443,7 @@ impl Session {
             Command::Leave(true) => return vec![Effect::Leave],
             Command::MaskRead { path, result } => self.mask_read(path, result),
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
+            Command::SettingsRead { path, result } => return self.settings_read(&path, result, now),
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
             Command::UseSource(base) => {
                 let sources = shared.sources.as_ref().clone().with_base(base, shipped_tables);

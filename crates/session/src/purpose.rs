@@ -62,6 +62,10 @@ pub enum Purpose {
     ImportValues(u64),
     /// Reading measurements whose columns are to be seen first.
     AskColumns(ImportInto),
+    /// Reading settings for a whole shop.
+    ImportSettings,
+    /// Writing them.
+    ExportSettings,
     /// Watching a folder that files are dropped into.
     WatchFolder,
     /// Writing the plan: as TOML, or as CSV.
@@ -226,6 +230,8 @@ impl Purpose {
             Self::UseBudget => reads("budget", "budget-page-dialog-open", TOML, &[]),
             Self::SaveBudget => writes("budget", "budget-page-dialog-save", TOML),
             Self::OpenPlan => reads("plan", "parts-page-dialog-open", Listed(&exchange::PLAN_ENDINGS), &[Page::Parts]),
+            Self::ImportSettings => reads("settings", "settings-page-dialog-import", TOML, &[]),
+            Self::ExportSettings => writes("settings", "settings-page-dialog-export", TOML),
             Self::SavePlan(0) => writes("plan", "parts-page-dialog-save", TOML),
             Self::SavePlan(_) => writes("plan", "parts-page-dialog-save", Listed(&["csv"])),
             Self::OpenPicture => {

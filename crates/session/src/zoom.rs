@@ -22,11 +22,13 @@ impl Zoom {
     }
 
     /// One step larger: to the next whole step.
+    #[must_use]
     pub fn larger(self) -> Self {
         Self::from((self.0 / Self::STEP + 1) * Self::STEP)
     }
 
     /// One step smaller: to the whole step before it.
+    #[must_use]
     pub fn smaller(self) -> Self {
         Self::from(self.0.saturating_sub(1) / Self::STEP * Self::STEP)
     }

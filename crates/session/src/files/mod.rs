@@ -121,6 +121,7 @@ impl Session {
             Purpose::SaveTable(format) => self.tables.file_name(format),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
+            Purpose::ExportSettings => "fitcheck-settings.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             Purpose::SaveBudget => self.budget.document.name(),
             Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), purpose.ending()),
@@ -218,6 +219,7 @@ impl Session {
             Purpose::ReportPart(format) => self.report_part(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveTools => self.tools_bytes()?.into(),
+            Purpose::ExportSettings => self.settings_bytes().map_err(|error| error.message())?.into(),
             Purpose::SaveBudget => self.budget.document.save(&path).into(),
             Purpose::SavePlan(_) => self.parts.document.save(&path).into(),
             Purpose::SaveCycleLog => {

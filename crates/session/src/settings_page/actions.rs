@@ -10,6 +10,7 @@ use crate::action::{ActionScope, Shortcut};
 use crate::check::{CheckCommand, UncertaintyFrom};
 use crate::command::Command;
 use crate::page::Page;
+use crate::purpose::Purpose;
 use crate::shared::MaskChoice;
 use crate::zoom::Zoom;
 
@@ -22,6 +23,10 @@ actions! {
     FindSetting;
     /// Sets what the shown section has back to what a first start has.
     BackToDefaults;
+    /// Writes the settings, for other stations.
+    ExportSettings;
+    /// Reads such a file.
+    ImportSettings;
     /// Changes the language of the window.
     UseLanguage(Language): Language::all();
     ZoomOut;
@@ -54,6 +59,8 @@ impl Actions for SettingsAction {
                 let page = session.settings_page();
                 page.found.is_none() && !session.commands_to_defaults(page.section).is_empty()
             }),
+            Self::ExportSettings => everywhere("settings-page-export", Command::OpenDialog(Purpose::ExportSettings)),
+            Self::ImportSettings => everywhere("settings-page-import", Command::OpenDialog(Purpose::ImportSettings)),
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
             Self::ZoomOut => scaled("settings-page-zoom-out", |session| Command::SetZoom(session.zoom().smaller()))
                 .when(|session| Zoom::LEAST < session.zoom()),

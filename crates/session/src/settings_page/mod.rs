@@ -6,6 +6,7 @@
 //! | `section`, `table` | the sections; every setting as a row |
 //! | `defaults` | what a first start has |
 //! | `searching` | which settings words find |
+//! | `settings_file`, `importing` | a file of settings for a whole shop, and what it changes |
 //! | `keys_list` | every key, by the place where it is heard |
 //! | `field`, `command`, `actions` | what can be done, and what can be set and is no action of another page |
 //!
@@ -15,9 +16,11 @@ mod actions;
 mod command;
 mod defaults;
 mod field;
+mod importing;
 mod keys_list;
 mod searching;
 mod section;
+mod settings_file;
 mod table;
 
 use std::path::PathBuf;
@@ -51,6 +54,8 @@ pub struct SettingsPage {
     pub found: Option<Vec<usize>>,
     /// The keys of the window; empty while they are not shown.
     pub keys: Vec<KeysOfPlace>,
+    /// What the last file of settings had that this version does not know: it is written again.
+    unknown: toml::Table,
     /// The file that keeps the settings; `None` where nothing is kept.
     pub state_file: Option<PathBuf>,
 }

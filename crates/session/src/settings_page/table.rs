@@ -110,6 +110,12 @@ pub const SETTINGS: &[Setting] = &[
     ),
     row(Section::General, "keypad", "settings-page-keypad-about", Control::Switch(window(WindowAction::Keypad))),
     row(
+        Section::General,
+        "settings-page-shop",
+        "settings-page-shop-about",
+        Control::Buttons(Told::None, &[action(SettingsAction::ExportSettings), action(SettingsAction::ImportSettings)]),
+    ),
+    row(
         Section::Appearance,
         "settings-page-colours",
         "settings-page-colours-about",
