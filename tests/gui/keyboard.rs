@@ -7,7 +7,8 @@ use eframe::egui::{Event, Key, Modifiers, PointerButton, TouchDeviceId, TouchId,
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::session::{CheckField, Command, Page};
+use fitcheck::session::{CheckField, Command, Control, Page, SETTINGS, Section, SettingsCommand};
+use fitcheck::words::{Language, Words};
 
 use crate::harness::{Window, check, type_into, unfold, verdict, window};
 
@@ -268,8 +269,32 @@ fn the_edges_of_columns_are_moved_by_arrow_keys_and_stay() {
 }
 
 #[test]
+fn every_setting_is_reached_by_tab_and_has_a_name() {
+    let words = Words::new(Language::En);
+    for section in [Section::Appearance, Section::Rule, Section::OwnFiles] {
+        let mut window = window();
+        send(&mut window, Command::OpenPage(Page::Settings));
+        send(&mut window, SettingsCommand::Show(section).into());
+        let mut walked = Vec::new();
+        for _ in 0..60 {
+            window.key_press(Key::Tab);
+            window.run();
+            let name = focused(&window);
+            assert!(!name.is_empty(), "{section:?} after {walked:?}");
+            walked.push(name);
+        }
+        let fields = SETTINGS.iter().filter(|setting| setting.section == section);
+        let fields = fields.filter(|setting| (setting.counts)(window.state().session()));
+        let fields = fields.filter(|setting| matches!(setting.control, Control::Field(..) | Control::Switch(_)));
+        for name in fields.map(|setting| words.get(setting.name)) {
+            assert!(walked.contains(&name), "{section:?} never leads to {name}: {walked:?}");
+        }
+    }
+}
+
+#[test]
 fn every_stop_of_the_focus_has_a_name_and_does_something() {
-    for page in [Page::Check, Page::Fit, Page::Cycles, Page::Tables, Page::Program] {
+    for page in [Page::Check, Page::Fit, Page::Cycles, Page::Tables, Page::Program, Page::Settings] {
         let mut window = window();
         let ctx = window.ctx.clone();
         window.state_mut().send(&ctx, Command::OpenPage(page));
