@@ -132,7 +132,7 @@ fn item_ui(
 /// Lines as they are typed: long ones are scrolled to.
 fn code_ui(ui: &mut Ui, number: usize, text: &str) {
     let colour = palette(ui.ctx()).text.0;
-    let frame = Frame::new().fill(palette(ui.ctx()).background.0).corner_radius(6.0).inner_margin(Margin::same(8));
+    let frame = Frame::new().fill(palette(ui.ctx()).sunken.0).corner_radius(6.0).inner_margin(Margin::same(8));
     frame.show(ui, |ui| {
         ui.set_min_width(ui.available_width());
         let area = ScrollArea::horizontal().id_salt(("help-code", number));

@@ -14,18 +14,19 @@ mod sheet;
 mod text;
 mod topics_panel;
 
-use eframe::egui::{CentralPanel, Ui};
+use eframe::egui::Ui;
 
-use super::columns::{Side, panel_ui};
+use super::columns::{Side, panel_ui, rest_ui};
 use super::keypad::keypad_ui;
-use super::page::{PageView, measurements};
-use super::theme::space;
+use super::page::{Group, PageView, measurements};
+use super::theme::{Icon, space};
 use super::view::View;
 
 /// From this width on the topics stand beside the text.
 const BESIDE: f32 = 190.0;
 
-pub(super) const PAGE: PageView = PageView { ui: help_ui, dropped: measurements };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Foot, icon: Icon::Question, ui: help_ui, dropped: measurements };
 
 /// Topics and text beside each other where there is room, else one in the place of the other.
 fn help_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -36,7 +37,7 @@ fn help_ui(ui: &mut Ui, view: &mut View<'_>) {
         panel_ui(ui, view, Side::Left, "help-topics", sizes, |ui, view| topics_panel::topics_ui(ui, view, true));
     }
     let lists_topics = !is_beside && view.session.help().lists_topics;
-    CentralPanel::default().show(ui, |ui| {
+    rest_ui(ui, view, |ui, view| {
         if lists_topics {
             topics_panel::topics_ui(ui, view, false);
         } else {

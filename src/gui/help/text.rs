@@ -39,7 +39,7 @@ pub(super) fn job(ui: &Ui, spans: &[Span]) -> LayoutJob {
         let mut format = TextFormat::simple(font(span), palette.text.0);
         format.italics = span.is_italic;
         if span.is_code {
-            format.background = palette.background.0;
+            format.background = palette.sunken.0;
         }
         job.append(&span.text, 0.0, format);
     }

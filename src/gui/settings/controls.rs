@@ -146,8 +146,7 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot)
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, (field, unit): (Field, &str), slot: &Slot) {
     if view.session.is_free_text(field) {
         let width = ui.available_width();
-        let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(width - space(2.0)) };
-        field_ui(ui, view, field, slot.name, look);
+        field_ui(ui, view, field, slot.name, FieldStyle::text(width - space(2.0)));
         return;
     }
     line_ui(ui, slot, "field", |ui| {

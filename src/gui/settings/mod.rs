@@ -15,13 +15,16 @@ mod rows_panel;
 mod sections_panel;
 mod told;
 
-use eframe::egui::{CentralPanel, Id, Panel, Ui};
+use eframe::egui::{Frame, Id, Panel, Ui};
+
+use super::card::page_card_ui;
+use super::columns::{Side, rest_ui};
 
 use super::field;
 use super::keypad::keypad_ui;
 use super::over_page::just_opened;
-use super::page::{PageView, measurements};
-use super::theme::space;
+use super::page::{Group, PageView, measurements};
+use super::theme::{Icon, space};
 use super::view::View;
 use crate::session::SettingsField;
 
@@ -29,9 +32,10 @@ use crate::session::SettingsField;
 const BESIDE: f32 = 180.0;
 
 /// The width of the sections, in steps of the grid.
-const SECTIONS: f32 = 56.0;
+const SECTIONS: f32 = 64.0;
 
-pub(super) const PAGE: PageView = PageView { ui: settings_ui, dropped: measurements };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Foot, icon: Icon::GearSix, ui: settings_ui, dropped: measurements };
 
 fn settings_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("settings-page")) {
@@ -39,13 +43,17 @@ fn settings_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let is_beside = space(BESIDE) <= ui.available_width();
     if is_beside {
-        Panel::left("settings-sections").resizable(false).exact_size(space(SECTIONS)).show(ui, |ui| {
-            sections_panel::find_ui(ui, view);
-            sections_panel::list_ui(ui, view);
+        let panel = Panel::left("settings-sections").resizable(false).exact_size(space(SECTIONS));
+        let panel = panel.show_separator_line(false).frame(Frame::new().inner_margin(Side::Left.gap()));
+        panel.show(ui, |ui| {
+            page_card_ui(ui, |ui| {
+                sections_panel::find_ui(ui, view);
+                sections_panel::list_ui(ui, view);
+            });
         });
     }
     keypad_ui(ui, view);
-    CentralPanel::default().show(ui, |ui| {
+    rest_ui(ui, view, |ui, view| {
         if !is_beside {
             sections_panel::find_ui(ui, view);
             sections_panel::chooser_ui(ui, view);

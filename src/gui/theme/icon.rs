@@ -70,6 +70,8 @@ icons! {
     ThermometerSimple = '\u{e5cc}'
     User = '\u{e4c2}'
     WarningCircle = '\u{e4e2}'
+    GearSix = '\u{e272}'
+    Question = '\u{e3e8}'
     X = '\u{e4f6}'
 }
 
