@@ -48,6 +48,9 @@ fn every_setting_is_on_the_settings_page_and_in_the_palette() {
     let offered = offered();
     let missing: Vec<_> = settings.iter().filter(|action| !offered.contains(action)).collect();
     assert!(missing.is_empty(), "not in SETTINGS: {missing:?}");
+    let all: Vec<Action> = Action::all().collect();
+    let unknown: Vec<_> = offered.iter().filter(|action| !all.contains(action)).collect();
+    assert!(unknown.is_empty(), "in no list of actions: {unknown:?}");
     send(&mut session, PaletteCommand::Show(true));
     let words = Words::new(Language::En);
     let entries = &session.palette.as_ref().unwrap().found;
