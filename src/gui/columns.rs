@@ -229,7 +229,7 @@ pub(super) fn bar_ui(
     let panel = if side == Side::Top { Panel::top(salt) } else { Panel::bottom(salt) };
     let panel = panel.resizable(false).show_separator_line(false).frame(Frame::new().inner_margin(side.gap()));
     panel.show(ui, |ui| {
-        page_frame(ui).show(ui, |ui| {
+        page_frame(ui).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
             ui.set_min_width(ui.available_width());
             content(ui, view);
         });

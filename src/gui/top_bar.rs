@@ -116,7 +116,8 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
     }
     // The page of tables has an Undo of its own.
     if view.session.page() != Page::Tables {
-        view.icon_button(ui, WindowAction::Undo, Icon::ArrowUUpLeft);
+        let name = view.text("undo");
+        view.icon_button_named(ui, WindowAction::Undo, Icon::ArrowUUpLeft, &name);
     }
     if fold < Fold::Buttons {
         view.button(ui, WindowAction::Import);

@@ -105,6 +105,11 @@ struct Setting {
 }
 
 impl Setting {
+    /// The height of the line with the shape and the word.
+    fn line(&self) -> f32 {
+        (self.word * 1.34).ceil()
+    }
+
     fn of(ui: &Ui, card: &Card, width: f32) -> Self {
         let [least, most] = WORD;
         let wanted = if card.status.is_some() {
@@ -153,7 +158,8 @@ pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Op
     let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated);
     let simulated = card.is_simulated.then(|| view.text("simulated"));
     verdict_ui(ui, (fill, colour), card.is_simulated, Margin::same(MARGIN), |ui| {
-        let least = if is_low(ui) || foot.is_some() { 0.0 } else { space(54.0) };
+        // What is asked or not there yet takes what it needs.
+        let least = if is_low(ui) || foot.is_some() || card.status.is_none() { 0.0 } else { space(54.0) };
         let least = least.max(card.height - f32::from(MARGIN) * 2.0);
         if foot.is_none() {
             ui.set_min_height(least);
@@ -199,8 +205,11 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
     let text =
         |text: &str, font: FontId| ui.painter().layout(text.to_owned(), font, Color32::PLACEHOLDER, width).size().y;
     let setting = Setting::of(ui, card, width);
-    let mut heights = vec![text(&card.word, theme::bold(setting.word))];
-    if !setting.is_beside {
+    let mut heights = Vec::new();
+    if setting.is_beside {
+        heights.push(setting.line());
+    } else {
+        heights.push(text(&card.word, theme::bold(setting.word)));
         heights.push(setting.shape);
     }
     if card.is_simulated {
@@ -223,7 +232,7 @@ fn word_ui(ui: &mut Ui, card: &Card, setting: &Setting, colour: Color32) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = space(3.0);
             // The row has its height before anything is in it: both stand on one middle line.
-            ui.set_min_height(setting.word * 1.33);
+            ui.set_min_height(setting.line());
             shape_ui(ui);
             ui.add(Label::new(text).extend());
         });

@@ -71,11 +71,18 @@ impl View<'_> {
     pub fn icon_button(&mut self, ui: &mut Ui, action: impl Into<Action>, icon: Icon) -> Response {
         let action = action.into();
         let name = action.text(self.session, self.words);
+        self.icon_button_named(ui, action, icon, &name)
+    }
+
+    /// The same under a name that does not change; what the action would do shows under the pointer.
+    pub fn icon_button_named(&mut self, ui: &mut Ui, action: impl Into<Action>, icon: Icon, name: &str) -> Response {
+        let action = action.into();
         let side = control(ui);
         let button = Button::new(icon.text(Weight::Regular, theme::space(5.0))).min_size(vec2(side, side));
         let is_possible = self.session.can(action);
         let response = theme::looking(ui, theme::plain, |ui| ui.add_enabled(is_possible, button));
-        let response = response.accessible_name(&name).on_hover_text(name);
+        let hint = action.text(self.session, self.words);
+        let response = response.accessible_name(name).on_hover_text(hint);
         self.pressed(ui, action, response)
     }
 

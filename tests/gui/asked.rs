@@ -198,6 +198,7 @@ fn the_rows_of_a_large_file_are_not_exported_as_the_history() {
     drop_file(&mut window, path);
     assert!(window.state().session().lists_rows());
     assert!(!window.state().session().can(WindowAction::Export(0)));
+    click(&mut window, Role::Button, "Menu");
     click(&mut window, Role::Button, "Export");
     window.get_by_label_contains("The listed rows of big.csv are not exported here");
 }

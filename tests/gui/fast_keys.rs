@@ -66,8 +66,8 @@ fn a_key_behind_a_class_is_no_part_of_the_class() {
 fn several_tabs_are_several_fields() {
     let mut window = window();
     unfold(&mut window, "Part");
-    scan(&mut window, "25 H7⇥25.012⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥A7");
-    assert_eq!(text(&window, CheckField::Part), "A7", "the field that twelve single keys lead to");
+    scan(&mut window, "25 H7⇥25.012⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥⇥A7");
+    assert_eq!(text(&window, CheckField::Part), "A7", "the field that thirteen single keys lead to");
     assert_eq!(text(&window, CheckField::Callout), "25 H7");
 }
 

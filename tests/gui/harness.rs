@@ -229,6 +229,8 @@ pub fn press(window: &mut Harness<'_, App>, key: Key) {
 
 /// Clicks what has a role and a name.
 pub fn click(window: &mut Harness<'_, App>, role: Role, name: &str) {
+    window.get_by_role_and_label(role, name).scroll_to_me();
+    window.run();
     window.get_by_role_and_label(role, name).click();
     window.run();
 }

@@ -80,7 +80,7 @@ fn a_check_has_its_number_once_it_is_on_disk_and_is_there_after_a_restart() {
     let mut again = at(folder.path()).open();
     assert_eq!(rows(&again), before, "the history of the window before");
     assert!(!again.state().session().can(fitcheck::session::WindowAction::Undo), "nothing of it can be undone");
-    assert_eq!(verdict(&again), "No result");
+    assert!(verdict(&again).starts_with("No result"), "{}", verdict(&again));
     assert_eq!(again.state().session().notices(), []);
     check(&mut again, "25 H7", "25.010");
     again.get_by_label("Record 5");

@@ -21,6 +21,10 @@ use crate::words::Words;
 
 /// The height that the answer needs in a width: more than usual where there is much to say.
 pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
+    if let Some(question) = view.session.check().question.as_ref() {
+        let answers = (control(ui) + ui.spacing().item_spacing.y) * 2.0 + space(1.0);
+        return card_height_in(ui, view, &question_card(view, question, 0.0), width) + answers;
+    }
     let shown = view.session.check().shown.as_ref();
     let card = shown.map_or_else(|| no_card(view), |shown| card(view.words, &shown.record, true));
     card_height_in(ui, view, &card, width) + shown.map_or(0.0, |_| foot_height(ui))

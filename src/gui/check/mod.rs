@@ -211,7 +211,7 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
         bar_ui(ui, view, Side::Bottom, "strip", history_panel::strip_ui);
         return;
     }
-    let share = if folded || size.x * 1.3 < size.y { 0.38 } else { 0.28 };
+    let share = if folded || size.x * 1.3 < size.y { 0.38 } else { 0.31 };
     let sizes = (size.y * share, space(32.0)..=(size.y * 0.6).max(space(32.0)));
     panel_ui(ui, view, Side::Bottom, ("check-history", folded), sizes, |ui, view| {
         below_ui(ui, view, folded);

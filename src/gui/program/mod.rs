@@ -101,7 +101,7 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
         if !low && path_panel::has_room(view) {
             // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
-            let height = ui.available_height() * 0.33;
+            let height = ui.available_height() * 0.32;
             let below = Panel::bottom("program-path").exact_size(height).show_separator_line(false);
             below.frame(Frame::new().inner_margin(Side::Bottom.gap())).show(ui, |ui| {
                 if 0 < view.session.program().note_count() {

@@ -8,7 +8,7 @@ use eframe::egui::{
 use super::columns::{self, Across, Column, Head, Kind, Own};
 use super::rows::{PAD, text_in};
 use super::{BAR, Table};
-use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::theme::{self, palette, row, sizes, space};
 use crate::gui::view::View;
 use crate::message::Message;
 use crate::session::Action;
@@ -20,7 +20,7 @@ const NEAR: f32 = 4.0;
 pub(super) fn height(ui: &Ui, columns: &[Column]) -> f32 {
     let has = |of: fn(&Head) -> bool| columns.iter().any(|column| of(&column.head));
     if has(|head| matches!(head, Head::Sorts(..))) {
-        control(ui)
+        row(ui)
     } else if has(|head| *head != Head::Text(None, None)) {
         space(6.0)
     } else {

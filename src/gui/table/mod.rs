@@ -26,7 +26,7 @@ use long_list::scrolled;
 pub(super) use rows::{Cell, PAD, Row, joined, text_ui};
 
 use super::shapes::{focus_ring, lines_of, times};
-use super::theme::{control, space};
+use super::theme::{row, space};
 use super::view::{View, focus_soon, quiet, take_focus};
 use crate::session::Action;
 
@@ -95,7 +95,7 @@ impl<'a> Table<'a> {
         let list = ui.interact(rect, self.id, Sense::focusable_noninteractive());
         list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text(self.name)));
         let top = scrolled(ui, self, rect, bar);
-        let fit = lines_of((rect.height() / control(ui)).ceil()) + 1;
+        let fit = lines_of((rect.height() / row(ui)).ceil()) + 1;
         seen.places = top.place..(top.place + fit).min(self.count);
         ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt((self.id, "body")), |ui| {
             ui.set_clip_rect(rect.intersect(ui.clip_rect()));
@@ -104,9 +104,9 @@ impl<'a> Table<'a> {
             }
             let from = rect.min - vec2(0.0, top.hidden);
             // Where all rows are in sight there is no bar.
-            let is_long = rect.height() < times(control(ui), self.count);
+            let is_long = rect.height() < times(row(ui), self.count);
             let width = if is_long { rect.width() - bar } else { rect.width() };
-            let first = Rect::from_min_size(from, vec2(width, control(ui)));
+            let first = Rect::from_min_size(from, vec2(width, row(ui)));
             let rows = rows(view, seen.places.clone());
             rows::rows_ui(ui, view, (self, &across), first, rows, &mut seen);
         });

@@ -40,6 +40,12 @@ pub fn control(ui: &Ui) -> f32 {
     ui.ctx().global_style().spacing.interact_size.y
 }
 
+/// The height of a row of a list: a little less than what is pressed, but never less than a finger needs.
+pub fn row(ui: &Ui) -> f32 {
+    let height = control(ui);
+    if height <= TOKENS.sizes.mouse { TOKENS.sizes.row } else { height }
+}
+
 /// Sets the height of everything that is pressed.
 pub fn set_density(ctx: &Context, is_touch: bool) {
     let height = if is_touch { TOKENS.sizes.touch } else { TOKENS.sizes.mouse };

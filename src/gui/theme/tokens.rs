@@ -149,6 +149,8 @@ pub struct Sizes {
     pub mouse: f32,
     /// The same by touch.
     pub touch: f32,
+    /// The height of a row of a list, with a mouse.
+    pub row: f32,
     /// The side of a key on the keypad.
     pub key: f32,
 }
