@@ -24,7 +24,16 @@ pub(super) fn page_frame(ui: &Ui) -> Frame {
 
 /// A part of a page, on a ground of its own. It takes all the room there is.
 pub(super) fn page_card_ui<T>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> T) -> T {
-    let shown = page_frame(ui).show(ui, |ui| {
+    in_frame_ui(ui, page_frame(ui), content)
+}
+
+/// The same around what has a frame of its own.
+pub(super) fn close_card_ui<T>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> T) -> T {
+    in_frame_ui(ui, page_frame(ui).inner_margin(Margin::same(8)), content)
+}
+
+fn in_frame_ui<T>(ui: &mut Ui, frame: Frame, content: impl FnOnce(&mut Ui) -> T) -> T {
+    let shown = frame.show(ui, |ui| {
         ui.set_min_size(ui.available_size());
         content(ui)
     });

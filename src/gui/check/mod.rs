@@ -39,6 +39,7 @@ pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
+use super::card::close_card_ui;
 use super::columns::{Shape, Side, area_ui, bar_ui, column_ui, is_low, of_height, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView, measurements};
@@ -113,7 +114,9 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
             area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
             rest_ui(ui, view, band_card_ui);
         });
-        panel_ui(ui, view, Side::Right, "check-status", sizes, status_card_ui);
+        area_ui(ui, view, Side::Right, "check-status", sizes, |ui, view| {
+            close_card_ui(ui, |ui| status_card_ui(ui, view));
+        });
         rest_ui(ui, view, seen_ui);
     } else {
         // Too low for two rows: the window of the control scrolls below the verdict.

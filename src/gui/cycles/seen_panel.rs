@@ -16,7 +16,7 @@ use crate::session::{CycleRun, CyclesCommand, Step};
 use crate::words::Words;
 
 /// From this width things stand beside each other.
-const WIDE: f32 = 100.0;
+const WIDE: f32 = 90.0;
 
 /// Up to this width they stand below each other, even the words of a parameter.
 const NARROW: f32 = 84.0;
