@@ -17,6 +17,9 @@ use super::view::View;
 /// The least width of the left column.
 const LEAST_ASKED: f32 = 256.0;
 
+/// From this width on there are three columns.
+const THREE: f32 = 960.0;
+
 /// Between two cards.
 const GAP: i8 = 12;
 
@@ -62,7 +65,7 @@ impl Shape {
     pub fn of(ui: &Ui, least: f32) -> Self {
         match ui.available_width() {
             width if width < least + LEAST_ASKED => Self::One,
-            width if width < space(225.0) => Self::Two,
+            width if width < THREE => Self::Two,
             _ => Self::Three,
         }
     }

@@ -12,7 +12,7 @@ use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::message;
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
+use crate::session::{Action, Command, Density, FilesCommand, Theme};
 use crate::session::{CheckAction, WindowAction};
 use crate::tolerance::Base;
 use crate::words::Language;
@@ -114,11 +114,8 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
     if fold < Fold::Who {
         who_ui(ui, view);
     }
-    // The page of tables has an Undo of its own.
-    if view.session.page() != Page::Tables {
-        let name = view.text("undo");
-        view.icon_button_named(ui, WindowAction::Undo, Icon::ArrowUUpLeft, &name);
-    }
+    let name = view.text("top-undo");
+    view.icon_button_named(ui, WindowAction::Undo, Icon::ArrowUUpLeft, &name);
     if fold < Fold::Buttons {
         view.button(ui, WindowAction::Import);
     }

@@ -488,6 +488,7 @@ materials-refused = Own materials cannot be used: { $path }, { $reason }
 section-said = { $name }: { $value }
 crash-report = The window ended by a fault of the program. A report of it, without measured values, is in { $path }
 rail-more = More
+top-undo = Undo the last change
 top-recorded = Recorded, { $number }
 top-recording = Recording
 top-not-recorded = Not recorded

@@ -488,6 +488,7 @@ materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, 
 section-said = { $name }: { $value }
 crash-report = Het venster is door een fout in het programma geëindigd. Een verslag ervan, zonder meetwaarden, staat in { $path }
 rail-more = Meer
+top-undo = Laatste wijziging ongedaan maken
 top-recorded = Vastgelegd, { $number }
 top-recording = Wordt vastgelegd
 top-not-recorded = Niet vastgelegd

@@ -321,8 +321,9 @@ impl Drawing<'_> {
             None => None,
         };
         let ground = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), rect).expand2(vec2(6.0, 2.0));
-        let is_crossed = marker.is_some_and(|x| ground.expand2(vec2(space(2.0), 0.0)).x_range().contains(x));
-        if galley.size().x + space(5.0) < rect.width() && !is_crossed {
+        // The word gives way to the marker and its distance.
+        let has_marker = marker.is_some_and(|x| rect.x_range().contains(x));
+        if galley.size().x + space(5.0) < rect.width() && !has_marker {
             self.painter.rect_filled(ground, 6.0, self.palette.surface.0);
             self.painter.galley(ground.center() - galley.size() / 2.0, galley, self.palette.text.0);
         }

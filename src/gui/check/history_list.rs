@@ -23,13 +23,13 @@ pub(in crate::gui) fn id() -> Id {
 /// The columns of the history, behind the choice for export. What is left over goes to where a value comes from, which gives way first.
 pub(in crate::gui) const COLUMNS: [Column; 8] = [
     Column::choice(),
-    Column::text(38.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(3),
-    Column::text(22.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(4),
+    Column::text(26.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(3),
+    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(4),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
-    Column::text(21.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
+    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(2),
-    Column::verdict(46.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
-    Column::text(30.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
+    Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
+    Column::text(42.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
 ];
 
 /// Heads and rows in the room that is left.
@@ -63,11 +63,19 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<RecordId>> {
     history.listed().page(places).into_iter().map(row).collect()
 }
 
+/// The time of day for what was made on the day of the newest check, else the day with it.
+fn short_time(view: &View<'_>, record: &Record) -> String {
+    let newest = view.session.history().iter().next_back().map(|newest| newest.time.date());
+    let format = if newest == Some(record.time.date()) { "%H:%M:%S" } else { "%m-%d %H:%M" };
+    record.time.strftime(format).to_string()
+}
+
 fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
     let words = view.words;
     let digits = Digits::of(record);
     let is_chosen = view.session.history().is_chosen(id);
     let time = record.time.strftime(TIME).to_string();
+    let short = short_time(view, record);
     let part = record.id.clone();
     let callout = callout(record);
     let measured = digits.mm(words, record.measurement.diameter, 4);
@@ -92,7 +100,7 @@ fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
         word: status,
     };
     let [time, part, callout, measured, deviation, from] =
-        [time, part, callout, measured, deviation, from].map(Cell::Text);
+        [short, part, callout, measured, deviation, from].map(Cell::Text);
     let choice = Cell::Choice { is_chosen, can_choose: true, name };
     Row::new(id, vec![choice, time, part, callout, measured, deviation, verdict, from], said)
 }

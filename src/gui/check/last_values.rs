@@ -68,8 +68,9 @@ fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
     let top = high + margin;
     let plot = Rect::from_min_max(rect.min + vec2(space(14.0), 0.0), rect.max);
     let y = |um: f64| {
-        let share = ((um - bottom) / (top - bottom)).clamp(0.03, 0.97);
-        plot.bottom() - plot.height() * screen(share)
+        // The marks of values beyond the edges are whole.
+        let y = plot.bottom() - plot.height() * screen((um - bottom) / (top - bottom));
+        y.clamp(plot.top() + space(3.5), plot.bottom() - space(3.5))
     };
     let zone = Rect::from_min_max(pos2(plot.left(), y(high)), pos2(plot.right(), y(low)));
     painter.rect_filled(plot, 0.0, palette.sunken.0);

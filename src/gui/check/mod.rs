@@ -53,6 +53,9 @@ const ULTRA_WIDE: f32 = 620.0;
 /// From this width on the answer has a column of its own, with the history below it.
 const WIDE: f32 = 375.0;
 
+/// Below this width the band stands below the verdict.
+const NARROW: f32 = 210.0;
+
 /// What the verdict takes of a column, so that nothing moves when it comes.
 const VERDICT: f32 = 69.0;
 
@@ -67,8 +70,8 @@ fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
         Shape::One => one_ui(ui, view),
         _ if size.x * 1.3 < size.y => tall_ui(ui, view, least),
         _ if space(WIDE) <= size.x && space(200.0) <= size.y => wide_ui(ui, view, least),
-        Shape::Two => narrow_ui(ui, view, least),
-        Shape::Three => desk_ui(ui, view, least),
+        _ if size.x < space(NARROW) => narrow_ui(ui, view, least),
+        _ => desk_ui(ui, view, least),
     }
 }
 

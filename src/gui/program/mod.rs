@@ -29,7 +29,7 @@ use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 
-use super::card::page_card_ui;
+use super::card::close_card_ui;
 use super::columns::{Side, area_ui, bar_ui, column_ui, of_height, panel_ui, rest_ui};
 use super::cycles::workpiece_window;
 use super::field;
@@ -80,7 +80,7 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
     } else {
         let least = space(56.0).max(keypad::width(view));
-        let sizes = (space(74.0).max(least), least..=least.max(size.x * 0.4));
+        let sizes = (space(86.0).max(least), least..=least.max(size.x * 0.4));
         panel_ui(ui, view, Side::Left, "program-inputs", sizes, |ui, view| {
             keypad_ui(ui, view);
             column_ui(ui, "program-inputs", |ui| inputs(ui, view));
@@ -101,23 +101,25 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
         if !low && path_panel::has_room(view) {
             // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
-            let height = ui.available_height() * 0.32;
+            let height = ui.available_height() * 0.36;
             let below = Panel::bottom("program-path").exact_size(height).show_separator_line(false);
             below.frame(Frame::new().inner_margin(Side::Bottom.gap())).show(ui, |ui| {
                 if 0 < view.session.program().note_count() {
                     let half = ui.available_width() * 0.5;
                     let notes = Panel::left("program-notes").exact_size(half).show_separator_line(false);
                     let notes = notes.frame(Frame::new().inner_margin(Side::Left.gap()));
-                    notes.show(ui, |ui| page_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
+                    notes.show(ui, |ui| close_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
                 }
-                rest_ui(ui, view, |ui, view| path_panel::path_ui(ui, view));
+                let rest = CentralPanel::default().frame(Frame::NONE);
+                rest.show(ui, |ui| close_card_ui(ui, |ui| path_panel::path_ui(ui, view)));
             });
         } else if let Some(height) = notes_panel::height(ui, view) {
             let notes = Panel::bottom("program-notes-below").exact_size(height).show_separator_line(false);
             let notes = notes.frame(Frame::new().inner_margin(Side::Bottom.gap()));
-            notes.show(ui, |ui| page_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
+            notes.show(ui, |ui| close_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
         }
-        rest_ui(ui, view, listing::listing_ui);
+        let rest = CentralPanel::default().frame(Frame::NONE);
+        rest.show(ui, |ui| close_card_ui(ui, |ui| listing::listing_ui(ui, view)));
     });
     workpiece_window::workpiece_ui(ui, view);
 }
