@@ -21,6 +21,7 @@ fn setup() -> Setup {
         files: Vec::new(),
         records: Records::nowhere(),
         told: Vec::new(),
+        notices_stay: None,
     }
 }
 

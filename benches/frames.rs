@@ -45,6 +45,7 @@ fn empty(size: Vec2) -> Harness<'static, App> {
         files: Vec::new(),
         records: Records::nowhere(),
         told: Vec::new(),
+        notices_stay: None,
     };
     Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup))
 }

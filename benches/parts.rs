@@ -51,6 +51,7 @@ fn window(folder: &Path, plan: PathBuf) -> Harness<'static, App> {
         files: vec![(Purpose::OpenPlan, plan)],
         records,
         told: Vec::new(),
+        notices_stay: None,
     };
     let size = vec2(1280.0, 800.0);
     let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup));

@@ -1,7 +1,7 @@
 //! What is around every card: an answer at which one look is enough. A screen reader says it whenever it changes.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, Ui};
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, Ui, UiBuilder};
 
 use super::columns::is_low;
 use super::shapes;
@@ -32,12 +32,16 @@ pub(super) fn close_card_ui<T>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> T) 
     in_frame_ui(ui, page_frame(ui).inner_margin(Margin::same(8)), content)
 }
 
+/// What is too much for a card is cut at its edge and moves nothing beside it.
 fn in_frame_ui<T>(ui: &mut Ui, frame: Frame, content: impl FnOnce(&mut Ui) -> T) -> T {
-    let shown = frame.show(ui, |ui| {
-        ui.set_min_size(ui.available_size());
-        content(ui)
-    });
-    shown.inner
+    let rect = ui.available_rect_before_wrap();
+    let inner = rect - frame.total_margin();
+    ui.painter().add(frame.paint(inner));
+    let mut child = ui.new_child(UiBuilder::new().max_rect(inner));
+    child.set_clip_rect(rect.intersect(ui.clip_rect()));
+    let shown = content(&mut child);
+    ui.allocate_rect(rect, Sense::hover());
+    shown
 }
 
 /// The card of a verdict in its colours, with dashes around what nobody measured; its content returns what is said of it, part by part.

@@ -150,10 +150,8 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, has_words: bool) {
     };
     let palette = palette(ui.ctx());
     let colour = if is_bad { palette.error.0 } else { palette.quiet.0 };
-    let (icon, weight) = match is_recorded {
-        true => (Icon::CheckCircle, Weight::Fill),
-        false => (Icon::WarningCircle, Weight::Regular),
-    };
+    let (icon, weight) =
+        if is_recorded { (Icon::CheckCircle, Weight::Fill) } else { (Icon::WarningCircle, Weight::Regular) };
     let icon_colour = if is_recorded { palette.accent.0 } else { colour };
     ui.spacing_mut().item_spacing.x = space(1.5);
     let shown = ui.label(icon.text(weight, space(4.5)).color(icon_colour));

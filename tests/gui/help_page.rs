@@ -81,11 +81,11 @@ fn arrows_go_through_the_list_once_it_has_the_focus() {
 fn page_keys_scroll_the_text_and_another_page_begins_at_its_top() {
     let mut window = help();
     let top = |window: &Harness<'_, App>, title: &str| window.get_by_role_and_label(Role::Heading, title).rect().top();
-    click(&mut window, Role::Row, "Run NC programs");
-    let begin = top(&window, "Run NC programs");
+    click(&mut window, Role::Row, "Files and formats");
+    let begin = top(&window, "Files and formats");
     press(&mut window, Key::PageDown);
     settle(&mut window);
-    assert!(top(&window, "Run NC programs") < begin - 300.0);
+    assert!(top(&window, "Files and formats") < begin - 300.0);
     click(&mut window, Role::Row, "Records");
     settle(&mut window);
     assert!((top(&window, "Records") - begin).abs() < 1.0);

@@ -82,8 +82,19 @@ fn run(page: &Harnessed) -> &Run {
     page.state().session().program().run.as_ref().unwrap()
 }
 
-/// Selects a block by how its line begins.
+/// Selects a block by how its line begins; one below the edge of the listing is gone to first.
 fn select(page: &mut Harnessed, line: &str) {
+    for _ in 0..3 {
+        let is_in_sight = page
+            .query_by(|node| node.role() == Role::ListItem && node.label().is_some_and(|label| label.starts_with(line)))
+            .is_some();
+        if is_in_sight {
+            break;
+        }
+        page.get_by_role(Role::List).focus();
+        page.run();
+        press(page, Key::PageDown);
+    }
     page.get_by(|node| node.role() == Role::ListItem && node.label().is_some_and(|label| label.starts_with(line)))
         .click_accesskit();
     page.run();

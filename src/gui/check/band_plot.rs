@@ -185,7 +185,7 @@ impl Drawing<'_> {
         let width = |(name, size, _): &(_, _, f32)| f32::max(galley_width(name), galley_width(size));
         let [of_lower, of_upper] = [width(&texts[0]), width(&texts[1])];
         // The names stay in sight and do not cross.
-        let apart = (of_lower + of_upper) / 2.0 + space(2.0) - (upper - lower);
+        let apart = f32::midpoint(of_lower, of_upper) + space(2.0) - (upper - lower);
         let shift = (apart / 2.0).max(0.0);
         let places = [lower - shift, upper + shift].map(|x| {
             let half = of_lower.max(of_upper) / 2.0;

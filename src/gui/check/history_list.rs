@@ -26,10 +26,10 @@ pub(in crate::gui) const COLUMNS: [Column; 8] = [
     Column::text(26.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(3),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(4),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
-    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
+    Column::text(23.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(2),
     Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
-    Column::text(42.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
+    Column::text(58.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
 ];
 
 /// Heads and rows in the room that is left.

@@ -43,7 +43,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = Page {
         name: "cycles",
         left: space(94.0),
-        right: space(84.0),
+        right: space(78.0),
         head: Some(form_panel::head_ui),
         asked: form_panel::form_ui,
         seen: seen_panel::seen_ui,

@@ -64,10 +64,10 @@ fn every_text_has_contrast_enough() {
 fn verdicts_are_told_apart_in_greyscale() {
     for palette in [&TOKENS.light, &TOKENS.dark] {
         // In the dark good and scrap are close: glyph, word and outline tell them apart.
-        let fills = match palette == &TOKENS.dark {
-            true => vec![palette.good, palette.rework, palette.re_measure],
-            false => vec![palette.good, palette.rework, palette.re_measure, palette.scrap],
-        };
+        let mut fills = vec![palette.good, palette.rework, palette.re_measure];
+        if palette != &TOKENS.dark {
+            fills.push(palette.scrap);
+        }
         for (number, one) in fills.iter().enumerate() {
             for other in fills.iter().take(number) {
                 assert!(1.4 <= contrast(*one, *other), "{one:?} {other:?}: {:.2}", contrast(*one, *other));
