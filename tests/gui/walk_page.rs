@@ -469,6 +469,9 @@ fn touch_alone_does_the_walk() {
     click(&mut page, Role::Button, "Simulate");
     assert!(verdict(&page).starts_with("SIMULATED"), "{}", verdict(&page));
     // A row of the list asks for its size.
+    page.get_by(|node| node.role() == Role::Row && node.label().is_some_and(|label| label.contains("PIN")))
+        .scroll_to_me();
+    page.run();
     page.get_by(|node| node.role() == Role::Row && node.label().is_some_and(|label| label.contains("PIN"))).click();
     page.run();
     assert_eq!(asked(&page).as_deref(), Some("PIN"));

@@ -28,7 +28,7 @@ pub(in crate::gui) const COLUMNS: [Column; 8] = [
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
     Column::text(23.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(2),
-    Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
+    Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))).takes_rest(),
     Column::text(58.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
 ];
 

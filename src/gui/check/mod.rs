@@ -137,7 +137,7 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
 fn wide_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     if space(ULTRA_WIDE) <= ui.available_width() {
         let all = ui.available_width();
-        let sizes = (all * 0.25, space(125.0)..=all * 0.45);
+        let sizes = (all * 0.28, space(125.0)..=all * 0.45);
         panel_ui(ui, view, Side::Right, "history-beside", sizes, |ui, view| below_ui(ui, view, false));
         return columns_of_three_ui(ui, view, least, false);
     }

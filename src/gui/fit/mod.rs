@@ -46,7 +46,7 @@ fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let page = Page {
         name: "fit",
-        left: space(74.0),
+        left: space(82.0),
         right: space(82.0),
         head: None,
         asked: |ui, view| {

@@ -227,7 +227,7 @@ mod tests {
         let free = f32::INFINITY;
         let pairs = [false, true].map(pairing::columns);
         for (columns, stretch, expected, never) in [
-            (&check::HISTORY[..], free, [8, 8, 8, 8, 7, 6, 5, 4, 4, 4], vec![0, 3, 4, 6]),
+            (&check::HISTORY[..], free, [8, 8, 8, 8, 7, 7, 5, 5, 4, 4], vec![0, 3, 4, 6]),
             (&check::ROWS, free, [7, 7, 7, 7, 6, 5, 4, 4, 4, 4], vec![2, 3, 5, 6]),
             (&records::COLUMNS, free, [11, 11, 11, 10, 9, 7, 6, 5, 5, 5], vec![0, 1, 6, 7, 9]),
             (&pairs[0], 1.6, [6, 6, 6, 6, 6, 6, 6, 5, 4, 3], vec![0, 2, 4]),
@@ -245,7 +245,7 @@ mod tests {
             across(columns, stretch, &Own::new(), (0.0, 1600.0))[at].map(Rangef::span)
         };
         let is = |of: Option<f32>, steps: f32| of.is_some_and(|width| (width - space(steps)).abs() < 0.01);
-        assert!(is(wide(&check::HISTORY, f32::INFINITY, 1), 42.0));
+        assert!(is(wide(&check::HISTORY, f32::INFINITY, 1), 26.0));
         assert!(is(wide(&pairing::columns(false), 1.6, 0), 20.0 * 1.6));
         assert!(is(wide(&parts::SIZES, 1.6, 0), 10.0), "a mark keeps its width");
         assert!(is(wide(&parts::SIZES, 1.6, 5), 36.0 * 1.6), "a remark is long, but not endless");
@@ -261,6 +261,6 @@ mod tests {
         shown(&check::HISTORY, f32::INFINITY, &own);
         own[3] = Some(5000.0);
         shown(&check::HISTORY, f32::INFINITY, &own);
-        assert!(most(&check::HISTORY, 2, 1200.0) < 1200.0 - space(10.0 + 25.0 + 25.0 + 62.0) + 0.01);
+        assert!(most(&check::HISTORY, 2, 1200.0) < 1200.0 - space(10.0 + 20.0 + 23.0 + 52.0) + 0.01);
     }
 }

@@ -36,7 +36,7 @@ fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     bar_ui(ui, view, Side::Top, "table-tools", tool_bar::tool_bar_ui);
     let strip = Panel::bottom("table-strip").exact_size(space(8.0)).show_separator_line(false).frame(Frame::NONE);
     strip.show(ui, |ui| tool_bar::strip_ui(ui, view));
-    let side = if size.x < 1200.0 { space(72.0) } else { space(80.0) };
+    let side = if size.x < 1200.0 { space(75.0) } else { space(84.0) };
     let most = (size.x * 0.6).max(space(50.0));
     let sizes = (side.min(most).max(keypad::width(view)), space(50.0)..=most);
     panel_ui(ui, view, Side::Right, "table-cell", sizes, |ui, view| {
