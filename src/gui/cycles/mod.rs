@@ -42,8 +42,8 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let page = Page {
         name: "cycles",
-        left: space(92.0),
-        right: space(77.0),
+        left: space(94.0),
+        right: space(75.5),
         head: Some(form_panel::head_ui),
         asked: form_panel::form_ui,
         seen: seen_panel::seen_ui,
