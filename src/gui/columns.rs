@@ -17,8 +17,8 @@ use super::view::View;
 /// The least width of the left column.
 const LEAST_ASKED: f32 = 256.0;
 
-/// From this width on there are three columns.
-const THREE: f32 = 960.0;
+/// From this width on a page has three columns.
+pub(super) const THREE: f32 = 900.0;
 
 /// Between two cards.
 const GAP: i8 = 12;
@@ -34,6 +34,8 @@ pub(super) struct Page {
     pub left: f32,
     /// The same of the right one.
     pub right: f32,
+    /// From this width on its parts have room beside each other: [`THREE`], or more.
+    pub three: f32,
     /// What stands above the left column and does not scroll.
     pub head: Option<Draw>,
     /// The left column.
@@ -62,10 +64,10 @@ pub(super) enum Shape {
 
 impl Shape {
     /// The shape of what is left of the window; `least` is the width of a verdict.
-    pub fn of(ui: &Ui, least: f32) -> Self {
+    pub fn of(ui: &Ui, least: f32, three: f32) -> Self {
         match ui.available_width() {
             width if width < least + LEAST_ASKED => Self::One,
-            width if width < THREE => Self::Two,
+            width if width < three => Self::Two,
             _ => Self::Three,
         }
     }
@@ -84,7 +86,7 @@ pub(super) fn is_tiny(ui: &Ui) -> bool {
 /// The page in the shape that the window has room for.
 pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     let least = page.least;
-    match Shape::of(ui, least) {
+    match Shape::of(ui, least, page.three) {
         Shape::One => one_ui(ui, view, page),
         Shape::Two => two_ui(ui, view, page, least),
         Shape::Three => three_ui(ui, view, page, least),

@@ -17,7 +17,7 @@ use std::path::Path;
 
 use eframe::egui::{Id, Ui};
 
-use super::columns::{Page, column_ui, columns_ui};
+use super::columns::{Page, THREE, column_ui, columns_ui};
 use super::over_page::just_opened;
 use super::theme::{Icon, space};
 use super::view::{View, quiet};
@@ -36,6 +36,7 @@ fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {
         name: "budget",
         left: space(104.0),
         right: space(76.0),
+        three: THREE,
         head: Some(text_panel::head_ui),
         asked: |ui, view| {
             text_panel::text_ui(ui, view);

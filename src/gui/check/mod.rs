@@ -40,7 +40,7 @@ pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
 use super::card::close_card_ui;
-use super::columns::{Shape, Side, area_ui, bar_ui, column_ui, is_low, of_height, panel_ui, rest_ui};
+use super::columns::{Shape, Side, THREE, area_ui, bar_ui, column_ui, is_low, of_height, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView, measurements};
 use super::theme::{Icon, space};
@@ -66,7 +66,7 @@ pub(super) const PAGE: PageView =
 fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     let least = least_width(ui, view);
-    match Shape::of(ui, least) {
+    match Shape::of(ui, least, THREE) {
         Shape::One => one_ui(ui, view),
         _ if size.x * 1.3 < size.y => tall_ui(ui, view, least),
         _ if space(WIDE) <= size.x && space(200.0) <= size.y => wide_ui(ui, view, least),

@@ -44,6 +44,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
         name: "cycles",
         left: space(94.0),
         right: space(75.5),
+        three: space(240.0),
         head: Some(form_panel::head_ui),
         asked: form_panel::form_ui,
         seen: seen_panel::seen_ui,

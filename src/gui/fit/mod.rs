@@ -48,6 +48,7 @@ fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
         name: "fit",
         left: space(82.0),
         right: space(82.0),
+        three: space(240.0),
         head: None,
         asked: |ui, view| {
             asked_panel::callout_ui(ui, view);

@@ -26,7 +26,7 @@ use crate::session::Purpose;
 #[cfg(test)]
 pub(super) use pairs_list::columns;
 
-use super::columns::{Page, columns_ui, of_height};
+use super::columns::{Page, THREE, columns_ui, of_height};
 use super::field;
 use super::over_page::just_opened;
 use super::theme::{Icon, control, space};
@@ -45,6 +45,7 @@ fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {
         name: "pairing",
         left: space(76.0),
         right: space(82.0),
+        three: THREE,
         head: None,
         asked: asked_panel::asked_ui,
         seen: seen_ui,

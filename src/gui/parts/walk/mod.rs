@@ -24,7 +24,7 @@ pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;
 use super::picture;
-use crate::gui::columns::{Page, Shape, columns_ui, is_tiny, of_height};
+use crate::gui::columns::{Page, Shape, THREE, columns_ui, is_tiny, of_height};
 use crate::gui::theme::space;
 use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
@@ -38,7 +38,7 @@ const WIDE: f32 = 400.0;
 
 /// Whether the head of the page scrolls with the view, because there is no room for it above.
 pub(super) fn has_head(ui: &Ui, view: &View<'_>) -> bool {
-    is_tiny(ui) || Shape::of(ui, least_width(ui, view)) == Shape::One
+    is_tiny(ui) || Shape::of(ui, least_width(ui, view), THREE) == Shape::One
 }
 
 /// What a size asks for: its callout, or the deviations of a point.
@@ -96,6 +96,7 @@ pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
         name: if is_wide { "walk-wide" } else { "walk" },
         left: if is_wide { space(85.0) } else { space(74.0) },
         right: if is_wide { space(105.0) } else { space(88.0) },
+        three: THREE,
         head: has_head(ui, view).then_some(head_ui),
         asked: asked_panel::asked_ui,
         seen: seen_ui,
