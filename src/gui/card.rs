@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, Ui, UiBuilder};
 
-use super::columns::is_low;
+use super::room::is_low;
 use super::shapes;
 use super::theme::{self, palette};
 use super::view::live;

@@ -11,6 +11,7 @@ use eframe::egui::{
 
 use super::card::{page_card_ui, page_frame};
 use super::keypad::{self, keypad_ui};
+use super::room::is_tiny;
 use super::theme::{palette, space};
 use super::view::View;
 
@@ -71,16 +72,6 @@ impl Shape {
             _ => Self::Three,
         }
     }
-}
-
-/// Whether the window is so low that pictures give way to words.
-pub(super) fn is_low(ui: &Ui) -> bool {
-    ui.ctx().content_rect().height() < space(160.0)
-}
-
-/// Whether there is only room for the word, the value and what to do.
-pub(super) fn is_tiny(ui: &Ui) -> bool {
-    ui.ctx().content_rect().height() < space(120.0)
 }
 
 /// The page in the shape that the window has room for.

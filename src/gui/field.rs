@@ -10,9 +10,9 @@ use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
-use super::columns::is_low;
 use super::in_turn::hold;
 use super::keypad;
+use super::room::is_low;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet, remembered};
 use crate::session::{Command, Field};

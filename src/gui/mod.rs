@@ -22,7 +22,7 @@
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
 //! | `table` | a list of rows with heads |
-//! | `columns`, `split` | three columns, a list with what is open of it, and how both fold |
+//! | `columns`, `split`, `room` | three columns, a list with what is open of it, and how both fold |
 //! | `empty` | what stands where there is nothing yet |
 //! | `card`, `section`, `segments`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
@@ -32,9 +32,10 @@
 //!
 //! 1. Write its folder: `NAME_ui` in `mod.rs`, one file per panel. A panel draws from the session and sends commands.
 //!    It declares a list of rows as a `table::Table`, cells under heads as a `table::grid::Grid`, and its answer as a `card`.
-//! 2. Say in its `PAGE` how it is drawn and what a file is that is dropped on it, and add its line to `pages.rs`.
+//! 2. Say in its `PAGE` how it is drawn, what a file is that is dropped on it, and its group and icon in the rail, and add its line to
+//!    `pages.rs`. A new icon is named in `theme/icon.rs`, and the fonts are cut anew (`assets/fonts/README.md`).
 //! 3. Carry out its new effects in `effects.rs`: what touches a file or takes long runs off the frame's thread.
-//! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
+//! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the rail.
 //! 5. Test it by label and key in `tests/gui/NAME_page.rs`; add it to `sizes.rs` (every size and language) and, with its picture, to
 //!    `readme.rs` there. Both `main.rs` name the files of tests. The name of a page stands in every picture of a whole window: take them
 //!    anew (`tests/gui/pictures.rs` says how) and look at them.
@@ -82,6 +83,7 @@ mod program;
 mod rail;
 mod reading;
 mod records;
+mod room;
 mod rows;
 mod section;
 mod segments;

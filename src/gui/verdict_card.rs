@@ -5,7 +5,7 @@ use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Align2, Color32, FontId, Label, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::card::{MARGIN, verdict_ui};
-use super::columns::{is_low, is_tiny};
+use super::room::{is_low, is_tiny};
 use super::shapes;
 use super::theme::{self, Palette, control, palette, sizes, space};
 use super::view::{Digits, View, doubt_text};

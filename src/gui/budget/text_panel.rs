@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Invalid;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Id, ScrollArea, Stroke, TextBuffer, TextEdit, Ui};
 
-use crate::gui::columns::is_low;
+use crate::gui::room::is_low;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;

@@ -40,9 +40,10 @@ pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
 use super::card::close_card_ui;
-use super::columns::{Shape, Side, THREE, area_ui, bar_ui, column_ui, is_low, of_height, panel_ui, rest_ui};
+use super::columns::{Shape, Side, THREE, area_ui, bar_ui, column_ui, of_height, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView, measurements};
+use super::room::is_low;
 use super::theme::{Icon, space};
 use super::verdict_card::least_width;
 use super::view::View;

@@ -4,8 +4,8 @@ use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::check::recorded_ui;
-use crate::gui::columns::is_tiny;
 use crate::gui::popup::popup_ui;
+use crate::gui::room::is_tiny;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{Card, card_height, card_ui, half, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};

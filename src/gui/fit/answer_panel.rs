@@ -6,8 +6,8 @@ use eframe::egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, WidgetIn
 use super::part_text;
 use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::class_chooser::feature_picture;
-use crate::gui::columns::{is_low, is_tiny};
 use crate::gui::limits::{self, feature_id};
+use crate::gui::room::{is_low, is_tiny};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;

@@ -4,7 +4,7 @@ use eframe::egui::{RichText, Ui};
 
 use super::groups_panel::{groups_ui, range};
 use crate::gui::card::{plain_ui, word_ui};
-use crate::gui::columns::is_tiny;
+use crate::gui::room::is_tiny;
 use crate::gui::theme::{palette, space};
 use crate::gui::view::{View, heading, named_figures_ui, quiet};
 use crate::message::message;

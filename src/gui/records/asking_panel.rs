@@ -4,8 +4,8 @@ use eframe::egui::{Id, Key, Label, RichText, Ui};
 
 use super::list;
 use crate::gui::check::grouped;
-use crate::gui::columns::is_tiny;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::room::is_tiny;
 use crate::gui::theme::{palette, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::{Message, message};

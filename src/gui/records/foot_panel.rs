@@ -4,8 +4,8 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{ProgressBar, Ui, WidgetInfo};
 
 use crate::gui::check::grouped;
-use crate::gui::columns::is_tiny;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::room::is_tiny;
 use crate::gui::shapes::share;
 use crate::gui::theme::space;
 use crate::gui::view::{View, problem, quiet, quiet_cut};

@@ -5,7 +5,7 @@
 use eframe::egui::{Id, Ui, vec2};
 
 use crate::gui::check::{check_card, recorded_ui};
-use crate::gui::columns::is_tiny;
+use crate::gui::room::is_tiny;
 use crate::gui::theme::{control, sizes, space};
 use crate::gui::verdict_card::{
     Card, card_height, card_ui, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,

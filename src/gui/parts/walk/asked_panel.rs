@@ -4,10 +4,10 @@ use eframe::egui::{Button, Key, RichText, Ui, vec2};
 
 use super::asked_text;
 use super::skip_panel::skip_ui;
-use crate::gui::columns::{is_low, is_tiny};
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::over_page::just_opened;
+use crate::gui::room::{is_low, is_tiny};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::message;

@@ -24,7 +24,8 @@ pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;
 use super::picture;
-use crate::gui::columns::{Page, Shape, THREE, columns_ui, is_tiny, of_height};
+use crate::gui::columns::{Page, Shape, THREE, columns_ui, of_height};
+use crate::gui::room::is_tiny;
 use crate::gui::theme::space;
 use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
