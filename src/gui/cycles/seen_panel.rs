@@ -69,7 +69,7 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, height: f32) {
     };
     if space(WIDE) < ui.available_width() {
         let height = left.max(space(40.0));
-        let width = (ui.available_width() - space(3.0)) * 0.56;
+        let width = (ui.available_width() - space(3.0)) * 0.575;
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = space(3.0);
             ui.allocate_ui(vec2(width, height), |ui| path_picture(ui, view, run, height));
