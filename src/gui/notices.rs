@@ -1,5 +1,5 @@
-//! The list of notices: what happened, and what can be done about it. The oldest one is shown in the corner: a problem until it is
-//! closed, anything else for some seconds.
+//! The list of notices: what happened, and what can be done about it. The oldest one is shown in the corner: what asks for a look until
+//! it is closed, anything else for some seconds.
 
 use std::time::Duration;
 
@@ -25,7 +25,12 @@ fn looked_at_id() -> Id {
     Id::unique("notice-looked-at")
 }
 
-/// Closes a notice that is no problem once it has been there for some seconds, unless somebody is at its buttons or something lies over it.
+/// Whether somebody has to look at it: a problem, what was skipped or assumed, or a choice that it offers.
+const fn asks(notice: &Notice) -> bool {
+    notice.is_problem || notice.records || notice.columns.is_some() || !notice.details.is_empty()
+}
+
+/// Closes a notice that asks for nothing once it has been there for some seconds, unless somebody is at its buttons or something lies over it.
 pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
     let session = view.session;
     let is_covered = session.is_leaving()
@@ -34,7 +39,7 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
         || session.open_columns().is_some()
         || session.working().is_some()
         || session.palette.is_some();
-    let notice = session.notices().first().filter(|notice| !notice.is_problem && !is_covered);
+    let notice = session.notices().first().filter(|notice| !asks(notice) && !is_covered);
     let is_looked_at = ui.data(|data| data.get_temp(looked_at_id())) == Some(true);
     let Some(notice) = notice.filter(|_| !is_looked_at) else { return };
     let now = ui.input(|input| input.time);

@@ -10,6 +10,7 @@ use eframe::egui::{
 use super::key_names::told;
 use super::page::Group;
 use super::pages::page_of;
+use super::shapes::{lines_of, times};
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::View;
 use crate::session::{Action, Page, WindowAction};
@@ -76,15 +77,15 @@ fn left_ui(ui: &mut Ui, view: &mut View<'_>, shape: RailShape) {
     logo_ui(ui, Rect::from_center_size(pos2(logo.center().x, logo.top() + side / 2.0), vec2(side, side)));
     let height = control(ui).max(if shape == RailShape::Named { 46.0 } else { 40.0 });
     let foot: Vec<Page> = pages(Group::Foot).collect();
-    let room = ui.available_height() - super::shapes::times(height, foot.len());
+    let room = ui.available_height() - times(height, foot.len());
     let groups = Group::RAIL.map(|group| pages(group).collect::<Vec<Page>>());
     let all = groups.iter().map(Vec::len).sum::<usize>();
-    let needed = super::shapes::times(height, all) + super::shapes::times(GAP, groups.len() - 1);
+    let needed = times(height, all) + times(GAP, groups.len() - 1);
     let mut left = room - if needed <= room { 0.0 } else { height };
     let mut more = Vec::new();
     for (place, group) in groups.into_iter().enumerate() {
         let gap = if place == 0 { 0.0 } else { GAP };
-        let takes = gap + super::shapes::times(height, group.len());
+        let takes = gap + times(height, group.len());
         // A group is never torn apart, and what follows one that has no room has none either.
         if left < takes || !more.is_empty() {
             more.extend(group);
@@ -103,7 +104,7 @@ fn left_ui(ui: &mut Ui, view: &mut View<'_>, shape: RailShape) {
     if !more.is_empty() {
         more_ui(ui, view, &more, vec2(shape.width(), height));
     }
-    ui.add_space((ui.available_height() - super::shapes::times(height, foot.len())).max(0.0));
+    ui.add_space((ui.available_height() - times(height, foot.len())).max(0.0));
     for page in foot {
         item_ui(ui, view, page, vec2(shape.width(), height), shape);
     }
@@ -116,10 +117,10 @@ fn below_ui(ui: &mut Ui, view: &mut View<'_>) {
     let shape = if window.y < 480.0 { RailShape::Slim } else { RailShape::Named };
     let height = if shape == RailShape::Named { 56.0 } else { control(ui) };
     let mut pages: Vec<Page> = Group::RAIL.into_iter().chain([Group::Foot]).flat_map(pages).collect();
-    let fit = super::shapes::lines_of(ui.available_width() / 72.0).max(2);
+    let fit = lines_of(ui.available_width() / 72.0).max(2);
     let more = if fit < pages.len() { pages.split_off(fit - 1) } else { Vec::new() };
     let count = pages.len() + usize::from(!more.is_empty());
-    let width = ui.available_width() / super::shapes::times(1.0, count);
+    let width = ui.available_width() / times(1.0, count);
     ui.horizontal(|ui| {
         for page in pages {
             item_ui(ui, view, page, vec2(width, height), shape);

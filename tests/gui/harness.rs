@@ -64,6 +64,8 @@ pub struct Window {
     pub records: Records,
     /// What is told at once.
     pub told: Vec<Message>,
+    /// How long a notice stays that asks for nothing; for ever, unless a test is about it.
+    pub notices_stay: Option<f64>,
 }
 
 impl Default for Window {
@@ -79,6 +81,7 @@ impl Default for Window {
             zoom: 1.0,
             records: nowhere(),
             told: Vec::new(),
+            notices_stay: None,
         }
     }
 }
@@ -95,7 +98,7 @@ impl Window {
             files: self.files,
             records: self.records,
             told: self.told,
-            notices_stay: None,
+            notices_stay: self.notices_stay,
         };
         let mut harness = Harness::builder()
             .with_size(self.size)

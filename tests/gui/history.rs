@@ -434,3 +434,22 @@ fn the_list_speaks_the_language_of_the_window() {
     click(&mut window, Role::Button, "Gemeten");
     window.get_by_role_and_label(Role::Button, "Gemeten, oplopend gesorteerd");
 }
+
+#[test]
+fn a_notice_that_asks_for_nothing_leaves_and_one_with_details_stays() {
+    let mut window = Window { notices_stay: Some(6.0), ..Window::default() }.open();
+    let ctx = window.ctx.clone();
+    check(&mut window, "25 H7", "25.012");
+    window.state_mut().send(&ctx, CheckCommand::ClearHistory.into());
+    window.run_steps(4);
+    assert_eq!(window.state().session().notices().len(), 1);
+    // A frame of the harness is a quarter of a second.
+    window.run_steps(30);
+    assert_eq!(window.state().session().notices().len(), 0, "it only said what was done");
+    let rows = "id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,here\n";
+    let result = Ok(Box::new(import("lot.csv", rows.as_bytes(), window.state().session().sources(), now())));
+    window.state_mut().send(&ctx, CheckCommand::Imported { name: "lot.csv".to_owned(), result }.into());
+    window.run_steps(60);
+    let notices = window.state().session().notices();
+    assert!(notices.iter().any(|notice| !notice.details.is_empty()), "{notices:?}");
+}

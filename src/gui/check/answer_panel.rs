@@ -21,11 +21,13 @@ use crate::words::Words;
 
 /// The height that the answer needs in a width: more than usual where there is much to say.
 pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
-    if let Some(question) = view.session.check().question.as_ref() {
+    let check = view.session.check();
+    let asked = check.question.as_ref().map(|question| question_card(view, question, 0.0));
+    if let Some(asked) = check.doubted().map(|doubted| doubted_card(view, doubted)).or(asked) {
         let answers = (control(ui) + ui.spacing().item_spacing.y) * 2.0 + space(1.0);
-        return card_height_in(ui, view, &question_card(view, question, 0.0), width) + answers;
+        return card_height_in(ui, view, &asked, width) + answers;
     }
-    let shown = view.session.check().shown.as_ref();
+    let shown = check.shown.as_ref();
     let card = shown.map_or_else(|| no_card(view), |shown| card(view.words, &shown.record, true));
     card_height_in(ui, view, &card, width) + shown.map_or(0.0, |_| foot_height(ui))
 }
@@ -110,16 +112,20 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
     view.answers_ui(ui, size);
 }
 
-/// What is asked about a text before anything is judged by it.
-fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &DoubtedText) {
+/// The card of what is asked about a text before anything is judged by it.
+fn doubted_card(view: &View<'_>, doubted: &DoubtedText) -> Card {
     let enter = if doubted.meant.is_some() { "doubted-enter" } else { "doubted-type" };
-    let card = Card {
+    Card {
         word: view.text("word-question"),
         value: Some(view.words.number(&doubted.text)),
         lines: vec![view.words.say(&doubted.why), view.text(enter)],
         ..Card::default()
-    };
-    card_ui(ui, view, &card);
+    }
+}
+
+/// What is asked about a text before anything is judged by it.
+fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &DoubtedText) {
+    card_ui(ui, view, &doubted_card(view, doubted));
     ui.add_space(space(1.0));
     let size = vec2(ui.available_width(), control(ui));
     if doubted.meant.is_some() {

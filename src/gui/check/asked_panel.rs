@@ -156,7 +156,7 @@ fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-/// Where it is probed; open where something is measured on a simulated part.
+/// Where it is probed.
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
     let fields = [
         (CheckField::CentreX, "centre-x", "mm"),

@@ -128,7 +128,13 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
             let height = (ui.available_height() * 0.66).min(space(VERDICT));
             answer_panel::answer_ui(ui, view, height);
             ui.add_space(space(1.0));
-            rest_ui(ui, view, status_card_ui);
+            rest_ui(ui, view, |ui, view| {
+                column_ui(ui, "check-status-low", |ui| {
+                    status_ui(ui, view);
+                    ui.separator();
+                    of_height(ui, space(90.0), |ui| seen_ui(ui, view));
+                });
+            });
         });
         rest_ui(ui, view, band_card_ui);
     }
@@ -179,7 +185,7 @@ fn narrow_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     rest_ui(ui, view, |ui, view| {
         column_ui(ui, "check-rest", |ui| {
             of_height(ui, space(50.0).min(ui.available_height()), |ui| band_card_ui(ui, view));
-            status_card_ui(ui, view);
+            status_ui(ui, view);
             ui.separator();
             of_height(ui, space(90.0), |ui| seen_ui(ui, view));
         });
@@ -197,7 +203,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>) {
             asked_panel::asked_panel_ui(ui, view);
             ui.separator();
             of_height(ui, space(50.0), |ui| band_card_ui(ui, view));
-            status_card_ui(ui, view);
+            status_ui(ui, view);
             ui.separator();
             of_height(ui, space(90.0), |ui| seen_ui(ui, view));
         });
@@ -247,7 +253,7 @@ fn tall_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     panel_ui(ui, view, Side::Left, "check-tall-asked", (width * 0.42, width * 0.35..=width * 0.65), asked_ui);
     rest_ui(ui, view, |ui, view| {
         column_ui(ui, "check-tall-rest", |ui| {
-            status_card_ui(ui, view);
+            status_ui(ui, view);
             ui.separator();
             of_height(ui, ui.available_height().max(space(70.0)), |ui| seen_ui(ui, view));
         });
@@ -258,20 +264,32 @@ fn band_card_ui(ui: &mut Ui, view: &mut View<'_>) {
     band_plot::band_ui(ui, view);
 }
 
-/// The control's window, and what the row of a large file says; scrolls where there is no room.
+/// What stands below the verdict in a card of its own; it scrolls where there is no room.
 fn status_card_ui(ui: &mut Ui, view: &mut View<'_>) {
-    column_ui(ui, "check-status", |ui| {
-        rows_panel::shown_row_ui(ui, view);
-        answer_panel::rest_of_card_ui(ui, view);
-        status_panel::status_ui(ui, view);
-    });
+    column_ui(ui, "check-status", |ui| status_ui(ui, view));
 }
 
-/// An imported lot; the contacts, or the last values where no contacts are known, or both where there is room.
+/// What the row of a large file says, what the verdict's card has no room for, and the control's window.
+fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
+    rows_panel::shown_row_ui(ui, view);
+    answer_panel::rest_of_card_ui(ui, view);
+    status_panel::status_ui(ui, view);
+}
+
+/// An imported lot, and what was measured.
 fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some(lot) = view.session.check().lot.as_ref() {
-        answer_panel::lot_ui(ui, view, lot);
+        // What was not judged is never cut off: it scrolls.
+        return column_ui(ui, "check-lot", |ui| {
+            answer_panel::lot_ui(ui, view, lot);
+            of_height(ui, space(50.0), |ui| values_ui(ui, view));
+        });
     }
+    values_ui(ui, view);
+}
+
+/// The contacts, or the last values where no contacts are known, or both where there is room.
+fn values_ui(ui: &mut Ui, view: &View<'_>) {
     let width = ui.available_width();
     let has_contacts = contacts_plot::has_picture(view);
     if has_contacts && space(160.0) < width {

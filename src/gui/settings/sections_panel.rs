@@ -4,14 +4,14 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, RichText, Ui, WidgetInfo, vec2};
 
 use crate::gui::field::{FieldStyle, field_ui};
-use crate::gui::theme::{self, control, palette, sizes};
+use crate::gui::theme::{control, palette};
 use crate::gui::view::{View, one_of_ui, quiet};
 use crate::session::{Section, SettingsAction, SettingsCommand, SettingsField};
 
 /// The field in which settings are looked for.
 pub(super) fn find_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = quiet(ui, view.text("settings-page-find"));
-    let look = FieldStyle { font: theme::font(sizes().body), ..FieldStyle::large(ui.available_width()) };
+    let look = FieldStyle::text(ui.available_width());
     field_ui(ui, view, SettingsField::Find, name.id, look);
 }
 
