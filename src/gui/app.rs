@@ -155,9 +155,9 @@ impl App {
         ctx.set_theme(match self.session.theme() {
             Theme::System => ThemePreference::System,
             Theme::Light | Theme::Contrast => ThemePreference::Light,
-            Theme::Dark => ThemePreference::Dark,
+            Theme::Dark | Theme::Inverted => ThemePreference::Dark,
         });
-        theme::set_contrast(ctx, self.session.theme() == Theme::Contrast);
+        theme::set_contrast(ctx, matches!(self.session.theme(), Theme::Contrast | Theme::Inverted));
         theme::set_density(ctx, self.session.is_for_touch());
     }
 

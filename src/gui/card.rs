@@ -1,7 +1,7 @@
 //! What is around every card: an answer at which one look is enough. A screen reader says it whenever it changes.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, Ui, UiBuilder};
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, UiBuilder};
 
 use super::room::is_low;
 use super::shapes;
@@ -18,7 +18,7 @@ const NARROW: f32 = 1_100.0;
 pub(super) fn page_frame(ui: &Ui) -> Frame {
     let palette = palette(ui.ctx());
     let is_small = is_low(ui) || ui.ctx().content_rect().width() < NARROW;
-    let frame = Frame::new().fill(palette.surface.0).stroke(Stroke::new(1.0, palette.line.0)).corner_radius(12.0);
+    let frame = Frame::new().fill(palette.surface.0).stroke(theme::line(ui.ctx())).corner_radius(12.0);
     frame.inner_margin(Margin::same(if is_small { 8 } else { 16 }))
 }
 

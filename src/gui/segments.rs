@@ -29,7 +29,7 @@ pub(super) fn segments_ui(ui: &mut Ui, view: &mut View<'_>, choices: &[impl Into
             ui.interact(rect, ui.scope_id().with(("segment", action.text(view.session, view.words))), Sense::click());
         let inner = rect.shrink(EDGE);
         if is_on {
-            let edge = Stroke::new(1.0, palette.line.0);
+            let edge = theme::line(ui.ctx());
             ui.painter().rect(inner, 6.0, palette.surface.0, edge, StrokeKind::Inside);
         } else if response.hovered() {
             ui.painter().rect_filled(inner, 6.0, palette.tint.0);

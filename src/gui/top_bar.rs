@@ -97,7 +97,7 @@ fn search_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
         let keys = told(ui, keys);
         let galley = ui.painter().layout_no_wrap(keys, theme::font(sizes().tiny), palette.quiet.0);
         let cap = Align2::RIGHT_CENTER.align_size_within_rect(galley.size() + vec2(12.0, 4.0), rect.shrink(8.0));
-        ui.painter().rect(cap, 4.0, palette.surface.0, Stroke::new(1.0, palette.line.0), StrokeKind::Inside);
+        ui.painter().rect(cap, 4.0, palette.surface.0, theme::line(ui.ctx()), StrokeKind::Inside);
         ui.painter().galley(cap.center() - galley.size() / 2.0, galley, palette.quiet.0);
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));

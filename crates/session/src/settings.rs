@@ -11,11 +11,13 @@ pub enum Theme {
     Dark,
     /// High contrast: black on white.
     Contrast,
+    /// High contrast: white on black.
+    Inverted,
 }
 
 impl Theme {
     /// Every choice.
-    pub const ALL: [Self; 4] = [Self::System, Self::Light, Self::Dark, Self::Contrast];
+    pub const ALL: [Self; 5] = [Self::System, Self::Light, Self::Dark, Self::Contrast, Self::Inverted];
 }
 
 /// How high everything is that is pressed.

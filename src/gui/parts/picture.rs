@@ -7,11 +7,11 @@ use std::sync::{Arc, Weak};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, EventFilter, Id, Key, Painter, Pos2, Rect, Response, ScrollArea, Sense, Stroke, TextureHandle,
-    TextureOptions, Theme, Ui, Vec2, WidgetInfo, pos2, vec2,
+    TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 use crate::gui::shapes::{self, screen};
-use crate::gui::theme::{self, control, palette, palette_of, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
@@ -139,7 +139,7 @@ fn draw(ui: &Ui, picture: &Arc<PartPicture>, rect: Rect) {
         texture
     });
     // What an SVG picture leaves open is paper, whatever the theme: its lines are black.
-    let paper = palette_of(Theme::Light).surface.0;
+    let paper = theme::paper();
     ui.painter().rect_filled(rect, 0.0, paper);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     ui.painter().image(texture.id(), rect, whole, paper);

@@ -17,7 +17,7 @@ mod tokens;
 
 use std::sync::LazyLock;
 
-use eframe::egui::{ColorImage, Context, FontFamily, FontId, Id, Theme, Ui};
+use eframe::egui::{Color32, ColorImage, Context, FontFamily, FontId, Id, Stroke, Style, Theme, Ui};
 
 pub use icon::{Icon, Weight};
 use style::style;
@@ -72,23 +72,25 @@ pub fn space(steps: f32) -> f32 {
     TOKENS.sizes.step * steps
 }
 
-/// The colours of light or dark.
-pub fn palette_of(theme: Theme) -> &'static Palette {
-    match theme {
-        Theme::Light => &TOKENS.light,
-        Theme::Dark => &TOKENS.dark,
-    }
+/// The white of paper, whatever the look.
+pub fn paper() -> Color32 {
+    TOKENS.light.surface.0
 }
 
-/// Switches high contrast on or off: it takes the place of light.
+/// Switches high contrast on or off: it takes the place of light and dark.
 pub fn set_contrast(ctx: &Context, is_on: bool) {
     let before = ctx.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<bool>(contrast()), is_on));
     if before != is_on {
-        let height = ctx.style_of(Theme::Light).spacing.interact_size.y;
-        let mut look = style(Theme::Light, if is_on { &TOKENS.contrast } else { &TOKENS.light });
-        look.spacing.interact_size.y = height;
-        ctx.set_style_of(Theme::Light, look);
+        for theme in [Theme::Light, Theme::Dark] {
+            let spacing = ctx.style_of(theme).spacing.clone();
+            ctx.set_style_of(theme, Style { spacing, ..style(theme, is_on) });
+        }
     }
+}
+
+/// Whether high contrast is on.
+fn is_contrast(ctx: &Context) -> bool {
+    ctx.data(|data| data.get_temp(contrast())) == Some(true)
 }
 
 fn contrast() -> Id {
@@ -97,9 +99,25 @@ fn contrast() -> Id {
 
 /// The colours of what is on screen now.
 pub fn palette(ctx: &Context) -> &'static Palette {
-    let theme = ctx.theme();
-    let is_contrast = theme == Theme::Light && ctx.data_mut(|data| *data.get_temp_mut_or_default::<bool>(contrast()));
-    if is_contrast { &TOKENS.contrast } else { palette_of(theme) }
+    look(ctx.theme(), is_contrast(ctx))
+}
+
+/// The edge of a card and what parts things: thicker in high contrast.
+pub fn line(ctx: &Context) -> Stroke {
+    Stroke::new(line_width(is_contrast(ctx)), palette(ctx).line.0)
+}
+
+const fn line_width(is_contrast: bool) -> f32 {
+    if is_contrast { 2.0 } else { 1.0 }
+}
+
+fn look(theme: Theme, is_contrast: bool) -> &'static Palette {
+    match (theme, is_contrast) {
+        (Theme::Light, false) => &TOKENS.light,
+        (Theme::Dark, false) => &TOKENS.dark,
+        (Theme::Light, true) => &TOKENS.contrast,
+        (Theme::Dark, true) => &TOKENS.inverted,
+    }
 }
 
 /// The family of headings and the status word.

@@ -7,13 +7,13 @@ use eframe::egui::{
     Theme, Ui, Vec2, Visuals,
 };
 
-use super::{Palette, Weight, bold, font, mono, palette_of, semibold, sizes, space};
+use super::{Palette, Weight, bold, font, line_width, look, mono, semibold, sizes, space};
 
 /// Fonts and style, light and dark.
 pub fn install(ctx: &Context) {
     ctx.set_fonts(fonts());
     for theme in [Theme::Light, Theme::Dark] {
-        ctx.set_style_of(theme, style(theme, palette_of(theme)));
+        ctx.set_style_of(theme, style(theme, false));
     }
 }
 
@@ -43,10 +43,11 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-/// How egui draws its own widgets in these colours.
-pub(super) fn style(theme: Theme, palette: &Palette) -> Style {
+/// How egui draws its own widgets.
+pub(super) fn style(theme: Theme, is_contrast: bool) -> Style {
     let sizes = sizes();
-    let mut style = Style { visuals: visuals(theme, palette), ..Style::default() };
+    let visuals = visuals(theme, look(theme, is_contrast), line_width(is_contrast));
+    let mut style = Style { visuals, ..Style::default() };
     style.text_styles = [
         (TextStyle::Small, font(sizes.small)),
         (TextStyle::Body, font(sizes.body)),
@@ -67,7 +68,7 @@ pub(super) fn style(theme: Theme, palette: &Palette) -> Style {
     style
 }
 
-fn visuals(theme: Theme, palette: &Palette) -> Visuals {
+fn visuals(theme: Theme, palette: &Palette, line: f32) -> Visuals {
     let mut visuals = match theme {
         Theme::Light => Visuals::light(),
         Theme::Dark => Visuals::dark(),
@@ -75,7 +76,7 @@ fn visuals(theme: Theme, palette: &Palette) -> Visuals {
     let shadow = Shadow { offset: [0, 6], blur: 24, spread: 0, color: Color32::from_black_alpha(48) };
     visuals.panel_fill = palette.surface.0;
     visuals.window_fill = palette.surface.0;
-    visuals.window_stroke = Stroke::new(1.0, palette.line.0);
+    visuals.window_stroke = Stroke::new(line, palette.line.0);
     visuals.window_corner_radius = CornerRadius::same(12);
     visuals.menu_corner_radius = CornerRadius::same(8);
     visuals.window_shadow = shadow;
@@ -92,11 +93,11 @@ fn visuals(theme: Theme, palette: &Palette) -> Visuals {
     visuals.selection.stroke = Stroke::new(2.0, palette.focus.0);
     // A blinking caret would ask for two frames a second; an idle window draws none.
     visuals.text_cursor.blink = false;
-    let edge = Stroke::new(1.0, palette.edge.0);
+    let edge = Stroke::new(line, palette.edge.0);
     let ring = Stroke::new(2.0, palette.focus.0);
     // What is under the pointer is filled and has no ring: it does not look as if it had the focus.
     for (widget, fill, stroke) in [
-        (&mut visuals.widgets.noninteractive, palette.surface, Stroke::new(1.0, palette.line.0)),
+        (&mut visuals.widgets.noninteractive, palette.surface, Stroke::new(line, palette.line.0)),
         (&mut visuals.widgets.inactive, palette.surface, edge),
         (&mut visuals.widgets.hovered, palette.hover, edge),
         (&mut visuals.widgets.active, palette.surface, ring),

@@ -20,7 +20,7 @@ fn contrast(one: Hex, other: Hex) -> f64 {
 
 #[test]
 fn every_text_has_contrast_enough() {
-    for palette in [&TOKENS.light, &TOKENS.dark, &TOKENS.contrast] {
+    for palette in [&TOKENS.light, &TOKENS.dark, &TOKENS.contrast, &TOKENS.inverted] {
         let grounds = [palette.canvas, palette.surface, palette.sunken, palette.hover, palette.tint];
         for ground in grounds {
             for (name, text, least) in [
@@ -66,7 +66,7 @@ const APART: f64 = 1.25;
 
 #[test]
 fn verdicts_are_told_apart_in_greyscale() {
-    for palette in [&TOKENS.light, &TOKENS.dark] {
+    for palette in [&TOKENS.light, &TOKENS.dark, &TOKENS.contrast, &TOKENS.inverted] {
         // In the dark good and scrap are close: glyph, word and outline tell them apart.
         let mut fills = vec![palette.good, palette.rework, palette.re_measure];
         if palette != &TOKENS.dark {
@@ -82,7 +82,7 @@ fn verdicts_are_told_apart_in_greyscale() {
 
 #[test]
 fn a_simulated_verdict_is_told_apart_from_a_measured_one_in_greyscale() {
-    for palette in [&TOKENS.light, &TOKENS.dark] {
+    for palette in [&TOKENS.light, &TOKENS.dark, &TOKENS.contrast, &TOKENS.inverted] {
         for (measured, simulated) in [
             (palette.good, palette.pale_good),
             (palette.rework, palette.pale_rework),

@@ -1,4 +1,4 @@
-//! What `assets/theme.toml` holds: the colours of light, dark and high contrast, and the sizes.
+//! What `assets/theme.toml` holds: the colours of every look, and the sizes.
 
 use eframe::egui::Color32;
 use serde::Deserialize;
@@ -161,7 +161,8 @@ pub struct Sizes {
 pub struct Tokens {
     pub light: Palette,
     pub dark: Palette,
-    /// High contrast.
+    /// High contrast, black on white and white on black.
     pub contrast: Palette,
+    pub inverted: Palette,
     pub sizes: Sizes,
 }

@@ -138,6 +138,7 @@ impl Actions for WindowAction {
                     Theme::Light => "theme-light",
                     Theme::Dark => "theme-dark",
                     Theme::Contrast => "theme-contrast",
+                    Theme::Inverted => "theme-inverted",
                 };
                 everywhere(text, Command::SetTheme(theme))
             }
