@@ -1,33 +1,38 @@
-//! The list of notices: what happened, and what can be done about it. The oldest one is shown in the corner: what asks for a look until
-//! it is closed, anything else for some seconds.
+//! What is told in the corner, the oldest first: a problem, or what was skipped or assumed, until it is closed; anything else for some
+//! seconds, in one line. What asked for a look can be read again in the list of earlier messages.
 
 use std::time::Duration;
 
-use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
+use eframe::egui::{Align2, Button, CollapsingHeader, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, Vec2, vec2};
 
 use super::over_page::fixed_window;
-use super::theme::{control, sizes, space};
+use super::theme::{self, Icon, control, palette, sizes, space};
 use super::view::{View, problem, quiet};
-use crate::session::{Command, Notice, WindowAction};
+use crate::message::message;
+use crate::session::{Action, Command, Notice, WindowAction};
 use crate::text::Within as _;
 
 pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
+    if view.session.shows_messages() {
+        return earlier_ui(ui, view);
+    }
     let Some(notice) = view.session.notices().first().cloned() else { return };
     let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
-    let from = vec2(-space(5.0), -space(5.0));
-    let shown = fixed_window("notice", title, Align2::RIGHT_BOTTOM, from).title_bar(notice.is_problem);
-    let shown = shown.show(ui, |ui| notice_ui(ui, view, &notice));
+    let window = fixed_window("notice", title, Align2::RIGHT_BOTTOM, Vec2::splat(-space(5.0)));
+    let shown = if notice.asks() {
+        window.title_bar(notice.is_problem).show(ui, |ui| notice_ui(ui, view, &notice))
+    } else {
+        let palette = palette(ui.ctx());
+        let frame =
+            Frame::window(&ui.ctx().global_style()).fill(palette.toast.0).inner_margin(Margin::symmetric(12, 4));
+        window.title_bar(false).frame(frame.corner_radius(8.0)).show(ui, |ui| toast_ui(ui, view, &notice))
+    };
     let is_looked_at = shown.is_some_and(|shown| shown.response.contains_pointer());
     ui.data_mut(|data| data.insert_temp(looked_at_id(), is_looked_at));
 }
 
 fn looked_at_id() -> Id {
     Id::unique("notice-looked-at")
-}
-
-/// Whether somebody has to look at it: a problem, what was skipped or assumed, or a choice that it offers.
-const fn asks(notice: &Notice) -> bool {
-    notice.is_problem || notice.records || notice.columns.is_some() || !notice.details.is_empty()
 }
 
 /// Closes a notice that asks for nothing once it has been there for some seconds, unless somebody is at its buttons or something lies over it.
@@ -38,8 +43,9 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
         || session.dialog().is_some()
         || session.open_columns().is_some()
         || session.working().is_some()
+        || session.shows_messages()
         || session.palette.is_some();
-    let notice = session.notices().first().filter(|notice| !asks(notice) && !is_covered);
+    let notice = session.notices().first().filter(|notice| !notice.asks() && !is_covered);
     let is_looked_at = ui.data(|data| data.get_temp(looked_at_id())) == Some(true);
     let Some(notice) = notice.filter(|_| !is_looked_at) else { return };
     let now = ui.input(|input| input.time);
@@ -61,6 +67,39 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
     }
 }
 
+/// What was done, in one line.
+fn toast_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
+    let palette = palette(ui.ctx());
+    ui.set_max_width(space(150.0).min(ui.ctx().content_rect().width() - space(16.0)));
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(control(ui));
+        ui.label(RichText::new(view.words.say(&notice.message)).color(palette.on_toast.0));
+        offers_ui(ui, view, notice);
+        ui.visuals_mut().override_text_color = Some(palette.on_toast.0);
+        view.icon_button(ui, WindowAction::Close, Icon::X);
+    });
+}
+
+/// What can be done about it.
+fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
+    // Only what undo would take back now: other changes may have followed.
+    if notice.change.is_some() && notice.change == view.session.history().last_change() {
+        let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
+        view.button_as(ui, WindowAction::Undo, undo);
+    }
+    if notice.records {
+        view.wide_button(ui, WindowAction::RecordAgain);
+    }
+    let of_columns = notice.columns.iter().flat_map(|columns| {
+        let forget = columns.shape.is_some().then_some(WindowAction::ForgetColumns);
+        std::iter::once(WindowAction::CorrectColumns).chain(forget)
+    });
+    let of_file = [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
+    for action in of_columns.chain(of_file) {
+        view.field_button(ui, action);
+    }
+}
+
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     ui.set_max_width(space(150.0));
     let text = view.words.say(&notice.message);
@@ -69,38 +108,49 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     } else {
         ui.label(text);
     }
-    if !notice.details.is_empty() {
-        ScrollArea::vertical().max_height(space(60.0)).show_rows(
-            ui,
-            sizes().body + 4.0,
-            notice.details.len(),
-            |ui, rows| {
-                for detail in notice.details.within(rows) {
-                    quiet(ui, view.words.say(detail));
-                }
-            },
-        );
+    details_ui(ui, view, notice);
+    let more = view.session.notices().len().saturating_sub(1);
+    if 0 < more {
+        quiet(ui, view.words.say(&message!("notice-more").count("count", more)));
     }
     ui.horizontal_wrapped(|ui| {
-        // Only what undo would take back now: other changes may have followed.
-        if notice.change.is_some() && notice.change == view.session.history().last_change() {
-            let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
-            view.button_as(ui, WindowAction::Undo, undo);
+        offers_ui(ui, view, notice);
+        view.wide_button(ui, WindowAction::Close);
+    });
+}
+
+fn details_ui(ui: &mut Ui, view: &View<'_>, notice: &Notice) {
+    if notice.details.is_empty() {
+        return;
+    }
+    let area = ScrollArea::vertical().max_height(space(60.0));
+    area.show_rows(ui, sizes().body + 4.0, notice.details.len(), |ui, rows| {
+        for detail in notice.details.within(rows) {
+            quiet(ui, view.words.say(detail));
         }
-        if notice.records {
-            view.wide_button(ui, WindowAction::RecordAgain);
-        }
-        let of_columns = notice.columns.iter().flat_map(|columns| {
-            let forget = columns.shape.is_some().then_some(WindowAction::ForgetColumns);
-            std::iter::once(WindowAction::CorrectColumns).chain(forget)
+    });
+}
+
+/// What was told before and asked for a look, newest first, below the bar.
+fn earlier_ui(ui: &Ui, view: &mut View<'_>) {
+    let screen = ui.ctx().content_rect();
+    let window = fixed_window("messages", view.text("messages"), Align2::RIGHT_TOP, vec2(-space(5.0), space(15.0)));
+    window.show(ui, |ui| {
+        ui.set_width(space(130.0).min(screen.width() - space(18.0)));
+        ScrollArea::vertical().max_height(screen.height() * 0.5).show(ui, |ui| {
+            for (number, notice) in view.session.earlier_notices().enumerate() {
+                let said = RichText::new(view.words.say(&notice.message)).font(theme::font(sizes().body));
+                if notice.details.is_empty() {
+                    ui.add(Label::new(said).wrap());
+                } else {
+                    CollapsingHeader::new(said).id_salt(number).show(ui, |ui| details_ui(ui, view, notice));
+                }
+            }
         });
-        for action in of_columns {
-            view.field_button(ui, action);
-        }
-        let of_file =
-            [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
-        for action in of_file.chain([WindowAction::Close]) {
-            view.wide_button(ui, action);
-        }
+        ui.horizontal_wrapped(|ui| {
+            for action in [WindowAction::ForgetMessages, WindowAction::Close].map(Action::from) {
+                view.wide_button(ui, action);
+            }
+        });
     });
 }

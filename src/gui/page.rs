@@ -30,8 +30,15 @@ pub(super) struct PageView {
     pub group: Group,
     pub icon: Icon,
     pub ui: fn(&mut Ui, &mut View<'_>),
+    /// The names of what is open on it: a part, a serial number, a file.
+    pub opened: fn(&View<'_>) -> Vec<String>,
     /// What is done with a file that is dropped on it: its path, and its number among those that were dropped together.
     pub dropped: fn(&View<'_>, &Path, usize) -> Command,
+}
+
+/// A page on which nothing is opened.
+pub(super) const fn nothing(_view: &View<'_>) -> Vec<String> {
+    Vec::new()
 }
 
 /// A file that is read for a purpose.

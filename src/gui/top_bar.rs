@@ -7,6 +7,7 @@ use eframe::egui::{Align2, Frame, Id, Margin, Panel, Rect, RichText, Sense, Stro
 
 use super::check::grouped;
 use super::key_names::told;
+use super::pages::page_of;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
@@ -60,12 +61,15 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.cursor().left() + AROUND <= middle - search / 2.0 && middle + search / 2.0 + AROUND <= bar.right() - right
     };
     let fits = |(fold, width): &(Fold, f32)| if *fold == Fold::Nothing { has_search(*width) } else { *width <= room };
+    let known = |fold| widths.into_iter().zip(Fold::ALL).find(|(_, of)| *of == fold).map_or(0.0, |(width, _)| width);
     let fold = Fold::ALL.into_iter().zip(widths).find(fits).map_or(Fold::Who, |(fold, _)| fold);
+    let end = if fold == Fold::Nothing { bar.center().x - search / 2.0 } else { bar.right() - known(fold) };
+    open_ui(ui, view, end - AROUND);
     if fold == Fold::Nothing {
         let field = Rect::from_center_size(bar.center(), vec2(search, control(ui).min(bar.height())));
         search_ui(ui, view, field);
     }
-    let known = widths.into_iter().zip(Fold::ALL).find(|(_, of)| *of == fold).map_or(0.0, |(width, _)| width);
+    let known = known(fold);
     // As wide as what follows, so that it ends at the right edge in reading order.
     ui.add_space((bar.right() - ui.cursor().left() - known).max(0.0));
     let shown = ui.horizontal(|ui| right_ui(ui, view, fold)).response.rect.width();
@@ -76,6 +80,23 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
         ui.data_mut(|data| data.insert_temp::<[f32; Fold::ALL.len()]>(id, widths));
         ui.ctx().request_repaint();
+    }
+}
+
+/// What is open on the page, as chips that end before a place; those that have no room are left out: the page names them, too.
+fn open_ui(ui: &mut Ui, view: &View<'_>, end: f32) {
+    let palette = palette(ui.ctx());
+    for name in (page_of(view.session.page()).opened)(view) {
+        let galley = ui.painter().layout_no_wrap(name.clone(), theme::font(sizes().small), palette.text.0);
+        let size = galley.size() + vec2(space(4.0), space(2.5));
+        if end < ui.cursor().left() + size.x {
+            return;
+        }
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        ui.painter().rect_filled(rect, 6.0, palette.hover.0);
+        ui.painter().galley(rect.center() - galley.size() / 2.0, galley, palette.text.0);
+        let said = view.words.say(&message!("top-open").text("name", name));
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
     }
 }
 
@@ -110,6 +131,7 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
     if Fold::Search <= fold {
         view.icon_button(ui, WindowAction::Palette, Icon::MagnifyingGlass);
     }
+    messages_ui(ui, view);
     recorded_ui(ui, view, fold < Fold::Words);
     if fold < Fold::Who {
         who_ui(ui, view);
@@ -135,6 +157,15 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
         });
         shown.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     });
+}
+
+/// What was told before and asked for a look: there as long as it is not emptied.
+fn messages_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let count = view.session.earlier_notices().len();
+    if 0 < count {
+        let name = view.words.say(&message!("messages-count").count("count", count));
+        view.icon_button_named(ui, WindowAction::Messages, Icon::Bell, &name);
+    }
 }
 
 /// Whether checks are recorded, and the number of the newest one; where they are not, in words whatever the room.

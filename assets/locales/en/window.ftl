@@ -290,6 +290,16 @@ file-kilobytes = { $count } kB
 file-megabytes = { $count } MB
 notice = Note
 notice-problem = Error
+notice-more = { $count ->
+    [one] 1 more message follows
+   *[other] { $count } more messages follow
+}
+messages = Earlier messages
+messages-forget = Empty this list
+messages-count = { $count ->
+    [one] 1 earlier message
+   *[other] { $count } earlier messages
+}
 close = Close
 file-written = { $name } was written to { $folder }
 file-written-here = { $name } was written
@@ -489,6 +499,7 @@ materials-refused = Own materials cannot be used: { $path }, { $reason }
 section-said = { $name }: { $value }
 crash-report = The window ended by a fault of the program. A report of it, without measured values, is in { $path }
 rail-more = More
+top-open = { $name } is open
 top-undo = Undo the last change
 top-recorded = Recorded, { $number }
 top-recording = Recording

@@ -290,6 +290,16 @@ file-kilobytes = { $count } kB
 file-megabytes = { $count } MB
 notice = Melding
 notice-problem = Fout
+notice-more = { $count ->
+    [one] Er volgt nog 1 melding
+   *[other] Er volgen nog { $count } meldingen
+}
+messages = Eerdere meldingen
+messages-forget = Lijst leegmaken
+messages-count = { $count ->
+    [one] 1 eerdere melding
+   *[other] { $count } eerdere meldingen
+}
 close = Sluiten
 file-written = { $name } is geschreven in { $folder }
 file-written-here = { $name } is geschreven
@@ -489,6 +499,7 @@ materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, 
 section-said = { $name }: { $value }
 crash-report = Het venster is door een fout in het programma geëindigd. Een verslag ervan, zonder meetwaarden, staat in { $path }
 rail-more = Meer
+top-open = { $name } is geopend
 top-undo = Laatste wijziging ongedaan maken
 top-recorded = Vastgelegd, { $number }
 top-recording = Wordt vastgelegd

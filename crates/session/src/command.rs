@@ -75,6 +75,10 @@ macro_rules! command {
             Confirm,
             /// Closes the dialog or the oldest notice.
             Close,
+            /// Shows or hides what was told before.
+            ShowMessages(bool),
+            /// Empties the list of what was told before.
+            ForgetMessages,
             /// The answer to the question whether unsaved changes may be lost to another document.
             Discard(bool),
             /// Asks whether the window may be closed: at once, unless something has unsaved changes.

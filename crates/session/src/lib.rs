@@ -432,6 +432,11 @@ impl Session {
             Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
+            Command::ShowMessages(shows) => shared.shows_messages = shows,
+            Command::ForgetMessages => {
+                shared.earlier.clear();
+                shared.shows_messages = false;
+            }
             Command::AskToLeave => {
                 if !self.would_lose() {
                     return vec![Effect::Leave];

@@ -173,6 +173,16 @@ impl Session {
         &self.shared.notices
     }
 
+    /// What was told before and asked for a look, newest first.
+    pub fn earlier_notices(&self) -> impl ExactSizeIterator<Item = &Notice> {
+        self.shared.earlier.iter()
+    }
+
+    /// Whether they are shown.
+    pub const fn shows_messages(&self) -> bool {
+        self.shared.shows_messages
+    }
+
     /// Adds a notice of something that happened outside, such as a state file that was set aside.
     pub fn tell(&mut self, message: Message) {
         self.shared.tell(message);

@@ -104,6 +104,11 @@ impl Notice {
     pub(super) const fn of(message: Message, is_problem: bool) -> Self {
         Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false, columns: None }
     }
+
+    /// Whether somebody has to look at it: a problem, what was skipped or assumed, or a choice that it offers.
+    pub const fn asks(&self) -> bool {
+        self.is_problem || self.records || self.columns.is_some() || !self.details.is_empty()
+    }
 }
 
 /// A change by a page, or for all of them, that other pages follow.
@@ -200,6 +205,9 @@ pub(super) struct Shared {
     pub places: Places,
     pub columns: Columns,
     pub notices: Vec<Notice>,
+    /// What was told before and asked for a look, newest first.
+    pub earlier: VecDeque<Notice>,
+    pub shows_messages: bool,
     /// The file that is being read or written, where that takes long.
     pub working: Option<Box<Working>>,
     /// Whether the user wants to close the window and something is unsaved.
@@ -317,6 +325,20 @@ impl Shared {
     pub fn tell_of_records(&mut self, message: Message) {
         self.notices.retain(|notice| !notice.records);
         self.notices.push(Notice { records: true, ..Notice::of(message, true) });
+    }
+
+    /// Closes the oldest notice. One that asked for a look stays in the list of what was told before.
+    pub fn close_notice(&mut self) {
+        /// How many are kept.
+        const EARLIER: usize = 50;
+        if self.notices.is_empty() {
+            return;
+        }
+        let notice = self.notices.remove(0);
+        if notice.asks() {
+            self.earlier.push_front(notice);
+            self.earlier.truncate(EARLIER);
+        }
     }
 
     /// Tells the user what was done.

@@ -25,7 +25,13 @@ use crate::gui::page::{Group, PageView, ending, open};
 use crate::session::Command;
 use crate::session::Purpose;
 
-pub(super) const PAGE: PageView = PageView { group: Group::Uncertainty, icon: Icon::PlusMinus, ui: budget_ui, dropped };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Uncertainty, icon: Icon::PlusMinus, ui: budget_ui, opened, dropped };
+
+/// The budget.
+fn opened(view: &View<'_>) -> Vec<String> {
+    vec![view.session.budget().document.name()]
+}
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {

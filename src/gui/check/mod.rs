@@ -61,7 +61,12 @@ const NARROW: f32 = 210.0;
 const VERDICT: f32 = 69.0;
 
 pub(super) const PAGE: PageView =
-    PageView { group: Group::Measure, icon: Icon::Ruler, ui: check_ui, dropped: measurements };
+    PageView { group: Group::Measure, icon: Icon::Ruler, ui: check_ui, opened, dropped: measurements };
+
+/// The large file whose rows are listed.
+fn opened(view: &View<'_>) -> Vec<String> {
+    view.session.check().rows.iter().map(|rows| rows.name.clone()).collect()
+}
 
 /// The check page: left what is asked, right of it the band with the verdict, what else was seen, and the earlier checks.
 fn check_ui(ui: &mut Ui, view: &mut View<'_>) {

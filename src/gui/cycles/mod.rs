@@ -31,7 +31,13 @@ use super::verdict_card::least_width;
 use super::view::{View, remembered};
 use crate::session::{Action, Command, CycleField, CyclesCommand};
 
-pub(super) const PAGE: PageView = PageView { group: Group::Control, icon: Icon::Target, ui: cycles_ui, dropped };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Control, icon: Icon::Target, ui: cycles_ui, opened, dropped };
+
+/// The part that is probed.
+fn opened(view: &View<'_>) -> Vec<String> {
+    view.session.part().iter().map(|part| part.name.clone()).collect()
+}
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {

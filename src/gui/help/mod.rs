@@ -18,7 +18,7 @@ use eframe::egui::Ui;
 
 use super::columns::{Side, panel_ui, rest_ui};
 use super::keypad::keypad_ui;
-use super::page::{Group, PageView, measurements};
+use super::page::{Group, PageView, measurements, nothing};
 use super::theme::{Icon, space};
 use super::view::View;
 
@@ -26,7 +26,7 @@ use super::view::View;
 const BESIDE: f32 = 190.0;
 
 pub(super) const PAGE: PageView =
-    PageView { group: Group::Foot, icon: Icon::Question, ui: help_ui, dropped: measurements };
+    PageView { group: Group::Foot, icon: Icon::Question, ui: help_ui, opened: nothing, dropped: measurements };
 
 /// Topics and text beside each other where there is room, else one in the place of the other.
 fn help_ui(ui: &mut Ui, view: &mut View<'_>) {

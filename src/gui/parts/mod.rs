@@ -32,7 +32,15 @@ pub(super) use plan::grid_id as plan_id;
 pub(super) use walk::SIZES;
 pub(super) use walk::sizes_id;
 
-pub(super) const PAGE: PageView = PageView { group: Group::Measure, icon: Icon::Cube, ui: parts_ui, dropped };
+pub(super) const PAGE: PageView = PageView { group: Group::Measure, icon: Icon::Cube, ui: parts_ui, opened, dropped };
+
+/// The plan, and the serial number of the part that is measured.
+fn opened(view: &View<'_>) -> Vec<String> {
+    let parts = view.session.parts();
+    let plan = Some(parts.document.name()).filter(|_| !parts.document.is_empty());
+    let serial = Some(parts.walking.serial().to_owned()).filter(|serial| !serial.is_empty());
+    plan.into_iter().chain(serial).collect()
+}
 
 /// The page.
 fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {

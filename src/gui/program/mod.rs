@@ -44,7 +44,13 @@ use crate::session::Purpose;
 use crate::session::program::Speed;
 use crate::session::{ProgramCommand, ProgramField};
 
-pub(super) const PAGE: PageView = PageView { group: Group::Control, icon: Icon::FileCode, ui: program_ui, dropped };
+pub(super) const PAGE: PageView =
+    PageView { group: Group::Control, icon: Icon::FileCode, ui: program_ui, opened, dropped };
+
+/// The program that runs.
+fn opened(view: &View<'_>) -> Vec<String> {
+    view.session.program().main().iter().map(|main| main.title().to_owned()).collect()
+}
 
 /// The page: left what goes in, middle the program, right what comes out.
 fn program_ui(ui: &mut Ui, view: &mut View<'_>) {

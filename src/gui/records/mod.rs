@@ -19,7 +19,7 @@ mod record_panel;
 
 use eframe::egui::{Id, Ui};
 
-use crate::gui::page::{Group, PageView, measurements};
+use crate::gui::page::{Group, PageView, measurements, nothing};
 #[cfg(test)]
 pub(super) use list::COLUMNS;
 
@@ -34,7 +34,7 @@ use crate::session::Keeping;
 const BESIDE: f32 = 230.0;
 
 pub(super) const PAGE: PageView =
-    PageView { group: Group::Results, icon: Icon::ListChecks, ui: records_ui, dropped: measurements };
+    PageView { group: Group::Results, icon: Icon::ListChecks, ui: records_ui, opened: nothing, dropped: measurements };
 
 /// The page.
 fn records_ui(ui: &mut Ui, view: &mut View<'_>) {

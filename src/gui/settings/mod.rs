@@ -35,7 +35,12 @@ const BESIDE: f32 = 180.0;
 const SECTIONS: f32 = 64.0;
 
 pub(super) const PAGE: PageView =
-    PageView { group: Group::Foot, icon: Icon::GearSix, ui: settings_ui, dropped: measurements };
+    PageView { group: Group::Foot, icon: Icon::GearSix, ui: settings_ui, opened: section, dropped: measurements };
+
+/// Which section is shown.
+fn section(view: &View<'_>) -> Vec<String> {
+    vec![view.text(view.session.settings_page().section.name())]
+}
 
 fn settings_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("settings-page")) {

@@ -27,6 +27,7 @@ pub(super) const PAGE: PageView = PageView {
     group: Group::Design,
     icon: Icon::Table,
     ui: tables_ui,
+    opened: |view| view.session.tables().shown().iter().map(|document| document.title.clone()).collect(),
     dropped: |_view, path, _number| open(Purpose::OpenTable, path),
 };
 

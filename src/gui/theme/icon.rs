@@ -45,6 +45,7 @@ icons! {
     AppWindow = '\u{e5da}'
     ArrowCounterClockwise = '\u{e038}'
     ArrowUUpLeft = '\u{e08a}'
+    Bell = '\u{e0ce}'
     CaretDown = '\u{e136}'
     CaretRight = '\u{e13a}'
     Check = '\u{e182}'

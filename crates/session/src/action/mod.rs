@@ -175,6 +175,8 @@ impl Session {
             Some(Command::Close)
         } else if self.open_columns().is_some() {
             Some(ColumnsCommand::Leave.into())
+        } else if self.shows_messages() {
+            Some(Command::ShowMessages(false))
         } else if !self.notices().is_empty() {
             Some(Command::Close)
         } else {

@@ -77,6 +77,10 @@ actions! {
     Keypad;
     /// Closes what lies over the page: a dialog, a window, the oldest notice.
     Close;
+    /// Shows or hides what was told before.
+    Messages;
+    /// Empties the list of what was told before.
+    ForgetMessages;
     /// Opens the file that was written in its own program.
     OpenWritten;
     /// Shows the file that was written in its folder.
@@ -179,6 +183,10 @@ impl Actions for WindowAction {
                 let row = switch("close", |session| session.uppermost().unwrap_or(Command::Close));
                 row.key(Shortcut::plain(Key::Escape)).when(|session| session.uppermost().is_some())
             }
+            Self::Messages => switch("messages", |session| Command::ShowMessages(!session.shows_messages()))
+                .when(|session| session.shows_messages() || 0 < session.earlier_notices().len()),
+            Self::ForgetMessages => everywhere("messages-forget", Command::ForgetMessages)
+                .when(|session| 0 < session.earlier_notices().len()),
             Self::OpenWritten => {
                 everywhere("open-written", FilesCommand::Launch(Launch::Open).into()).when(tells_of_file)
             }
@@ -215,6 +223,7 @@ impl Actions for WindowAction {
             Self::RoundJs => rounds_js(session.sources().options()),
             Self::Edition1988 => is_of_1988(session.sources().options()),
             Self::Keypad => session.has_keypad(),
+            Self::Messages => session.shows_messages(),
             _ => return None,
         })
     }

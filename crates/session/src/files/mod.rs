@@ -267,8 +267,8 @@ impl Session {
         if self.shared.dialog.as_ref().is_some_and(|dialog| dialog.exists.is_some()) {
             // The question is answered with "keep"; the dialog asks for another name.
             _ = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
-        } else if self.shared.dialog.take().is_none() && !self.shared.notices.is_empty() {
-            self.shared.notices.remove(0);
+        } else if self.shared.dialog.take().is_none() {
+            self.shared.close_notice();
         }
     }
 
