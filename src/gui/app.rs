@@ -21,7 +21,7 @@ use super::view::View;
 use super::{crash, dialogs, field, keys, palette, parts, top_bar, zoom};
 use crate::files;
 use crate::message::{Message, Say as _};
-use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
+use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, RowHeight, Session, Theme};
 use crate::store::programs::Folders;
 use crate::words::{Language, Words};
 
@@ -118,7 +118,7 @@ impl App {
             session.use_home(home);
         }
         let mut app = Self {
-            words: (setup.words)(session.language()),
+            words: (setup.words)(session.language()).with_decimal_sign(session.decimal_sign()),
             words_of: setup.words,
             runner: Runner::new(setup.errands, setup.records, setup.clock),
             keeper: Keeper::new(store, session.saved()),
@@ -159,6 +159,7 @@ impl App {
         });
         theme::set_contrast(ctx, matches!(self.session.theme(), Theme::Contrast | Theme::Inverted));
         theme::set_density(ctx, self.session.is_for_touch());
+        theme::set_rows(ctx, self.session.rows() == RowHeight::Close);
     }
 
     fn run(&self, ctx: &Context, effect: Effect) {
@@ -207,8 +208,9 @@ impl App {
                 self.run(ctx, effect);
             }
         }
-        if self.words.language() != self.session.language() {
-            self.words = (self.words_of)(self.session.language());
+        let sign = self.session.decimal_sign();
+        if self.words.language() != self.session.language() || self.words.decimal_sign() != sign {
+            self.words = (self.words_of)(self.session.language()).with_decimal_sign(sign);
         }
         self.prefer_theme(ctx);
         if self.session.zoom() != zoom {

@@ -53,21 +53,29 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     ui.set_width(width);
     ui.set_max_width(width);
     ui.spacing_mut().interact_size.y = control(ui);
-    let foot = control(ui) + space(30.0);
+    // Room for what is said in three lines: nothing moves when it is another text, and it never scrolls out of sight.
+    let said = 3.0 * (sizes().body + space(2.0));
+    let foot = control(ui) + said + space(26.0);
     ScrollArea::vertical().id_salt("columns").max_height(screen.y - foot).show(ui, |ui| {
         heading(ui, view.words.say(&message!("columns-page-title").text("name", open.name())));
         quiet(ui, view.text(if open.asked.is_wanted { "columns-page-wanted" } else { "columns-page-uncertain" }));
         ui.horizontal_wrapped(|ui| file_ui(ui, view, open));
         ui.separator();
-        let height = (screen.y - foot - control(ui) * 3.0 - space(40.0)).max(space(40.0));
+        let height = (screen.y - foot - control(ui) * 3.0 - space(24.0)).max(space(40.0));
         ScrollArea::both().id_salt("columns-table").max_height(height).show(ui, |ui| table_ui(ui, view, open));
         ui.separator();
+    });
+    ui.scope(|ui| {
+        ui.set_min_height(said);
         said_ui(ui, view, open);
     });
     ui.horizontal_wrapped(|ui| {
         let size = vec2(view.width_of(ui, &[WindowAction::TakeColumns]), control(ui));
         let take = view.named(WindowAction::TakeColumns).min_size(size);
-        let take = view.button_as(ui, WindowAction::TakeColumns, take);
+        let mut take = view.button_as(ui, WindowAction::TakeColumns, take);
+        if let Some(refusal) = &open.refusal {
+            take = take.on_disabled_hover_text(view.words.say(refusal));
+        }
         if just_opened(ui, Id::unique("columns")) && open.refusal.is_none() {
             take.request_focus();
         }

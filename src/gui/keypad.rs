@@ -150,7 +150,7 @@ fn rows(state: State, width: f32) -> Vec<Vec<Key>> {
 }
 
 fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Option<Field>, key: Key, state: &mut State, size: Vec2) {
-    let decimal = view.words.language().decimal_sign();
+    let decimal = view.words.decimal_sign();
     let (shown, name) = match key {
         Key::Type(' ') => (view.text("key-blank"), view.text("key-blank")),
         Key::Type('.') => (decimal.to_string(), view.text("key-decimal")),
@@ -184,7 +184,7 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Option<Field>, key: Key, stat
 /// Does in a field what a key is for.
 fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {
     let typed = match key {
-        Key::Type('.') => Some(view.words.language().decimal_sign()),
+        Key::Type('.') => Some(view.words.decimal_sign()),
         Key::Type(sign) => Some(sign),
         Key::Back | Key::Letters | Key::Shift => None,
         Key::Clear => {

@@ -9,7 +9,7 @@ use super::over_page::fixed_window;
 use super::theme::{self, Icon, control, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::message;
-use crate::session::{Action, Command, Notice, WindowAction};
+use crate::session::{Action, Command, Notice, SettingsAction, WindowAction};
 use crate::text::Within as _;
 
 pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
@@ -86,6 +86,10 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     if notice.change.is_some() && notice.change == view.session.history().last_change() {
         let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
         view.button_as(ui, WindowAction::Undo, undo);
+    }
+    if notice.before.is_some() {
+        let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
+        view.button_as(ui, SettingsAction::SettingBack, undo);
     }
     if notice.records {
         view.wide_button(ui, WindowAction::RecordAgain);

@@ -120,6 +120,39 @@ fn a_folder_that_cannot_be_written_is_told() {
     window.get_by_label_contains("no such file or folder");
 }
 
+/// A problem is read again after it was closed, until the list is emptied; what was done is not kept.
+#[test]
+fn what_asked_for_a_look_can_be_read_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = window();
+    check(&mut window, "25 H7", "25.012");
+    assert!(window.query_by_label("1 earlier message").is_none());
+    for name in ["morning.csv", "evening.csv"] {
+        let path = folder.path().join(name);
+        put(&path, "id,callout,measured\nA1,25 H7,25.012\nA2,25 Q9,25.0\n");
+        window.get_by_role_and_label(Role::Button, "Import…").click();
+        window.run();
+        type_path(&mut window, "File", &path);
+        press(&mut window, &[Key::Escape]);
+    }
+    choose(&mut window, "Export", "History as CSV…");
+    type_path(&mut window, "File", &folder.path().join("history.csv"));
+    window.get_by_label_contains("history.csv was written");
+    press(&mut window, &[Key::Escape]);
+    let told = |window: &Harness<'_, App>| window.query_all_by_label_contains("csv: 1 check, 1 row refused").count();
+    assert_eq!(told(&window), 0);
+    window.get_by_label("2 earlier messages").click();
+    window.run();
+    assert_eq!(told(&window), 2);
+    assert!(window.query_by_label_contains("was written").is_none());
+    press(&mut window, &[Key::Escape]);
+    assert_eq!(told(&window), 0);
+    window.get_by_label("2 earlier messages").click();
+    window.run();
+    click(&mut window, Role::Button, "Empty this list");
+    assert!(window.query_by_label("2 earlier messages").is_none());
+}
+
 #[test]
 fn own_tables_come_first() {
     let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/tables");

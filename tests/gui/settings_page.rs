@@ -5,12 +5,14 @@ use eframe::egui::{Key, Modifiers, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
-use fitcheck::session::{Command, Density, Page, Section, SettingsCommand, SettingsField, Theme, Zoom};
+use fitcheck::session::{
+    Action, Command, Density, Page, RowHeight, Section, SettingsAction, SettingsCommand, SettingsField, Theme, Zoom,
+};
 use fitcheck::tolerance::Base;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::Language;
 
-use crate::harness::{Window, click, press, scan, type_into};
+use crate::harness::{Window, check, click, press, rows, scan, type_into};
 
 fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
     let ctx = window.ctx.clone();
@@ -146,6 +148,44 @@ fn a_narrow_window_has_the_sections_in_a_list() {
     click(&mut window, Role::Button, "Appearance");
     click(&mut window, Role::RadioButton, "Touch");
     assert_eq!(window.state().session().density(), Density::Touch);
+}
+
+/// Whether a number stands in the history of the check page. The status window prints its own decimal sign.
+fn shown(window: &Harness<'_, App>, number: &str) -> bool {
+    rows(window).iter().any(|row| row.contains(number))
+}
+
+#[test]
+fn numbers_have_the_chosen_decimal_sign_and_are_read_with_either() {
+    let mut window = Window::default().open();
+    check(&mut window, "25 H7", "25,012");
+    assert!(shown(&window, "25.012") && !shown(&window, "25,012"), "English has a point");
+    send(&mut window, Command::OpenPage(Page::Settings));
+    section(&mut window, Section::Appearance);
+    click(&mut window, Role::RadioButton, "25,012");
+    send(&mut window, Command::OpenPage(Page::Check));
+    check(&mut window, "25 H7", "25.014");
+    assert!(shown(&window, "25,014") && shown(&window, "25,012"));
+    assert!(!shown(&window, "25.014"));
+}
+
+#[test]
+fn the_change_of_a_setting_is_told_and_taken_back() {
+    let mut window = page(Window::default());
+    section(&mut window, Section::Appearance);
+    click(&mut window, Role::RadioButton, "Dark");
+    window.get_by_label("Colours was changed");
+    click(&mut window, Role::RadioButton, "High contrast on black");
+    click(&mut window, Role::Button, "Undo");
+    assert_eq!(window.state().session().theme(), Theme::Dark, "only the last change is taken back");
+    assert!(window.query_by_label_contains("was changed").is_none());
+    let close = Action::from(SettingsAction::UseRows(RowHeight::Close)).command(window.state().session());
+    send(&mut window, close.unwrap());
+    click(&mut window, Role::Button, "Back to defaults");
+    window.get_by_label("2 settings were changed");
+    click(&mut window, Role::Button, "Undo");
+    let session = window.state().session();
+    assert_eq!((session.theme(), session.rows()), (Theme::Dark, RowHeight::Close));
 }
 
 #[test]

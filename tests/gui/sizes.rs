@@ -1,7 +1,8 @@
 //! The window at every size, zoom and language, and with longer texts: the verdict is whole, no text is cut or covered by
 //! another, nothing sticks out at the side.
 //!
-//! `PICTURES=FOLDER cargo test --all-features --test gui sizes` also writes a picture of every page at every size.
+//! `PICTURES=FOLDER cargo test --all-features --test gui sizes` also writes pictures of every page at every size, light, dark and in high
+//! contrast, in the language with the longest texts.
 
 use fitcheck::session::WalkField;
 use std::borrow::Cow;
@@ -22,7 +23,7 @@ use fitcheck::session::parts::{PartsView, PlanCommand, WalkCommand};
 use fitcheck::session::{
     BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
     HelpCommand, MeasureBy, Page, PairingCommand, PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand,
-    Section, SettingsCommand, SettingsField,
+    Section, SettingsCommand, SettingsField, Theme,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
@@ -65,6 +66,9 @@ struct Tongue {
 fn languages() -> impl Iterator<Item = Tongue> {
     Language::all().map(|language| Tongue { name: language.code(), language, words: Words::new })
 }
+
+/// The language with the longest texts.
+const LONGEST: &str = "nl";
 
 /// English with longer words.
 const LONG: Tongue = Tongue {
@@ -123,8 +127,15 @@ fn measured(window: &mut Harness<'_, App>, values: &[&str]) {
 
 /// A picture for people to look at, where they asked for it.
 fn paint(window: &mut Harness<'_, App>, name: &str) {
-    if let Ok(folder) = std::env::var("PICTURES") {
-        window.render().unwrap().save(std::path::Path::new(&folder).join(format!("{name}.png"))).unwrap();
+    let Ok(folder) = std::env::var("PICTURES") else { return };
+    if window.state().session().language().code() != LONGEST {
+        return;
+    }
+    for (theme, look) in
+        [(Theme::Dark, "dark"), (Theme::Contrast, "contrast"), (Theme::Inverted, "inverted"), (Theme::Light, "light")]
+    {
+        send(window, Command::SetTheme(theme));
+        window.render().unwrap().save(std::path::Path::new(&folder).join(format!("{name} {look}.png"))).unwrap();
     }
 }
 

@@ -45,6 +45,15 @@ settings-page-zoom-in = Zoom in
 settings-page-zoom-normal = Zoom to 100 %
 settings-page-percent = { $percent } %
 settings-page-density-about = Automatic: a touch makes buttons and fields larger, the mouse makes them smaller.
+settings-page-decimal = Decimal sign
+settings-page-decimal-about = In the window. Reports follow their language, files their own settings.
+settings-page-decimal-of-language = As the language
+settings-page-decimal-point = 25.012
+settings-page-decimal-comma = 25,012
+settings-page-rows = Rows of lists
+settings-page-rows-about = Usual 32 px, close 26 px. By touch always 48 px.
+settings-page-rows-usual = Usual
+settings-page-rows-close = Close
 
 # Rule and limits
 settings-page-limits-about = Where the limits of a class are looked up. Your own tables always come first.
@@ -123,3 +132,7 @@ settings-page-journal-file = Journal file
 settings-page-journal-file-about = Keeps every check of this station.
 settings-page-not-used = not in use
 settings-page-nowhere = not kept
+settings-page-changed = { $name } was changed
+settings-page-several-changed = { $count } settings were changed
+settings-page-take-back = Undo the last change of a setting
+settings-page-preview = So it looks, with an example

@@ -45,6 +45,15 @@ settings-page-zoom-in = Inzoomen
 settings-page-zoom-normal = Zoomen naar 100 %
 settings-page-percent = { $percent } %
 settings-page-density-about = Automatisch: bij aanraken worden knoppen en velden groter, met de muis weer kleiner.
+settings-page-decimal = Decimaalteken
+settings-page-decimal-about = In het venster. Rapporten volgen hun taal, bestanden hun eigen instellingen.
+settings-page-decimal-of-language = Zoals de taal
+settings-page-decimal-point = 25.012
+settings-page-decimal-comma = 25,012
+settings-page-rows = Rijen van lijsten
+settings-page-rows-about = Gewoon 32 px, dicht 26 px. Bij aanraking altijd 48 px.
+settings-page-rows-usual = Gewoon
+settings-page-rows-close = Dicht
 
 # Rule and limits
 settings-page-limits-about = Waar de grensmaten van een klasse vandaan komen. Eigen tabellen gaan altijd voor.
@@ -123,3 +132,7 @@ settings-page-journal-file = Logboekbestand
 settings-page-journal-file-about = Bewaart elke controle van dit station.
 settings-page-not-used = niet in gebruik
 settings-page-nowhere = wordt niet bewaard
+settings-page-changed = { $name } is gewijzigd
+settings-page-several-changed = { $count } instellingen zijn gewijzigd
+settings-page-take-back = Laatste wijziging van een instelling ongedaan maken
+settings-page-preview = Zo ziet het eruit, met een voorbeeld

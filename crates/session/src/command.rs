@@ -20,7 +20,7 @@ use super::palette::PaletteCommand;
 use super::parts::{PartsCommand, WalkCommand};
 use super::purpose::Purpose;
 use super::rows::RowsCommand;
-use super::settings::{Density, Theme};
+use super::settings::{DecimalSign, Density, RowHeight, Theme};
 use super::settings_page::Section;
 use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
@@ -55,6 +55,10 @@ macro_rules! command {
             SetTheme(Theme),
             /// Chooses how high everything is that is pressed.
             SetDensity(Density),
+            /// Chooses how high the rows of lists are.
+            SetRows(RowHeight),
+            /// Chooses what stands before the decimals of a number.
+            SetDecimal(DecimalSign),
             /// Scales the whole window.
             SetZoom(Zoom),
             /// Sets what a section of the settings page has back to what a first start has.
@@ -79,6 +83,8 @@ macro_rules! command {
             ShowMessages(bool),
             /// Empties the list of what was told before.
             ForgetMessages,
+            /// Takes back the change of a setting that a notice tells of.
+            SettingBack,
             /// The answer to the question whether unsaved changes may be lost to another document.
             Discard(bool),
             /// Asks whether the window may be closed: at once, unless something has unsaved changes.

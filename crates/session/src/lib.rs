@@ -151,7 +151,7 @@ pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
-pub use settings::{Density, Theme};
+pub use settings::{DecimalSign, Density, RowHeight, Theme};
 pub use settings_page::{
     Control, KeyRow, KeysOfPlace, SETTINGS, Section, Setting, SettingsAction, SettingsCommand, SettingsField,
     SettingsPage, Told,
@@ -298,6 +298,8 @@ impl Session {
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files.clone());
         shared.density = saved.density;
+        shared.rows = saved.rows;
+        shared.decimal = saved.decimal;
         shared.zoom = saved.zoom;
         shared.columns = columns::Columns::restore(saved.columns.clone());
         let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
@@ -327,6 +329,8 @@ impl Session {
             theme: self.shared.theme,
             keypad: self.shared.keypad,
             density: self.shared.density,
+            rows: self.shared.rows,
+            decimal: self.shared.decimal,
             zoom: self.shared.zoom,
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
@@ -363,7 +367,11 @@ impl Session {
         self.records.see_time(now);
         self.shared.recording.named = self.check.named();
         self.shared.take_worth(self.check.own_worth());
+        let before = self.is_setting(&command).then(|| self.saved());
         let mut effects = self.apply_command(command, now);
+        if let Some(before) = before {
+            self.note_setting(before);
+        }
         self.shared.take_worth(self.check.own_worth());
         let errands = self.spread_news();
         let shared = &mut self.shared;
@@ -415,6 +423,8 @@ impl Session {
             Command::SetLanguage(language) => shared.set_language(language),
             Command::SetTheme(theme) => shared.theme = theme,
             Command::SetDensity(density) => shared.density = density,
+            Command::SetRows(rows) => shared.rows = rows,
+            Command::SetDecimal(decimal) => shared.set_decimal(decimal),
             Command::SetZoom(zoom) => shared.zoom = zoom,
             Command::Touched(is_touched) => shared.is_touched = is_touched,
             Command::SetMask(language) => {
@@ -462,6 +472,7 @@ impl Session {
                 let commands = self.commands_to_defaults(section);
                 return commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
             }
+            Command::SettingBack => return self.setting_back(now),
             Command::Saved { path, result } => self.saved_file(&path, result),
         }
         Vec::new()

@@ -17,7 +17,7 @@ use super::history::History;
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
-use super::settings::{Density, Theme};
+use super::settings::{DecimalSign, Density, RowHeight, Theme};
 use super::shared::{MaskChoice, Notice, ProgramFiles};
 use super::workpiece::{OpenPart, RecordedContacts};
 use super::zoom::Zoom;
@@ -61,6 +61,21 @@ impl Session {
     /// How high everything is that is pressed, as it was chosen.
     pub const fn density(&self) -> Density {
         self.shared.density
+    }
+
+    /// The scale of the window.
+    pub const fn rows(&self) -> RowHeight {
+        self.shared.rows
+    }
+
+    /// What stands before the decimals of a number.
+    pub const fn decimal(&self) -> DecimalSign {
+        self.shared.decimal
+    }
+
+    /// The same as a sign.
+    pub fn decimal_sign(&self) -> char {
+        self.shared.decimal_sign()
     }
 
     /// The scale of the window.

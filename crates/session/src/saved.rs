@@ -12,7 +12,7 @@ use fitcheck_exchange::exchange::Remembered;
 use serde::{Deserialize, Serialize};
 
 use super::check::{MeasureBy, RuleChoice};
-use super::settings::{Density, Theme};
+use super::settings::{DecimalSign, Density, RowHeight, Theme};
 use super::zoom::Zoom;
 
 /// The version that is written.
@@ -31,6 +31,10 @@ pub struct Saved {
     pub keypad: bool,
     /// How high everything is that is pressed.
     pub density: Density,
+    /// How high the rows of lists are.
+    pub rows: RowHeight,
+    /// What stands before the decimals of a number.
+    pub decimal: DecimalSign,
     /// The scale of the window in per cent.
     pub zoom: Zoom,
     /// The folder of the user's own tables.
@@ -151,6 +155,8 @@ impl Default for Saved {
             theme: Theme::default(),
             keypad: false,
             density: Density::default(),
+            rows: RowHeight::default(),
+            decimal: DecimalSign::default(),
             zoom: Zoom::default(),
             tables_folder: None,
             mask: None,

@@ -20,6 +20,36 @@ impl Theme {
     pub const ALL: [Self; 5] = [Self::System, Self::Light, Self::Dark, Self::Contrast, Self::Inverted];
 }
 
+/// What stands before the decimals of a number in the window.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DecimalSign {
+    /// As the language writes it.
+    #[default]
+    OfLanguage,
+    Point,
+    Comma,
+}
+
+impl DecimalSign {
+    /// Every choice.
+    pub const ALL: [Self; 3] = [Self::OfLanguage, Self::Point, Self::Comma];
+}
+
+/// How high the rows of lists are with a mouse; by touch they are as high as a finger needs.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RowHeight {
+    #[default]
+    Usual,
+    Close,
+}
+
+impl RowHeight {
+    /// Every choice.
+    pub const ALL: [Self; 2] = [Self::Usual, Self::Close];
+}
+
 /// How high everything is that is pressed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::fit::materials::Materials;
 use fitcheck_core::tolerance::{Absent, Sources};
-use fitcheck_core::words::{Dialogue, Language};
+use fitcheck_core::words::{Dialogue, Language, Words};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_nc::control::mask::Mask;
@@ -26,8 +26,8 @@ use super::history::{ChangeId, History};
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::Recording;
-use super::saved::SavedRecords;
-use super::settings::{Density, Theme};
+use super::saved::{Saved, SavedRecords};
+use super::settings::{DecimalSign, Density, RowHeight, Theme};
 use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
 use super::zoom::Zoom;
@@ -93,6 +93,8 @@ pub struct Notice {
     pub file: Option<PathBuf>,
     /// The change of the history that it tells of.
     pub change: Option<ChangeId>,
+    /// What was kept before the change of a setting that it tells of.
+    pub before: Option<Box<Saved>>,
     /// Whether it tells of checks that could not be recorded.
     pub records: bool,
     /// The file whose columns it tells of.
@@ -102,7 +104,16 @@ pub struct Notice {
 impl Notice {
     /// A headline alone.
     pub(super) const fn of(message: Message, is_problem: bool) -> Self {
-        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false, columns: None }
+        Self {
+            message,
+            details: Vec::new(),
+            is_problem,
+            file: None,
+            change: None,
+            before: None,
+            records: false,
+            columns: None,
+        }
     }
 
     /// Whether somebody has to look at it: a problem, what was skipped or assumed, or a choice that it offers.
@@ -169,6 +180,8 @@ pub(super) struct Shared {
     /// Whether the keypad is shown.
     pub keypad: bool,
     pub density: Density,
+    pub decimal: DecimalSign,
+    pub rows: RowHeight,
     pub zoom: Zoom,
     /// Whether a finger was used last.
     pub is_touched: bool,
@@ -250,6 +263,25 @@ impl Shared {
         self.spread(News::StatusWindow);
     }
 
+    pub fn set_decimal(&mut self, decimal: DecimalSign) {
+        self.decimal = decimal;
+        self.spread(News::StatusWindow);
+    }
+
+    /// What stands before the decimals of a number in the window.
+    pub fn decimal_sign(&self) -> char {
+        match self.decimal {
+            DecimalSign::OfLanguage => self.language.decimal_sign(),
+            DecimalSign::Point => '.',
+            DecimalSign::Comma => ',',
+        }
+    }
+
+    /// The texts of the window.
+    pub fn words(&self) -> Words {
+        Words::new(self.language).with_decimal_sign(self.decimal_sign())
+    }
+
     pub fn set_mask(&mut self, mask: MaskChoice) {
         self.own_masks = Arc::new(match &mask {
             MaskChoice::Own { name, mask, .. } => vec![(name.clone(), Mask::clone(mask))],
@@ -311,9 +343,17 @@ impl Shared {
         self.spread(News::Sources);
     }
 
+    /// Tells the user something: what failed comes before what goes by itself. The change of a setting is told until something else
+    /// is: it is in sight.
+    pub fn push_notice(&mut self, notice: Notice) {
+        self.notices.retain(|earlier| earlier.before.is_none());
+        let first_to_go = self.notices.iter().position(|earlier| notice.is_problem && !earlier.asks());
+        self.notices.insert(first_to_go.unwrap_or(self.notices.len()), notice);
+    }
+
     /// Tells the user what failed.
     pub fn tell(&mut self, message: Message) {
-        self.notices.push(Notice::of(message, true));
+        self.push_notice(Notice::of(message, true));
     }
 
     /// Tells the user what failed, before the notice that asked for it.
@@ -324,7 +364,7 @@ impl Shared {
     /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
     pub fn tell_of_records(&mut self, message: Message) {
         self.notices.retain(|notice| !notice.records);
-        self.notices.push(Notice { records: true, ..Notice::of(message, true) });
+        self.push_notice(Notice { records: true, ..Notice::of(message, true) });
     }
 
     /// Closes the oldest notice. One that asked for a look stays in the list of what was told before.
@@ -343,7 +383,7 @@ impl Shared {
 
     /// Tells the user what was done.
     pub fn note(&mut self, message: Message, details: Vec<Message>) {
-        self.notices.push(Notice { details, ..Notice::of(message, false) });
+        self.push_notice(Notice { details, ..Notice::of(message, false) });
     }
 
     /// Tells the user what was done, where there are details.

@@ -11,8 +11,8 @@ use crate::gui::who::who_ui;
 use crate::message::message;
 use crate::session::{Action, Control, Field, Setting, SettingsAction, Told};
 
-/// As many choices stand beside each other at most; more of them are a drop-down list.
-const MOST_SEGMENTS: usize = 4;
+/// As many choices stand in sight at most; more of them are a drop-down list.
+const MOST_SEGMENTS: usize = 5;
 
 /// Where a control stands.
 pub(super) struct Slot {
@@ -70,7 +70,7 @@ fn width_of(ui: &Ui, texts: &[String]) -> f32 {
     texts.iter().map(|of| text(of) + padding).sum()
 }
 
-/// Up to four choices stand beside each other where they have room, else below each other; more are a list.
+/// A few choices stand beside each other where they have room, else below each other; more are a list.
 fn choices_ui(ui: &mut Ui, view: &mut View<'_>, setting: &Setting, choices: &[Action], slot: &Slot) {
     let names: Vec<String> = choices.iter().map(|choice| choice.text(view.session, view.words)).collect();
     if MOST_SEGMENTS < choices.len() {

@@ -5,8 +5,10 @@ use eframe::egui::{Align, Id, Label, Layout, RichText, ScrollArea, Ui, vec2};
 use super::controls::{Slot, control_ui};
 use super::keys_panel::keys_ui;
 use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, quiet, steady};
 use crate::session::{Section, Setting, SettingsAction};
+use crate::verdict::Status;
 
 /// From this width on the control stands at the right of the name.
 const BESIDE: f32 = 150.0;
@@ -34,11 +36,28 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>) {
             // A field keeps the focus while a search changes what stands before it.
             steady(ui, setting.name, |ui| row_ui(ui, view, setting));
         }
+        if page.found.is_none() && page.section == Section::Appearance {
+            preview_ui(ui, view);
+        }
         if page.found.is_none() && page.section == Section::Keys {
             keys_ui(ui, view);
         } else if shown.is_empty() {
             quiet(ui, view.text("settings-page-nothing"));
         }
+    });
+}
+
+/// How verdicts and numbers look now.
+fn preview_ui(ui: &mut Ui, view: &View<'_>) {
+    ui.separator();
+    ui.label(RichText::new(view.text("settings-page-preview")).font(theme::font(sizes().body)));
+    ui.horizontal_wrapped(|ui| {
+        for status in Status::ALL {
+            chip_ui(ui, status, &view.words.told(&status));
+        }
+        let value = view.words.number("25.012");
+        ui.label(RichText::new(value).font(theme::bold(sizes().figure)));
+        quiet(ui, "mm");
     });
 }
 

@@ -107,7 +107,7 @@ fn row_ui<K: Copy + Debug + Hash>(
     let palette = palette(ui.ctx());
     let look =
         (&theme::font(sizes().body), if row.is_quiet || row.is_struck { palette.quiet.0 } else { palette.text.0 });
-    let sign = view.words.language().decimal_sign();
+    let sign = view.words.decimal_sign();
     let mut is_cut = false;
     for ((column, across), cell) in table.columns.iter().zip(across).zip(&row.cells) {
         let room = across.map(|across| Rect::from_x_y_ranges(across, rect.y_range()));

@@ -53,7 +53,7 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &TableCellView<'_>) {
 /// A deviation; its decimals take the room that the column's longest ones need.
 fn figure(painter: &Painter, rect: Rect, y: f32, look: &TableCellView<'_>, length: Length) {
     let text = look.words.signed_um(length);
-    let sign = look.words.language().decimal_sign();
+    let sign = look.words.decimal_sign();
     let (whole, rest) = text.split_at(text.find(sign).unwrap_or(text.len()));
     let font = if look.differs { theme::bold(sizes().small) } else { theme::font(sizes().small) };
     let x = rect.right() - space(2.5) - look.decimals;

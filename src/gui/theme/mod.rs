@@ -43,7 +43,20 @@ pub fn control(ui: &Ui) -> f32 {
 /// The height of a row of a list: a little less than what is pressed, but never less than a finger needs.
 pub fn row(ui: &Ui) -> f32 {
     let height = control(ui);
-    if height <= TOKENS.sizes.mouse { TOKENS.sizes.row } else { height }
+    if TOKENS.sizes.mouse < height {
+        return height;
+    }
+    let is_close = ui.data(|data| data.get_temp(close_rows())) == Some(true);
+    if is_close { TOKENS.sizes.close_row } else { TOKENS.sizes.row }
+}
+
+fn close_rows() -> Id {
+    Id::unique("close-rows")
+}
+
+/// Sets whether the rows of lists stand close to each other.
+pub fn set_rows(ctx: &Context, is_close: bool) {
+    ctx.data_mut(|data| data.insert_temp(close_rows(), is_close));
 }
 
 /// Sets the height of everything that is pressed.

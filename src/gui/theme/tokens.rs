@@ -151,6 +151,8 @@ pub struct Sizes {
     pub touch: f32,
     /// The height of a row of a list, with a mouse.
     pub row: f32,
+    /// The same where rows stand close.
+    pub close_row: f32,
     /// The side of a key on the keypad.
     pub key: f32,
 }

@@ -37,6 +37,7 @@ use crate::message::{Bundle, Message, Say};
 #[derive(Debug)]
 pub struct Words {
     language: Language,
+    decimal_sign: char,
     bundle: Bundle,
 }
 
@@ -47,8 +48,19 @@ impl Words {
     }
 
     /// The texts of a bundle, with numbers as a language writes them.
-    pub const fn of_bundle(language: Language, bundle: Bundle) -> Self {
-        Self { language, bundle }
+    pub fn of_bundle(language: Language, bundle: Bundle) -> Self {
+        Self { language, decimal_sign: language.decimal_sign(), bundle }
+    }
+
+    /// The same texts with another decimal sign, a point or a comma, than the language's own.
+    #[must_use]
+    pub fn with_decimal_sign(self, decimal_sign: char) -> Self {
+        Self { decimal_sign, ..self }
+    }
+
+    /// What stands before the decimals of a number.
+    pub const fn decimal_sign(&self) -> char {
+        self.decimal_sign
     }
 
     /// Which language.
@@ -78,9 +90,8 @@ impl Words {
 
     /// A machine's number (`-25.012`) as people of this language read it: with its decimal sign and a true minus sign.
     pub fn number(&self, plain: &str) -> String {
-        let sign = self.language.decimal_sign();
         let read = |c| match c {
-            '.' => sign,
+            '.' => self.decimal_sign,
             '-' => '\u{2212}',
             c => c,
         };

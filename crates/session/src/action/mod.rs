@@ -48,7 +48,7 @@ use super::files::FilesAction;
 use super::page::pages;
 use super::palette::PaletteCommand;
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Page, Session};
+use super::{Command, Notice, Page, Session};
 
 macro_rules! action {
     ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal, $manual:literal;)+) => {
@@ -177,11 +177,13 @@ impl Session {
             Some(ColumnsCommand::Leave.into())
         } else if self.shows_messages() {
             Some(Command::ShowMessages(false))
-        } else if !self.notices().is_empty() {
+        } else if self.notices().first().is_some_and(Notice::asks) {
             Some(Command::Close)
         } else {
             let of_workpiece = self.workpiece_is_open() && matches!(self.page(), Page::Cycles | Page::Program);
-            self.closes_on_page().or_else(|| of_workpiece.then(|| WorkpieceCommand::Show(false).into()))
+            let of_page = self.closes_on_page().or_else(|| of_workpiece.then(|| WorkpieceCommand::Show(false).into()));
+            // What goes by itself is the last to ask for a key.
+            of_page.or_else(|| (!self.notices().is_empty()).then_some(Command::Close))
         }
     }
 }

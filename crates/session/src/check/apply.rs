@@ -66,7 +66,7 @@ impl PageState for CheckPage {
             CheckCommand::LetProve(prover) => self.judge_by(RuleChoice { prover, ..self.judging }, &shared.sources),
             CheckCommand::TellUncertainty(from) => self.judge_by(RuleChoice { from, ..self.judging }, &shared.sources),
             CheckCommand::ChooseExpansion(field, expansion) => {
-                let sign = shared.language.decimal_sign().to_string();
+                let sign = shared.decimal_sign().to_string();
                 self.type_text(field, expansion.to_string().replace('.', &sign), &shared.sources);
             }
             CheckCommand::Measure => self.measure(shared, now),
@@ -101,7 +101,8 @@ impl PageState for CheckPage {
             }
             CheckCommand::Choose(id, is_chosen) => shared.history.choose(id, is_chosen),
             CheckCommand::List(command) => {
-                let copied = shared.history.apply(command, shared.language);
+                let (language, sign) = (shared.language, shared.decimal_sign());
+                let copied = shared.history.apply(command, || Words::new(language).with_decimal_sign(sign));
                 return copied.map(Effect::Copy).into_iter().collect();
             }
             CheckCommand::ClearHistory => {
@@ -368,7 +369,7 @@ impl CheckPage {
     /// What is highlighted beside a doubted text: what it probably means. Without that it stays as it is, and is asked about.
     fn take_text(&mut self, shared: &mut Shared, now: DateTime) {
         let Some(DoubtedText { field, meant: Some(meant), .. }) = self.doubted().cloned() else { return };
-        let sign = shared.language.decimal_sign().to_string();
+        let sign = shared.decimal_sign().to_string();
         // The same hole or shaft in the unit that was meant.
         let feature = self.feature().filter(|_| field == CheckField::Callout);
         self.type_text(field, meant.replace('.', &sign), &shared.sources);

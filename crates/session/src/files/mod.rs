@@ -346,6 +346,6 @@ impl Session {
             None => message!("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });
+        self.shared.push_notice(Notice { details, file, ..Notice::of(message, false) });
     }
 }

@@ -42,7 +42,7 @@ impl PageState for FitPage {
             }
             FitCommand::ShowClasses(side) => self.side = Some(side),
             FitCommand::ChooseExpansion(part, expansion) => {
-                let sign = shared.language.decimal_sign().to_string();
+                let sign = shared.decimal_sign().to_string();
                 self.texts.set(FitField::expansion(part), expansion.to_string().replace('.', &sign));
             }
             FitCommand::SearchAmong(scope) => self.scope = scope,

@@ -1,7 +1,7 @@
 //! What can be done with the list of checks, and doing it.
 
 use fitcheck_core::verdict::Status;
-use fitcheck_core::words::{Language, Words};
+use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::query::{Column, Query, Records as _, Sort};
 
 use super::History;
@@ -26,8 +26,8 @@ pub enum ListCommand {
 }
 
 impl History {
-    /// Does something with the list; returns the text for the clipboard where one is asked for.
-    pub(crate) fn apply(&mut self, command: ListCommand, language: Language) -> Option<String> {
+    /// Does something with the list; returns the text for the clipboard, in these words, where one is asked for.
+    pub(crate) fn apply(&mut self, command: ListCommand, words: impl FnOnce() -> Words) -> Option<String> {
         match command {
             ListCommand::Move(step) => self.move_by(step),
             ListCommand::SortBy(column) => {
@@ -55,7 +55,7 @@ impl History {
                 self.chosen.clear();
                 self.hidden = 0;
             }
-            ListCommand::Copy => return self.copied(&Words::new(language)),
+            ListCommand::Copy => return self.copied(&words()),
         }
         None
     }

@@ -37,9 +37,8 @@ impl History {
 
 fn cells(record: &Record, words: &Words) -> [String; 7] {
     // A spreadsheet reads `-12,5` as a number, a true minus sign as text.
-    let number = |length: Length, unit, decimals| {
-        length.exact(unit, decimals).replace('.', &words.language().decimal_sign().to_string())
-    };
+    let number =
+        |length: Length, unit, decimals| length.exact(unit, decimals).replace('.', &words.decimal_sign().to_string());
     [
         record.time.strftime(TIME).to_string(),
         text(&record.id),

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::Feature;
-use fitcheck_core::words::Words;
 use fitcheck_exchange::report::pairing::{PairingParts, PairingRequest};
 use jiff::civil::DateTime;
 
@@ -52,7 +51,7 @@ impl PageState for PairingPage {
             PairingCommand::Select(at) if at < self.count() => self.go_to(at),
             PairingCommand::Select(_) => {}
             PairingCommand::Copy => {
-                let words = Words::new(shared.language);
+                let words = shared.words();
                 return self.paired.iter().map(|paired| Effect::Copy(paired.copied(&words))).collect();
             }
         }

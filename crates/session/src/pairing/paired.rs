@@ -196,7 +196,7 @@ impl Paired {
             words.get("pairing-page-remark"),
         ];
         // A spreadsheet reads `-12,5` as a number, a true minus sign as text, and `+3` as a formula.
-        let sign = words.language().decimal_sign().to_string();
+        let sign = words.decimal_sign().to_string();
         let number = |text: String| text.trim_start_matches('+').replace('.', &sign);
         let mm = |size: &Size| number(size.measured.exact(Unit::Millimetre, 3));
         let line = |row: PairRow<'_>| {

@@ -54,7 +54,7 @@ impl PartsPage {
         let details = arrived.problems.iter().chain(&said).chain(&arrived.warnings).cloned().collect();
         let mut notice = Notice { details, ..Notice::of(message, is_problem) };
         shared.add_columns(&mut notice, name);
-        shared.notices.push(notice);
+        shared.push_notice(notice);
         self.keep(arrived.values, shared);
         self.stay_open();
     }

@@ -181,7 +181,7 @@ impl PartsPage {
         tell_gone(gone, shared);
         if !changed.is_empty() {
             let said = message!("walk-page-changed");
-            shared.notices.push(Notice { details: changed, ..Notice::of(said, true) });
+            shared.push_notice(Notice { details: changed, ..Notice::of(said, true) });
         }
         came.sort_by_key(|(place, _)| *place);
         self.walking.put_before(came.into_iter().map(|(_, value)| value).collect());

@@ -50,7 +50,7 @@ impl ProgramPage {
 
     fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &Shared) {
         let path = document.path.clone();
-        let sign = shared.language.decimal_sign().to_string();
+        let sign = shared.decimal_sign().to_string();
         self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
         for (parameter, text) in document.assigned() {
             let Some(input) = Input::of(*parameter) else { continue };

@@ -11,6 +11,7 @@ use crate::check::{CheckCommand, UncertaintyFrom};
 use crate::command::Command;
 use crate::page::Page;
 use crate::purpose::Purpose;
+use crate::settings::{DecimalSign, RowHeight};
 use crate::shared::MaskChoice;
 use crate::zoom::Zoom;
 
@@ -23,6 +24,8 @@ actions! {
     FindSetting;
     /// Sets what the shown section has back to what a first start has.
     BackToDefaults;
+    /// Takes back the last change of a setting.
+    SettingBack;
     /// Writes the settings, for other stations.
     ExportSettings;
     /// Reads such a file.
@@ -33,6 +36,10 @@ actions! {
     ZoomIn;
     /// Draws the window as large as the system says.
     ZoomNormal;
+    /// Chooses what stands before the decimals of a number.
+    UseDecimal(DecimalSign): DecimalSign::ALL;
+    /// Chooses how high the rows of lists are.
+    UseRows(RowHeight): RowHeight::ALL;
     /// Chooses the decision rule.
     UseRule(RuleName): RuleName::ALL;
     /// Says who has to prove.
@@ -59,6 +66,8 @@ impl Actions for SettingsAction {
                 let page = session.settings_page();
                 page.found.is_none() && !session.commands_to_defaults(page.section).is_empty()
             }),
+            Self::SettingBack => everywhere("settings-page-take-back", Command::SettingBack)
+                .when(|session| session.notices().iter().any(|notice| notice.before.is_some())),
             Self::ExportSettings => everywhere("settings-page-export", Command::OpenDialog(Purpose::ExportSettings)),
             Self::ImportSettings => everywhere("settings-page-import", Command::OpenDialog(Purpose::ImportSettings)),
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
@@ -67,6 +76,21 @@ impl Actions for SettingsAction {
             Self::ZoomIn => scaled("settings-page-zoom-in", |session| Command::SetZoom(session.zoom().larger()))
                 .when(|session| session.zoom() < Zoom::MOST),
             Self::ZoomNormal => everywhere("settings-page-zoom-normal", Command::SetZoom(Zoom::NORMAL)),
+            Self::UseDecimal(decimal) => {
+                let text = match decimal {
+                    DecimalSign::OfLanguage => "settings-page-decimal-of-language",
+                    DecimalSign::Point => "settings-page-decimal-point",
+                    DecimalSign::Comma => "settings-page-decimal-comma",
+                };
+                everywhere(text, Command::SetDecimal(decimal))
+            }
+            Self::UseRows(rows) => {
+                let text = match rows {
+                    RowHeight::Usual => "settings-page-rows-usual",
+                    RowHeight::Close => "settings-page-rows-close",
+                };
+                everywhere(text, Command::SetRows(rows))
+            }
             Self::UseRule(rule) => everywhere("check-rule", CheckCommand::UseRule(rule).into()),
             Self::LetProve(prover) => {
                 let text = match prover {
@@ -99,6 +123,8 @@ impl Actions for SettingsAction {
                 page.found.is_none() && page.section == section
             }
             Self::UseLanguage(language) => session.language() == language,
+            Self::UseDecimal(decimal) => session.decimal() == decimal,
+            Self::UseRows(rows) => session.rows() == rows,
             Self::UseRule(rule) => judging.rule == rule,
             Self::LetProve(prover) => judging.prover == prover,
             Self::TellUncertainty(from) => judging.from == from,

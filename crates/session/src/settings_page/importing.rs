@@ -11,8 +11,10 @@ use crate::check::CheckCommand;
 use crate::command::Command;
 use crate::effect::Effect;
 use crate::files::FilesCommand;
+use crate::page::Page;
 use crate::purpose::Purpose;
 use crate::saved::{Saved, SavedError};
+use crate::shared::Notice;
 
 impl Session {
     /// The bytes of a file with the settings, for a whole shop.
@@ -38,6 +40,53 @@ impl Session {
     }
 }
 
+impl Session {
+    /// Whether a command changes a setting on the settings page: what has changed is told, and can be taken back. A text that is being typed
+    /// is not.
+    pub(crate) const fn is_setting(&self, command: &Command) -> bool {
+        let is_here = matches!(self.page(), Page::Settings);
+        is_here
+            && matches!(
+                command,
+                Command::SetLanguage(_)
+                    | Command::SetTheme(_)
+                    | Command::SetDensity(_)
+                    | Command::SetRows(_)
+                    | Command::SetDecimal(_)
+                    | Command::SetZoom(_)
+                    | Command::ShowKeypad(_)
+                    | Command::UseSource(_)
+                    | Command::SetStandard(_)
+                    | Command::BackToDefaults(_)
+                    | Command::Check(
+                        CheckCommand::UseRule(_) | CheckCommand::LetProve(_) | CheckCommand::TellUncertainty(_)
+                    )
+            )
+    }
+
+    /// Tells which setting is another one than before, and offers to take that back.
+    pub(crate) fn note_setting(&mut self, before: Saved) {
+        let changes = changes(&self.saved(), &before);
+        let told = match changes.as_slice() {
+            [] => return,
+            [(name, _)] => message!("settings-page-changed").message("name", Message::new(name)),
+            several => message!("settings-page-several-changed").count("count", several.len()),
+        };
+        self.shared.push_notice(Notice { before: Some(Box::new(before)), ..Notice::of(told, false) });
+    }
+
+    /// Sets what a notice tells of back to what it was before.
+    pub(crate) fn setting_back(&mut self, now: DateTime) -> Vec<Effect> {
+        let Some(before) = self.shared.notices.iter().find_map(|notice| notice.before.clone()) else {
+            return Vec::new();
+        };
+        let changes = changes(&self.saved(), &before);
+        let effects = changes.into_iter().flat_map(|(_, command)| self.apply(command, now)).collect();
+        self.shared.notices.retain(|notice| notice.before.is_none());
+        effects
+    }
+}
+
 /// A command with the name of the setting that it changes.
 type Change = (&'static str, Command);
 
@@ -53,6 +102,8 @@ fn changes(now: &Saved, wanted: &Saved) -> Vec<Change> {
     change(wanted.theme != now.theme, "settings-page-colours", Command::SetTheme(wanted.theme));
     change(wanted.keypad != now.keypad, "keypad", Command::ShowKeypad(wanted.keypad));
     change(wanted.density != now.density, "density", Command::SetDensity(wanted.density));
+    change(wanted.rows != now.rows, "settings-page-rows", Command::SetRows(wanted.rows));
+    change(wanted.decimal != now.decimal, "settings-page-decimal", Command::SetDecimal(wanted.decimal));
     change(wanted.zoom != now.zoom, "settings-page-zoom", Command::SetZoom(wanted.zoom));
     change(wanted.source != now.source, "limits-from", Command::UseSource(wanted.source));
     change(wanted.standard != now.standard, "settings-page-edition", Command::SetStandard(wanted.standard));

@@ -12,8 +12,19 @@ use crate::saved::{Saved, SavedError};
 use crate::texts::KeptField as _;
 
 /// The keys of the state file that the file has besides texts.
-const SHARED: [&str; 9] =
-    ["language", "theme", "keypad", "density", "zoom", "source", "standard", "tables_folder", "mask"];
+const SHARED: [&str; 11] = [
+    "language",
+    "theme",
+    "keypad",
+    "density",
+    "rows",
+    "decimal",
+    "zoom",
+    "source",
+    "standard",
+    "tables_folder",
+    "mask",
+];
 
 /// What was read from such a file.
 #[derive(Debug)]

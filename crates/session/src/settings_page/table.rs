@@ -12,7 +12,7 @@ use crate::field::Field;
 use crate::page::Page;
 use crate::parts::PartsAction;
 use crate::records::{RecordsAction, RecordsField};
-use crate::settings::{Density, Theme};
+use crate::settings::{DecimalSign, Density, RowHeight, Theme};
 
 /// A setting: a row of the page.
 #[derive(Debug, Clone, Copy)]
@@ -129,6 +129,24 @@ pub const SETTINGS: &[Setting] = &[
         Control::OneOf(
             || of(Density::ALL, WindowAction::UseDensity),
             Some(window(WindowAction::UseDensity(Density::ByUse))),
+        ),
+    ),
+    row(
+        Section::Appearance,
+        "settings-page-rows",
+        "settings-page-rows-about",
+        Control::OneOf(
+            || of(RowHeight::ALL, SettingsAction::UseRows),
+            Some(action(SettingsAction::UseRows(RowHeight::Usual))),
+        ),
+    ),
+    row(
+        Section::Appearance,
+        "settings-page-decimal",
+        "settings-page-decimal-about",
+        Control::OneOf(
+            || of(DecimalSign::ALL, SettingsAction::UseDecimal),
+            Some(action(SettingsAction::UseDecimal(DecimalSign::OfLanguage))),
         ),
     ),
     row(

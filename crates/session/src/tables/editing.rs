@@ -5,7 +5,6 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::table::TableShapeError;
 use fitcheck_core::tolerance::table_edit::{MakeError, TableEdit, standard_column, standard_table};
 use fitcheck_core::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass, iso286};
-use fitcheck_core::words::Language;
 
 use super::{Document, Origin, TablesField, TablesPage};
 use crate::shared::Shared;
@@ -17,12 +16,12 @@ type Typed = Result<Option<Deviations>, (TablesField, Message)>;
 impl TablesPage {
     /// Whether the fields of the cell can be put into it.
     pub fn cell_is_readable(&self) -> bool {
-        // The language matters only for the text of an error, which is not read here.
-        self.typed_cell(Language::default()).is_ok()
+        // The sign matters only for the text of an error, which is not read here.
+        self.typed_cell('.').is_ok()
     }
 
     /// Both fields in micrometres; two empty fields are an empty cell.
-    fn typed_cell(&self, language: Language) -> Typed {
+    fn typed_cell(&self, sign: char) -> Typed {
         let text = |field| self.text(field).trim();
         let read = |field| Length::parse_in(text(field), Unit::Micrometre).map_err(|error| (field, error.message()));
         if text(TablesField::CellUpper).is_empty() && text(TablesField::CellLower).is_empty() {
@@ -30,18 +29,18 @@ impl TablesPage {
         }
         let upper = read(TablesField::CellUpper)?;
         let lower = read(TablesField::CellLower)?;
-        let plain = |length| plain(length, language);
+        let plain = |length| plain(length, sign);
         let order = |_| message!("tables-order").text("upper", plain(upper)).text("lower", plain(lower));
         Deviations::new(upper, lower).map(Some).map_err(|error| (TablesField::CellUpper, order(error)))
     }
 
     /// What the fields of a cell are filled with.
-    fn cell_texts(&self, language: Language) -> [(TablesField, String); 2] {
+    fn cell_texts(&self, sign: char) -> [(TablesField, String); 2] {
         let document = self.shown();
         let cell =
             document.and_then(|document| document.selected.and_then(|(class, range)| document.cell(class, range)));
         // The fields of an empty cell are empty.
-        let text = |length: Option<Length>| length.map_or_else(String::new, |length| plain(length, language));
+        let text = |length: Option<Length>| length.map_or_else(String::new, |length| plain(length, sign));
         [
             (TablesField::CellUpper, text(cell.map(|cell| cell.upper()))),
             (TablesField::CellLower, text(cell.map(|cell| cell.lower()))),
@@ -50,7 +49,7 @@ impl TablesPage {
 
     /// The fields follow the selected cell.
     pub(super) fn fill_cell_fields(&mut self, shared: &Shared) {
-        for (field, text) in self.cell_texts(shared.language) {
+        for (field, text) in self.cell_texts(shared.decimal_sign()) {
             self.errors.remove(&field);
             self.texts.set(field, text);
         }
@@ -69,7 +68,7 @@ impl TablesPage {
 
     /// Whether something was typed that is not in the cell.
     pub(super) fn cell_is_pending(&self, shared: &Shared) -> bool {
-        self.cell_texts(shared.language).iter().any(|(field, text)| self.text(*field) != text)
+        self.cell_texts(shared.decimal_sign()).iter().any(|(field, text)| self.text(*field) != text)
     }
 
     /// Puts what was typed into the selected cell. `false` when it cannot be read: then the field shows why.
@@ -77,7 +76,7 @@ impl TablesPage {
         if !self.cell_is_pending(shared) {
             return true;
         }
-        match self.typed_cell(shared.language) {
+        match self.typed_cell(shared.decimal_sign()) {
             Ok(value) => self.put_into_cell(value, shared),
             Err((field, problem)) => {
                 self.errors.insert(field, problem);
@@ -213,11 +212,11 @@ impl TablesPage {
     }
 }
 
-/// Micrometres with sign, as the window's language writes them.
-fn plain(length: Length, language: Language) -> String {
+/// Micrometres with sign, as the window writes them.
+fn plain(length: Length, sign: char) -> String {
     let plus = if Length::ZERO < length { "+" } else { "" };
     let number = length.exact(Unit::Micrometre, 0).replace('-', "\u{2212}");
-    format!("{plus}{}", number.replace('.', &language.decimal_sign().to_string()))
+    format!("{plus}{}", number.replace('.', &sign.to_string()))
 }
 
 /// Why classes cannot join a table: holes among shafts, or the other way round.
