@@ -21,7 +21,7 @@ use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
 use crate::control::mask::Mask;
 use crate::exchange::Remembered;
-use crate::exchange::batch::Part;
+use crate::exchange::batch::{ListedRows, Part, Sifting};
 use crate::files::{self, FileError};
 use crate::message::message;
 use crate::session::help::Sample;
@@ -124,6 +124,9 @@ impl Runner {
             Effect::StopRows => return self.rows.stop(),
             Effect::StopWorking => return self.works.stop(),
             Effect::JudgeRows { run, path } => return self.judge_rows(ctx, (run, path), Arc::clone(sources)),
+            Effect::SiftRows { run, number, rows, sifting } => {
+                return self.sift_rows(ctx, (run, number), rows, sifting);
+            }
             Effect::ReadRows { run, wanted } => return self.read_rows(ctx, run, wanted),
             Effect::Watch { run, folder, plan } => {
                 let known = self.desk.known();
@@ -216,6 +219,23 @@ impl Runner {
         }
     }
 
+    /// Finds rows of a large file, or puts them in order.
+    fn sift_rows(&self, ctx: &Context, (run, number): (u64, u64), rows: Box<ListedRows>, sifting: Sifting) {
+        let stop = self.rows.asks();
+        let sender = self.sender.clone();
+        let ctx = ctx.clone();
+        let errand: Errand = Box::new(move || {
+            if let Some(result) = super::rows::sift(&rows, &sifting, &stop) {
+                let _closed = sender.send(RowsCommand::Sifted { run, number, result }.into());
+                ctx.request_repaint();
+            }
+        });
+        match self.errands {
+            Errands::AtOnce => errand(),
+            Errands::OnThread => on_thread("rows", errand),
+        }
+    }
+
     /// Reads rows of a large file again.
     fn read_rows(&self, ctx: &Context, run: u64, wanted: Vec<(Arc<Part>, Vec<usize>)>) {
         let rows = Arc::clone(&self.rows);
@@ -301,6 +321,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::StopRows
         | Effect::StopWorking
         | Effect::ReadRows { .. }
+        | Effect::SiftRows { .. }
         | Effect::OpenJournal { .. }
         | Effect::SendTo(_)
         | Effect::WakeSender

@@ -7,13 +7,16 @@
 use std::fs::{File, Metadata};
 use std::io::{self, Cursor, Read, Seek as _, SeekFrom, Write as _};
 use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 use crate::batch::{self, Failed, Input, Packing, Sink, Stream, Watch};
 use crate::exchange::ImportErrorKind;
-use crate::exchange::batch::{BLOCK, Block, Cutter, Layout, Marks, Part, Picked, Store, StreamJudging, Tally, pick};
+use crate::exchange::batch::{
+    BLOCK, Block, Cutter, Layout, ListedRows, Marks, Part, Picked, Sifted, Sifting, Store, StreamBytes, StreamJudging,
+    Tally, pick,
+};
 use crate::files;
 use crate::journal::chain::FileHash;
 use crate::message::{Message, Say as _, message};
@@ -31,6 +34,8 @@ const MOST_UNPACKED: u64 = 16 << 30;
 #[derive(Debug, Default)]
 pub(super) struct Runs {
     last: Mutex<Option<Run>>,
+    /// Stops the question about rows that was asked last.
+    sifting: Mutex<Arc<AtomicBool>>,
 }
 
 #[derive(Debug)]
@@ -104,11 +109,19 @@ impl Runs {
         if let Some(run) = lock(&self.last).as_ref() {
             run.watch.stop.store(true, Relaxed);
         }
+        lock(&self.sifting).store(true, Relaxed);
     }
 
-    fn set_text(&self, number: u64, text: Text) {
+    /// Another question about rows; the one before is given up.
+    pub fn asks(&self) -> Arc<AtomicBool> {
+        let stop = Arc::<AtomicBool>::default();
+        std::mem::replace(&mut *lock(&self.sifting), Arc::clone(&stop)).store(true, Relaxed);
+        stop
+    }
+
+    fn set_text(&self, number: u64, text: &Arc<Text>) {
         if let Some(run) = lock(&self.last).as_mut().filter(|run| run.number == number) {
-            run.text = Some(Arc::new(text));
+            run.text = Some(Arc::clone(text));
         }
     }
 
@@ -167,7 +180,9 @@ impl Runs {
             text = Text { file: Mutex::new(file), stamp: None, start: 0, _name: name, ..text };
             copy = Some(written);
         }
-        self.set_text(number, text);
+        let text = Arc::new(text);
+        self.set_text(number, &text);
+        found.news.stream = Some(text);
         found.news.layout = Some(Arc::clone(&layout));
         let court = StreamJudging::new(&layout, sources);
         let cutter = Cutter::new(layout.separator(), BLOCK, true);
@@ -211,8 +226,7 @@ impl Runs {
     }
 }
 
-impl Text {
-    /// The bytes of a part; an error where they cannot be those that were judged.
+impl StreamBytes for Text {
     fn bytes(&self, part: &Part) -> io::Result<Vec<u8>> {
         let mut file = lock(&self.file);
         let mut bytes = vec![0; part.bytes];
@@ -221,6 +235,11 @@ impl Text {
         let now = file.metadata().map(|metadata| stamp(&metadata))?;
         if self.stamp.is_none_or(|stamp| stamp == now) { Ok(bytes) } else { Err(io::ErrorKind::InvalidData.into()) }
     }
+}
+
+/// Finds rows or puts them in order; `None` where the question was given up.
+pub(super) fn sift(rows: &ListedRows, sifting: &Sifting, stop: &AtomicBool) -> Option<Result<Sifted, Message>> {
+    rows.sift(sifting, stop).map_err(|error| unread(&error)).transpose()
 }
 
 /// Why rows cannot be read again.
@@ -317,6 +336,7 @@ impl Sink<Marks> for RunProgress<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exchange::batch::Filter;
 
     /// A file of so many rows in a folder of its own.
     fn file(rows: usize) -> (tempfile::TempDir, std::path::PathBuf) {
@@ -368,6 +388,44 @@ mod tests {
             }
         });
         assert_eq!(runs.read(2, &wanted), Err(Message::new("rows-changed")));
+    }
+
+    #[test]
+    fn a_million_rows_are_put_in_order_and_a_question_is_given_up_for_the_next_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("rows.csv");
+        // The middle of the zone is 25.0105: the last rows are the worst.
+        let rows: String = (0..1_000_000).map(|row| format!("25 H7,{}.{:06}\n", 25, row / 10)).collect();
+        files::write(&path, format!("callout,measured\n{rows}").as_bytes()).unwrap();
+        let runs = Runs::default();
+        let watch = runs.begin(1);
+        let mut all = News::default();
+        runs.judge((1, &path), &watch, &Arc::default(), &mut |news: News| {
+            all.layout = news.layout.or_else(|| all.layout.take());
+            all.stream = news.stream.or_else(|| all.stream.take());
+            all.classes = news.classes;
+            all.parts.extend(news.parts);
+        });
+        let sieve = Filter::default().sieve(all.classes.len());
+        let rows = ListedRows {
+            layout: all.layout.unwrap(),
+            sources: Arc::default(),
+            parts: all.parts,
+            stream: all.stream.unwrap(),
+            sieve,
+            order: None,
+        };
+        let sifting = Sifting { is_worst_first: true, ..Sifting::default() };
+        let stop = runs.asks();
+        let sifted = sift(&rows, &sifting, &stop).unwrap().unwrap();
+        assert_eq!((sifted.count, sifted.numbers.len(), sifted.unjudged), (1_000_000, 1_000_000, 0));
+        // 25.099999 mm is the largest, and of equals the first of the file is first.
+        assert_eq!(
+            sifted.numbers[..11],
+            [999_990, 999_991, 999_992, 999_993, 999_994, 999_995, 999_996, 999_997, 999_998, 999_999, 999_980]
+        );
+        let _next = runs.asks();
+        assert_eq!(sift(&rows, &sifting, &stop), None);
     }
 
     #[test]

@@ -11,10 +11,11 @@ use super::pages::page_of;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
-use crate::message::message;
+use crate::message::{Message, message};
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, FilesCommand, Theme};
-use crate::session::{CheckAction, WindowAction};
+use crate::session::{Action, Command, Density, FilesCommand, Session, Theme};
+use crate::session::{CheckAction, WindowAction, row_forms};
+use crate::text::long;
 use crate::tolerance::Base;
 use crate::words::Language;
 
@@ -205,23 +206,37 @@ pub(super) fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     for number in 0..RENDERINGS.len() {
         view.menu_item(ui, WindowAction::Export(number));
     }
+    if view.session.lists_rows() {
+        for form in row_forms() {
+            view.menu_item(ui, CheckAction::ExportRows(form));
+        }
+    }
     view.menu_item(ui, WindowAction::ExportStatus);
     ui.separator();
     // What will be exported is said before it is.
-    let history = view.session.history();
-    let rows = view.session.check().rows.as_ref().filter(|_| view.session.lists_rows());
-    let said = match (history.chosen_count(), history.exported_count()) {
+    let said = exported(view.session);
+    quiet(ui, view.words.say(&said));
+    if view.session.lists_rows() {
+        return;
+    }
+    let choosing = [WindowAction::ChooseBad.into(), CheckAction::ChooseAll.into(), WindowAction::ChooseNone.into()];
+    for action in choosing.into_iter().chain([Action::from(CheckAction::CopyChecks)]) {
+        view.menu_item(ui, action);
+    }
+}
+
+fn exported(session: &Session) -> Message {
+    if let Some(rows) = session.check().rows.as_ref().filter(|_| session.lists_rows()) {
+        let said = message!("rows-exported").text("listed", grouped(long(rows.listed()))).text("name", &rows.name);
+        return if rows.can_be_written() { said } else { message!("rows-export-not-yet") };
+    }
+    let history = session.history();
+    match (history.chosen_count(), history.exported_count()) {
         (0, listed) if listed < history.len() => {
             message!("history-exported-listed").count("count", listed).count("all", history.len())
         }
         (0, count) => message!("history-exported").count("count", count),
         (chosen, _) => message!("history-chosen").count("count", chosen),
-    };
-    let said = rows.map_or(said, |rows| message!("rows-not-exported").text("name", &rows.name));
-    quiet(ui, view.words.say(&said));
-    let choosing = [WindowAction::ChooseBad.into(), CheckAction::ChooseAll.into(), WindowAction::ChooseNone.into()];
-    for action in choosing.into_iter().chain([Action::from(CheckAction::CopyChecks)]) {
-        view.menu_item(ui, action);
     }
 }
 

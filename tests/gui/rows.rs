@@ -12,7 +12,7 @@ use fitcheck::gui::App;
 use fitcheck::session::{CheckCommand, LARGE, Purpose};
 use fitcheck::verdict::rules::RuleName;
 
-use crate::harness::{Window, click, cursor, press, rows, verdict};
+use crate::harness::{Window, click, cursor, press, rows, type_into, verdict};
 
 /// A file that is too large for an import: of ten rows one is rework and one scrap; the last one cannot be read.
 fn large() -> String {
@@ -139,6 +139,83 @@ fn counts_and_classes_filter_the_rows() {
     window.get_by_label("1 row not judged");
     window.get_by_label_contains(": measured: a length is missing");
     window.get_by_label_contains("g6: SCRAP ");
+}
+
+#[test]
+fn the_worst_part_is_shown_first_and_the_list_can_begin_with_it() {
+    let text = large().replace("P0000021,40 g6,39.9000", "P0000021,40 g6,39.8000");
+    let (_folder, mut window) = opened("big.csv", text.as_bytes());
+    // Its line is 23: the head is the first.
+    window.get_by_label("Line 23 of big.csv");
+    assert_eq!(verdict(&window).split(". ").next(), Some("SCRAP"));
+    click(&mut window, Role::Button, "Worst first");
+    let listed = rows(&window);
+    assert!(listed[0].contains("P0000021") && listed[0].contains("−200 µm"), "{listed:?}");
+    // Of equals the first of the file is first.
+    assert!(listed[1].contains("P0000001") && listed[2].contains("P0000011"), "{listed:?}");
+    window.get_by_label("worst first");
+    window.get_by_role(Role::Grid).focus();
+    window.run();
+    press(&mut window, Key::End);
+    assert!(cursor(&window).contains(", LAST, "), "what has no verdict is last: {}", cursor(&window));
+    click(&mut window, Role::Button, "Worst part");
+    assert!(cursor(&window).contains("P0000021"), "{}", cursor(&window));
+    click(&mut window, Role::Button, "Worst first");
+    press(&mut window, Key::Escape);
+    assert!(window.query_by_label("worst first").is_none());
+}
+
+#[test]
+fn words_filter_the_rows_as_they_filter_the_history() {
+    let (_folder, mut window) = opened("big.csv", large().as_bytes());
+    for (words, only) in [("p0000011", "P0000011, 40 g6"), ("39,9 P0000021", "P0000021, 40 g6"), ("last", "LAST")] {
+        type_into(&mut window, "Filter", words);
+        let listed = rows(&window);
+        assert!(listed.len() == 1 && listed[0].contains(only), "{words}: {listed:?}");
+        window.get_by_label_contains("1 of ");
+    }
+    type_into(&mut window, "Filter", "rework");
+    assert!(rows(&window).iter().all(|row| row.contains("REWORK")), "{:?}", rows(&window));
+    // Both filters count.
+    click(&mut window, Role::Button, "Worst first");
+    let good = window
+        .get_by(|node| node.role() == Role::CheckBox && node.label().is_some_and(|label| label.starts_with("GOOD ")));
+    good.click();
+    window.run();
+    assert!(rows(&window).is_empty(), "{:?}", rows(&window));
+    window.get_by_label("No row matches the filter");
+}
+
+#[test]
+fn what_is_listed_is_exported_as_rows_and_as_a_report() {
+    let (folder, mut window) = opened("big.csv", large().as_bytes());
+    type_into(&mut window, "Filter", "P000001");
+    click(&mut window, Role::Button, "Worst first");
+    let save = |window: &mut Harness<'_, App>, item: &str, ending: &str| {
+        window.get_all_by_role_and_label(Role::Button, "Export").last().unwrap().click();
+        window.run();
+        click(window, Role::Button, item);
+        let path = folder.path().join(format!("out.{ending}"));
+        type_into(window, "File", &path.display().to_string());
+        press(window, Key::Enter);
+        let told: Vec<_> = window.state().session().notices().iter().map(|notice| format!("{notice:?}")).collect();
+        let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{error}: {told:?}"));
+        click(window, Role::Button, "Close");
+        text
+    };
+    let text = save(&mut window, "Rows of the file as CSV, with verdicts…", "csv");
+    let lines: Vec<&str> = text.lines().collect();
+    assert_eq!(lines[0], "id,callout,measured,min_mm,max_mm,deviation_um,status,remove_um,error");
+    assert_eq!(lines[1], "P0000011,40 g6,39.9000,39.975,39.991,-100,SCRAP,,");
+    assert_eq!(lines[2], "P0000010,25 H7,24.9900,25.000,25.021,-10,REWORK,10,");
+    assert_eq!(lines[3], "P0000012,25 H7,25.0100,25.000,25.021,10,GOOD,,");
+    assert_eq!(lines.len(), 11, "the head and ten rows");
+    let text = save(&mut window, "Rows of the file as JSONL, with verdicts…", "jsonl");
+    assert!(text.starts_with("{\"id\":\"P0000011\",") && text.lines().count() == 10, "{text}");
+    let text = save(&mut window, "Inspection report (HTML)…", "html");
+    assert!(text.contains("10 of them listed in this report") && text.contains("P0000011"));
+    assert!(text.find("P0000011") < text.find("P0000010"), "in the order of the list");
+    assert!(!text.contains("P0000020"));
 }
 
 #[test]

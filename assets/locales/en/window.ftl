@@ -189,7 +189,8 @@ history-exported-listed = { $count ->
     [one] The 1 listed check of { $all } will be exported
    *[other] The { $count } listed checks of { $all } will be exported
 }
-rows-not-exported = The listed rows of { $name } are not exported here. Write them with “fitcheck batch”, or show the history to export its checks
+rows-exported = The { $listed } listed rows of { $name } will be exported, in the order of the list
+rows-export-not-yet = The rows can be exported when they are all judged and listed
 history-exported = { $count ->
     [0] Nothing to export
     [one] 1 check will be exported
@@ -230,6 +231,7 @@ dialog-import = Import measurements
 dialog-mask = Own mask
 dialog-tables = Folder with own tables
 dialog-export = Export
+dialog-export-rows = Export the listed rows
 dialog-export-status = Export the status window
 file-path = File
 folder-path = Folder
@@ -248,6 +250,7 @@ file-kind-measurements = Measurements
 file-kind-mask = Masks
 file-kind-own-tables = Folders of tables
 file-kind-report = Reports
+file-kind-rows = Rows
 file-kind-status = Text
 file-kind-table = Tables
 file-kind-contacts = Contacts
@@ -640,7 +643,9 @@ rows-keep = Add to history
 rows-kept = The check was added to the history
 rows-progress = Share of the file that was read
 rows-running = { $count } rows so far, { $percent } % of the file, { $rate } rows a second
-rows-done = { $count } rows, all judged in { $seconds } s
+rows-done = { $count } rows, all judged in { $seconds }
+rows-seconds = { $seconds } s
+rows-less-than = less than { $seconds } s
 rows-cancelled = INCOMPLETE: cancelled after { $count } rows, { $percent } % of the file
 rows-failed = INCOMPLETE after { $count } rows: { $why }
 rows-why-bytes = { $size } MiB, more than { $limit } MiB: judged row by row, and the rows are not kept in the history
@@ -654,6 +659,26 @@ rows-no-class = Without a class
 rows-some-classes = { $count } classes
 rows-class = { $class }: { $count }
 rows-summary = Summary
+rows-fate-only = List { $fate }
+rows-filter-hint = Lists the rows that contain these words in their cells, such as part, callout, value or status
+rows-worst-first = Worst first
+rows-worst-first-hint = Lists scrap before rework and good, the largest deviation from the limits first
+rows-worst = Worst part
+rows-sifting = Searching the rows…
+rows-sifts-at-end = Filter and order apply when all rows are judged
+rows-in-order = worst first
+rows-worst-of-many = the { $most } worst of them, worst first
+rows-first-of-many = the first { $most } of them
+rows-export = Rows of the file as { $format }, with verdicts…
+rows-export-programs = Checks of the listed rows as { $format }…
+rows-export-simulated = The first lines of the file say that it is simulated, and only CSV can keep them. Export as CSV
+rows-export-twice = The file has two columns named { $column }. Export as CSV or TSV, which allow both
+rows-report-counts = { $name }: { $count } rows; { $good } GOOD, { $rework } REWORK, { $remeasure } RE-MEASURE, { $scrap } SCRAP, { $unjudged } NOT JUDGED; { $listed } of them listed in this report
+rows-report-without = { $count ->
+    [one] 1 listed row has no verdict and no check in this report
+   *[other] { $count } listed rows have no verdict and no check in this report
+}
+rows-file-name = { $name }-judged
 rows-not-whole = INCOMPLETE: the counts are not those of the whole file
 rows-listed = { $listed } of { $count } rows listed
 rows-refused = { $count ->

@@ -189,7 +189,8 @@ history-exported-listed = { $count ->
     [one] De ene getoonde controle van { $all } wordt geëxporteerd
    *[other] De { $count } getoonde controles van { $all } worden geëxporteerd
 }
-rows-not-exported = De getoonde rijen van { $name } worden hier niet geëxporteerd. Schrijf ze met “fitcheck batch”, of toon de geschiedenis om haar controles te exporteren
+rows-exported = De { $listed } getoonde rijen van { $name } worden geëxporteerd, in de volgorde van de lijst
+rows-export-not-yet = De rijen kunnen worden geëxporteerd zodra ze allemaal beoordeeld en getoond zijn
 history-exported = { $count ->
     [0] Niets te exporteren
     [one] 1 controle wordt geëxporteerd
@@ -230,6 +231,7 @@ dialog-import = Metingen importeren
 dialog-mask = Eigen masker
 dialog-tables = Map met eigen tabellen
 dialog-export = Exporteren
+dialog-export-rows = Getoonde rijen exporteren
 dialog-export-status = Statusvenster exporteren
 file-path = Bestand
 folder-path = Map
@@ -248,6 +250,7 @@ file-kind-measurements = Metingen
 file-kind-mask = Maskers
 file-kind-own-tables = Mappen met tabellen
 file-kind-report = Rapporten
+file-kind-rows = Rijen
 file-kind-status = Tekst
 file-kind-table = Tabellen
 file-kind-contacts = Meetpunten
@@ -640,7 +643,9 @@ rows-keep = Aan geschiedenis toevoegen
 rows-kept = De controle is aan de geschiedenis toegevoegd
 rows-progress = Gelezen deel van het bestand
 rows-running = { $count } rijen tot nu toe, { $percent } % van het bestand, { $rate } rijen per seconde
-rows-done = { $count } rijen, alle beoordeeld in { $seconds } s
+rows-done = { $count } rijen, alle beoordeeld in { $seconds }
+rows-seconds = { $seconds } s
+rows-less-than = minder dan { $seconds } s
 rows-cancelled = ONVOLLEDIG: geannuleerd na { $count } rijen, { $percent } % van het bestand
 rows-failed = ONVOLLEDIG na { $count } rijen: { $why }
 rows-why-bytes = { $size } MiB, meer dan { $limit } MiB: rij voor rij beoordeeld, en de rijen blijven niet in de geschiedenis
@@ -654,6 +659,26 @@ rows-no-class = Zonder klasse
 rows-some-classes = { $count } klassen
 rows-class = { $class }: { $count }
 rows-summary = Samenvatting
+rows-fate-only = { $fate } tonen
+rows-filter-hint = Toont de rijen met deze woorden in hun cellen, zoals onderdeel, passing, waarde of status
+rows-worst-first = Slechtste eerst
+rows-worst-first-hint = Toont afgekeurd vóór nabewerking en goed, met de grootste afwijking van de grenzen bovenaan
+rows-worst = Slechtste onderdeel
+rows-sifting = Rijen worden doorzocht…
+rows-sifts-at-end = Filter en volgorde gelden zodra alle rijen beoordeeld zijn
+rows-in-order = slechtste eerst
+rows-worst-of-many = de { $most } slechtste daarvan, slechtste eerst
+rows-first-of-many = de eerste { $most } daarvan
+rows-export = Rijen van het bestand als { $format }, met oordeel…
+rows-export-programs = Controles van de getoonde rijen als { $format }…
+rows-export-simulated = De eerste regels van het bestand zeggen dat het gesimuleerd is, en alleen CSV kan ze bewaren. Exporteer als CSV
+rows-export-twice = Het bestand heeft twee kolommen met de naam { $column }. Exporteer als CSV of TSV; die staan beide toe
+rows-report-counts = { $name }: { $count } rijen; { $good } GOED, { $rework } NABEWERKING, { $remeasure } OPNIEUW METEN, { $scrap } AFGEKEURD, { $unjudged } NIET BEOORDEELD; daarvan { $listed } in dit rapport
+rows-report-without = { $count ->
+    [one] 1 getoonde rij heeft geen oordeel en geen controle in dit rapport
+   *[other] { $count } getoonde rijen hebben geen oordeel en geen controle in dit rapport
+}
+rows-file-name = { $name }-beoordeeld
 rows-not-whole = ONVOLLEDIG: de aantallen zijn niet die van het hele bestand
 rows-listed = { $listed } van { $count } rijen getoond
 rows-refused = { $count ->

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use fitcheck_core::part::Plan;
 use fitcheck_exchange::exchange::Mapping;
-use fitcheck_exchange::exchange::batch::Part;
+use fitcheck_exchange::exchange::batch::{ListedRows, Part, Sifting};
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_exchange::report::pairing::PairingRequest;
@@ -66,6 +66,15 @@ pub enum Effect {
         run: u64,
         /// Parts of the file, with the numbers of the rows in each, ascending.
         wanted: Vec<(Arc<Part>, Vec<usize>)>,
+    },
+    /// Look at rows of a large file again and send `RowsCommand::Sifted`; the question before is given up.
+    SiftRows {
+        /// The number of the run that judged them.
+        run: u64,
+        /// The number of the question.
+        number: u64,
+        rows: Box<ListedRows>,
+        sifting: Sifting,
     },
     /// Pair measured parts and send `PairingCommand::Paired`.
     Pair {

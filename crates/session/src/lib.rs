@@ -147,7 +147,7 @@ pub use program::{ProgramAction, ProgramCommand, ProgramField, ProgramPage};
 pub use purpose::{CycleFile, ImportInto, Purpose};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, RecordsPage};
-pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
+pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };

@@ -13,11 +13,13 @@ use std::path::Path;
 
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Words;
+use fitcheck_exchange::batch::FORMS as ROW_FORMS;
 use fitcheck_exchange::exchange::{self, tables::TABLE_FORMATS};
 use fitcheck_exchange::report::RENDERINGS;
 use fitcheck_exchange::report::pairing::FORMATS as PAIR_FORMATS;
 
 use crate::page::Page;
+use crate::rows::row_forms;
 
 /// What a file dialog is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -30,6 +32,8 @@ pub enum Purpose {
     LoadTables,
     /// Writing the history or the chosen checks in a format of the report's list, by its number there.
     Export(usize),
+    /// Writing the listed rows of a large file in a form of text, by its number among all forms.
+    ExportRows(usize),
     /// Writing the status window's text.
     ExportStatus,
     /// Reading one table for the table page.
@@ -115,6 +119,7 @@ enum Endings {
     Report(usize),
     Pairs(usize),
     Table(usize),
+    Rows(usize),
 }
 
 impl Endings {
@@ -125,6 +130,9 @@ impl Endings {
             Self::Packable => exchange::endings().into_iter().chain(PACKED).collect(),
             Self::Report(number) => {
                 RENDERINGS.iter().skip(*number).take(1).flat_map(|format| format.endings).copied().collect()
+            }
+            Self::Rows(number) => {
+                ROW_FORMS.iter().skip(*number).take(1).flat_map(|(.., endings)| *endings).copied().collect()
             }
             Self::Pairs(number) => {
                 PAIR_FORMATS.iter().skip(*number).take(1).flat_map(|format| format.endings).copied().collect()
@@ -164,6 +172,7 @@ impl Purpose {
         let reports = (0..RENDERINGS.len()).map(Self::Export);
         let tables = (0..TABLE_FORMATS.len()).map(Self::SaveTable);
         let pairs = (0..PAIR_FORMATS.len()).map(Self::SavePairs);
+        let rows = row_forms().map(Self::ExportRows);
         let one = [
             Self::Import,
             Self::LoadMask,
@@ -185,11 +194,11 @@ impl Purpose {
             Self::SaveWorkpiece,
             Self::SaveCycleLog,
         ];
-        one.into_iter().chain(reports).chain(tables).chain(pairs)
+        one.into_iter().chain(reports).chain(tables).chain(pairs).chain(rows)
     }
 
     const fn row(self) -> PurposeRow {
-        use Endings::{Listed, Measurements, Packable, Pairs, Report, Table};
+        use Endings::{Listed, Measurements, Packable, Pairs, Report, Rows, Table};
         match self {
             Self::Import => reads("measurements", "dialog-import", Packable, &[Page::Check]),
             Self::ImportValues(_) => reads("measurements", "dialog-import", Packable, &[Page::Parts]),
@@ -207,6 +216,7 @@ impl Purpose {
             Self::Export(format) | Self::ReportRecords(format) | Self::ReportPart(format) => {
                 writes("report", "dialog-export", Report(format))
             }
+            Self::ExportRows(form) => writes("rows", "dialog-export-rows", Rows(form)),
             Self::ExportStatus => writes("status", "dialog-export-status", Listed(&["txt"])),
             Self::OpenCycleFile(CycleFile::Contacts) => {
                 reads("contacts", "cycles-dialog-contacts", Listed(&["csv", "txt"]), &[Page::Cycles, Page::Program])

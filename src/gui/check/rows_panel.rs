@@ -10,11 +10,13 @@ use eframe::egui::{
 use super::row_texts::{fate_text, grouped};
 use super::rows_list::list_ui;
 use crate::exchange::batch::{FIRST, RowFate, RowNoteKind, Tally};
+use crate::gui::field::{FieldStyle, field_ui};
 use crate::gui::shapes::{self, share};
 use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::top_bar::export_ui;
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
-use crate::session::CheckAction;
+use crate::session::{CheckAction, CheckField};
 use crate::session::{End, LARGE, Large, Rows, RowsCommand};
 use crate::text::long;
 use crate::tolerance::ToleranceClass;
@@ -27,9 +29,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         ui.spacing_mut().item_spacing.y = space(1.0);
         switch_ui(ui, view);
         // Each stands in the place of the other, and numbers that grow move nothing that is pressed.
-        for action in
-            [CheckAction::CancelRows, CheckAction::JudgeRowsAgain, CheckAction::CloseRows, CheckAction::KeepRow]
-        {
+        for action in [CheckAction::CancelRows, CheckAction::JudgeRowsAgain, CheckAction::CloseRows] {
             if view.session.can(action) {
                 view.button(ui, action);
             }
@@ -48,16 +48,48 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         }
         classes_ui(ui, view, rows);
         summary_ui(ui, view, rows);
-        if !rows.filter.is_all() {
-            let listed = grouped(long(rows.listed()));
-            let listed = message!("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
-            quiet(ui, view.words.say(&listed));
+        filter_ui(ui, view);
+        for action in [CheckAction::WorstFirst, CheckAction::ShowWorstRow] {
+            if view.session.can(action) {
+                if action == CheckAction::WorstFirst {
+                    view.toggle(ui, action)
+                } else {
+                    view.button(ui, action)
+                };
+            }
         }
+        theme::looking(ui, theme::tonal, |ui| ui.menu_button(view.text("export"), |ui| export_ui(ui, view)));
+        listed_ui(ui, view, rows);
     });
-    if let Some(why) = rows.unread.as_ref() {
+    if let Some(why) = rows.unread.as_ref().or(rows.unsifted.as_ref()) {
         problem(ui, view.words.say(why));
     }
     list_ui(ui, view, rows);
+}
+
+/// How many rows are listed, in which order, or why not yet.
+fn listed_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
+    let words = view.words;
+    if rows.is_sifting() {
+        quiet(ui, view.text("rows-sifting"));
+    } else if rows.awaits_end() {
+        quiet(ui, view.text("rows-sifts-at-end"));
+    }
+    let listed = (!rows.lists_all()).then(|| {
+        message!("rows-listed").text("listed", grouped(long(rows.listed()))).text("count", grouped(rows.count()))
+    });
+    let order = rows.order_told().filter(|_| !rows.is_sifting());
+    let said: Vec<_> = listed.iter().chain(&order).map(|said| words.say(said)).collect();
+    if !said.is_empty() {
+        quiet(ui, said.join(", "));
+    }
+}
+
+/// Words that listed rows must have.
+fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = ui.label(view.text("history-filter"));
+    let filter = field_ui(ui, view, CheckField::RowsFilter, name.id, FieldStyle::text(space(40.0)));
+    filter.on_hover_text(view.text("rows-filter-hint"));
 }
 
 /// Which of the two lists is in sight. Where no large file was opened, there is nothing to choose.
@@ -77,7 +109,7 @@ fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     let (read, all) = rows.bytes;
     // Of a file whose size is not known no share can be said: it counts as not begun.
     let percent = all.and_then(|all| (read * 100).checked_div(all)).map_or(0, |percent| percent.min(100));
-    let seconds = words.number(&format!("{:.1}", std::time::Duration::from_millis(rows.elapsed_ms).as_secs_f64()));
+    let seconds = seconds(words, rows.elapsed_ms);
     // Within the first millisecond there is none.
     let rate = rows.rate().map_or_else(String::new, grouped);
     let said = |id: &'static str| {
@@ -100,10 +132,19 @@ fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     }
 }
 
+/// A time with one decimal; less than that has a word for it.
+fn seconds(words: &Words, ms: u64) -> String {
+    let tenths = |ms: u64| words.number(&format!("{:.1}", std::time::Duration::from_millis(ms).as_secs_f64()));
+    match ms {
+        0..100 => words.say(&message!("rows-less-than").text("seconds", tenths(100))),
+        _ => words.say(&message!("rows-seconds").text("seconds", tenths(ms))),
+    }
+}
+
 /// Why the file is judged row by row, in what is left of the line; where there is no room, it is in the summary alone.
 fn why_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     let room = ui.available_size_before_wrap().x - ui.spacing().item_spacing.x;
-    if space(60.0) <= room {
+    if space(45.0) <= room {
         let why = why_text(view.words, rows);
         ui.allocate_ui_with_layout(vec2(room, control(ui)), Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(room);
@@ -257,7 +298,7 @@ fn counts(tally: &Tally) -> [(&'static str, u64); 9] {
 }
 
 /// The cells of the row whose check is shown, or why it has none.
-pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
+pub(super) fn shown_row_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(rows) = view.session.check().rows.as_ref() else { return };
     let Some(row) = rows.shown.as_ref() else { return };
     heading(ui, view.words.say(&message!("rows-line").count("line", row.line).text("name", &rows.name)));
@@ -270,6 +311,9 @@ pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
             quiet(ui, name);
             ui.add(Label::new(short(cell)).wrap());
         });
+    }
+    if view.session.can(CheckAction::KeepRow) {
+        view.button(ui, CheckAction::KeepRow);
     }
     ui.add_space(space(1.0));
 }

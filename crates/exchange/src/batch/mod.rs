@@ -7,6 +7,7 @@
 //! | `stream` | what comes in and goes out: plain, gzip, Zstandard, UTF-16 |
 //! | `forms` | what the rows are written as |
 //! | `text` | CSV in; CSV, TSV and JSON lines out |
+//! | `listed` | the rows of a list as text of any form, in its order |
 //! | `worker` | who judges a portion and writes what became of it |
 //! | `parquet` | Parquet in and out, with the feature of that name |
 //!
@@ -17,6 +18,7 @@
 //! (`gui/rows.rs`) are another.
 
 mod forms;
+mod listed;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod stream;
@@ -31,6 +33,7 @@ use std::time::Duration;
 use fitcheck_core::tolerance::ToleranceClass;
 
 pub use forms::{FORMS, Form, Rendering, WithRendering};
+pub use listed::{refusal, write_listed};
 pub use stream::{Packing, Stream};
 pub use text::{Input, Making, Sink, run, run_into};
 

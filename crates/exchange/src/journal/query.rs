@@ -111,14 +111,19 @@ impl FilterWord {
         folded(text).contains(&self.folded)
     }
 
+    /// The same of a text that is folded already.
+    pub(crate) fn is_in_folded(&self, text: &str) -> bool {
+        text.contains(&self.folded)
+    }
+
     /// In a callout a capital letter means a hole: `H7` does not find `h7`. Small letters find both.
-    fn is_in_callout(&self, callout: &str) -> bool {
+    pub(crate) fn is_in_callout(&self, callout: &str) -> bool {
         if self.given.chars().any(char::is_uppercase) { callout.contains(&self.given) } else { self.is_in(callout) }
     }
 }
 
 /// A point and a comma are one decimal sign, a hyphen and a minus sign one sign; case does not count.
-fn folded(text: &str) -> String {
+pub(crate) fn folded(text: &str) -> String {
     text.to_lowercase().replace(',', ".").replace('\u{2212}', "-")
 }
 

@@ -5,6 +5,7 @@ use fitcheck_core::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::Session;
 use crate::columns::{NoticeColumns, OpenColumns};
 use crate::files::Dialog;
+use crate::rows::Rows;
 
 pub(crate) fn rounds_js(options: Options) -> bool {
     options.js == JsHalves::Rounded
@@ -42,9 +43,14 @@ pub(crate) fn has_history(session: &Session) -> bool {
     !session.history().is_empty()
 }
 
-/// Whether there are checks to export, and they are what is listed.
+/// Whether there is something to export: the rows that are listed in the place of the history, or checks.
 pub(crate) fn can_export(session: &Session) -> bool {
-    !session.lists_rows() && 0 < session.history().exported_count()
+    if session.lists_rows() { can_export_rows(session) } else { 0 < session.history().exported_count() }
+}
+
+/// Whether the listed rows of a large file can be written.
+pub(crate) fn can_export_rows(session: &Session) -> bool {
+    session.lists_rows() && session.check().rows.as_ref().is_some_and(Rows::can_be_written)
 }
 
 pub(crate) fn has_bad(session: &Session) -> bool {

@@ -207,6 +207,9 @@ impl Actions for WindowAction {
 
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         Some(match *self {
+            Self::Export(number) if session.lists_rows() && !RENDERINGS.get(number)?.is_for_people => {
+                words.say(&message!("rows-export-programs").text("format", RENDERINGS.get(number)?.title))
+            }
             Self::Export(number) => report_name(number, words)?,
             Self::Undo => words.say(&message!("undo-what").message("what", session.history().undoes()?)),
             Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),

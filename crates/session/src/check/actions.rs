@@ -1,20 +1,23 @@
 //! What can be done on the check page.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::words::Words;
+use fitcheck_exchange::batch::FORMS;
+use fitcheck_exchange::exchange::batch::RowFate;
 use fitcheck_exchange::journal::query::Column;
 
 use super::{CheckCommand, CheckField, Lot, MeasureBy};
 use crate::Session;
-use crate::action::possible::{has_history, has_status};
+use crate::action::possible::{can_export_rows, has_history, has_status};
 use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
 use crate::action::{ActionScope, Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::history::ListCommand;
 use crate::page::Page;
-use crate::rows::{Rows, RowsCommand};
+use crate::purpose::Purpose;
+use crate::rows::{Rows, RowsCommand, row_forms};
 use crate::step::Step;
 
 /// The list of checks.
@@ -44,7 +47,7 @@ actions! {
     MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
     /// Puts the status window's text on the clipboard.
     CopyStatus;
-    /// Goes to the filter of the history.
+    /// Goes to the filter of the history, or of the rows in its place.
     FindInHistory;
     /// Leaves the good checks out of the list.
     OnlyBad;
@@ -68,6 +71,16 @@ actions! {
     JudgeRowsAgain;
     /// Forgets the large file.
     CloseRows;
+    /// Lists rows of a fate, or no longer.
+    ListRows(RowFate): RowFate::ALL;
+    /// Lists the rows of all classes.
+    ListAllClasses;
+    /// Puts the worst row first, or leaves the rows in the order of the file.
+    WorstFirst;
+    /// Shows the worst row.
+    ShowWorstRow;
+    /// Writes the listed rows in a form of text.
+    ExportRows(usize): row_forms();
     /// Goes to another row of the large file.
     MoveRow(Step): Step::BLOCKS;
     /// Shows the check of the row.
@@ -109,9 +122,16 @@ impl Actions for CheckAction {
                 on(Page::Check, text, CheckCommand::MeasureBy(by))
             }
             Self::CopyStatus => on(Page::Check, "copy", CheckCommand::CopyStatus).when(has_status),
-            Self::FindInHistory => on(Page::Check, "history-filter", Command::GoTo(CheckField::HistoryFilter.into()))
-                .key(Shortcut::ctrl('F'))
-                .when(has_history),
+            Self::FindInHistory => ActionRow::new(
+                ActionScope::Page(Page::Check),
+                "history-filter",
+                Sends::FromState(|session| {
+                    let rows = session.check().shows_rows();
+                    Command::GoTo(if rows { CheckField::RowsFilter } else { CheckField::HistoryFilter }.into())
+                }),
+            )
+            .key(Shortcut::ctrl('F'))
+            .when(|session| session.check().shows_rows() || has_history(session)),
             Self::OnlyBad => ActionRow::new(
                 ActionScope::Page(Page::Check),
                 "history-only-bad",
@@ -168,6 +188,27 @@ impl Actions for CheckAction {
             Self::CloseRows => on(Page::Check, "rows-close", RowsCommand::Close)
                 .hint("rows-close-hint")
                 .when(|session| session.check().rows.is_some()),
+            Self::ListRows(fate) => on(Page::Check, "rows-fate-only", RowsCommand::Fate(fate))
+                .hint("rows-fate-hint")
+                .when(|session| session.check().shows_rows()),
+            Self::ListAllClasses => on(Page::Check, "rows-all-classes", RowsCommand::AllClasses)
+                .when(|session| session.check().rows.as_ref().is_some_and(|rows| !rows.filter.classes.is_empty())),
+            Self::WorstFirst => ActionRow::new(
+                ActionScope::Page(Page::Check),
+                "rows-worst-first",
+                Sends::FromState(|session| {
+                    let is_on = session.check().rows.as_ref().is_some_and(Rows::is_worst_first);
+                    RowsCommand::WorstFirst(!is_on).into()
+                }),
+            )
+            .hint("rows-worst-first-hint")
+            .when(|session| session.check().shows_rows()),
+            Self::ShowWorstRow => on(Page::Check, "rows-worst", RowsCommand::Worst).when(|session| {
+                session.check().shows_rows() && session.check().rows.as_ref().is_some_and(|rows| rows.worst().is_some())
+            }),
+            Self::ExportRows(form) => {
+                on(Page::Check, "export", Command::OpenDialog(Purpose::ExportRows(form))).when(can_export_rows)
+            }
             Self::MoveRow(step) => within(ROWS, "rows-move", RowsCommand::Move(step)).key(keys(step)).when(has_rows),
             Self::ShowRow => ActionRow::new(
                 ActionScope::Part(ROWS),
@@ -203,6 +244,14 @@ impl Actions for CheckAction {
                     .text("given", number(doubted.map(|doubted| &doubted.text)))
                     .text("meant", number(doubted.and_then(|doubted| doubted.meant.as_ref())))
             }
+            Self::ListRows(fate) => {
+                let fate = fate.status().map_or_else(|| words.get("rows-not-judged"), |status| words.told(&status));
+                Message::new(self.row().text).text("fate", fate)
+            }
+            Self::ExportRows(form) => {
+                let (_, name, _) = FORMS.get(*form)?;
+                message!("rows-export").text("format", name.to_uppercase())
+            }
             _ => return None,
         };
         Some(words.say(&message))
@@ -211,6 +260,8 @@ impl Actions for CheckAction {
     fn is_on(&self, session: &Session) -> Option<bool> {
         Some(match *self {
             Self::ShowRows(shows_rows) => session.check().shows_rows() == shows_rows,
+            Self::ListRows(fate) => session.check().rows.as_ref().is_some_and(|rows| rows.filter.fates.contains(&fate)),
+            Self::WorstFirst => session.check().rows.as_ref().is_some_and(Rows::is_worst_first),
             Self::OnlyBad => session.history().listed().query().only_bad,
             Self::MeasureBy(by) => session.check().by == by,
             _ => return None,
@@ -223,7 +274,7 @@ impl Actions for CheckAction {
             return None;
         }
         Some(match field {
-            Field::Check(CheckField::HistoryFilter) => return None,
+            Field::Check(CheckField::HistoryFilter | CheckField::RowsFilter) => return None,
             Field::Check(_) => Self::Measure,
             _ => return None,
         })

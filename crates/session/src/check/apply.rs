@@ -47,6 +47,10 @@ impl PageState for CheckPage {
                 self.texts.set(CheckField::HistoryFilter, text);
                 self.filter(shared);
             }
+            CheckCommand::Type(CheckField::RowsFilter, text) => {
+                self.texts.set(CheckField::RowsFilter, text);
+                return self.filter_rows(shared);
+            }
             CheckCommand::Type(field, text) => self.type_text(field, text, &shared.sources),
             CheckCommand::ChooseClass(class) => {
                 let nominal = nominal_text(self.text(CheckField::Callout));

@@ -70,4 +70,6 @@ kept_fields! {
     ScaleExpansion: "scale-expansion", "10";
     /// Words that the listed checks of the history must have.
     HistoryFilter: "history-filter", "";
+    /// Words that the listed rows of a large file must have.
+    RowsFilter: "rows-filter", "";
 }

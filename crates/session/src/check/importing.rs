@@ -17,7 +17,6 @@ use super::worth::RuleFields;
 use super::{CheckField, CheckPage, Lot};
 use crate::budget::OpenBudget;
 use crate::recording::used;
-use crate::rows::Rows;
 use crate::shared::{Notice, Shared};
 use crate::state::PageState as _;
 
@@ -41,7 +40,7 @@ impl CheckPage {
     ) {
         let Some(mut imported) = shared.file_answered(result) else { return };
         // The newest file is the one that is meant.
-        self.errands.extend(self.rows.iter_mut().flat_map(Rows::cancel));
+        self.errands.extend(self.rows.iter_mut().flat_map(|rows| rows.cancel(&shared.sources)));
         self.shows_rows = false;
         let sha256 = shared.recording.of_file(name);
         let file = used(FileRole::Measurements, name, sha256);

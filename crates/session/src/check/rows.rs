@@ -4,14 +4,17 @@
 use std::sync::Arc;
 
 use fitcheck_core::message::message;
+use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::entry::FileRole;
 use jiff::civil::DateTime;
 
-use super::CheckPage;
+use super::{CheckField, CheckPage};
 use crate::effect::Effect;
+use crate::history::filter_words;
 use crate::recording::used;
 use crate::rows::{Rows, RowsCommand};
 use crate::shared::Shared;
+use crate::state::PageState as _;
 
 impl CheckPage {
     /// Does something with the rows of a large file.
@@ -21,6 +24,7 @@ impl CheckPage {
             self.runs += 1;
             let (rows, effects) = Rows::begin(self.runs, name, path, large);
             self.clear(&shared.sources);
+            self.texts.set(CheckField::RowsFilter, "");
             self.rows = Some(rows);
             self.shows_rows = true;
             return effects;
@@ -28,8 +32,15 @@ impl CheckPage {
         let Some(rows) = &mut self.rows else { return Vec::new() };
         match command {
             RowsCommand::Opened { .. } => {}
-            RowsCommand::Judged { run, news } => rows.judged(run, *news),
-            RowsCommand::Cancel => return rows.cancel(),
+            RowsCommand::Judged { run, news } => {
+                let was_running = rows.is_running();
+                let mut effects = rows.judged(run, *news, &shared.sources);
+                if was_running && rows.is_whole() && self.is_untouched() {
+                    effects.extend(self.show_worst(shared, now));
+                }
+                return effects;
+            }
+            RowsCommand::Cancel => return rows.cancel(&shared.sources),
             RowsCommand::Again => return self.judge_again(),
             RowsCommand::Close => {
                 self.shows_rows = false;
@@ -37,9 +48,12 @@ impl CheckPage {
                 return vec![Effect::StopRows];
             }
             RowsCommand::Show(shows_rows) => self.shows_rows = shows_rows,
-            RowsCommand::Fate(fate) => rows.toggle_fate(fate),
-            RowsCommand::Class(class) => rows.toggle_class(Some(class)),
-            RowsCommand::AllClasses => rows.toggle_class(None),
+            RowsCommand::Fate(fate) => return rows.toggle_fate(fate, &shared.sources),
+            RowsCommand::Class(class) => return rows.toggle_class(Some(class), &shared.sources),
+            RowsCommand::AllClasses => return rows.toggle_class(None, &shared.sources),
+            RowsCommand::WorstFirst(is_worst_first) => return rows.put_worst_first(is_worst_first, &shared.sources),
+            RowsCommand::Sifted { run, number, result } => rows.take_sifted(run, number, result),
+            RowsCommand::Worst => return self.show_worst(shared, now),
             RowsCommand::See(places) => return rows.see(&places),
             RowsCommand::Read { run, result } => {
                 if let Some(number) = rows.take_read(run, result) {
@@ -65,6 +79,27 @@ impl CheckPage {
             }
         }
         Vec::new()
+    }
+
+    /// Whether nobody has shown a check or typed a value since the file was opened.
+    fn is_untouched(&self) -> bool {
+        self.shows_rows && self.shown.is_none() && self.text(CheckField::Measured).trim().is_empty()
+    }
+
+    /// Shows the worst row so far.
+    fn show_worst(&mut self, shared: &Shared, now: DateTime) -> Vec<Effect> {
+        let Some((rows, number)) = self.rows.as_mut().and_then(|rows| rows.worst().map(|number| (rows, number))) else {
+            return Vec::new();
+        };
+        let effects = rows.go_to(number);
+        self.show_row(number, shared, now);
+        effects
+    }
+
+    /// Lists the rows that have the words of the filter.
+    pub(super) fn filter_rows(&mut self, shared: &Shared) -> Vec<Effect> {
+        let words = filter_words(self.text(CheckField::RowsFilter), &Words::new(shared.language));
+        self.rows.as_mut().map_or_else(Vec::new, |rows| rows.find(words, &shared.sources))
     }
 
     /// Judges the file once more, as its limits come from elsewhere now, or because the user asks for it.

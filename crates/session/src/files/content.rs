@@ -8,6 +8,7 @@ use fitcheck_exchange::report::pairing::Format;
 use fitcheck_exchange::report::{Rendering, Report};
 
 use crate::pairing::Paired;
+use crate::rows::RowsText;
 
 /// What is written into a file.
 #[derive(Debug, Clone)]
@@ -22,6 +23,8 @@ pub enum Content {
         /// The language of its words.
         language: Language,
     },
+    /// Rows of a large file with their verdicts.
+    Rows(Box<RowsText>),
     /// The pairs of measured parts.
     Pairs {
         paired: Arc<Paired>,
@@ -39,6 +42,7 @@ impl Content {
         match self {
             Self::Bytes(bytes) => out.write_all(bytes),
             Self::Report { report, rendering, language } => (rendering.render)(report, &Words::new(*language), out),
+            Self::Rows(rows) => rows.write(out),
             Self::Pairs { paired, format } => (format.write)(&paired.answer, out),
         }
     }
@@ -68,6 +72,7 @@ impl PartialEq for Content {
             (Self::Report { report, .. }, Self::Report { report: other, .. }) => {
                 Arc::ptr_eq(&report.checks, &other.checks)
             }
+            (Self::Rows(rows), Self::Rows(other)) => rows == other,
             (Self::Pairs { paired, format }, Self::Pairs { paired: other, format: other_format }) => {
                 Arc::ptr_eq(paired, other) && format.name == other_format.name
             }

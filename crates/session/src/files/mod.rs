@@ -97,6 +97,12 @@ impl Session {
 
     pub(super) fn open_dialog(&mut self, purpose: Purpose, now: DateTime) {
         let path = match purpose {
+            Purpose::Export(_) | Purpose::ExportRows(_) if self.lists_rows() => {
+                let name = self.check.rows.as_ref().map_or("", |rows| rows.name.as_str());
+                let stem = name.split_once('.').map_or(name, |(stem, _)| stem);
+                let judged = Words::new(self.shared.language).say(&message!("rows-file-name").text("name", stem));
+                names::dated(&names::allowed(&judged), now, purpose.ending())
+            }
             Purpose::Export(_) => {
                 let several = Words::new(self.shared.language).get("file-name-checks");
                 let records = self.shared.history.for_report().map(Arc::as_ref);
@@ -215,6 +221,10 @@ impl Session {
             }
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
+            Purpose::ExportRows(form) => {
+                let rows = self.check.rows.as_ref().ok_or_else(|| message!("rows-export-not-yet"))?;
+                Content::Rows(Box::new(rows.text(form, &self.shared.sources)?))
+            }
             Purpose::ReportRecords(format) => self.report_records(format, now)?,
             Purpose::ReportPart(format) => self.report_part(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
@@ -240,11 +250,16 @@ impl Session {
         Ok(Effect::Save(path, content))
     }
 
-    /// The chosen records, or all of them when none is chosen, as a report.
+    /// The listed rows of a large file, or the chosen records, or all of them when none is chosen, as a report.
     fn export(&self, format: usize, now: DateTime) -> Result<Content, Message> {
         let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
-        let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
-        let report = Box::new(Report::new(now, records));
+        let report = if let Some(rows) = self.check.rows.as_ref().filter(|_| self.lists_rows()) {
+            rows.report(&self.shared.sources, now).ok_or_else(|| message!("rows-export-not-yet"))?
+        } else {
+            let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
+            Report::new(now, records)
+        };
+        let report = Box::new(report);
         Ok(Content::Report { report, rendering, language: self.shared.language })
     }
 

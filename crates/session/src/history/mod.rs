@@ -22,6 +22,7 @@ use fitcheck_exchange::journal::query::{Query, RecordId, Records};
 
 pub use command::ListCommand;
 pub use copy::status_text;
+pub(crate) use filter::filter_words;
 
 /// How many steps back undo remembers.
 const UNDO_STEPS: usize = 50;

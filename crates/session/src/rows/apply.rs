@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::text::long;
 use fitcheck_core::tolerance::Sources;
 use fitcheck_exchange::exchange::batch::{FATES, Part, Picked, RowFate};
 use jiff::civil::DateTime;
@@ -34,16 +35,18 @@ impl Rows {
     pub(crate) fn again(&self, run: u64) -> (Self, Vec<Effect>) {
         let (mut rows, effects) = Self::begin(run, self.name.clone(), self.path.clone(), self.large);
         rows.filter.fates.clone_from(&self.filter.fates);
+        rows.sifting.clone_from(&self.sifting);
         rows.look = self.look + 1;
         (rows, effects)
     }
 
     /// Takes what the worker says.
-    pub(crate) fn judged(&mut self, run: u64, news: News) {
+    pub(crate) fn judged(&mut self, run: u64, news: News, sources: &Arc<Sources>) -> Vec<Effect> {
         if run != self.run || self.end.is_some() {
-            return;
+            return Vec::new();
         }
         self.layout = news.layout.or_else(|| self.layout.take());
+        self.stream = news.stream.or_else(|| self.stream.take());
         self.classes = news.classes;
         self.tally = news.tally;
         self.bytes = news.bytes;
@@ -58,30 +61,38 @@ impl Rows {
                 let pairs = known.flat_map(|known| known.iter_mut().zip(counts));
                 pairs.for_each(|(known, count)| *known += u64::from(*count));
             }
+            if let Some((rank, row)) = part.worst()
+                && self.worst.is_none_or(|(worst, _)| rank < worst)
+            {
+                self.worst = Some((rank, part.first + long(row)));
+            }
             self.before.push(self.listed() + part.count(&self.sieve));
             self.parts.push(part);
         }
+        if self.is_running() { Vec::new() } else { self.sift(sources) }
     }
 
     /// Ends the run at once, also where its worker waits for a disk: what it says later is not heard.
-    pub(crate) fn cancel(&mut self) -> Vec<Effect> {
-        let is_running = self.is_running();
-        if is_running {
-            self.end = Some(End::Cancelled);
+    pub(crate) fn cancel(&mut self, sources: &Arc<Sources>) -> Vec<Effect> {
+        if !self.is_running() {
+            return Vec::new();
         }
-        is_running.then_some(Effect::StopRows).into_iter().collect()
+        self.end = Some(End::Cancelled);
+        let mut effects = vec![Effect::StopRows];
+        effects.extend(self.sift(sources));
+        effects
     }
 
     /// Lists rows of a fate, or no longer.
-    pub(crate) fn toggle_fate(&mut self, fate: RowFate) {
+    pub(crate) fn toggle_fate(&mut self, fate: RowFate, sources: &Arc<Sources>) -> Vec<Effect> {
         if !self.filter.fates.remove(&fate) {
             self.filter.fates.insert(fate);
         }
-        self.list();
+        self.list(sources)
     }
 
     /// Lists rows of a class, or no longer; `None` lists those of all.
-    pub(crate) fn toggle_class(&mut self, class: Option<usize>) {
+    pub(crate) fn toggle_class(&mut self, class: Option<usize>, sources: &Arc<Sources>) -> Vec<Effect> {
         match class {
             Some(class) if !self.filter.classes.remove(&class) => {
                 self.filter.classes.insert(class);
@@ -89,20 +100,7 @@ impl Rows {
             Some(_) => {}
             None => self.filter.classes.clear(),
         }
-        self.list();
-    }
-
-    /// Counts the listed rows before each part; no row is looked at.
-    fn list(&mut self) {
-        let mut sum = 0;
-        self.sieve = self.filter.sieve(self.classes.len());
-        let sieve = &self.sieve;
-        let sums = self.parts.iter().map(|part| {
-            sum += part.count(sieve);
-            sum
-        });
-        self.before = [0].into_iter().chain(sums).collect();
-        self.look += 1;
+        self.list(sources)
     }
 
     /// Asks for the rows in sight and around them that were not read yet.
@@ -159,15 +157,15 @@ impl Rows {
     /// Moves the cursor. One that is not in the list counts as before its first row.
     pub(crate) fn step(&mut self, step: Step) {
         let Some(last) = self.listed().checked_sub(1) else { return };
-        let here = self.cursor.and_then(|number| self.place_of(number));
-        self.cursor = self.at(step.place(here, last)).map(|row| row.number);
+        let place = step.place(self.place, last);
+        self.cursor = self.at(place).map(|row| row.number);
+        self.place = self.cursor.map(|_| place);
         self.look += 1;
     }
 
     /// Goes to a row. Where it was not read yet, it is shown once it is.
     pub(crate) fn go_to(&mut self, number: u64) -> Vec<Effect> {
-        self.cursor = Some(number);
-        self.look += 1;
+        self.put_cursor(Some(number));
         if self.read.contains_key(&number) {
             return Vec::new();
         }

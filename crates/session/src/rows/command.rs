@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::ToleranceClass;
-use fitcheck_exchange::exchange::batch::{Layout, Part, Picked, RowFate, Tally};
+use fitcheck_exchange::exchange::batch::{Layout, Part, Picked, RowFate, Sifted, StreamBytes, Tally};
 use fitcheck_exchange::journal::chain::Hash;
 
 use crate::Step;
@@ -41,6 +41,12 @@ pub enum RowsCommand {
     Class(usize),
     /// Lists the rows of all classes.
     AllClasses,
+    /// Puts the worst row first, or leaves the rows in the order of the file.
+    WorstFirst(bool),
+    /// Rows were found by words or put in order, or cannot be; the number is that of the question.
+    Sifted { run: u64, number: u64, result: Result<Sifted, Message> },
+    /// Goes to the worst row and shows its check.
+    Worst,
     /// These places of the list are in sight: their cells are read.
     See(Range<usize>),
     /// Rows were read again, by their numbers, or cannot be.
@@ -67,6 +73,8 @@ pub enum Large {
 pub struct News {
     /// What the rows are, once that is known.
     pub layout: Option<Arc<Layout>>,
+    /// Where its rows are read again, once that is known.
+    pub stream: Option<Arc<dyn StreamBytes>>,
     /// The next blocks.
     pub parts: Vec<Arc<Part>>,
     /// All classes so far.

@@ -6,23 +6,29 @@
 //! | here | the rows, which of them are listed, the row at which the keys are |
 //! | `command` | what can be done, and what the worker says |
 //! | `apply` | doing it |
+//! | `listing` | which rows are listed, in which order |
+//! | `reporting` | the listed rows as a report or as the rows of a file |
 
 mod apply;
 mod command;
+mod listing;
+mod reporting;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
-use fitcheck_core::text::long;
 use fitcheck_core::tolerance::ToleranceClass;
 use fitcheck_exchange::exchange::Labels;
-use fitcheck_exchange::exchange::batch::{FATES, Filter, Layout, Part, Picked, RowFate, Sieve, Tally};
+use fitcheck_exchange::exchange::batch::{
+    FATES, Filter, Layout, Part, Picked, Rank, RowFate, Sieve, Sifted, Sifting, StreamBytes, Tally,
+};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::Hash;
 
 pub use command::{End, Large, News, RowsCommand};
+pub use reporting::{RowsText, row_forms};
 
 /// From how many bytes on a file of measurements is judged row by row: 1 MiB, about 40 000 rows. An import of that many
 /// takes 35 MB and holds the frame for a tenth of a second while its records go to the history; one of 4 MiB holds it for
@@ -41,6 +47,8 @@ pub struct Rows {
     pub large: Large,
     /// What its rows are, once that is known.
     pub layout: Option<Arc<Layout>>,
+    /// Where they are read again, once that is known.
+    stream: Option<Arc<dyn StreamBytes>>,
     parts: Vec<Arc<Part>>,
     /// How many listed rows come before each part, and how many there are.
     before: Vec<usize>,
@@ -61,8 +69,22 @@ pub struct Rows {
     pub filter: Filter,
     /// The same for the classes so far.
     sieve: Sieve,
+    /// What is asked of the listed rows besides.
+    sifting: Sifting,
+    /// The number of the last question of that kind.
+    question: u64,
+    /// Whether its answer is awaited.
+    is_sifting: bool,
+    /// Its answer.
+    sifted: Option<Sifted>,
+    /// Why there is none.
+    pub unsifted: Option<Message>,
+    /// The rank and the number of the worst row so far.
+    worst: Option<(Rank, u64)>,
     /// The row at which the keys are.
     pub cursor: Option<u64>,
+    /// Its place in the list, if it is listed.
+    place: Option<usize>,
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
     /// The rows that were read again, by their numbers.
@@ -116,6 +138,7 @@ impl Rows {
             path,
             large,
             layout: None,
+            stream: None,
             parts: Vec::new(),
             before: vec![0],
             classes: Vec::new(),
@@ -127,7 +150,14 @@ impl Rows {
             sha256: None,
             filter: Filter::default(),
             sieve: Filter::default().sieve(0),
+            sifting: Sifting::default(),
+            question: 0,
+            is_sifting: false,
+            sifted: None,
+            unsifted: None,
+            worst: None,
             cursor: None,
+            place: None,
             look: 0,
             read: BTreeMap::new(),
             asked: BTreeSet::new(),
@@ -171,30 +201,6 @@ impl Rows {
         (self.count() * 1000).checked_div(self.elapsed_ms)
     }
 
-    /// How many rows are listed.
-    pub fn listed(&self) -> usize {
-        self.before.last().map_or(0, |listed| *listed)
-    }
-
-    /// The row at a place of the list.
-    pub fn at(&self, place: usize) -> Option<Listed<'_>> {
-        let after = self.before.partition_point(|before| *before <= place);
-        let at = after.checked_sub(1)?;
-        let part = self.parts.get(at)?;
-        let before = self.before.get(at)?;
-        let nth = place - before;
-        let in_part = part.nth(nth, &self.sieve)?;
-        let (fate, class) = part.row(in_part)?;
-        let number = part.first + long(in_part);
-        Some(Listed {
-            number,
-            fate,
-            class: class.checked_sub(1).and_then(|class| self.classes.get(class)).copied(),
-            read: self.read.get(&number),
-            is_asked: self.asked.contains(&number),
-        })
-    }
-
     /// The part of a row, its place among the parts, and the row's number in it.
     fn part_of(&self, number: u64) -> Option<(usize, &Arc<Part>, usize)> {
         // Parts without rows have the number of the next one.
@@ -202,23 +208,6 @@ impl Rows {
         let part = self.parts.get(at)?;
         let in_part = usize::try_from(number - part.first).ok().filter(|row| *row < part.len())?;
         Some((at, part, in_part))
-    }
-
-    /// The place of a row in the list, if it is listed.
-    fn place_of(&self, number: u64) -> Option<usize> {
-        let (at, part, in_part) = self.part_of(number)?;
-        let before = self.before.get(at)?;
-        if self.filter.is_all() {
-            return Some(before + in_part);
-        }
-        let found = part.listed(&self.sieve).take_while(|row| *row <= in_part);
-        let (count, last) = found.fold((0, None), |(count, _), row| (count + 1, Some(row)));
-        (last == Some(in_part)).then(|| before + count - 1)
-    }
-
-    /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
-    pub fn look(&self) -> (u64, Option<usize>) {
-        (self.look, self.cursor.and_then(|number| self.place_of(number)))
     }
 
     /// Nothing of it is shown any more.

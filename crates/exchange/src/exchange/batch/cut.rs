@@ -33,7 +33,7 @@ impl Block {
     }
 
     /// The same bytes, read once more: they are cut at the same places.
-    pub(super) fn again(text: Vec<u8>, separator: u8, broken: Option<Broken>) -> Self {
+    pub(crate) fn again(text: Vec<u8>, separator: u8, broken: Option<Broken>) -> Self {
         let mut block = Self { text, broken, ..Self::default() };
         if broken.is_none() && memchr::memchr(b'"', &block.text).is_some() {
             let mut index = Index::default();

@@ -1,11 +1,13 @@
 //! Which verdict and class each row has, in two bytes a row, and how many there are of each in every block: enough to
 //! count, filter and walk millions of rows. What is in their cells is read again from the stream ([`super::pick`]).
 
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 use fitcheck_core::tolerance::ToleranceClass;
 use fitcheck_core::verdict::Status;
 
+use super::again::{Rank, rank};
 use super::cut::Block;
 use super::judge::Take;
 use super::judged::Judged;
@@ -90,6 +92,8 @@ impl Mark {
 #[derive(Debug, Default)]
 pub struct Marks {
     rows: Vec<Mark>,
+    /// The worst row with a verdict.
+    worst: Option<(Rank, usize)>,
     /// The number of the next row's class, as the judge has it.
     next: Option<usize>,
     /// The classes by the numbers of the judge.
@@ -100,6 +104,7 @@ impl Marks {
     /// Forgets the rows, for the next block.
     pub fn clear(&mut self) {
         self.rows.clear();
+        self.worst = None;
     }
 
     #[cold]
@@ -126,6 +131,13 @@ impl Take for Marks {
 
     #[inline]
     fn judged(&mut self, _row: &TextRow<'_>, judged: &Judged) {
+        // Of most rows the word says enough.
+        if self.worst.is_none_or(|((Reverse(status), _), _)| status <= Some(judged.status)) {
+            let rank = rank(judged);
+            if self.worst.is_none_or(|(worst, _)| rank < worst) {
+                self.worst = Some((rank, self.rows.len()));
+            }
+        }
         self.rows.push(Mark::new(self.next, RowFate::Judged(judged.status)));
     }
 
@@ -158,6 +170,8 @@ pub struct Part {
     rows: Box<[Mark]>,
     /// How many rows of each class that occurs have each fate; class 0 is none.
     counts: Vec<(usize, [u32; FATES])>,
+    /// The worst row with a verdict, from 0.
+    worst: Option<(Rank, usize)>,
 }
 
 /// Which rows are listed. An empty set leaves nothing out.
@@ -212,6 +226,11 @@ impl Part {
         self.rows.is_empty()
     }
 
+    /// Where it cannot be split into cells, and why.
+    pub(crate) const fn broken(&self) -> Option<Broken> {
+        self.broken
+    }
+
     /// How many bytes of memory it takes.
     pub fn bytes_kept(&self) -> usize {
         size_of::<Self>() + size_of_val(&*self.rows) + size_of_val(self.counts.as_slice())
@@ -243,6 +262,16 @@ impl Part {
         rows.filter(|(_, mark)| sieve.takes(**mark)).map(|(number, _)| number)
     }
 
+    /// Whether a filter takes a row.
+    pub(super) fn is_listed(&self, number: usize, sieve: &Sieve) -> bool {
+        self.rows.get(number).is_some_and(|mark| sieve.takes(*mark))
+    }
+
+    /// The worst row with a verdict, from 0, by what the worst rows of parts are compared: the least is the worst.
+    pub const fn worst(&self) -> Option<(Rank, usize)> {
+        self.worst
+    }
+
     /// How many rows of each class have each fate; class 0 is none.
     pub fn by_class(&self) -> &[(usize, [u32; FATES])] {
         &self.counts
@@ -265,6 +294,7 @@ impl Store {
             marks.classes.iter().map(|class| class.map_or(0, |class| self.number(class))).collect();
         let mut rows: Box<[Mark]> = marks.rows.as_slice().into();
         marks.rows.clear();
+        let worst = marks.worst.take();
         let mut counts = vec![[0_u32; FATES]; self.classes.len() + 1];
         for mark in &mut rows {
             let own = mark.class().checked_sub(1).and_then(|number| numbers.get(number)).map_or(0, |own| *own);
@@ -283,6 +313,7 @@ impl Store {
             broken: block.broken,
             rows,
             counts: counts.into_iter().enumerate().filter(occurs).collect(),
+            worst,
         };
         self.rows += long(part.len());
         self.lines += tally.lines;

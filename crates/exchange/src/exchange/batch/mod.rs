@@ -12,12 +12,14 @@
 //! | `typed`, `answers` | the same from and into Parquet, with the feature `parquet` |
 //! | `marks` | which verdict and class each row has, in two bytes a row |
 //! | `pick` | some rows of a block once more, with their cells |
+//! | `again` | the rows of a list once more: which have some words, the worst first |
 //! | `tally` | how many rows had which verdict, and the first remarks |
 //!
 //! Nothing here opens a file or starts a thread: `batch` does, and hands blocks to as many judges as there are workers.
 
 use std::borrow::Cow;
 
+mod again;
 #[cfg(feature = "parquet")]
 mod answers;
 mod compared;
@@ -36,6 +38,7 @@ mod tsv;
 #[cfg(feature = "parquet")]
 mod typed;
 
+pub use again::{ListedRows, MOST_SIFTED, Rank, Sifted, Sifting, StreamBytes};
 #[cfg(feature = "parquet")]
 pub use answers::{Answers, output_fields};
 pub use court::StreamJudging;
