@@ -43,17 +43,22 @@ impl Section<'_> {
         state.store(ui.ctx());
     }
 
-    /// Returns whether it was pressed.
-    fn row_ui(&self, ui: &mut Ui, (name, said): (&str, &str), is_open: bool) -> bool {
+    /// The row alone, of a name and what a screen reader says. Returns whether it was pressed.
+    pub(super) fn row_ui(&self, ui: &mut Ui, (name, said): (&str, &str), is_open: bool) -> bool {
         let palette = palette(ui.ctx());
         let text = |text: &str, size: f32, colour: Color32| {
             ui.painter().layout_no_wrap(text.to_owned(), theme::font(size), colour)
         };
         let name = text(name, sizes().body, palette.text.0);
-        let value = text(&self.value, sizes().small, palette.quiet.0);
+        let name_height = name.size().y;
+        let mut value = text(&self.value, sizes().small, palette.quiet.0);
         let beside = space(6.5) + name.size().x + space(6.0) + value.size().x;
         // What is in force is said whole: below the name where there is no room beside it.
         let is_below = ui.available_width() < beside && !self.value.is_empty();
+        if is_below {
+            let room = ui.available_width() - space(6.5 + 4.0);
+            value = ui.painter().layout(self.value.clone(), theme::font(sizes().small), palette.quiet.0, room);
+        }
         let more = if is_below { value.size().y } else { 0.0 };
         let size = vec2(ui.available_width(), control(ui).max(space(8.5)) + more);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
@@ -71,7 +76,7 @@ impl Section<'_> {
         let at = left + vec2(space(6.5), -more / 2.0);
         painter.galley(Align2::LEFT_CENTER.anchor_size(at, name.size()).min, name, palette.text.0);
         let (anchor, at) = if is_below {
-            (Align2::LEFT_CENTER, left + vec2(space(6.5), space(2.5)))
+            (Align2::LEFT_TOP, left + vec2(space(6.5), name_height / 2.0 - more / 2.0))
         } else {
             (Align2::RIGHT_CENTER, rect.right_center() - vec2(space(4.0), 0.0))
         };

@@ -8,7 +8,7 @@ use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportCommand, ViewportEvent, 
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::session::{BudgetCommand, Command, Density, FilesCommand, Page, Purpose};
+use fitcheck::session::{BudgetCommand, BudgetView, Command, Density, FilesCommand, Page, Purpose};
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
@@ -29,11 +29,12 @@ fn send(window: &mut Harnessed, command: impl Into<Command>) {
     window.run();
 }
 
-/// The page, opened by its key.
+/// The page, opened by its key, with the budget as text.
 fn open(window: Window) -> Harnessed {
     let mut page = window.open();
     page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
     page.run();
+    send(&mut page, BudgetCommand::Show(BudgetView::Text));
     page
 }
 

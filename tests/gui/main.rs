@@ -5,6 +5,7 @@
 mod actions;
 mod asked;
 mod budget_page;
+mod budget_table;
 mod check_page;
 mod columns_page;
 mod cycle_page;

@@ -101,8 +101,8 @@ use jiff::civil::DateTime;
 
 pub use action::{Action, WindowAction, WorkpieceAction};
 pub use budget::{
-    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetDocument, BudgetField, BudgetPage, OpenBudget, Readings,
-    TakenContacts, UseOf, advice, bars,
+    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetDocument, BudgetField, BudgetPage, BudgetView, GivenAs,
+    KindChoice, OpenBudget, Readings, TakenContacts, UseOf, WrittenContribution, advice, bars,
 };
 pub use check::{
     CheckAction, CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, Lot, MeasureBy, Question, RuleChoice,

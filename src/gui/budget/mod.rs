@@ -2,7 +2,8 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `text_panel` | left: the budget as TOML, with what is wrong with it |
+//! | `rows_panel` | left: its contributions, each with its fields |
+//! | `text_panel` | left, in its place: the budget as TOML, with what is wrong with it |
 //! | `asked_panel` | left, below: size, contacts, day and readings that it is evaluated for |
 //! | `table`, `bars` | middle: the table of contributions, and their shares as bars |
 //! | `answer_panel` | right: U, validity, what would help most, use for checks |
@@ -10,6 +11,7 @@
 mod answer_panel;
 mod asked_panel;
 mod bars;
+mod rows_panel;
 mod table;
 mod text_panel;
 
@@ -22,8 +24,7 @@ use super::over_page::just_opened;
 use super::theme::{Icon, space};
 use super::view::{View, quiet};
 use crate::gui::page::{Group, PageView, ending, open};
-use crate::session::Command;
-use crate::session::Purpose;
+use crate::session::{BudgetView, Command, Purpose};
 
 pub(super) const PAGE: PageView =
     PageView { group: Group::Uncertainty, icon: Icon::PlusMinus, ui: budget_ui, opened, dropped };
@@ -35,7 +36,8 @@ fn opened(view: &View<'_>) -> Vec<String> {
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if just_opened(ui, Id::unique("budget-page")) {
+    let is_text = view.session.budget().shows == BudgetView::Text;
+    if just_opened(ui, Id::unique("budget-page")) && is_text {
         ui.memory_mut(|memory| memory.request_focus(text_panel::id(view)));
     }
     let page = Page {
@@ -45,7 +47,11 @@ fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {
         three: THREE,
         head: Some(text_panel::head_ui),
         asked: |ui, view| {
-            text_panel::text_ui(ui, view);
+            rows_panel::switch_ui(ui, view);
+            match view.session.budget().shows {
+                BudgetView::Table => rows_panel::rows_ui(ui, view),
+                BudgetView::Text => text_panel::text_ui(ui, view),
+            }
             asked_panel::asked_ui(ui, view);
         },
         seen: seen_ui,

@@ -177,7 +177,7 @@ pub(super) fn degrees(view: &View<'_>, degrees: Option<f64>) -> String {
     degrees.map_or_else(|| "∞".to_owned(), |degrees| view.words.number(&format!("{degrees:.1}")))
 }
 
-const fn law_id(law: Law) -> &'static str {
+pub(super) const fn law_id(law: Law) -> &'static str {
     match law {
         Law::Normal => "budget-page-law-normal",
         Law::Rectangular => "budget-page-law-rectangular",

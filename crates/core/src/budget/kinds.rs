@@ -5,22 +5,32 @@ use serde::Deserialize;
 use super::numbers::{ALPHA, FAR};
 
 /// The kind of a contribution as it is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum KindName {
+pub enum KindName {
+    /// The scatter of one touch.
     Scatter,
+    /// The temperature of the part.
     PartTemperature,
+    /// That of the machine's scales.
     ScaleTemperature,
+    /// The expansion of the part.
     PartExpansion,
+    /// That of the machine's scales.
     ScaleExpansion,
+    /// The step of the display.
     Resolution,
 }
 
 /// The keys of a standard uncertainty, an expanded one with its factor, and a half width, in the unit of a kind.
-pub(super) struct Keys {
-    pub(super) standard: &'static str,
-    pub(super) expanded: &'static str,
-    pub(super) half_width: &'static str,
+#[derive(Debug)]
+pub struct Keys {
+    /// The key of a standard uncertainty.
+    pub standard: &'static str,
+    /// That of an expanded one.
+    pub expanded: &'static str,
+    /// That of a half width.
+    pub half_width: &'static str,
     /// For what is missing.
     pub(super) normal: &'static str,
     /// By what the number is multiplied for the unit of [`Contribution::u`].
@@ -57,8 +67,30 @@ const PER_KELVIN: Keys = Keys {
 };
 
 impl KindName {
+    /// Every kind; a contribution without one is plain.
+    pub const ALL: [Self; 6] = [
+        Self::Scatter,
+        Self::PartTemperature,
+        Self::ScaleTemperature,
+        Self::PartExpansion,
+        Self::ScaleExpansion,
+        Self::Resolution,
+    ];
+
+    /// Its name in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Scatter => "scatter",
+            Self::PartTemperature => "part-temperature",
+            Self::ScaleTemperature => "scale-temperature",
+            Self::PartExpansion => "part-expansion",
+            Self::ScaleExpansion => "scale-expansion",
+            Self::Resolution => "resolution",
+        }
+    }
+
     /// The keys of its uncertainty.
-    pub(super) const fn keys(kind: Option<Self>) -> &'static Keys {
+    pub const fn keys(kind: Option<Self>) -> &'static Keys {
         match kind {
             Some(Self::PartTemperature | Self::ScaleTemperature) => &KELVINS,
             Some(Self::PartExpansion | Self::ScaleExpansion) => &PER_KELVIN,
@@ -67,7 +99,7 @@ impl KindName {
     }
 
     /// The keys that a kind has besides.
-    pub(super) const fn besides(kind: Option<Self>) -> &'static [&'static str] {
+    pub const fn besides(kind: Option<Self>) -> &'static [&'static str] {
         match kind {
             Some(Self::Scatter) => &["touches", "step_deg"],
             Some(Self::PartTemperature | Self::ScaleTemperature) => &["alpha_per_k"],

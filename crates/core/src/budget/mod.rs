@@ -41,6 +41,7 @@ pub use coverage::{PROBABILITY, factor, student};
 pub use error::BudgetError;
 pub use evaluation::{Conditions, ContributionRow, Evaluation, EvaluationError, Help};
 pub use geometry::{Geometry, GeometryError};
+pub use kinds::{Keys, KindName};
 pub use warning::BudgetWarning;
 
 use jiff::civil::Date;
@@ -94,7 +95,7 @@ pub struct Contribution {
 }
 
 /// How a contribution was evaluated (GUM 4.2, 4.3).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
 pub enum Evaluated {
     /// By statistics of a series of observations.
     A,
@@ -113,7 +114,7 @@ impl Evaluated {
 }
 
 /// The law of a contribution's values.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Law {
     /// Given as a standard or an expanded uncertainty.
@@ -127,6 +128,9 @@ pub enum Law {
 }
 
 impl Law {
+    /// Every law.
+    pub const ALL: [Self; 4] = [Self::Normal, Self::Rectangular, Self::UShaped, Self::Triangular];
+
     /// Its name in files.
     pub const fn name(self) -> &'static str {
         match self {

@@ -24,6 +24,7 @@ impl BudgetPage {
     pub(super) fn read_anew(&mut self) {
         let text = &self.document.text;
         self.read = (!text.trim().is_empty()).then(|| Budget::read(text));
+        self.read_rows();
         match &self.read {
             Some(Ok(budget)) => self.asks = asks(budget),
             Some(Err(_)) => {}
@@ -39,6 +40,7 @@ impl BudgetPage {
         let day = self.day();
         let conditions = self.taken(conditions);
         let day = self.taken(day);
+        self.refuse_row();
         let Some(Ok(budget)) = &self.read else {
             self.answer = None;
             return;

@@ -8,7 +8,7 @@ use fitcheck_core::probing::simulated::LARGEST;
 use jiff::civil::DateTime;
 
 use super::readings::Source;
-use super::{BudgetCommand, BudgetDocument, BudgetField, BudgetPage, TakenContacts};
+use super::{BudgetCommand, BudgetDocument, BudgetField, BudgetPage, TakenContacts, lines};
 use crate::document::Document as _;
 use crate::effect::Effect;
 use crate::saved::Saved;
@@ -34,11 +34,22 @@ impl PageState for BudgetPage {
 
     fn apply(&mut self, command: BudgetCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
+            BudgetCommand::Type(field, text) if BudgetField::OF_ROW.contains(&field) => {
+                self.type_in_row(field, text, shared);
+            }
             BudgetCommand::Type(field, text) => self.type_text(field, text),
             BudgetCommand::Edit(text) => {
                 self.document.text = text;
                 self.read_anew();
             }
+            BudgetCommand::Show(shows) => self.shows = shows,
+            BudgetCommand::Choose(row) => self.choose(row),
+            BudgetCommand::Add => self.add_row(shared),
+            BudgetCommand::Remove => self.remove_row(shared),
+            BudgetCommand::SetKind(kind) => self.set_kind(kind, shared),
+            BudgetCommand::SetLaw(law) => self.set_law(law, shared),
+            BudgetCommand::SetType(evaluated) => self.put("type", &lines::quoted(evaluated.letter())),
+            BudgetCommand::Give(given) => self.give(given, shared),
             BudgetCommand::New => self.open_or_ask(BudgetDocument::new(now.date())),
             BudgetCommand::Read { path, result } => self.budget_read(path, result, shared),
             BudgetCommand::UsedRead { path, result } => self.used_read(path, result, shared),
@@ -136,6 +147,8 @@ impl BudgetPage {
     /// Another budget is shown. Readings were those of the one before.
     pub(super) fn opened(&mut self) {
         self.source = None;
+        self.chosen = None;
+        self.rows.clear();
         self.read_anew();
     }
 

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use fitcheck_core::budget::{Evaluated, Law};
 use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::Record;
 
-use super::{BothSizes, BudgetField};
+use super::{BothSizes, BudgetField, BudgetView, GivenAs, KindChoice};
 
 /// What can be done on the budget page.
 #[derive(Debug, Clone)]
@@ -15,6 +16,22 @@ pub enum BudgetCommand {
     Type(BudgetField, String),
     /// Replaces the text of the budget.
     Edit(String),
+    /// Shows the budget as a table or as text.
+    Show(BudgetView),
+    /// Opens a contribution in the table, or closes it.
+    Choose(Option<usize>),
+    /// Adds a contribution behind the last one.
+    Add,
+    /// Removes the contribution that is open.
+    Remove,
+    /// Says what it does to the diameter.
+    SetKind(KindChoice),
+    /// Says the law of its values.
+    SetLaw(Law),
+    /// Says how it was evaluated.
+    SetType(Evaluated),
+    /// Says how its uncertainty is given, where the law is normal.
+    Give(GivenAs),
     /// Begins a new budget.
     New,
     /// A file of a budget was read, or not.

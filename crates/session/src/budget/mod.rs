@@ -5,6 +5,8 @@
 //! | here | the state |
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
+//! | `lines` | the contributions as the text has them, changed one line at a time |
+//! | `table` | the same as a table: which one is open, and what its fields do to the text |
 //! | `document` | the text of the budget, and its file |
 //! | `answering` | from text and fields to the answer: read anew at every change |
 //! | `contacts`, `readings` | what is taken from elsewhere: contacts, and readings of a calibrated piece |
@@ -18,9 +20,11 @@ mod command;
 mod contacts;
 mod document;
 mod field;
+mod lines;
 mod open;
 mod picture;
 mod readings;
+mod table;
 mod using;
 
 use std::collections::BTreeMap;
@@ -35,9 +39,11 @@ pub use command::BudgetCommand;
 pub use contacts::TakenContacts;
 pub use document::BudgetDocument;
 pub use field::BudgetField;
+pub use lines::WrittenContribution;
 pub use open::OpenBudget;
 pub use picture::{Bar, advice, bars};
 pub use readings::{BothSizes, Readings};
+pub use table::{BudgetView, GivenAs, KindChoice};
 pub use using::UseOf;
 
 use self::readings::Source;
@@ -62,6 +68,14 @@ pub struct BudgetPage {
     pub document: OpenDocument<BudgetDocument>,
     /// `None` while there is no text.
     pub read: Option<Result<Budget, Located<BudgetError>>>,
+    /// Whether the budget is shown as a table or as text.
+    pub shows: BudgetView,
+    /// The contributions as the text has them; as long as it cannot be read, as it had them before.
+    pub rows: Vec<WrittenContribution>,
+    /// Whether the text has its contributions in another way than the table can change.
+    pub is_other: bool,
+    /// The contribution that is open in the table.
+    pub chosen: Option<usize>,
     /// What the budget asks for besides its text.
     pub asks: Asks,
     /// The contacts that were taken over.
