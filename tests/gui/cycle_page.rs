@@ -13,7 +13,7 @@ use fitcheck::session::{CycleField, Page};
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
-use crate::harness::{DESK, Window, type_into, verdict};
+use crate::harness::{DESK, Window, type_into, unfold, verdict};
 use crate::pictures::can_paint;
 
 /// The page, opened by its key.
@@ -22,7 +22,17 @@ fn open(window: Window) -> Harness<'static, App> {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
     harness.run();
     assert_eq!(harness.state().session().page(), Page::Cycles);
+    unfold_all(&mut harness);
     harness
+}
+
+/// Opens what is folded away of the form.
+fn unfold_all(window: &mut Harness<'_, App>) {
+    for group in ["Position", "Probing", "Tolerance", "Output", "Positie", "Aantasten", "Tolerantie", "Uitvoer"] {
+        for section in [group.to_owned(), format!("{group}, optional"), format!("{group}, optioneel")] {
+            unfold(window, &section);
+        }
+    }
 }
 
 fn page() -> Harness<'static, App> {
@@ -43,6 +53,7 @@ fn key(window: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
 fn choose(window: &mut Harness<'_, App>, name: &str) {
     click(window, Role::ComboBox, "Cycle");
     click(window, Role::Button, name);
+    unfold_all(window);
 }
 
 /// The name of a parameter's field: its key and the control's question.
@@ -494,10 +505,13 @@ fn a_probe_is_chosen_from_a_table() {
 fn the_page_works_by_key_alone_and_in_dutch() {
     let mut window = open(Window { language: Language::Nl, ..Window::default() });
     assert!(focused(&window).starts_with("Q273"), "{}", focused(&window));
-    for text in ["50", "50", "75"] {
+    for (next, text) in ["50", "50", "75"].into_iter().enumerate() {
+        if 0 < next {
+            key(&mut window, Modifiers::NONE, Key::Tab);
+        }
         let now = focused(&window);
         window.get_by_role_and_label(Role::TextInput, &now).type_text(text);
-        key(&mut window, Modifiers::NONE, Key::Tab);
+        window.run();
     }
     key(&mut window, Modifiers::NONE, Key::Enter);
     assert_eq!(
@@ -825,4 +839,45 @@ fn several_values_out_are_told_below_and_the_card_keeps_its_height() {
             assert!(is_told, "{name} at {size:?}");
         }
     }
+}
+
+#[test]
+fn what_has_a_default_is_folded_away_and_its_row_says_what_is_in_force() {
+    let mut window = Window::default().open();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Num7);
+    window.run();
+    let folded = "Probing: Q325 0°, Q247 90°, Q320 0 mm, Q260 50 mm, Q301 0, Q423 4, Q365 1";
+    let clearance = name(&window, "Q320");
+    assert!(window.query_by_label(&clearance).is_none());
+    window.get_by_role_and_label(Role::Button, folded).click_accesskit();
+    window.run();
+    type_into(&mut window, &clearance, "1.5");
+    let changed = folded.replace("Q320 0 mm", "Q320 1.5 mm");
+    window.get_by_role_and_label(Role::Button, &changed).click_accesskit();
+    window.run();
+    assert!(window.query_by_label(&clearance).is_none());
+    window.get_by_role_and_label(Role::Button, &changed);
+    // Limits make the verdict: they are in sight, though they may be left out.
+    window.get_by_role_and_label(Role::TextInput, &name(&window, "Q275"));
+}
+
+#[test]
+fn a_cycle_is_chosen_by_its_tile_and_found_in_the_palette() {
+    let mut window = page();
+    click(&mut window, Role::ComboBox, "Cycle");
+    let tiles: Vec<_> = window
+        .get_all_by_role(Role::Button)
+        .filter(|node| node.accesskit_node().label().is_some_and(|label| label.contains("  ") && label.len() < 40))
+        .map(|node| (node.accesskit_node().label().unwrap_or_default(), node.rect()))
+        .collect();
+    assert_eq!(tiles.len(), fitcheck::probing::cycles::CYCLES.len(), "{tiles:?}");
+    // Each has room for its picture beside its words.
+    assert!(tiles.iter().all(|(_, rect)| 150.0 < rect.width() && 50.0 < rect.height()), "{tiles:?}");
+    click(&mut window, Role::Button, "425  MEASURE INSIDE WIDTH");
+    assert_eq!(window.state().session().cycles().cycle.code, "425");
+    key(&mut window, Modifiers::COMMAND, Key::K);
+    window.event(eframe::egui::Event::Text("cycle 423".to_owned()));
+    window.run();
+    key(&mut window, Modifiers::NONE, Key::Enter);
+    assert_eq!(window.state().session().cycles().cycle.code, "423");
 }

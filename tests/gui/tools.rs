@@ -10,7 +10,7 @@ use fitcheck::gui::App;
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
-use crate::harness::{Window, click, press, type_into};
+use crate::harness::{Window, click, press, type_into, unfold};
 
 type Harnessed = Harness<'static, App>;
 
@@ -183,6 +183,9 @@ fn the_form_of_a_cycle_picks_its_tool_from_the_table() {
     page.run();
     click(&mut page, Role::ComboBox, "Cycle");
     click(&mut page, Role::Button, "427  MEASURE COORDINATE");
+    for section in ["Probing", "Probing, optional", "Position, optional", "Tolerance, optional", "Output"] {
+        unfold(&mut page, section);
+    }
     for (name, text) in
         [("Q263", "35"), ("Q264", "45"), ("Q261", "5"), ("Q260", "20"), ("Q288", "5.1"), ("Q289", "4.9")]
     {

@@ -3,6 +3,15 @@
 page-cycles = Cycles
 
 cycles-cycle = Cycle
+cycles-choose = Cycle { $number } { $name }
+cycles-group-position = Position
+cycles-group-probing = Probing
+cycles-group-tolerance = Tolerance
+cycles-group-output = Output
+cycles-optional-position = Position, optional
+cycles-optional-probing = Probing, optional
+cycles-optional-tolerance = Tolerance, optional
+cycles-optional-output = Output, optional
 cycles-contacts-from = Contacts from
 cycles-perfect = Perfect part
 cycles-simulated = Simulated

@@ -3,6 +3,15 @@
 page-cycles = Cycli
 
 cycles-cycle = Cyclus
+cycles-choose = Cyclus { $number } { $name }
+cycles-group-position = Positie
+cycles-group-probing = Aantasten
+cycles-group-tolerance = Tolerantie
+cycles-group-output = Uitvoer
+cycles-optional-position = Positie, optioneel
+cycles-optional-probing = Aantasten, optioneel
+cycles-optional-tolerance = Tolerantie, optioneel
+cycles-optional-output = Uitvoer, optioneel
 cycles-contacts-from = Meetpunten van
 cycles-perfect = Perfect werkstuk
 cycles-simulated = Gesimuleerd

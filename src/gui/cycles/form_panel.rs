@@ -1,13 +1,17 @@
 //! Left: the cycle, where its contacts come from, and its parameters, made from the declaration.
 
-use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{CollapsingHeader, Id, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2};
 
 use super::opener_ui;
 use super::parameter_row::{figure_ui, parameter_ui};
-use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, heading, keep_focus, list_ui, one_of_ui, problem, quiet, quiet_cut};
+use super::picture::tile_picture;
+use crate::gui::section::Section;
+use crate::gui::shapes;
+use crate::gui::theme::{self, Icon, control, palette, sizes, space};
+use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet_cut};
 use crate::message::message;
-use crate::probing::cycle::{Cycle, Key};
+use crate::probing::cycle::{Cycle, Key, Parameter, ParameterGroup, Value};
 use crate::probing::cycles::CYCLES;
 use crate::session::{Axis, ContactsFrom, CycleField, CyclesCommand};
 use crate::session::{CyclesAction, WindowAction, WorkpieceAction};
@@ -34,10 +38,14 @@ fn title(view: &View<'_>, cycle: &Cycle) -> String {
 fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("cycles-cycle"));
     let chosen = view.session.cycles().cycle;
-    let width = ui.available_width() - space(2.5);
-    let all = CYCLES.iter().map(|cycle| (cycle.number, title(view, cycle)));
-    let (picked, list) = one_of_ui(ui, "cycle", width, &chosen.number, all);
-    let list = list.labelled_by(name.id);
+    let mut picked = None;
+    let list = ui.horizontal(|ui| {
+        let (rect, _) = ui.allocate_exact_size(vec2(space(14.0), control(ui)), Sense::hover());
+        tile_picture(ui.painter(), palette(ui.ctx()), rect, chosen);
+        let width = ui.available_width() - space(2.5);
+        list_ui(ui, "cycle", title(view, chosen), width, |ui| picked = tiles_ui(ui, view, chosen, width))
+    });
+    let list = list.inner.labelled_by(name.id);
     if let Some(number) = picked {
         view.send(CyclesCommand::Choose(number));
         keep_focus(ui, &list);
@@ -45,6 +53,62 @@ fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     for note in chosen.notes {
         quiet(ui, view.words.told(note));
     }
+}
+
+/// The height of a tile, and its least width.
+const TILE: [f32; 2] = [14.0, 42.0];
+
+/// Every cycle as a tile: its picture, its number, its name. Returns the one that was chosen just now.
+fn tiles_ui(ui: &mut Ui, view: &View<'_>, chosen: &Cycle, width: f32) -> Option<u16> {
+    let gap = space(1.0);
+    let [height, least] = TILE.map(space);
+    let is_wide = 2.0 * least + gap <= width;
+    let size = vec2(if is_wide { (width - gap) / 2.0 } else { width }, height.max(control(ui)));
+    ui.spacing_mut().item_spacing = vec2(gap, gap);
+    let mut picked = None;
+    for row in CYCLES.chunks(if is_wide { 2 } else { 1 }) {
+        ui.horizontal(|ui| {
+            for cycle in row {
+                if tile_ui(ui, view, cycle, (cycle.number == chosen.number, size)) {
+                    picked = Some(cycle.number);
+                    ui.close();
+                }
+            }
+        });
+    }
+    picked
+}
+
+fn tile_ui(ui: &mut Ui, view: &View<'_>, cycle: &Cycle, (is_chosen, size): (bool, Vec2)) -> bool {
+    let palette = palette(ui.ctx());
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    if ui.is_rect_visible(rect) {
+        let fill = if is_chosen {
+            palette.tint.0
+        } else if response.hovered() {
+            palette.hover.0
+        } else {
+            palette.surface.0
+        };
+        ui.painter().rect(rect, 8.0, fill, Stroke::new(1.0, palette.line.0), StrokeKind::Inside);
+        let inner = rect.shrink(space(1.0));
+        let picture = Rect::from_min_size(inner.min, vec2(space(13.0), inner.height()));
+        tile_picture(ui.painter(), palette, picture, cycle);
+        let left = picture.right() + space(1.5);
+        let number = ui.painter().layout_no_wrap(cycle.code.to_owned(), theme::bold(sizes().body), palette.text.0);
+        let room = inner.right() - left;
+        let name = cycle.name(view.words.language().dialogue()).to_owned();
+        let name = ui.painter().layout(name, theme::font(sizes().small), palette.text.0, room);
+        let top = inner.center().y - (number.size().y + name.size().y) / 2.0;
+        let below = top + number.size().y;
+        ui.painter().galley(pos2(left, top), number, palette.text.0);
+        ui.painter().galley(pos2(left, below), name, palette.text.0);
+    }
+    if response.has_focus() {
+        shapes::focus_ring(ui, rect);
+    }
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_chosen, title(view, cycle)));
+    response.clicked()
 }
 
 pub(super) const fn from_id(from: ContactsFrom) -> &'static str {
@@ -158,10 +222,8 @@ pub(super) fn last_focused(ui: &Ui) -> Option<Key> {
 fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     let cycle = view.session.cycles().cycle;
     let mut focused = None;
-    for parameter in cycle.parameters.iter().filter(|parameter| parameter.has_effect) {
-        if parameter_ui(ui, view, parameter) {
-            focused = Some(parameter.key);
-        }
+    for group in ParameterGroup::ALL {
+        group_ui(ui, view, group, &mut focused);
     }
     let idle = || cycle.parameters.iter().filter(|parameter| !parameter.has_effect);
     if idle().next().is_some() {
@@ -179,6 +241,65 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some(key) = focused {
         ui.data_mut(|data| data.insert_temp(last_id(), key));
     }
+}
+
+/// The text that names a group, and the one of what may be left out of it.
+const fn group_ids(group: ParameterGroup) -> [&'static str; 2] {
+    match group {
+        ParameterGroup::Position => ["cycles-group-position", "cycles-optional-position"],
+        ParameterGroup::Probing => ["cycles-group-probing", "cycles-optional-probing"],
+        ParameterGroup::Tolerance => ["cycles-group-tolerance", "cycles-optional-tolerance"],
+        ParameterGroup::Output => ["cycles-group-output", "cycles-optional-output"],
+    }
+}
+
+/// The parameters of a group: those without a value of their own, and folded away those that have one.
+fn group_ui(ui: &mut Ui, view: &mut View<'_>, group: ParameterGroup, focused: &mut Option<Key>) {
+    let cycle = view.session.cycles().cycle;
+    let of_group =
+        cycle.parameters.iter().filter(|parameter| parameter.has_effect && parameter.meaning.group() == group);
+    let (optional, needed): (Vec<_>, Vec<_>) = of_group.partition(|parameter| may_fold(parameter));
+    let [name, name_of_optional] = group_ids(group);
+    let mut each = |ui: &mut Ui, view: &mut View<'_>, parameters: &[&'static Parameter]| {
+        for parameter in parameters {
+            if parameter_ui(ui, view, parameter) {
+                *focused = Some(parameter.key);
+            }
+        }
+    };
+    if !needed.is_empty() {
+        heading(ui, view.text(name));
+        each(ui, view, &needed);
+    }
+    if !optional.is_empty() {
+        let is_wrong = |parameter: &&&Parameter| {
+            let fields = [CycleField::Parameter(parameter.key), CycleField::Global(parameter.key)];
+            fields.iter().any(|field| view.session.error(*field).is_some())
+        };
+        let section = Section {
+            icon: Icon::Target,
+            name: if needed.is_empty() { name } else { name_of_optional },
+            value: in_force(view, &optional),
+            is_wrong: optional.iter().any(|parameter| is_wrong(&parameter)),
+        };
+        section.show(ui, view, |ui, view| each(ui, view, &optional));
+    }
+}
+
+/// Whether a parameter may be folded away: one with a value of its own. Limits are always in sight, for they make the verdict.
+fn may_fold(parameter: &Parameter) -> bool {
+    let has_value = !matches!(parameter.default_value(), None | Some(Value::Band(None)));
+    has_value && parameter.meaning.other_limit().is_none()
+}
+
+/// What counts of parameters that may be left out: `Q320 0 mm, Q309 0`.
+fn in_force(view: &View<'_>, parameters: &[&Parameter]) -> String {
+    let page = view.session.cycles();
+    let said = |parameter: &&Parameter| {
+        let value = page.value(parameter).filter(|value| *value != Value::Band(None))?;
+        Some(format!("{} {}", parameter.key, view.words.say(&value.with_unit())))
+    };
+    parameters.iter().filter_map(said).collect::<Vec<_>>().join(", ")
 }
 
 /// Where the ball stands before the cycle.

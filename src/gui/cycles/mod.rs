@@ -42,7 +42,7 @@ fn opened(view: &View<'_>) -> Vec<String> {
 /// The page: left what is asked, middle what is seen, right the answer.
 fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("cycles-page"))
-        && let Some(first) = view.session.cycles().cycle.parameters.first()
+        && let Some(first) = view.session.cycles().first_needed()
     {
         ui.memory_mut(|memory| memory.request_focus(field::id(CycleField::Parameter(first.key))));
     }

@@ -1,5 +1,9 @@
 //! What can be done on the cycles page.
 
+use fitcheck_core::message::message;
+use fitcheck_core::probing::cycles::CYCLES;
+use fitcheck_core::words::Words;
+
 use super::CyclesCommand;
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, actions, keys, on};
@@ -14,6 +18,8 @@ actions! {
     /// What can be done on the cycles page.
     CyclesAction
 
+    /// Chooses a cycle, by its place among all.
+    ChooseCycle(usize): 0..CYCLES.len();
     RunCycle;
     /// Clears the result.
     ClearCycle;
@@ -40,6 +46,10 @@ actions! {
 impl Actions for CyclesAction {
     fn row(&self) -> ActionRow {
         match *self {
+            Self::ChooseCycle(place) => {
+                let number = CYCLES.get(place).map_or(0, |cycle| cycle.number);
+                on(Page::Cycles, "cycles-choose", CyclesCommand::Choose(number))
+            }
             Self::RunCycle => on(Page::Cycles, "cycles-run", CyclesCommand::Run).key(Shortcut::plain(Key::Function(5))),
             Self::ClearCycle => on(Page::Cycles, "clear", CyclesCommand::Clear),
             Self::StepPath(step) => {
@@ -67,6 +77,18 @@ impl Actions for CyclesAction {
             Self::SaveLog => on(Page::Cycles, "cycles-save-log", open(Purpose::SaveCycleLog))
                 .when(|session| session.cycles().log().is_some()),
         }
+    }
+
+    fn name(&self, _session: &Session, words: &Words) -> Option<String> {
+        let Self::ChooseCycle(place) = self else { return None };
+        let cycle = CYCLES.get(*place)?;
+        let name = cycle.name(words.language().dialogue());
+        Some(words.say(&message!("cycles-choose").text("number", cycle.code).text("name", name)))
+    }
+
+    fn is_on(&self, session: &Session) -> Option<bool> {
+        let Self::ChooseCycle(place) = self else { return None };
+        Some(CYCLES.get(*place).is_some_and(|cycle| cycle.number == session.cycles().cycle.number))
     }
 
     fn on_enter(field: Field, page: Page) -> Option<Self> {

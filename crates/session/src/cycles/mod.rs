@@ -26,7 +26,7 @@ use std::collections::BTreeMap;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::probing::TouchProbe;
-use fitcheck_core::probing::cycle::{Cycle, Inputs, Key, Parameter, Unset, Value};
+use fitcheck_core::probing::cycle::{Cycle, Inputs, Key, Parameter, ParameterGroup, Unset, Value};
 use fitcheck_core::probing::cycles::CYCLES;
 use fitcheck_nc::control::probe_table::ProbeTable;
 
@@ -161,6 +161,15 @@ impl CyclesPage {
         let parameters = self.cycle.parameters.iter().flat_map(of_parameter);
         let mut fields = parameters.chain(Axis::ALL.map(CycleField::Position));
         fields.find(|field| self.errors.contains_key(field))
+    }
+
+    /// The first parameter of the form that has no value of its own.
+    pub fn first_needed(&self) -> Option<&'static Parameter> {
+        let needed = |parameter: &&'static Parameter| parameter.default_value().is_none() && parameter.has_effect;
+        let mut in_groups = ParameterGroup::ALL
+            .into_iter()
+            .flat_map(|group| self.cycle.parameters.iter().filter(move |parameter| parameter.meaning.group() == group));
+        in_groups.find(needed)
     }
 
     /// The parameters that must be given and are not.

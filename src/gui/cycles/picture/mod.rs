@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `parameter` | the drawing of a parameter by its declared meaning and its cycle's shape, and its sentence |
+//! | `tile` | the small picture of a cycle, by which it is chosen |
 //! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
 //! | `path`, `scale` | the path of the ball's centre, from above and from the side; one view of it |
 //! | `part` | the features of a simulated part in such a view |
@@ -27,9 +28,11 @@ mod scene;
 mod section;
 #[cfg(test)]
 mod tests;
+mod tile;
 mod way;
 
 pub(in crate::gui) use contacts::{contacts_factor, contacts_picture};
 pub(in crate::gui) use criteria::criteria_table;
 pub(in crate::gui) use parameter::{parameter_picture, parameter_sentence};
 pub(in crate::gui) use path::{Surroundings, path_picture};
+pub(in crate::gui) use tile::tile_picture;

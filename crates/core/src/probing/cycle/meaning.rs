@@ -100,6 +100,24 @@ pub enum Meaning {
     Number,
 }
 
+/// The group of a form in which a parameter stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ParameterGroup {
+    /// What is measured and where.
+    Position,
+    /// How the probe gets there.
+    Probing,
+    /// What is permitted.
+    Tolerance,
+    /// What is made of it: log, stop, tool.
+    Output,
+}
+
+impl ParameterGroup {
+    /// Every group, in the order of a form.
+    pub const ALL: [Self; 4] = [Self::Position, Self::Probing, Self::Tolerance, Self::Output];
+}
+
 /// An axis of the machine, or of the plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axis {
@@ -112,6 +130,54 @@ pub enum Axis {
 }
 
 impl Meaning {
+    /// The group in which a parameter of this meaning stands.
+    pub const fn group(self) -> ParameterGroup {
+        match self {
+            Self::Centre(_)
+            | Self::Diameter
+            | Self::Side(_)
+            | Self::Width
+            | Self::Start(_)
+            | Self::FirstPoint(_)
+            | Self::SecondPoint(_)
+            | Self::Point(_)
+            | Self::Normal(_)
+            | Self::Plane
+            | Self::InsideOutside
+            | Self::MeasuredAxis
+            | Self::AxisOfPlane
+            | Self::MeasuringHeight => ParameterGroup::Position,
+            Self::CentreTolerance(_)
+            | Self::MaximumDiameter
+            | Self::MinimumDiameter
+            | Self::MaximumSide(_)
+            | Self::MinimumSide(_)
+            | Self::MaximumWidth
+            | Self::MinimumWidth
+            | Self::MaximumCoordinate
+            | Self::MinimumCoordinate
+            | Self::Band => ParameterGroup::Tolerance,
+            Self::Log | Self::Stop | Self::StopOnUndersize | Self::Tool => ParameterGroup::Output,
+            Self::Shift
+            | Self::StartDiameter
+            | Self::FirstAngle
+            | Self::Step
+            | Self::Path
+            | Self::Difference
+            | Self::SetUpClearance
+            | Self::ClearanceHeight
+            | Self::Retract
+            | Self::MoveToClearance
+            | Self::Traverse
+            | Self::ContactCount
+            | Self::Direction
+            | Self::Length
+            | Self::Angle
+            | Self::Choice
+            | Self::Number => ParameterGroup::Probing,
+        }
+    }
+
     /// The other limit of a value, for a limit.
     pub const fn other_limit(self) -> Option<Self> {
         Some(match self {

@@ -46,7 +46,7 @@ pub use course::{Course, Move, Phase};
 pub use error::CycleError;
 pub use inputs::Inputs;
 pub use key::Key;
-pub use meaning::{Axis, Meaning};
+pub use meaning::{Axis, Meaning, ParameterGroup};
 pub use name::ParameterName;
 pub use note::Note;
 pub use parameter::number;
