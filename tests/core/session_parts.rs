@@ -224,7 +224,7 @@ fn the_cycles_page_refuses_a_part_with_its_reason() {
     assert!(session.part().is_none());
     assert_eq!(
         said(&session.notices()[0].message),
-        "the file has [[feature]] tables: a cycle on its own measures one surface; the program page and fitcheck run measure such a part"
+        "the file has [[feature]] tables: a cycle on its own measures one surface; the programs page and fitcheck run measure such a part"
     );
 }
 

@@ -256,7 +256,7 @@ fn without_a_budget_in_use_nothing_is_judged_by_one() {
     measured(&mut session, "25 H7", "25.012");
     assert!(session.check().shown.is_none());
     let said = session.error(CheckField::Uncertainty).unwrap().to_string();
-    assert_eq!(said, "no budget is in use: open one on the budget page and use it for checks");
+    assert_eq!(said, "no budget is in use: open one on the uncertainty page and use it for checks");
 }
 
 /// The budget of metrology.md, section 7, with its days: u = 0.957 µm.

@@ -345,7 +345,7 @@ fn the_controls_tables_can_be_asked_instead_of_the_standard() {
 #[test]
 fn pages_open_by_name_and_by_key() {
     let mut window = window();
-    for (page, key) in [("Tables", Key::Num6), ("Cycles", Key::Num7), ("Fit", Key::Num4), ("Check", Key::Num1)] {
+    for (page, key) in [("Tables", Key::Num6), ("Cycles", Key::Num7), ("Fits", Key::Num4), ("Check", Key::Num1)] {
         window.key_press_modifiers(Modifiers::COMMAND, key);
         window.run();
         assert_eq!(window.query_by_role_and_label(Role::TextInput, "Measured value").is_some(), page == "Check");

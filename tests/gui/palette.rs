@@ -51,8 +51,24 @@ fn arrows_choose_and_a_click_does_what_an_entry_stands_for() {
     press(&mut window, Key::ArrowDown);
     press(&mut window, Key::ArrowUp);
     assert_eq!(at(&window), 1);
-    click(&mut window, Role::ListBoxOption, "New budget, Budget");
+    click(&mut window, Role::ListBoxOption, "New budget, Uncertainty");
     assert_eq!(window.state().session().page(), Page::Budget);
+}
+
+#[test]
+fn a_page_is_found_by_the_name_that_it_had() {
+    for (query, name, page) in [
+        ("fit", "Fits", Page::Fit),
+        ("program", "Programs", Page::Program),
+        ("budget", "Uncertainty", Page::Budget),
+        ("passing", "Fits", Page::Fit),
+        ("onzekerheid", "Uncertainty", Page::Budget),
+    ] {
+        let mut window = opened();
+        scan(&mut window, query);
+        click(&mut window, Role::ListBoxOption, name);
+        assert_eq!(window.state().session().page(), page, "{query}");
+    }
 }
 
 #[test]

@@ -116,7 +116,7 @@ fn a_broken_part_is_refused_with_its_place_and_cycles_refuses_every_part() {
     page.run();
     page.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(part)));
     page.run();
-    page.get_by_label_contains("the program page and fitcheck run measure such a part");
+    page.get_by_label_contains("the programs page and fitcheck run measure such a part");
 }
 
 /// More features than are in sight are reached by key.

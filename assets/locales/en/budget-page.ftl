@@ -1,4 +1,5 @@
-page-budget = Budget
+page-budget = Uncertainty
+page-budget-also = Budget
 
 budget-page-text = Budget as TOML
 budget-page-none = Create a new budget, or open one

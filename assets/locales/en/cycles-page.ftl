@@ -213,7 +213,7 @@ tools-nothing-changed = no run has changed the tool table
 
 ## A part of several features
 
-cycles-part-refused = the file has [[feature]] tables: a cycle on its own measures one surface; the program page and fitcheck run measure such a part
+cycles-part-refused = the file has [[feature]] tables: a cycle on its own measures one surface; the programs page and fitcheck run measure such a part
 part-features = Features of the part
 part-of-features = { $name }, { $count ->
     [one] one feature

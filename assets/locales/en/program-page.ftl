@@ -1,6 +1,6 @@
 ## The program page
 
-page-program = Program
+page-program = Programs
 program-page-dialog-open = Open an NC program
 program-page-choice = NC program
 program-page-open = Open…

@@ -1,7 +1,7 @@
 # The window: labels, buttons, headings. Sentence case, no colon after a label, an ellipsis on what opens a dialog.
 
 page-check = Check
-page-fit = Fit
+page-fit = Fits
 page-tables = Tables
 import = Import…
 export = Export

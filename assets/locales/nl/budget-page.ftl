@@ -1,4 +1,5 @@
-page-budget = Budget
+page-budget = Onzekerheid
+page-budget-also = Budget
 
 budget-page-text = Budget als TOML
 budget-page-none = Een nieuw budget beginnen, of er een openen

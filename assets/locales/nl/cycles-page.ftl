@@ -213,7 +213,7 @@ tools-nothing-changed = geen uitvoering heeft de gereedschapstabel gewijzigd
 
 ## Een onderdeel met meerdere elementen
 
-cycles-part-refused = het bestand heeft [[feature]]-tabellen: een losse cyclus meet één oppervlak; de programmapagina en fitcheck run meten zo'n onderdeel
+cycles-part-refused = het bestand heeft [[feature]]-tabellen: een losse cyclus meet één oppervlak; de pagina Programma's en fitcheck run meten zo'n onderdeel
 part-features = Elementen van het onderdeel
 part-of-features = { $name }, { $count ->
     [one] één element

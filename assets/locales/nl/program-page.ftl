@@ -1,6 +1,6 @@
 ## De programmapagina
 
-page-program = Programma
+page-program = Programma's
 program-page-dialog-open = NC-programma openen
 program-page-choice = NC-programma
 program-page-open = Openen…

@@ -1,7 +1,7 @@
 # Het venster: opschriften, knoppen, koppen.
 
 page-check = Controle
-page-fit = Passing
+page-fit = Passingen
 page-tables = Tabellen
 import = Importeren…
 export = Exporteren

@@ -52,6 +52,14 @@ macro_rules! page {
                 }
             }
 
+            /// The id of another name by which it is found, where it is known by one.
+            pub(crate) const fn also(self) -> Option<&'static str> {
+                match self {
+                    Self::Budget => Some("page-budget-also"),
+                    _ => None,
+                }
+            }
+
             /// The file of the manual's page about it, which F1 opens.
             pub const fn manual(self) -> &'static str {
                 match self {

@@ -130,9 +130,19 @@ fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -
     let on_page = |words: &Words| beside.map_or_else(String::new, |id| words.get(id));
     let pages = std::iter::once(own).chain(others).map(on_page);
     let names = std::iter::once(text.clone()).chain(elsewhere).zip(pages);
+    let names = names.map(|(name, page)| format!("{name} {page}").to_lowercase());
+    // A page is found by its other name as well, and what can be done on it beside that.
+    let opened = if let Action::Window(WindowAction::Open(page)) = action { Some(page) } else { None };
+    let also = opened.or(page).and_then(Page::also);
+    let also =
+        also.into_iter().flat_map(|id| std::iter::once(own).chain(others).map(move |words| (words.get(id), words)));
+    let also = also.map(|(also, words)| {
+        let name = action.text(session, words);
+        if opened.is_some() { format!("{also} {name}") } else { format!("{name} {also}") }.to_lowercase()
+    });
     PaletteEntry {
         group,
-        names: names.map(|(name, page)| format!("{name} {page}").to_lowercase()).collect(),
+        names: names.chain(also).collect(),
         note: on_page(own),
         keys: action.shortcut_on(page.unwrap_or(session.page())),
         is_possible: session.can(action),
