@@ -72,6 +72,35 @@ fn the_kind_of_a_fit_depends_on_the_size() {
 }
 
 #[test]
+fn an_empty_page_shows_an_example_until_something_is_typed() {
+    let mut window = page();
+    let example = "an example: 25 H7/g6";
+    // ISO 286-2: H7 of 25 mm is 0 to +21, g6 is -20 to -7.
+    let said = format!(
+        "{example}. Clearance fit. +7 … +41 µm. Maximum clearance 41 µm. Minimum clearance 7 µm. Mean clearance 24 µm"
+    );
+    assert_eq!(verdict(&window), said);
+    let picture = window.get_by_role_and_label(Role::Figure, "Hole and shaft zones");
+    let described = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
+    assert!(
+        described.starts_with("an example: 25 H7/g6. Zero line at 25 mm. Hole H7 from 0 to +21 µm."),
+        "{described}"
+    );
+    // It is in no field, has no classes to choose and nothing to check.
+    assert_eq!(callout(&window), "");
+    window.get_by_label("The classes appear with a nominal size");
+    assert!(window.query_by_label("Check the hole").is_none());
+    for field in ["Fit of hole and shaft", "Measured hole", "Measured shaft", "Minimum", "Maximum"] {
+        type_into(&mut window, field, "3");
+        assert_eq!(verdict(&window), "No fit yet", "{field}");
+        assert!(window.query_by_label(example).is_none(), "{field}");
+        assert!(window.query_by_role_and_label(Role::Figure, "Hole and shaft zones").is_none(), "{field}");
+        type_into(&mut window, field, "");
+        assert_eq!(verdict(&window), said, "{field}");
+    }
+}
+
+#[test]
 fn the_answer_is_polite_and_names_limits_and_their_source() {
     let window = fit("50 H7/p6");
     let status = window.get_by_role(Role::Status);

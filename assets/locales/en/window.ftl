@@ -419,6 +419,7 @@ tables-dialog-save = Save the table
 ## Fit page
 fit-callout = Fit of hole and shaft
 fit-callout-hint = Type a nominal size and both classes, such as 25 H7/g6
+fit-example = an example: { $callout }
 fit-shaft-missing = The shaft's class is missing, such as g6 in 25 H7/g6
 fit-hole-missing = The hole's class is missing, such as H7 in 25 H7/g6
 fit-classes-missing = A fit has the classes of hole and shaft, such as 25 H7/g6

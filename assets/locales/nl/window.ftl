@@ -419,6 +419,7 @@ tables-dialog-save = Tabel opslaan
 ## Fit page
 fit-callout = Passing van boring en as
 fit-callout-hint = Typ een nominale maat en beide klassen, bijvoorbeeld 25 H7/g6
+fit-example = een voorbeeld: { $callout }
 fit-shaft-missing = De klasse van de as ontbreekt, bijvoorbeeld g6 in 25 H7/g6
 fit-hole-missing = De klasse van de boring ontbreekt, bijvoorbeeld H7 in 25 H7/g6
 fit-classes-missing = Een passing heeft de klassen van boring en as, bijvoorbeeld 25 H7/g6

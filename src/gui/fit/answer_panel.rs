@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, WidgetInfo, vec2};
 
-use super::part_text;
+use super::{example_text, part_text};
 use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::class_chooser::feature_picture;
 use crate::gui::limits::{self, feature_id};
@@ -59,9 +59,9 @@ fn range(view: &View<'_>, minimum: Length, maximum: Length) -> String {
     format!("{} … {} µm", view.words.signed_um(minimum), view.words.signed_um(maximum))
 }
 
-/// The kind of fit. It is not a verdict, so it does not have the colour of one.
+/// The kind of fit. It is not a verdict, so it does not have the colour of one. That of an example is quiet and says so first.
 pub(super) fn kind_ui(ui: &mut Ui, view: &View<'_>) {
-    let fit = view.session.fit().fit.as_ref();
+    let fit = view.session.fit().seen().fit.as_ref();
     let word = view.text(fit.map_or("fit-word-none", |fit| kind_id(fit.kind())));
     plain_ui(ui, "kind", false, |ui| {
         let Some(fit) = fit else {
@@ -69,14 +69,23 @@ pub(super) fn kind_ui(ui: &mut Ui, view: &View<'_>) {
             return vec![word];
         };
         let palette = palette(ui.ctx());
+        let example = example_text(view);
+        let ink = if example.is_some() { palette.quiet.0 } else { palette.text.0 };
+        if let Some(example) = &example {
+            quiet(ui, example);
+        }
         if !is_low(ui) {
             let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
-            shapes::fit_kind(ui.painter(), rect, fit.kind(), palette.text.0, palette.sunken.0);
+            shapes::fit_kind(ui.painter(), rect, fit.kind(), ink, palette.sunken.0);
         }
-        word_ui(ui, &word, (0.12, 0.1));
+        if example.is_some() {
+            ui.label(RichText::new(&word).font(theme::bold(sizes().figure)).color(ink));
+        } else {
+            word_ui(ui, &word, (0.12, 0.1));
+        }
         let line = range(view, fit.minimum_clearance(), fit.maximum_clearance());
-        ui.label(RichText::new(&line).font(theme::bold(sizes().figure)).color(palette.text.0));
-        let mut said = vec![word, line];
+        ui.label(RichText::new(&line).font(theme::bold(sizes().figure)).color(ink));
+        let mut said: Vec<String> = example.into_iter().chain([word, line]).collect();
         if !is_tiny(ui) {
             ui.with_layout(Layout::top_down(Align::Min), |ui| said.extend(figures_ui(ui, view, fit)));
         }

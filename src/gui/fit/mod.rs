@@ -27,6 +27,7 @@ use super::theme::{Icon, space};
 use super::view::View;
 use crate::gui::limits::feature_id;
 use crate::gui::page::{Group, PageView, measurements, nothing};
+use crate::message::message;
 use crate::session::FitField;
 use crate::tolerance::Feature;
 
@@ -35,8 +36,14 @@ pub(super) const PAGE: PageView =
 
 /// A part and its class: `Hole H7`. What has been typed may not name a class yet.
 fn part_text(view: &View<'_>, part: Feature) -> String {
-    let class = view.session.fit().class(part).map_or_else(String::new, |class| class.to_string());
+    let class = view.session.fit().seen().class(part).map_or_else(String::new, |class| class.to_string());
     format!("{} {class}", view.text(feature_id(part)))
+}
+
+/// What says that the fit in sight is an example.
+fn example_text(view: &View<'_>) -> Option<String> {
+    let callout = view.session.fit().example()?;
+    Some(view.words.say(&message!("fit-example").text("callout", callout)))
 }
 
 /// The page: left what is asked, middle what is seen, right the answer.

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use super::part_text;
+use super::{example_text, part_text};
 use crate::gui::limits::feature_id;
 use crate::gui::shapes::{self, Hatch, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
@@ -18,10 +18,12 @@ use crate::words::Words;
 
 /// Heading and picture over a height.
 pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
-    let page = view.session.fit();
+    let page = view.session.fit().seen();
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.text("fit-picture"));
-        if page.fit.is_some() {
+        if let Some(example) = example_text(view) {
+            quiet(ui, example);
+        } else if page.fit.is_some() {
             quiet(ui, view.text("fit-picture-legend"));
         }
     });
@@ -41,7 +43,9 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
 /// What the picture shows, in words, for users who cannot see it.
 fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     let words = view.words;
-    let mut said = vec![words.say(&message!("fit-describe-zero").number("nominal", fit.nominal()))];
+    let zero = words.say(&message!("fit-describe-zero").number("nominal", fit.nominal()));
+    let mut said: Vec<String> =
+        example_text(view).map(|example| format!("{example}.")).into_iter().chain([zero]).collect();
     for (limits, zone) in [(fit.hole(), &picture.hole), (fit.shaft(), &picture.shaft)] {
         said.push(describe_zone(view, limits));
         if zone.fundamental_um.is_some() {
@@ -68,7 +72,7 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
 
 fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
     // What has been typed may not name a class yet.
-    let class = view.session.fit().class(limits.feature).map_or_else(String::new, |class| class.to_string());
+    let class = view.session.fit().seen().class(limits.feature).map_or_else(String::new, |class| class.to_string());
     let message = message!("fit-describe-zone")
         .text("part", view.text(feature_id(limits.feature)))
         .text("class", class)
@@ -86,6 +90,8 @@ struct Drawing<'a> {
     body: Rect,
     whole: Rect,
     palette: &'a Palette,
+    /// Of lines and figures: those of an example are quiet.
+    ink: Color32,
     view: &'a View<'a>,
     words: &'a Words,
     picture: &'a Picture,
@@ -94,7 +100,8 @@ struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(painter: Painter, whole: Rect, palette: &'a Palette, view: &'a View<'a>, picture: &'a Picture) -> Self {
         let body = Rect::from_min_max(whole.min, pos2(whole.right(), whole.bottom() - space(9.0)));
-        Self { painter, body, whole, palette, view, words: view.words, picture }
+        let ink = if view.session.fit().example().is_some() { palette.quiet.0 } else { palette.text.0 };
+        Self { painter, body, whole, palette, ink, view, words: view.words, picture }
     }
 
     fn y(&self, um: f64) -> f32 {
@@ -111,7 +118,7 @@ impl<'a> Drawing<'a> {
         for (x, zone, limits) in [(hole, &self.picture.hole, fit.hole()), (shaft, &self.picture.shaft, fit.shaft())] {
             self.zone(x, zone, limits.feature);
         }
-        self.painter.hline(self.body.x_range(), zero, Stroke::new(2.0, self.palette.text.0));
+        self.painter.hline(self.body.x_range(), zero, Stroke::new(2.0, self.ink));
         self.arrows(fit, hole, Rangef::new(shaft.max + space(15.0), self.body.right()));
         for (x, zone, limits) in [(hole, &self.picture.hole, fit.hole()), (shaft, &self.picture.shaft, fit.shaft())] {
             self.fundamental(x, zone, zero);
@@ -133,14 +140,14 @@ impl<'a> Drawing<'a> {
 
     /// Text on a background, so that lines do not cross it.
     fn label(&self, at: Pos2, anchor: Align2, text: &str, font: eframe::egui::FontId) {
-        let galley = self.painter.layout_no_wrap(text.to_owned(), font, self.palette.text.0);
+        let galley = self.painter.layout_no_wrap(text.to_owned(), font, self.ink);
         let rect = anchor.anchor_size(at, galley.size());
         let shift = (self.whole.top() - rect.top()).max(0.0) - (rect.bottom() - self.whole.bottom()).max(0.0);
         // No figure is cut off at an edge of the picture.
         let aside = (self.whole.left() - rect.left()).max(0.0) - (rect.right() - self.whole.right()).max(0.0);
         let rect = rect.translate(vec2(aside, shift));
         self.painter.rect_filled(rect.expand2(vec2(3.0, -1.0)), 2.0, self.palette.surface.0);
-        self.painter.galley(rect.min, galley, self.palette.text.0);
+        self.painter.galley(rect.min, galley, self.ink);
     }
 
     /// A zone of no width is still drawn as a line.
@@ -158,14 +165,14 @@ impl<'a> Drawing<'a> {
         };
         self.painter.rect_filled(rect, 0.0, fill);
         shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.0, self.palette.quiet.0.gamma_multiply(0.6)));
-        let edge = Stroke::new(1.5, self.palette.text.0);
+        let edge = Stroke::new(1.5, self.ink);
         self.painter.rect_stroke(rect, 0.0, edge, eframe::egui::StrokeKind::Middle);
     }
 
     /// From the zero line to the nearest edge.
     fn fundamental(&self, x: Rangef, zone: &PictureZone, zero: f32) {
         let Some(um) = zone.fundamental_um else { return };
-        self.arrow(x.center(), zero, self.y(um), Stroke::new(1.5, self.palette.text.0));
+        self.arrow(x.center(), zero, self.y(um), Stroke::new(1.5, self.ink));
     }
 
     /// Both limit deviations beside the zone, the fundamental one bolder; pushed apart where they would touch.
@@ -194,7 +201,7 @@ impl<'a> Drawing<'a> {
         let measured = self.view.session.fit().length(FitField::measured(limits.feature));
         let (Some(mark), Some(measured)) = (zone.mark, measured) else { return };
         let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
-        let colour = self.palette.text.0;
+        let colour = self.ink;
         let font = theme::bold(sizes().body);
         // Towards the other zone: the limit deviations are on the outer side.
         let (side, beside) = match limits.feature {
@@ -233,7 +240,7 @@ impl<'a> Drawing<'a> {
     /// A name below the picture, on two lines where it is long; none where one of its words has no room: the answer names
     /// the same amounts.
     fn below(&self, x: f32, text: &str, width: f32) {
-        let colour = self.palette.text.0;
+        let colour = self.ink;
         let font = || theme::font(sizes().small);
         let is_wide = |word: &str| width < self.painter.layout_no_wrap(word.to_owned(), font(), colour).size().x;
         if text.split(' ').any(is_wide) {
@@ -268,7 +275,7 @@ impl<'a> Drawing<'a> {
                 let ends = [pos2(hole.max, y), pos2(x + space(2.0), y)];
                 self.painter.extend(Shape::dashed_line(&ends, Stroke::new(1.0, self.palette.quiet.0), 3.0, 3.0));
             }
-            self.arrow(x, from, to, Stroke::new(2.0, self.palette.text.0));
+            self.arrow(x, from, to, Stroke::new(2.0, self.ink));
             // Beside the line's middle, but not on the zero line.
             let middle = f32::midpoint(from, to);
             let zero = self.y(0.0);

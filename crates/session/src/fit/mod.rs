@@ -119,6 +119,8 @@ pub struct FitPage {
     maps: Option<Maps>,
     asking: Option<Asking>,
     found: Option<Result<FitSearchResult, Message>>,
+    /// What is drawn while nothing is typed.
+    example: Option<Box<Self>>,
 }
 
 /// The names of the larger and of the smaller end of a range of clearance, with their amounts: a clearance below zero
@@ -133,7 +135,20 @@ pub fn extremes(minimum: Length, maximum: Length) -> [(&'static str, Length); 2]
     }
 }
 
+/// The fit of a page on which nothing was typed yet.
+const EXAMPLE: &str = "25 H7/g6";
+
 impl FitPage {
+    /// What the picture and the card show: the fit that was typed, or the example of an empty page.
+    pub fn seen(&self) -> &Self {
+        self.example.as_deref().unwrap_or(self)
+    }
+
+    /// The callout of the example, while it is drawn.
+    pub fn example(&self) -> Option<&'static str> {
+        self.example.is_some().then_some(EXAMPLE)
+    }
+
     /// The class of a side, as far as it has been typed.
     pub const fn class(&self, part: Feature) -> Option<ToleranceClass> {
         match part {

@@ -11,7 +11,7 @@ use fitcheck_core::tolerance::fit::search::{ClearanceRange, search_in};
 use fitcheck_core::tolerance::fit::thermal::{Expansion, ThermalDoubt, ThermalError};
 use fitcheck_core::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
 
-use super::{Asking, ClassMap, Equivalent, FitField, FitPage, Maps};
+use super::{Asking, ClassMap, EXAMPLE, Equivalent, FitField, FitPage, Maps};
 use crate::check::{class_text, nominal_text};
 use crate::state::PageState as _;
 
@@ -34,6 +34,24 @@ impl FitPage {
         self.read_temperature();
         self.read_maps(sources);
         self.search(sources);
+        self.read_example(sources);
+    }
+
+    /// An empty page shows a fit as an example: the first character that is typed about a fit takes it away. Limits that do not have
+    /// its classes have no example.
+    fn read_example(&mut self, sources: &Sources) {
+        let about = [
+            FitField::Callout,
+            FitField::HoleMeasured,
+            FitField::ShaftMeasured,
+            FitField::WantedMinimum,
+            FitField::WantedMaximum,
+        ];
+        if about.into_iter().all(|field| self.text(field).is_empty()) {
+            let mut example = Self::default();
+            example.read_callout(EXAMPLE, sources);
+            self.example = example.fit.is_some().then(|| Box::new(example));
+        }
     }
 
     fn read_callout(&mut self, text: &str, sources: &Sources) {
