@@ -34,6 +34,15 @@ fn press(page: &mut Page, button: &str) {
     page.run();
 }
 
+/// Opens the menu of the tools that have no room.
+fn more(page: &mut Page) {
+    let row = page.get_by_role_and_label(Role::Button, "Open…").rect();
+    let all = page.get_all_by_role_and_label(Role::Button, "More");
+    let more = all.filter(|node| (node.rect().center().y - row.center().y).abs() < 2.0).next();
+    more.unwrap().click();
+    page.run();
+}
+
 fn key(page: &mut Page, modifiers: Modifiers, key: Key) {
     page.key_press_modifiers(modifiers, key);
     page.run();
@@ -107,7 +116,9 @@ fn read(path: &Path) -> DeviationTable {
 fn the_built_in_tables_agree_with_the_standard_in_every_cell() {
     let mut page = page();
     page.get_by_label_contains("agrees with ISO 286 in all");
-    assert!(page.query_by_role_and_label(Role::Button, "Next difference").is_none());
+    for tool in ["Differences only", "Next difference"] {
+        assert!(page.get_by_role_and_label(Role::Button, tool).accesskit_node().is_disabled(), "{tool}");
+    }
     page.get_by_role_and_label(Role::ComboBox, "Table").click();
     page.run();
     page.get_by_label("82553_shaft.tab, built in").click();
@@ -148,6 +159,48 @@ fn differences_are_walked_by_key_and_round_again() {
         key(&mut page, shift, Key::F8);
         assert!(here(&page).starts_with("H7, over 18 up to 30 mm"), "{}", here(&page));
         key(&mut page, Modifiers::NONE, Key::ArrowUp);
+    }
+}
+
+#[test]
+fn differences_alone_are_shown_at_request() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = shop(folder.path());
+    let all = cells(&page);
+    assert_eq!(all.len(), 15);
+    press(&mut page, "Differences only");
+    let differing = ["H7, over 18 up to 30 mm, +25 / 0 µm, differs from ISO 286"];
+    assert_eq!(cells(&page), differing);
+    page.get_by_label("1 of 3 classes");
+    // The keys walk through what is shown, and the fields are those of the cell in sight.
+    for arrow in [Key::ArrowUp, Key::ArrowLeft, Key::ArrowDown, Key::ArrowRight] {
+        key(&mut page, Modifiers::NONE, arrow);
+        assert_eq!(field(&page, "Upper"), "+25");
+    }
+    press(&mut page, "Differences only");
+    assert_eq!(cells(&page), all);
+    press(&mut page, "Differences only");
+    // Once nothing differs everything is shown.
+    press(&mut page, "Use ISO 286");
+    assert_eq!(cells(&page).len(), 15);
+    assert!(page.get_by_role_and_label(Role::Button, "Differences only").accesskit_node().is_disabled());
+}
+
+#[test]
+fn the_tools_stand_in_one_row_and_the_rest_in_a_menu() {
+    for (width, is_folded) in [(800.0, true), (1920.0, false)] {
+        let mut page = open(Window { size: vec2(width, 600.0), ..Window::default() });
+        let row = page.get_by_role_and_label(Role::Button, "Open…").rect();
+        for tool in ["Save as", "Filter", "Table"] {
+            let tools = page.get_all_by_label(tool).filter(|node| node.accesskit_node().role() != Role::Label);
+            let rects: Vec<_> = tools.map(|node| node.rect()).collect();
+            assert!(rects.iter().any(|rect| (rect.center().y - row.center().y).abs() < 2.0), "{tool}: {rects:?}");
+        }
+        assert_eq!(page.query_by_role_and_label(Role::Button, "Use this table for limits").is_none(), is_folded);
+        if is_folded {
+            more(&mut page);
+            page.get_by_role_and_label(Role::Button, "Use this table for limits");
+        }
     }
 }
 
@@ -331,10 +384,13 @@ fn classes_are_added_and_a_table_is_made_from_the_standard() {
 fn the_check_page_follows_a_table_that_is_used_for_limits() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = shop(folder.path());
+    more(&mut page);
     press(&mut page, "Use this table for limits");
     page.get_by_label_contains("Limits are looked up in shop.tab first");
     press(&mut page, "Close");
+    more(&mut page);
     page.get_by_role_and_label(Role::Button, "Used for limits");
+    key(&mut page, Modifiers::NONE, Key::Escape);
     key(&mut page, Modifiers::COMMAND, Key::Num1);
     type_into(&mut page, "Callout", "25 H7");
     page.get_by_label("25.025");

@@ -358,6 +358,7 @@ tables-shown = { $count ->
     [one] { $shown } of 1 class
    *[other] { $shown } of { $count } classes
 }
+tables-only-differences = Differences only
 tables-unmatched = no match for { $words }
 tables-agrees = { $count ->
     [one] agrees with ISO 286 in its 1 cell

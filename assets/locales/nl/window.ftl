@@ -358,6 +358,7 @@ tables-shown = { $count ->
     [one] { $shown } van 1 klasse
    *[other] { $shown } van { $count } klassen
 }
+tables-only-differences = Alleen verschillen
 tables-unmatched = niets gevonden voor { $words }
 tables-agrees = { $count ->
     [one] de enige cel komt overeen met ISO 286

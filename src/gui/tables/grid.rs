@@ -28,7 +28,7 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let head = vec2(space(28.0), space(11.0));
     let cell = vec2(space(17.0), space(10.0));
     let widths = tables.filter.columns.iter().map(|_| cell.x);
-    let grid = Grid::new(id(), tables.number(), head, widths, (document.table().ends().len(), cell.y));
+    let grid = Grid::new(id(), tables.number(), head, widths, (tables.filter.ranges.len(), cell.y));
     let rect = ui.available_rect_before_wrap();
     let name = view.words.say(&message!("tables-grid").text("name", &document.title));
     let place = grid.place_ui(ui, rect, &name);
@@ -55,9 +55,10 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
         let Some(&column) = filter.columns.get(place) else { continue };
         let Some(class) = document.table().columns().get(column) else { continue };
         let decimals = paint::decimals(ui.painter(), &class.cells);
-        for range in cells.rows() {
+        for row in cells.rows() {
+            let Some(&range) = filter.ranges.get(row) else { continue };
             let (Some(&cell), Some(ends)) = (class.cells.get(range), document.range(range)) else { continue };
-            let rect = cells.rect(range, place);
+            let rect = cells.rect(row, place);
             let look = paint::TableCellView {
                 palette: palette(ui.ctx()),
                 words: view.words,
@@ -107,14 +108,16 @@ fn follow(ui: &Ui, view: &View<'_>, document: &Document, cells: &Cells<'_>) {
     let filter = &view.session.tables().filter;
     let selected = document.selected.and_then(|(class, range)| {
         let column = document.column(class)?;
-        Some((filter.columns.binary_search(&column).ok()?, range))
+        Some((filter.columns.binary_search(&column).ok()?, filter.ranges.binary_search(&range).ok()?))
     });
     let changed = |key: &str, value: Option<(usize, usize)>| {
         let key = id().with((key, view.session.tables().number()));
         let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(key), value));
         value.filter(|value| before != Some(*value))
     };
-    if let Some((_, row)) = changed("row", filter.rows.first().map(|row| (0, *row))) {
+    if let Some((_, row)) =
+        changed("row", filter.rows.first().and_then(|range| Some((0, filter.ranges.binary_search(range).ok()?))))
+    {
         cells.look_at_row(ui, row);
     }
     if let Some((place, row)) = changed("cell", selected) {
@@ -147,7 +150,8 @@ fn heads_ui(ui: &Ui, view: &View<'_>, document: &Document, rect: Rect, cells: &C
             let differs = 0 < differences;
             paint::head(painter, head, &paint::Head { palette, text, remark: &remark, differs, marked });
         },
-        |painter, head, range| {
+        |painter, head, row| {
+            let Some(&range) = filter.ranges.get(row) else { return };
             let Some((over, to)) = document.range(range) else { return };
             let text = format!("{} – {}", view.words.mm(over, 0), view.words.mm(to, 0));
             let marked = filter.rows.contains(&range) || selected.is_some_and(|(_, selected)| selected == range);

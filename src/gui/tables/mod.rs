@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `tool_bar` | above: which table, filter, save as, and whether it agrees with ISO 286 |
+//! | `tool_bar` | above: which table, what is shown of it, tools; below: whether it agrees with ISO 286 |
 //! | `grid` | middle: the cells in sight, and the keys that walk through them |
 //! | `paint` | how a cell and a head look |
 //! | `cell_panel` | right: the selected cell against ISO 286, and its fields |
@@ -35,7 +35,7 @@ pub(super) const PAGE: PageView = PageView {
 fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     bar_ui(ui, view, Side::Top, "table-tools", tool_bar::tool_bar_ui);
-    let strip = Panel::bottom("table-strip").exact_size(space(8.0)).show_separator_line(false).frame(Frame::NONE);
+    let strip = Panel::bottom("table-strip").resizable(false).show_separator_line(false).frame(Frame::NONE);
     strip.show(ui, |ui| tool_bar::strip_ui(ui, view));
     let side = if size.x < 1200.0 { space(75.0) } else { space(84.0) };
     let most = (size.x * 0.6).max(space(50.0));

@@ -1,54 +1,82 @@
-//! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
+//! Above the cells one row of tools: which table, what is shown of it, and what can be done with it. Below them whether it agrees with ISO 286.
 
-use eframe::egui::accesskit::Live;
-use eframe::egui::{Label, RichText, Sense, Ui, vec2};
+use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::{Label, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::paint;
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{FieldStyle, field_ui};
 use crate::gui::shapes;
-use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
 use crate::message::message;
 use crate::session::TablesAction;
-use crate::session::tables::{Origin, TableChoice};
+use crate::session::tables::{Document, Origin, TableChoice};
 use crate::session::{TablesCommand, TablesField};
 use crate::verdict::Status;
 
-/// From this width what the comparison found stands beside the filter.
-const WIDE: f32 = 180.0;
+/// What has a button of its own as far as there is room, the most important one first; the rest is in a menu.
+const TOOLS: [TablesAction; 6] = [
+    TablesAction::OnlyDifferences,
+    TablesAction::NextDifference,
+    TablesAction::UndoEdit,
+    TablesAction::RedoEdit,
+    TablesAction::UseTable,
+    TablesAction::PreviousDifference,
+];
 
-/// Two rows: what can be done with the table, and what is shown of it.
+/// One row: which table, what is shown of it, and what can be done with it.
 pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.add_space(space(1.0));
-    ui.horizontal_wrapped(|ui| {
-        choice_ui(ui, view);
-        view.field_button(ui, TablesAction::OpenTable);
-        ui.menu_button(view.text("tables-save"), |ui| {
-            for number in 0..TABLE_FORMATS.len() {
-                view.menu_item(ui, TablesAction::SaveTable(number));
-            }
-        });
-        // No lines between: one would hang at the end of a row where the window is narrow.
-        ui.add_space(space(2.0));
-        view.field_button(ui, TablesAction::UndoEdit);
-        view.field_button(ui, TablesAction::RedoEdit);
-        ui.add_space(space(2.0));
-        view.field_button(ui, TablesAction::UseTable);
-    });
-    let is_wide = space(WIDE) < ui.available_width();
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(control(ui));
+        choice_ui(ui, view);
+        view.field_button(ui, TablesAction::OpenTable);
+        theme::looking(ui, theme::tonal, |ui| {
+            ui.spacing_mut().interact_size.y = control(ui);
+            ui.menu_button(view.text("tables-save"), |ui| {
+                for number in 0..TABLE_FORMATS.len() {
+                    view.menu_item(ui, TablesAction::SaveTable(number));
+                }
+            });
+        });
         filter_ui(ui, view);
-        if is_wide {
-            ui.separator();
-            summary_ui(ui, view);
-        }
+        tools_ui(ui, view);
     });
-    if !is_wide {
-        ui.horizontal_wrapped(|ui| summary_ui(ui, view));
+}
+
+fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let gap = ui.spacing().item_spacing.x;
+    let widths = TOOLS.map(|action| view.width_of(ui, &[action]) + gap);
+    let room = ui.available_size_before_wrap().x;
+    let has_all = widths.iter().sum::<f32>() <= room;
+    let mut left = if has_all { room } else { room - control(ui) - 2.0 * gap };
+    let mut more = Vec::new();
+    for (action, width) in TOOLS.into_iter().zip(widths) {
+        if width <= left && more.is_empty() {
+            left -= width;
+            if action == TablesAction::OnlyDifferences {
+                view.toggle(ui, action);
+            } else {
+                view.field_button(ui, action);
+            }
+        } else {
+            more.push(action);
+        }
     }
-    ui.add_space(space(1.0));
+    if !more.is_empty() {
+        let name = view.text("rail-more");
+        theme::looking(ui, theme::plain, |ui| {
+            ui.spacing_mut().interact_size.y = control(ui);
+            let icon = Icon::DotsThree.text(Weight::Bold, space(5.0));
+            let shown = ui.menu_button(icon, |ui| {
+                for action in more {
+                    view.menu_item(ui, action);
+                }
+            });
+            shown.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            shown.response.on_hover_text(name);
+        });
+    }
 }
 
 /// The name of a table and what kind it is.
@@ -68,7 +96,7 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     // Where no table is open none is chosen.
     let shown = view.session.tables().shown();
     let shown = shown.map_or_else(String::new, |document| told(view, &document.title, document.origin));
-    let list = list_ui(ui, "table-choice", shown, space(64.0), |ui| {
+    let list = list_ui(ui, "table-choice", shown, space(54.0), |ui| {
         let open = view.session.tables().documents.iter().enumerate();
         let open = open.map(|(number, document)| {
             let mut text = told(view, &document.title, document.origin);
@@ -92,16 +120,11 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("tables-filter"));
-    let look = FieldStyle::text(space(40.0));
+    let look = FieldStyle::text(space(30.0));
     let field = field_ui(ui, view, TablesField::Filter, name.id, look);
     field.on_hover_text(view.text("tables-filter-hint"));
-    let Some(document) = view.session.tables().shown() else { return };
     let filter = &view.session.tables().filter;
-    let all = document.table().columns().len();
-    if filter.unmatched.is_empty() {
-        let count = message!("tables-shown").text("shown", filter.columns.len()).count("count", all);
-        quiet(ui, view.words.say(&count));
-    } else {
+    if !filter.unmatched.is_empty() {
         let words = filter.unmatched.join(" ");
         let text = view.words.say(&message!("tables-unmatched").text("words", words));
         let text = RichText::new(text).color(palette(ui.ctx()).error.0).size(sizes().small);
@@ -112,9 +135,8 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// Whether the table agrees with ISO 286: mark and sentence, and the way from difference to difference.
-fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let Some(document) = view.session.tables().shown() else { return };
+/// Whether the table agrees with ISO 286: mark and sentence.
+fn summary_ui(ui: &mut Ui, view: &View<'_>, document: &Document) {
     let comparison = &document.comparison;
     let found = document.differing();
     let compared = comparison.compared;
@@ -137,19 +159,23 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
     live(ui, &label, &said, Live::Polite);
-    if 0 < found {
-        view.field_button(ui, TablesAction::PreviousDifference);
-        view.field_button(ui, TablesAction::NextDifference);
-    }
 }
 
-/// Below the cells: whether anything is unsaved, and the keys.
+/// Below the cells: whether the table agrees with ISO 286, how many classes are shown, whether anything is unsaved; and the keys,
+/// where they have room.
 pub(super) fn strip_ui(ui: &mut Ui, view: &View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
-    ui.horizontal_centered(|ui| {
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(space(8.0));
+        summary_ui(ui, view, document);
+        let shown = view.session.tables().filter.columns.len();
+        let all = document.table().columns().len();
+        quiet(ui, view.words.say(&message!("tables-shown").text("shown", shown).count("count", all)));
         if document.is_unsaved() {
             ui.label(RichText::new(view.text("tables-not-saved")).font(theme::bold(sizes().small)));
         }
-        quiet_cut(ui, view.text("tables-keys"));
+        if space(100.0) <= ui.available_size_before_wrap().x {
+            quiet_cut(ui, view.text("tables-keys"));
+        }
     });
 }

@@ -7,8 +7,8 @@ use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
 
 use super::{Document, TablesCommand, TablesField};
 use crate::Session;
-use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
-use crate::action::{Held, Key, Part, Shortcut};
+use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
+use crate::action::{ActionScope, Held, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
@@ -33,6 +33,8 @@ actions! {
     UseTable;
     /// Goes to the filter.
     FindInTable;
+    /// Shows only what differs from ISO 286, or everything.
+    OnlyDifferences;
     /// Selects the previous cell that differs from ISO 286.
     PreviousDifference;
     /// Selects the next one.
@@ -74,6 +76,14 @@ impl Actions for TablesAction {
             Self::FindInTable => on(Page::Tables, "tables-filter", Command::GoTo(TablesField::Filter.into()))
                 .key(Shortcut::ctrl('F'))
                 .when(has_table),
+            Self::OnlyDifferences => ActionRow::new(
+                ActionScope::Page(Page::Tables),
+                "tables-only-differences",
+                Sends::FromState(|session| {
+                    TablesCommand::OnlyDifferences(!session.tables().shows_only_differences()).into()
+                }),
+            )
+            .when(differs),
             Self::PreviousDifference => on(Page::Tables, "tables-previous", TablesCommand::PreviousDifference)
                 .key(Shortcut::shift(Key::Function(8)))
                 .when(differs),
@@ -114,6 +124,10 @@ impl Actions for TablesAction {
             Self::UseTable if session.tables().is_used(session.sources()) => Some(words.get("tables-in-use")),
             _ => None,
         }
+    }
+
+    fn is_on(&self, session: &Session) -> Option<bool> {
+        (*self == Self::OnlyDifferences).then(|| session.tables().shows_only_differences())
     }
 
     fn on_enter(field: Field, _page: Page) -> Option<Self> {

@@ -57,6 +57,10 @@ impl PageState for TablesPage {
             TablesCommand::Move(step) => self.move_by(step, shared),
             TablesCommand::NextDifference => self.select_difference(true, shared),
             TablesCommand::PreviousDifference => self.select_difference(false, shared),
+            TablesCommand::OnlyDifferences(only) => {
+                self.only_differences = only;
+                self.filter_changed(shared);
+            }
             TablesCommand::SetCell => _ = self.settle_cell(shared),
             TablesCommand::RevertCell => self.fill_cell_fields(shared),
             TablesCommand::EmptyCell => self.put_into_cell(None, shared),
@@ -119,8 +123,9 @@ impl TablesPage {
 
     /// Filter, selection and fields follow when the shown table is exchanged or changed.
     pub(super) fn shown_changed(&mut self, shared: &Shared) {
+        let only = self.shows_only_differences();
         let Some(document) = self.documents.get_mut(self.shown) else { return };
-        self.filter = Filter::of(self.texts.text(TablesField::Filter), document.table());
+        self.filter = Filter::of(self.texts.text(TablesField::Filter), document, only);
         document.keep_selection();
         self.fill_cell_fields(shared);
     }

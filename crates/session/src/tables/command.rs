@@ -28,6 +28,8 @@ pub enum TablesCommand {
     NextDifference,
     /// Selects the previous one.
     PreviousDifference,
+    /// Shows only what differs from ISO 286, or everything.
+    OnlyDifferences(bool),
     /// Puts the two fields into the selected cell; two empty fields make an empty cell.
     SetCell,
     /// Puts the selected cell back into the fields.

@@ -1,14 +1,18 @@
-//! What a filter's text means: classes, letters and grades choose columns, a size marks its row.
+//! What a filter means: classes, letters and grades choose columns, a size marks its row, and differences alone choose both.
 
 use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{DeviationTable, ToleranceClass};
 
-/// The columns that are shown and the rows that are marked.
+use super::Document;
+
+/// The columns and rows that are shown, and the rows that are marked.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Filter {
     /// The numbers of the columns that are shown, ascending.
     pub columns: Vec<usize>,
-    /// The numbers of the rows that are marked.
+    /// The numbers of the size ranges that are shown, ascending.
+    pub ranges: Vec<usize>,
+    /// The numbers of the size ranges that are marked.
     pub rows: Vec<usize>,
     /// The words that match no column or row.
     pub unmatched: Vec<String>,
@@ -28,11 +32,30 @@ enum Word<'a> {
 }
 
 impl Filter {
-    /// Reads a filter. Blanks, and commas that no digit follows, separate words; an empty text shows every column.
+    /// Reads a filter. Of differences alone it leaves the columns and rows that have one.
+    pub fn of(text: &str, document: &Document, only_differences: bool) -> Self {
+        let table = document.table();
+        let mut filter = Self::by_text(text, table);
+        if !only_differences {
+            filter.ranges = (0..table.ends().len()).collect();
+            return filter;
+        }
+        filter.columns.retain(|column| 0 < document.differing_in(*column));
+        let mut ranges: Vec<usize> = document
+            .differing_cells()
+            .filter(|(column, _)| filter.columns.contains(column))
+            .map(|(_, range)| range)
+            .collect();
+        ranges.sort_unstable();
+        ranges.dedup();
+        Self { ranges, ..filter }
+    }
+
+    /// Blanks, and commas that no digit follows, separate words; an empty text shows every column.
     ///
     /// Case counts where it tells columns apart; otherwise `h7` finds `H7`, too. A whole number that is a grade of the
     /// table is the grade; `7 mm` and `7.0` are sizes.
-    pub fn of(text: &str, table: &DeviationTable) -> Self {
+    fn by_text(text: &str, table: &DeviationTable) -> Self {
         let mut filter = Self::default();
         let mut chooses = false;
         let mut shown = vec![false; table.columns().len()];

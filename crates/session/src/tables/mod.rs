@@ -45,6 +45,8 @@ pub struct TablesPage {
     /// The open tables, the two built-in ones first.
     pub documents: Vec<Document>,
     shown: usize,
+    /// Whether only what differs from ISO 286 is asked for.
+    only_differences: bool,
     /// What the filter makes of the shown table.
     pub filter: Filter,
     errors: BTreeMap<TablesField, Message>,
@@ -62,6 +64,11 @@ impl TablesPage {
     /// The shown table's number.
     pub const fn number(&self) -> usize {
         self.shown
+    }
+
+    /// Whether only what differs from ISO 286 is shown: never where nothing does.
+    pub fn shows_only_differences(&self) -> bool {
+        self.only_differences && self.shown().is_some_and(|document| 0 < document.differing())
     }
 
     /// Whether limits are looked up in the shown table first, as it stands.

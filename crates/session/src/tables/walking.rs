@@ -22,12 +22,14 @@ impl TablesPage {
     /// Moves the selection to where the filter points: to the row of a size, and into the columns that are shown.
     pub(super) fn filter_changed(&mut self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
-        let filter = Filter::of(self.text(TablesField::Filter), document.table());
+        let filter = Filter::of(self.text(TablesField::Filter), document, self.shows_only_differences());
         let Some((class, range)) = document.selected else { return };
         let is_shown = document.column(class).is_some_and(|column| filter.columns.contains(&column));
         let first = filter.columns.first().and_then(|&column| document.table().columns().get(column));
         let wanted = first.filter(|_| !is_shown).map_or(class, |column| column.class);
         let row = filter.rows.first().copied().unwrap_or(range);
+        let first = filter.ranges.first().copied().unwrap_or(row);
+        let row = if filter.ranges.contains(&row) { row } else { first };
         self.filter = filter;
         if (wanted, row) != (class, range) && self.settle_cell(shared) {
             self.select(wanted, row, shared);
@@ -44,23 +46,27 @@ impl TablesPage {
         let place = shown.partition_point(|&column| column < here);
         let is_shown = shown.get(place) == Some(&here);
         let last_place = shown.len().saturating_sub(1);
-        let last_range = table.ends().len().saturating_sub(1);
-        let (place, range) = match step {
-            Step::Left => (place.saturating_sub(1), range),
-            Step::Right if is_shown => (place + 1, range),
-            Step::Right => (place, range),
-            Step::Up => (place, range.saturating_sub(1)),
-            Step::Down => (place, range + 1),
-            Step::PageUp => (place, range.saturating_sub(PAGE)),
-            Step::PageDown => (place, range.saturating_add(PAGE)),
-            Step::First => (0, range),
-            Step::Last => (last_place, range),
+        let ranges = &self.filter.ranges;
+        let row = ranges.partition_point(|&shown| shown < range);
+        let below = row + usize::from(ranges.get(row) == Some(&range));
+        let last_row = ranges.len().saturating_sub(1);
+        let (place, row) = match step {
+            Step::Left => (place.saturating_sub(1), row),
+            Step::Right if is_shown => (place + 1, row),
+            Step::Right => (place, row),
+            Step::Up => (place, row.saturating_sub(1)),
+            Step::Down => (place, below),
+            Step::PageUp => (place, row.saturating_sub(PAGE)),
+            Step::PageDown => (place, row.saturating_add(PAGE)),
+            Step::First => (0, row),
+            Step::Last => (last_place, row),
             Step::Top => (place, 0),
-            Step::Bottom => (place, last_range),
+            Step::Bottom => (place, last_row),
         };
         let column = shown.get(place.min(last_place)).and_then(|&column| table.columns().get(column));
-        if let Some(class) = column.map(|column| column.class) {
-            self.select(class, range.min(last_range), shared);
+        if let (Some(column), Some(&range)) = (column, ranges.get(row.min(last_row))) {
+            let class = column.class;
+            self.select(class, range, shared);
         }
     }
 
@@ -78,7 +84,7 @@ impl TablesPage {
         let Some((column, range)) = next else { return };
         let Some(class) = document.table().columns().get(column).map(|column| column.class) else { return };
         if !self.filter.columns.contains(&column) {
-            self.filter = Filter::of("", document.table());
+            self.filter = Filter::of("", document, self.shows_only_differences());
             self.texts.set(TablesField::Filter, "");
         }
         self.select(class, range, shared);
