@@ -75,6 +75,30 @@ pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colo
     icon.paint(painter, rect.center(), Weight::Bold, rect.size().min_elem(), colour);
 }
 
+/// The outline of a verdict around a number: circle, square, diamond, hexagon; a circle where there is none.
+pub(super) fn outline(
+    painter: &Painter,
+    at: Pos2,
+    radius: f32,
+    status: Option<Status>,
+    (fill, edge): (Color32, Stroke),
+) {
+    let corners: &[Vec2] = match status {
+        Some(Status::Good) | None => &[],
+        Some(Status::Rework) => &[vec2(-0.9, -0.9), vec2(0.9, -0.9), vec2(0.9, 0.9), vec2(-0.9, 0.9)],
+        Some(Status::Scrap) => &[vec2(0.0, -1.3), vec2(1.3, 0.0), vec2(0.0, 1.3), vec2(-1.3, 0.0)],
+        Some(Status::ReMeasure) => {
+            &[vec2(1.15, 0.0), vec2(0.58, 1.0), vec2(-0.58, 1.0), vec2(-1.15, 0.0), vec2(-0.58, -1.0), vec2(0.58, -1.0)]
+        }
+    };
+    if corners.is_empty() {
+        painter.circle(at, radius, fill, edge);
+        return;
+    }
+    let points = corners.iter().map(|corner| at + *corner * radius).collect();
+    painter.add(PathShape::convex_polygon(points, fill, edge));
+}
+
 pub(super) fn arrow_head(painter: &Painter, tip: Pos2, direction: Vec2, size: f32, colour: Color32) {
     let along = direction.normalized() * size;
     let across = vec2(-along.y, along.x) * 0.62;

@@ -224,7 +224,8 @@ fn said(view: &View<'_>, balloon: &Balloon) -> String {
     view.words.say(&message)
 }
 
-/// A disc with the number, the verdict's shape at its shoulder, a dashed edge where it was simulated, and rings around the next one.
+/// The number in the outline of its verdict, a dash at its shoulder where it was skipped, a dashed edge where it was simulated, and rings
+/// around the next one.
 fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused: bool) {
     let palette = palette(ui.ctx());
     let radius = control(ui) * 0.36;
@@ -233,10 +234,10 @@ fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused
         status => colours(palette, status, balloon.is_simulated),
     };
     if balloon.is_next {
-        painter.circle_filled(at, radius + space(2.0), palette.data.0);
-        painter.circle_filled(at, radius + space(1.0), palette.surface.0);
+        painter.circle_filled(at, radius * 1.3 + space(1.75), palette.data.0);
+        painter.circle_filled(at, radius * 1.3 + space(1.0), palette.surface.0);
     }
-    painter.circle(at, radius, fill, Stroke::new(1.5, palette.text.0));
+    shapes::outline(painter, at, radius, balloon.status, (fill, Stroke::new(1.5, palette.text.0)));
     if balloon.is_simulated {
         let square = Rect::from_center_size(at, Vec2::splat(2.0 * radius + space(2.0)));
         shapes::dashed_frame(painter, square, palette.text.0);
@@ -244,12 +245,12 @@ fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused
     let size = if balloon.label.chars().count() < 3 { sizes().body } else { sizes().small };
     let label: String = balloon.label.chars().take(4).collect();
     painter.text(at, Align2::CENTER_CENTER, label, theme::bold(size), text);
-    if balloon.status.is_some() || balloon.is_skipped {
+    if balloon.status.is_none() && balloon.is_skipped {
         let mark = Rect::from_center_size(at + vec2(radius, -radius), Vec2::splat(space(4.0)));
         painter.circle(mark.center(), space(2.5), fill, Stroke::new(1.0, palette.text.0));
-        shapes::status(painter, mark.shrink(space(0.5)), balloon.status, text);
+        shapes::status(painter, mark.shrink(space(0.5)), None, text);
     }
     if is_focused {
-        painter.circle_stroke(at, radius + space(2.5), Stroke::new(2.0, palette.data.0));
+        painter.circle_stroke(at, radius * 1.3 + space(1.75), Stroke::new(2.0, palette.data.0));
     }
 }
