@@ -518,6 +518,36 @@ fn balloons_have_the_verdicts_of_the_walk_and_lead_to_their_features() {
 }
 
 #[test]
+fn the_picture_stands_over_the_band_and_the_sizes_below_what_is_asked() {
+    let long = "LOCATION HOLE OF THE COVER";
+    let (_folder, path) = folder(&PLATE.replace("A10", long));
+    for (size, has_list_left) in [(DESK, true), (vec2(1920.0, 1080.0), true), (vec2(800.0, 1600.0), false)] {
+        let page = measured(Window { size, ..Window::default() }, &path);
+        let figure = |name: &str| page.query_by_role_and_label(Role::Figure, name).map(|node| node.rect());
+        let picture = figure("Picture of the part").unwrap();
+        let list = page.get_by_role_and_label(Role::Grid, "Sizes of the part").rect();
+        let field = page.get_by_role_and_label(Role::TextInput, "Measured value").rect();
+        assert!(240.0 <= picture.height(), "{size}: {picture:?}");
+        assert_eq!(list.right() < picture.left(), has_list_left, "{size}");
+        if has_list_left {
+            assert!(field.bottom() < list.top(), "{size}: {list:?}");
+            let band = page.get_by_role_and_label(Role::Figure, "Limit band");
+            assert!(picture.bottom() < band.rect().top(), "{size}");
+            // The band is of the size whose verdict stands beside it: 19.990 of 20 H7, until the next one is begun.
+            let said = band.accesskit_node().data().description().unwrap_or_default().to_owned();
+            assert!(said.contains("zone from 0 to +21,") && said.contains("Measured \u{2212}10,"), "{said}");
+        }
+        let whole = |clipped: &eframe::egui::epaint::ClippedShape| match &clipped.shape {
+            eframe::egui::Shape::Text(text) => {
+                text.galley.text() == format!("3  {long}") && !text.galley.elided && list.contains(text.pos)
+            }
+            _ => false,
+        };
+        assert!(page.output().shapes.iter().any(whole), "{size}: the name is not whole");
+    }
+}
+
+#[test]
 fn picture_of_a_part_with_its_picture() {
     if !can_paint("walk_picture") {
         return;

@@ -377,7 +377,7 @@ fn walk(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
     let what = format!("Walk {}x{} at {} {}", size.0, size.1, size.2, tongue.name);
     let mut window = open(size, tongue);
     send(&mut window, Command::OpenPage(Page::Parts));
-    let plan = b"number;name;callout;x;y;z\n1;BORE;25 H7;40;30;-8\n2;PIN;20 g6;40;90;-8\n3;HOLE;8 H7;10;10;-5\n";
+    let plan = b"number;name;callout;x;y;z\n1;BORE;25 H7;40;30;-8\n2;PIN;20 g6;40;90;-8\n3;LOCATION HOLE OF THE COVER;8 H7;10;10;-5\n";
     let result = Ok(Box::new(fitcheck::part::Document::read(plan).unwrap()));
     send(&mut window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
     let mut found = faults(&window, tongue, &format!("{what}, begin"));

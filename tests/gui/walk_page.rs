@@ -357,6 +357,29 @@ fn measuring_again_is_of_the_selected_size_whose_own_verdict_is_shown() {
     assert_eq!(asked(&page).as_deref(), Some("B"));
 }
 
+#[test]
+fn the_part_says_what_is_to_do_and_leads_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun_with_three(folder.path(), DESK);
+    for text in ["25.03", "19.99", "16.01"] {
+        value(&mut page, text);
+    }
+    for count in ["1 SCRAP", "1 REWORK", "1 GOOD"] {
+        page.get_by_label(count);
+    }
+    page.get_by_role_and_label(Role::Button, "A: SCRAP");
+    assert!(page.query_by_label_contains("C: GOOD").is_none(), "nothing is to do with what is good");
+    click(&mut page, Role::Button, "B: Remove 10 µm");
+    press(&mut page, Key::F6);
+    assert_eq!(asked(&page).as_deref(), Some("B"));
+    value(&mut page, "20.01");
+    // Both values are there, the newest first, and the size is no longer among what is to do.
+    page.get_by_label("Values of B");
+    assert!(page.get_by_label("20.010 mm").rect().top() < page.get_by_label("19.990 mm").rect().top());
+    assert!(page.query_by_label("B: Remove 10 µm").is_none());
+    page.get_by_label("2 GOOD");
+}
+
 /// Where the left edges and tops of some things are.
 fn places(page: &Harnessed) -> Vec<(String, i32, i32)> {
     let names = ["Report…", "Watch a folder…", "Use value", "Skip", "Import values…"];

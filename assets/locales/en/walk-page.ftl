@@ -141,3 +141,7 @@ walk-page-watch-nobody = { $count ->
     }
 walk-page-watch-other-plan = The folder is judged by the plan as it was when the watch began. Start a part, or watch the folder again, to judge by the plan as it is now.
 walk-page-watch-not-saved = The plan has unsaved changes: the folder is not watched again after a restart.
+walk-page-values = Values of { $name }
+walk-page-to-do = { $name }: { $what }
+walk-page-of = size { $at } of { $count }
+walk-page-no-serial = No serial number

@@ -141,3 +141,7 @@ walk-page-watch-nobody = { $count ->
     }
 walk-page-watch-other-plan = De map wordt beoordeeld met het plan zoals het was toen de bewaking begon. Begin een onderdeel, of bewaak de map opnieuw, om met het huidige plan te beoordelen.
 walk-page-watch-not-saved = Het plan heeft niet-opgeslagen wijzigingen: de map wordt na een herstart niet opnieuw bewaakt.
+walk-page-values = Waarden van { $name }
+walk-page-to-do = { $name }: { $what }
+walk-page-of = maat { $at } van { $count }
+walk-page-no-serial = Zonder serienummer

@@ -55,6 +55,15 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>) {
     plot_ui(ui, view.words, &band, limits, record, height);
 }
 
+/// The band of other limits, with the check of a value where there is one, over the height there is. Guard bands come with the rule that
+/// judged.
+pub(in crate::gui) fn band_of_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits, record: Option<&Record>) {
+    let rule = record.map_or_else(Rule::default, |record| record.verdict.rule);
+    let band = Band::by(&rule, limits, record.map(|record| record.measurement.diameter));
+    let height = ui.available_height();
+    plot_ui(ui, view.words, &band, limits, record, height);
+}
+
 /// The limits of the example, for who has not typed anything; where something is typed, no other limits are shown.
 fn example(view: &View<'_>) -> Option<Limits> {
     let is_empty = view.session.text(CheckField::Callout).trim().is_empty();

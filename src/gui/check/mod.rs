@@ -27,6 +27,7 @@ mod status_panel;
 mod worth_lines;
 
 pub(super) use answer_panel::card as check_card;
+pub(super) use band_plot::band_of_ui;
 use std::ops::RangeInclusive;
 
 use eframe::egui::{Align, Frame, Layout, Panel, Ui, vec2};

@@ -43,12 +43,14 @@ pub(in crate::gui) struct Column {
     gives_way: Option<u8>,
     /// Whether there is anything to show in it.
     is_wanted: bool,
+    /// Whether what is too long for a line goes on in a second one.
+    pub(super) wraps: bool,
 }
 
 impl Column {
     const fn new(kind: Kind, width: f32) -> Self {
         let head = Head::Text(None, None);
-        Self { kind, head, width, most: width, gives_way: None, is_wanted: true }
+        Self { kind, head, width, most: width, gives_way: None, is_wanted: true, wraps: false }
     }
 
     /// A column of texts, so many steps wide.
@@ -116,6 +118,11 @@ impl Column {
     /// What is left over is its own, unless a column after it takes it.
     pub const fn takes_rest(self) -> Self {
         self.grows(f32::INFINITY)
+    }
+
+    /// What is too long for a line goes on in a second one, in smaller letters.
+    pub const fn wraps(self) -> Self {
+        Self { wraps: true, ..self }
     }
 
     /// Left out where there is nothing to show in it.

@@ -114,6 +114,9 @@ fn row_ui<K: Copy + Debug + Hash>(
         match (room, cell) {
             (None, Cell::Text(text)) => is_cut |= !text.is_empty(),
             (None, _) => {}
+            (Some(room), Cell::Text(text)) if column.wraps => {
+                is_cut |= two_lines(ui.painter(), room.shrink2(vec2(PAD, 0.0)), text, look);
+            }
             (Some(room), Cell::Text(text)) => {
                 is_cut |= text_in(ui.painter(), room.shrink2(vec2(PAD, 0.0)), text, look, (column.kind, Some(sign)));
             }
@@ -160,6 +163,19 @@ fn ground<K>(ui: &Ui, rect: Rect, row: &Row<K>, is_hovered: bool) {
 /// A text in one line; returns whether it was cut.
 pub(in crate::gui) fn text_ui(painter: &Painter, rect: Rect, text: &str, font: &FontId, colour: Color32) -> bool {
     text_in(painter, rect, text, (font, colour), (Kind::Text, None))
+}
+
+/// A text that goes on in a second line of smaller letters where one is too short; returns whether it was cut.
+fn two_lines(painter: &Painter, rect: Rect, text: &str, (font, colour): (&FontId, Color32)) -> bool {
+    if painter.layout_no_wrap(text.to_owned(), font.clone(), colour).size().x <= rect.width() {
+        return text_in(painter, rect, text, (font, colour), (Kind::Text, None));
+    }
+    let mut job = LayoutJob::simple(text.to_owned(), theme::font(sizes().small), colour, rect.width().max(0.0));
+    job.wrap.max_rows = 2;
+    let galley = painter.layout_job(job);
+    let is_cut = galley.elided;
+    painter.galley(pos2(rect.left(), rect.center().y - galley.size().y / 2.0), galley, colour);
+    is_cut
 }
 
 /// A text in one line, at its place in a column of a kind; returns whether it was cut.

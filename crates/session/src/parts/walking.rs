@@ -169,8 +169,23 @@ impl Walking {
         Some(see(WalkRow { size: &size, step, value: self.counting(at) }))
     }
 
+    /// How many sizes have which verdict, the worst first.
+    pub fn counts(&self) -> Vec<(Status, usize)> {
+        let mut counts = BTreeMap::new();
+        for taken in self.walk.steps().iter().filter_map(Step::counts) {
+            *counts.entry(taken.status).or_insert(0) += 1;
+        }
+        counts.into_iter().rev().collect()
+    }
+
+    /// The sizes of which the value that counts is not good.
+    pub fn not_good(&self) -> impl Iterator<Item = usize> {
+        let is_it = |step: &Step| step.counts().is_some_and(|taken| taken.status != Status::Good);
+        (0..).zip(self.walk.steps()).filter(move |(_, step)| is_it(step)).map(|(at, _)| at)
+    }
+
     /// The value of a size that counts.
-    fn counting(&self, at: usize) -> Option<&Value> {
+    pub fn counting(&self, at: usize) -> Option<&Value> {
         self.values(at).get(self.walk.steps().get(at)?.counting()?)
     }
 

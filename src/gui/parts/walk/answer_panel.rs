@@ -4,22 +4,20 @@
 
 use eframe::egui::{Id, Ui, vec2};
 
+use super::part_panel;
 use crate::gui::check::{check_card, recorded_ui};
 use crate::gui::room::is_tiny;
-use crate::gui::theme::{control, sizes, space};
+use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
     Card, card_height, card_ui, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,
 };
-use crate::gui::view::{Digits, View, heading, problem, quiet, remembered, steady};
-use crate::message::{Message, Say as _, message};
+use crate::gui::view::{Digits, View, problem, quiet, remembered, steady};
+use crate::message::{Message, message};
 use crate::report::RENDERINGS;
 use crate::session::PartsAction;
 use crate::session::parts::{Headline, Value, Walking};
 use crate::session::{Keeping, Question, Recorded};
 use crate::verdict::Status;
-
-/// How many missing sizes are named.
-const NAMED: usize = 12;
 
 /// The share of the height that a card keeps at most.
 const MOST: f32 = 0.62;
@@ -195,14 +193,10 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         for remark in &value.remarks {
             quiet(ui, view.words.say(remark));
         }
-        let count = walking.values(at).len();
-        if 1 < count && contradicted.is_none() {
-            quiet(ui, view.words.say(&message!("walk-page-last-counts").count("count", count)));
-        }
+        part_panel::values_ui(ui, view, at, contradicted.is_some());
     }
     if walking.is_begun() {
-        ui.add_space(space(1.0));
-        standing_ui(ui, view, walking);
+        part_panel::part_ui(ui, view);
     }
     if !session.recording().is_on() {
         let id = if session.recording().keeping == Keeping::Off { "walk-page-off" } else { "walk-page-nowhere" };
@@ -229,12 +223,16 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().interact_size.y = control(ui);
             ui.add_enabled_ui(walking.is_begun(), |ui| {
-                ui.menu_button(view.text("walk-page-report"), |ui| {
-                    for number in 0..RENDERINGS.len() {
-                        view.menu_item(ui, PartsAction::ReportPart(number));
-                    }
+                theme::looking(ui, theme::tonal, |ui| {
+                    ui.menu_button(view.text("walk-page-report"), |ui| {
+                        for number in 0..RENDERINGS.len() {
+                            view.menu_item(ui, PartsAction::ReportPart(number));
+                        }
+                    });
                 });
             });
+            view.field_button(ui, PartsAction::ImportValues);
+            view.field_button(ui, PartsAction::ImportValuesColumns);
             view.field_button(ui, PartsAction::WatchFolder);
             if view.session.parts().watched.folder.is_some() {
                 view.field_button(ui, PartsAction::StopWatch);
@@ -250,24 +248,5 @@ fn size_lines_ui(ui: &mut Ui, card: &Card) {
     }
     for line in &card.lines {
         ui.label(line);
-    }
-}
-
-/// How far the part is, while sizes are open: the card says it afterwards.
-fn standing_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
-    if walking.is_done() {
-        return;
-    }
-    let standing = walking.standing();
-    heading(ui, view.text("walk-page-part-status"));
-    ui.label(view.words.say(&standing.message()));
-    if 0 < standing.simulated {
-        problem(ui, view.words.say(&message!("walk-page-simulated").count("count", standing.simulated)));
-    }
-    if 0 < standing.missing {
-        let named: Vec<&str> = walking.open().take(NAMED).collect();
-        let more = if named.len() < standing.missing { " …" } else { "" };
-        let message = message!("walk-page-missing").text("names", format!("{}{more}", named.join(", ")));
-        quiet(ui, view.words.say(&message));
     }
 }

@@ -1,14 +1,15 @@
 //! Left: before a part its plan and serial number, then the size that is asked for and the field of its value.
 
-use eframe::egui::{Button, Key, RichText, Ui, vec2};
+use eframe::egui::{Button, Color32, Key, RichText, Ui, vec2};
 
 use super::asked_text;
+use super::sizes_list::numbered;
 use super::skip_panel::skip_ui;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::over_page::just_opened;
 use crate::gui::room::{is_low, is_tiny};
-use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::message;
 use crate::part::{Plan, Size};
@@ -25,26 +26,23 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.separator();
     // Nothing else is asked until that is answered: the buttons come back in their places.
     if let (Some(size), true) = (walking.asked(), walking.is_skipping) {
-        name_ui(ui, &size);
+        name_ui(ui, view, &size);
         return skip_ui(ui, view);
     }
-    let mut actions = vec![PartsAction::SizeAgain, PartsAction::SkipSize, PartsAction::NextPart];
     if let (Some(asked), Some(faced)) = (walking.asked(), walking.faced_size()) {
         size_ui(ui, view, &asked, &faced);
+        steady(ui, "walk-actions", |ui| {
+            ui.horizontal_wrapped(|ui| {
+                for action in [PartsAction::SizeAgain, PartsAction::SkipSize, PartsAction::NextPart] {
+                    view.field_button(ui, action);
+                }
+            });
+        });
     } else {
         heading(ui, view.text("walk-page-done"));
         next_ui(ui, view);
-        actions.pop();
+        view.field_button(ui, PartsAction::SizeAgain);
     }
-    ui.separator();
-    actions.extend([PartsAction::ImportValues, PartsAction::ImportValuesColumns]);
-    steady(ui, "walk-actions", |ui| {
-        ui.horizontal_wrapped(|ui| {
-            for action in actions {
-                view.field_button(ui, action);
-            }
-        });
-    });
     if walking.is_warned {
         let missing = walking.standing().missing;
         problem(ui, view.words.say(&message!("walk-page-next-warned").count("count", missing)));
@@ -120,11 +118,12 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
     let walking = &view.session.parts().walking;
     let part = &plan.head.part;
     let message = match (part.is_empty(), walking.serial().is_empty()) {
-        (_, true) => message!("walk-page-part-no-serial").text("part", part),
+        (true, true) => message!("walk-page-no-serial"),
+        (false, true) => message!("walk-page-part-no-serial").text("part", part),
         (true, false) => message!("walk-page-part-serial").text("serial", walking.serial()),
         (false, false) => message!("walk-page-part").text("part", part).text("serial", walking.serial()),
     };
-    heading(ui, view.words.say(&message).trim_start());
+    heading(ui, view.words.say(&message));
     if view.session.parts().has_other_plan() {
         quiet(ui, view.text("walk-page-other-plan"));
     }
@@ -136,8 +135,7 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
 /// The size that the page is about, readable from afar, and the field of the value that is asked for.
 fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) {
     let feature = size.feature;
-    name_ui(ui, size);
-    ui.label(RichText::new(asked_text(view.words, size)).font(theme::font(sizes().figure)));
+    name_ui(ui, view, size);
     limits_ui(ui, view, size.limits);
     match feature.place {
         Some(place) => {
@@ -153,13 +151,29 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) 
     value_ui(ui, view, asked);
 }
 
-/// Which size is asked for, readable from afar.
-fn name_ui(ui: &mut Ui, size: &Size<'_>) {
-    let mut name = size.name();
-    if !size.feature.number.is_empty() {
-        name = format!("{}  {name}", size.feature.number);
+/// Which size is asked for and by which callout, readable from afar; beside each other where both have room.
+fn name_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>) {
+    let walking = &view.session.parts().walking;
+    let name = numbered(size);
+    let asked = asked_text(view.words, size);
+    let font = || theme::bold(sizes().figure);
+    let width = |text: &str| ui.painter().layout_no_wrap(text.to_owned(), font(), Color32::PLACEHOLDER).size().x;
+    let room = ui.available_width();
+    let left = room - width(&asked);
+    if width(&name) + space(3.0) <= left {
+        ui.horizontal(|ui| {
+            let from = ui.cursor().left();
+            ui.label(RichText::new(name).font(font()));
+            ui.add_space((from + left - ui.cursor().left()).max(0.0));
+            ui.label(RichText::new(asked).font(font()));
+        });
+    } else {
+        ui.label(RichText::new(name).font(font()));
+        ui.label(RichText::new(asked).font(font()));
     }
-    ui.label(RichText::new(name).font(theme::bold(sizes().figure)));
+    if let Some(at) = walking.faced() {
+        quiet(ui, view.words.say(&message!("walk-page-of").count("at", at + 1).count("count", walking.count())));
+    }
 }
 
 /// What is wrong with the value; else what there is of the size already. The lines are there in any case: the buttons keep their places.
@@ -193,7 +207,7 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
 }
 
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
-    let row = ui.horizontal(|ui| {
+    let row = ui.horizontal_wrapped(|ui| {
         let name = heading(ui, view.text("walk-page-value"));
         // What is asked for stands above, which is out of sight where there is no room.
         if is_tiny(ui) {
@@ -202,10 +216,13 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
         name
     });
     let name = row.inner;
-    let width = ui.available_width();
+    let keypad = space(5.0) + 2.0 * ui.spacing().button_padding.x;
+    let width = ui.available_width() - keypad.max(control(ui)) - ui.spacing().item_spacing.x;
     ui.horizontal(|ui| {
         field_ui(ui, view, WalkField::Value, name.id, FieldStyle::large(width - space(12.0)));
         quiet(ui, "mm");
+        ui.add_space((width - ui.min_rect().width()).max(0.0));
+        view.icon_toggle(ui, WindowAction::Keypad, Icon::Numpad);
     });
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
@@ -213,7 +230,6 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
             let size = vec2(view.width_of(ui, &[PartsAction::TakeValue]), control(ui));
             view.main_button(ui, PartsAction::TakeValue, size);
             view.field_button(ui, PartsAction::SimulateValue);
-            view.toggle(ui, WindowAction::Keypad);
         });
     });
 }

@@ -5,12 +5,16 @@
 //! | here | the view in columns |
 //! | `asked_panel` | left: the plan and the serial number; then the size that is asked for and its value |
 //! | `skip_panel` | why a size is left out |
-//! | `sizes_list` | middle: every size with its verdict |
-//! | `answer_panel` | right: the verdict of the value, and what the values make of the part |
+//! | `sizes_list` | every size with its verdict: below what is asked, or in the middle where that has no picture |
+//! | `seen_panel` | middle: the picture over the limit band |
+//! | `answer_panel` | right: the verdict of the value |
+//! | `part_panel` | right, below: the values of the size, what they make of the part, and what is to do |
 //! | `watch_panel` | below it: the watched folder |
 
 mod answer_panel;
 mod asked_panel;
+mod part_panel;
+mod seen_panel;
 mod sizes_list;
 mod skip_panel;
 mod watch_panel;
@@ -23,7 +27,6 @@ pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;
-use super::picture;
 use crate::gui::columns::{Page, Shape, THREE, columns_ui, of_height};
 use crate::gui::room::is_tiny;
 use crate::gui::theme::space;
@@ -36,6 +39,9 @@ use crate::words::Words;
 
 /// From this width on the columns are wider.
 const WIDE: f32 = 400.0;
+
+/// The least height of the list below what is asked, steps of space.
+const LIST: f32 = 36.0;
 
 /// Whether the head of the page scrolls with the view, because there is no room for it above.
 pub(super) fn has_head(ui: &Ui, view: &View<'_>) -> bool {
@@ -58,13 +64,12 @@ fn has_picture(view: &View<'_>) -> bool {
     parts.walking.is_begun() && parts.walk_sight().is_some()
 }
 
-/// The picture above the sizes, where the plan has one.
-fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if has_picture(view) {
-        let height = ui.available_height() * 0.5;
-        of_height(ui, height, |ui| picture::walk_picture_ui(ui, view));
-    }
-    sizes_list::sizes_ui(ui, view);
+/// What is asked, and below it the sizes in the room that is left.
+fn asked_over_sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
+    asked_panel::asked_ui(ui, view);
+    ui.separator();
+    let left = ui.clip_rect().height() - ui.min_rect().height() - space(5.0);
+    of_height(ui, left.max(space(LIST)), |ui| sizes_list::sizes_ui(ui, view));
 }
 
 /// What a scanner or gauge types while no field has the focus goes into the field of the serial number or of the value.
@@ -92,18 +97,20 @@ fn catch_typing(ui: &Ui, view: &mut View<'_>) {
 pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
     catch_typing(ui, view);
     let is_wide = space(WIDE) <= ui.available_width();
+    let least = least_width(ui, view);
+    let is_picture = Shape::of(ui, least, THREE) == Shape::Three && has_picture(view);
     let page = Page {
         // Another size of window has widths of its own.
         name: if is_wide { "walk-wide" } else { "walk" },
-        left: if is_wide { space(85.0) } else { space(74.0) },
+        left: if is_wide { space(85.0) } else { space(82.0) },
         right: if is_wide { space(105.0) } else { space(88.0) },
         three: THREE,
         head: has_head(ui, view).then_some(head_ui),
-        asked: asked_panel::asked_ui,
-        seen: seen_ui,
+        asked: if is_picture { asked_over_sizes_ui } else { asked_panel::asked_ui },
+        seen: if is_picture { seen_panel::picture_ui } else { seen_panel::list_ui },
         seen_height: if has_picture(view) { space(150.0) } else { space(90.0) },
         verdict: answer_panel::verdict_ui,
-        least: least_width(ui, view),
+        least,
         answer: |ui, view| {
             answer_panel::answer_ui(ui, view);
             ui.separator();

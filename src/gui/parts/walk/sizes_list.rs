@@ -1,14 +1,16 @@
-//! Middle: every size of the part with its verdict.
+//! Every size of the part with its verdict: below what is asked where the middle has the picture, else in the middle.
 
 use std::ops::Range;
 
-use eframe::egui::{Id, Ui};
+use eframe::egui::{Color32, Id, Ui};
 
 use super::asked_text;
 use crate::gui::key_names::part_id;
-use crate::gui::table::{Cell, Column, Row, Table, joined};
+use crate::gui::table::{Cell, Column, PAD, Row, Table, joined};
+use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{Digits, View, quiet};
 use crate::message::message;
+use crate::part::Size;
 use crate::session::focused::SIZES;
 use crate::session::parts::{WalkCommand, WalkRow, Walking};
 
@@ -17,14 +19,20 @@ pub(in crate::gui) fn id() -> Id {
     part_id(SIZES)
 }
 
+/// The narrowest column of names, steps of space.
+const NAME: f32 = 23.0;
+
+/// What the mark, a value and the bar take beside it.
+const BESIDE: f32 = 33.0;
+
 /// Verdict, name, what is asked, value, deviation, remark. The remark, which is narrower first, gives way before the others.
 pub(in crate::gui) const COLUMNS: [Column; 6] = [
     Column::mark(),
-    Column::text(23.0),
+    Column::text(NAME).wraps(),
     Column::text(18.0).gives_way(3),
     Column::number(20.0),
     Column::number(18.0).gives_way(2),
-    Column::text(14.0).gives_way(1).grows(36.0),
+    Column::text(22.0).gives_way(1).grows(36.0),
 ];
 
 /// On a wide screen a value stays near its name: the columns become no wider than so many times their width.
@@ -37,18 +45,36 @@ pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.text("walk-page-no-part"));
         return;
     }
+    let [mark, _, rest @ ..] = COLUMNS;
+    let columns: Vec<Column> = [mark, name_column(ui, walking)].into_iter().chain(rest).collect();
     let table = Table {
         stretch: STRETCH,
         count: walking.count(),
         look: walking.look(),
         // The field of the value gets the focus: what a gauge types next is of this size.
         keeps_focus: false,
-        ..Table::new(id(), "walk-page-sizes", &COLUMNS)
+        ..Table::new(id(), "walk-page-sizes", &columns)
     };
     let seen = table.show(ui, view, |view, places| rows(view, walking, places));
     if let Some(place) = seen.clicked {
         view.send(WalkCommand::Go(place));
     }
+}
+
+/// The column of names, as wide as the longest of them where values keep their room; what is longer goes on in a second line.
+fn name_column(ui: &Ui, walking: &Walking) -> Column {
+    let longest = (0..walking.count()).max_by_key(|at| walking.name(*at).chars().count());
+    let name = longest.and_then(|at| walking.with_row(at, |row| numbered(row.size)));
+    let width = |name| ui.painter().layout_no_wrap(name, theme::font(sizes().body), Color32::PLACEHOLDER).size().x;
+    let wanted = name.map_or(0.0, |name| (width(name) + 2.0 * PAD) / space(1.0));
+    let room = ui.available_width() / space(1.0) - BESIDE;
+    Column::text(wanted.ceil().min(room).max(NAME)).wraps()
+}
+
+/// Number and name of a size.
+pub(super) fn numbered(size: &Size<'_>) -> String {
+    let number = &size.feature.number;
+    if number.is_empty() { size.name() } else { format!("{number}  {}", size.name()) }
 }
 
 fn rows(view: &View<'_>, walking: &Walking, places: Range<usize>) -> Vec<Row<usize>> {
@@ -62,8 +88,7 @@ fn rows(view: &View<'_>, walking: &Walking, places: Range<usize>) -> Vec<Row<usi
 
 fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow<'_>) -> Row<usize> {
     let words = view.words;
-    let number = &size.feature.number;
-    let name = if number.is_empty() { size.name() } else { format!("{number}  {}", size.name()) };
+    let name = numbered(size);
     let asked = asked_text(words, size);
     let record = value.map(|value| value.record.as_ref());
     let digits = record.map_or(Digits::Exact, Digits::of);
