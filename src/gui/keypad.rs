@@ -161,7 +161,7 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, field: Option<Field>, key: Key, stat
         Key::Letters if state.has_letters => ("123".to_owned(), view.text("key-figures")),
         Key::Letters => ("ABC".to_owned(), view.text("key-letters")),
         Key::Shift => ((if state.is_small { "ABC" } else { "abc" }).to_owned(), view.text("key-shift")),
-        Key::Enter => ("⏎".to_owned(), view.text("key-measure")),
+        Key::Enter => ("⏎".to_owned(), view.text("key-enter")),
     };
     let button = Button::new(RichText::new(shown).font(theme::bold(sizes().figure))).min_size(size);
     // Without a field only the keys that change the keypad itself do something.

@@ -446,6 +446,18 @@ fn what_is_taken_back_leaves_the_history_of_checks_too_and_undo_does_not_bring_i
 }
 
 #[test]
+fn a_value_of_the_journal_comes_back_with_the_decimal_sign_of_the_window() {
+    for (language, typed) in [(Language::En, "25.004"), (Language::Nl, "25,004")] {
+        let mut session = Session::new(language);
+        begin(&mut session);
+        send(&mut session, RecordsCommand::Opened(Ok((Box::new(journal(8)), vec![check_row(8, 4, None)]))));
+        let (id, _) = session.history().listed().page(0..1).remove(0);
+        send(&mut session, CheckCommand::Show(id));
+        assert_eq!(session.text(CheckField::Measured), typed);
+    }
+}
+
+#[test]
 fn measure_again_takes_callout_part_serial_and_rule() {
     let mut session = opened(vec![check_row(8, -3, None)]);
     let again = RecordsAction::MeasureAgain.command(&session).unwrap();

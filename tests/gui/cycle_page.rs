@@ -549,7 +549,7 @@ fn the_keypad_types_into_a_parameter_and_runs() {
     let mut window = coordinate(Window::default());
     click(&mut window, Role::Button, "Keypad");
     fill(&mut window, &[("Q288", "5")]);
-    for pressed in ["Decimal sign", "Key 2", "Measure with Enter"] {
+    for pressed in ["Decimal sign", "Key 2", "Enter"] {
         click(&mut window, Role::Button, pressed);
     }
     let session = window.state().session();

@@ -375,6 +375,22 @@ fn ctrl_z_undoes_the_history_on_other_pages_unless_a_text_field_takes_it() {
     assert_eq!(window.state().session().history().len(), 3, "the table page undoes edits of its own");
 }
 
+#[test]
+fn a_value_that_comes_back_from_the_history_stands_there_as_it_was_typed() {
+    let mut window = window();
+    for typed in ["25,03", "25.012", "25"] {
+        check(&mut window, "25 H7", typed);
+    }
+    let value = |window: &Harness<'_, App>| {
+        window.get_by_role_and_label(Role::TextInput, "Measured value").accesskit_node().value().unwrap_or_default()
+    };
+    let listed = rows(&window);
+    for (row, typed) in listed.iter().zip(["25", "25.012", "25,03"]) {
+        click(&mut window, Role::Row, row);
+        assert_eq!(value(&window), typed);
+    }
+}
+
 /// A window with a measured and a simulated check of the same callout.
 fn simulated(size: Vec2) -> Harness<'static, App> {
     let mut window = Window { size, ..Window::default() }.open();

@@ -65,7 +65,7 @@ fn tab_walks_in_reading_order() {
             "Type",
             "Simulate",
             "Keypad",
-            "Measure",
+            "Judge",
             "Clear",
             "Nominal size",
             "Class",
@@ -111,7 +111,7 @@ fn a_check_works_by_touch_alone() {
     window.get_by_role_and_label(Role::TextInput, "Measured value").click();
     window.run();
     press(&mut window, &["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 3", "Key 3"]);
-    press(&mut window, &["Delete last character", "Key 0", "Measure with Enter"]);
+    press(&mut window, &["Delete last character", "Key 0", "Enter"]);
     assert!(verdict(&window).starts_with("SCRAP. 25.030 mm"), "{}", verdict(&window));
 }
 
@@ -159,7 +159,7 @@ fn the_keypad_replaces_what_is_selected_and_keeps_the_focus_on_the_field() {
     };
     let said = ["Key 2", "Key 5", "Decimal sign", "Decimal sign", "Key 0", "Decimal sign", "Key 3"].map(&mut press);
     assert_eq!(said, ["2", "25", "25.", "25.", "25.0", "25.0", "25.03"]);
-    press("Measure with Enter");
+    press("Enter");
     assert_eq!(press("Key 9"), "9", "after Enter the next value replaces the last one");
 }
 
@@ -196,7 +196,7 @@ fn the_keypad_types_into_no_field_that_is_not_on_screen() {
         send(&mut window, Command::OpenPage(page));
         press(&mut window, "Key 7");
         press(&mut window, "Delete last character");
-        press(&mut window, "Measure with Enter");
+        press(&mut window, "Enter");
         let session = window.state().session();
         assert_eq!(session.text(CheckField::Measured), "25.012", "{page:?}");
         assert_eq!((session.check().shown.is_some(), session.history().len()), (true, 1), "{page:?}");
@@ -226,7 +226,7 @@ fn the_keypad_covers_neither_band_nor_verdict() {
         check(&mut window, "25 H7", "25.012");
         window.get_by_role_and_label(Role::Button, "Keypad").click();
         window.run();
-        let keys = ["Key 7", "Measure with Enter"].map(|key| window.get_by_role_and_label(Role::Button, key).rect());
+        let keys = ["Key 7", "Enter"].map(|key| window.get_by_role_and_label(Role::Button, key).rect());
         let keypad = keys[0].union(keys[1]);
         let verdict = window.get_by_role(Role::Status).rect();
         assert!(!keypad.intersects(verdict), "{size:?}: {keypad:?} {verdict:?}");
@@ -316,7 +316,7 @@ fn every_stop_of_the_focus_has_a_name_and_does_something() {
 #[test]
 fn touch_makes_everything_higher_until_a_mouse_moves() {
     let mut window = window();
-    let height = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Measure").rect().height();
+    let height = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Judge").rect().height();
     assert!((height(&window) - 44.0).abs() < 1.0, "{}", height(&window));
     let touch =
         |phase| Event::Touch { device_id: TouchDeviceId(1), id: TouchId(1), phase, pos: pos2(5.0, 5.0), force: None };

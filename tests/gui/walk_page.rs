@@ -382,7 +382,7 @@ fn the_part_says_what_is_to_do_and_leads_there() {
 
 /// Where the left edges and tops of some things are.
 fn places(page: &Harnessed) -> Vec<(String, i32, i32)> {
-    let names = ["Report…", "Watch a folder…", "Use value", "Skip", "Import values…"];
+    let names = ["Report…", "Watch a folder…", "Judge", "Skip", "Import values…"];
     let place = |name: &&str| {
         let rect = page.get_by_role_and_label(Role::Button, name).rect();
         let dot = |side: f32| format!("{side:.0}").parse().unwrap();
@@ -485,7 +485,7 @@ fn touch_alone_does_the_walk() {
     for key in ["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 1"] {
         click(&mut page, Role::Button, key);
     }
-    click(&mut page, Role::Button, "Use value");
+    click(&mut page, Role::Button, "Judge");
     assert!(verdict(&page).contains("BORE: 25.010 mm"), "{}", verdict(&page));
     click(&mut page, Role::Button, "Skip");
     click(&mut page, Role::Button, "Measured elsewhere");

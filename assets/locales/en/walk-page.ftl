@@ -2,7 +2,7 @@
 
 walk-page-begin = Start part
 walk-page-count-up = Next number
-walk-page-take = Use value
+walk-page-take = Judge
 walk-page-take-meant = Use { $meant } mm
 walk-page-simulate = Simulate
 walk-page-simulate-hint = Runs the feature's cycle on a perfect part; nobody measures the value, and it stays marked as simulated

@@ -52,9 +52,10 @@ minimum = Minimum
 from-source = from { $source }
 source-overrides = Own table: ISO 286 has { $upper } / { $lower } µm, so it differs by { $by-upper } / { $by-lower } µm
 measured-value = Measured value
-measured-once = Judged already. To measure the same value a second time, type it again or use the button
+measured-once = Judged already. To judge the same value again, type it again or press the button
 by-typing = Type
 by-simulating = Simulate
+judge = Judge
 measure = Measure
 clear = Clear
 nominal-size = Nominal size
@@ -337,7 +338,7 @@ key-figures = Figures
 key-shift = Upper or lower case
 key-back = Delete last character
 key-clear = Empty
-key-measure = Measure with Enter
+key-enter = Enter
 
 ## Table page
 tables-choice = Table

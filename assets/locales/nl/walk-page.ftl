@@ -2,7 +2,7 @@
 
 walk-page-begin = Onderdeel beginnen
 walk-page-count-up = Volgend nummer
-walk-page-take = Waarde gebruiken
+walk-page-take = Beoordelen
 walk-page-take-meant = { $meant } mm gebruiken
 walk-page-simulate = Simuleren
 walk-page-simulate-hint = Voert de cyclus van het element uit op een perfect onderdeel; niemand meet de waarde, en ze blijft gemerkt als gesimuleerd

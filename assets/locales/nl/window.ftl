@@ -52,9 +52,10 @@ minimum = Minimum
 from-source = uit { $source }
 source-overrides = Eigen tabel: ISO 286 heeft { $upper } / { $lower } µm, dus een verschil van { $by-upper } / { $by-lower } µm
 measured-value = Gemeten waarde
-measured-once = Al beoordeeld. Typ de waarde opnieuw of gebruik de knop om dezelfde waarde een tweede keer te meten
+measured-once = Al beoordeeld. Typ de waarde opnieuw of gebruik de knop om dezelfde waarde nog eens te beoordelen
 by-typing = Typen
 by-simulating = Simuleren
+judge = Beoordelen
 measure = Meten
 clear = Wissen
 nominal-size = Nominale maat
@@ -337,7 +338,7 @@ key-figures = Cijfers
 key-shift = Hoofdletters of kleine letters
 key-back = Laatste teken wissen
 key-clear = Leegmaken
-key-measure = Meten met Enter
+key-enter = Enter
 
 ## Table page
 tables-choice = Tabel

@@ -234,6 +234,11 @@ impl Shared {
         Self { language, theme, recording, materials: Materials::shipped().clone(), ..Self::default() }
     }
 
+    /// A number as it is typed in the window's language.
+    pub(super) fn as_typed(&self, number: &str) -> String {
+        number.replace('.', &self.decimal_sign().to_string())
+    }
+
     /// Takes what a measured value is worth from now on.
     pub(super) fn take_worth(&mut self, worth: RuleFields) {
         let is_other = worth.temperature() != self.worth.temperature();

@@ -30,7 +30,7 @@ actions! {
     /// What can be done on the check page.
     CheckAction
 
-    /// Measures and judges.
+    /// Judges the typed value, or measures the simulated workpiece and judges that.
     Measure;
     /// Judges a typed value that was asked about, as it is.
     JudgeAnyway;
@@ -93,7 +93,7 @@ impl Actions for CheckAction {
     #[expect(clippy::too_many_lines, reason = "one row for everything that can be done")]
     fn row(&self) -> ActionRow {
         match *self {
-            Self::Measure => on(Page::Check, "measure", CheckCommand::Measure),
+            Self::Measure => on(Page::Check, "judge", CheckCommand::Measure),
             Self::JudgeAnyway => on(Page::Check, "judge-anyway", CheckCommand::Measure)
                 .when(|session| session.check().question.is_some()),
             Self::TakeMeant => on(Page::Check, "take-meant", CheckCommand::TakeMeant).when(|session| {
@@ -231,6 +231,8 @@ impl Actions for CheckAction {
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         let mm = |length: Option<Length>| length.map_or_else(String::new, |length| words.mm(length, 3));
         let message = match self {
+            // Nobody measures a typed value here.
+            Self::Measure if session.check().by == MeasureBy::Simulating => message!("measure"),
             Self::JudgeAnyway | Self::TakeMeant => {
                 let question = session.check().question.as_ref();
                 Message::new(self.row().text)

@@ -70,13 +70,12 @@ impl PageState for CheckPage {
             CheckCommand::LetProve(prover) => self.judge_by(RuleChoice { prover, ..self.judging }, &shared.sources),
             CheckCommand::TellUncertainty(from) => self.judge_by(RuleChoice { from, ..self.judging }, &shared.sources),
             CheckCommand::ChooseExpansion(field, expansion) => {
-                let sign = shared.decimal_sign().to_string();
-                self.type_text(field, expansion.to_string().replace('.', &sign), &shared.sources);
+                self.type_text(field, shared.as_typed(&expansion.to_string()), &shared.sources);
             }
             CheckCommand::Measure => self.measure(shared, now),
             CheckCommand::TakeMeant => {
                 if let Some(meant) = self.question.and_then(|question| question.doubt.meant()) {
-                    self.texts.set(CheckField::Measured, meant.to_string());
+                    self.texts.set(CheckField::Measured, shared.as_typed(&meant.to_string()));
                     self.edited(&shared.sources);
                     self.measure(shared, now);
                 }
@@ -373,10 +372,9 @@ impl CheckPage {
     /// What is highlighted beside a doubted text: what it probably means. Without that it stays as it is, and is asked about.
     fn take_text(&mut self, shared: &mut Shared, now: DateTime) {
         let Some(DoubtedText { field, meant: Some(meant), .. }) = self.doubted().cloned() else { return };
-        let sign = shared.decimal_sign().to_string();
         // The same hole or shaft in the unit that was meant.
         let feature = self.feature().filter(|_| field == CheckField::Callout);
-        self.type_text(field, meant.replace('.', &sign), &shared.sources);
+        self.type_text(field, shared.as_typed(&meant), &shared.sources);
         if let Some(feature) = feature {
             self.mean(feature);
         }
@@ -436,6 +434,8 @@ impl CheckPage {
             if let Some(seed) = self.asked.seed {
                 self.texts.set(CheckField::Seed, seed.wrapping_add(1).to_string());
             }
+        } else {
+            self.inputs.keep_typed(id, self.texts.text(CheckField::Measured));
         }
         self.show(id, shared);
     }
@@ -505,8 +505,8 @@ impl CheckPage {
         let diameter = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
         let measured = self.asked.length(CheckField::Measured).filter(|_| is_typed);
         if measured != Some(diameter) {
-            let text = if is_typed { diameter.to_string() } else { String::new() };
-            self.texts.set(CheckField::Measured, text);
+            let text = self.inputs.typed(id).map_or_else(|| shared.as_typed(&diameter.to_string()), str::to_owned);
+            self.texts.set(CheckField::Measured, if is_typed { text } else { String::new() });
         }
         self.measured_is_used = is_typed;
     }

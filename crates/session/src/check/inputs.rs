@@ -35,6 +35,8 @@ pub(super) const SIMULATION: [CheckField; 14] = [
 #[derive(Debug, Default)]
 pub(super) struct Inputs {
     of_simulated: BTreeMap<RecordId, Vec<(CheckField, String)>>,
+    /// Typed values, as they were typed.
+    typed: BTreeMap<RecordId, String>,
 }
 
 impl Inputs {
@@ -42,6 +44,16 @@ impl Inputs {
     pub fn keep(&mut self, id: RecordId, texts: &Texts<CheckField>) {
         let all = SIMULATION.into_iter().map(|field| (field, texts.text(field).trim().to_owned()));
         self.of_simulated.insert(id, all.collect());
+    }
+
+    /// Keeps a value as it was typed.
+    pub fn keep_typed(&mut self, id: RecordId, text: &str) {
+        self.typed.insert(id, text.trim().to_owned());
+    }
+
+    /// The value of a record as it was typed here.
+    pub fn typed(&self, id: Option<RecordId>) -> Option<&str> {
+        self.typed.get(&id?).map(String::as_str)
     }
 
     /// What a record was made with; one that is in no history has no number. A typed diameter has no position, and no record from a file a workpiece.
