@@ -232,8 +232,8 @@ fn exported(session: &Session) -> Message {
     }
     let history = session.history();
     match (history.chosen_count(), history.exported_count()) {
-        (0, listed) if listed < history.len() => {
-            message!("history-exported-listed").count("count", listed).count("all", history.len())
+        (0, listed) if listed < history.iter().count() => {
+            message!("history-exported-listed").count("count", listed).count("all", history.iter().count())
         }
         (0, count) => message!("history-exported").count("count", count),
         (chosen, _) => message!("history-chosen").count("count", chosen),

@@ -165,7 +165,7 @@ proptest! {
                 Act::Remove(number) => {
                     let first = RecordId(number % (memory.next().0 + 1));
                     let of_naive = naive.rows.split_off(naive.rows.partition_point(|(id, _)| *id < first));
-                    let of_memory = memory.remove_from(first);
+                    let of_memory = memory.remove(first..RecordId(u64::MAX));
                     assert_eq!((of_memory.len(), of_memory.is_empty()), (of_naive.len(), of_naive.is_empty()));
                     removed.push((of_memory, of_naive));
                 }
@@ -225,7 +225,7 @@ fn every_word_of_a_filter_must_be_somewhere_in_the_record() {
 fn a_number_is_never_given_twice() {
     let mut memory = Memory::default();
     memory.add(vec![record((0, 0, 0, 1, 0)), record((0, 0, 0, 2, 0))]);
-    memory.remove_from(RecordId(1));
+    memory.remove(RecordId(1)..RecordId(u64::MAX));
     memory.add(vec![record((0, 0, 0, 3, 0))]);
     let ids: Vec<_> = memory.all().map(|(id, _)| id.0).collect();
     assert_eq!(ids, [0, 2]);

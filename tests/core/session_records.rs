@@ -404,6 +404,34 @@ fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
 }
 
 #[test]
+fn a_correction_is_judged_by_what_its_record_was_judged_by_whatever_the_page_says_now() {
+    let mut session = recording();
+    for (field, text) in [(CheckField::Uncertainty, "1"), (CheckField::PartTemperature, "30")] {
+        typed(&mut session, field, text);
+    }
+    send(&mut session, CheckCommand::UseRule(fitcheck::verdict::rules::RuleName::Iso14253Of2017));
+    let (run, before) = kept(&measure(&mut session, "25 H7", "25.012"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(8)]) });
+    // The next part is measured in another way.
+    send(&mut session, CheckCommand::UseRule(fitcheck::verdict::rules::RuleName::Simple));
+    typed(&mut session, CheckField::PartTemperature, "");
+    let row = RecordRow { entry: Ok(before[0].clone()), ..check_row(8, 0, None) };
+    send(&mut session, RecordsCommand::CorrectNumber(8));
+    send(&mut session, RecordsCommand::Read { numbers: vec![8], result: Ok(vec![Arc::new(row)]) });
+    typed(&mut session, RecordsField::Measured, "25.020");
+    typed(&mut session, RecordsField::Callout, "25 H8");
+    typed(&mut session, RecordsField::Reason, "digits swapped");
+    let (_, entries) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+    let (old, new) = (size(&before[0]), size(&entries[0]));
+    assert_eq!(new.verdict.rule, old.verdict.rule);
+    assert_eq!(new.correction.map(|correction| correction.part), old.correction.map(|correction| correction.part));
+    assert_eq!(new.measured().to_string(), "25.02");
+    // Steel expands by 11.5 parts in a million per kelvin: 25.020 mm are 2.877 µm less at 20 °C, and 25 H8 goes up to 25.033.
+    assert!((new.measurement.diameter.to_mm_f64() - 25.017_123).abs() < 2e-6, "{}", new.measurement.diameter);
+    assert_eq!(new.limits.maximum().to_string(), "25.033");
+}
+
+#[test]
 fn a_withdrawal_and_what_is_corrected_already_cannot_be_corrected() {
     let back = Correction { target: head(3), reason: "test".to_owned(), by: "Bert".to_owned() };
     for row in [check_row(8, 4, Some(9)), row(9, Content::Withdrawal(back), None)] {

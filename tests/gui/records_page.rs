@@ -20,7 +20,7 @@ use fitcheck::words::Language;
 use jiff::tz::{TimeZone, offset};
 
 use crate::fake_journal::Fake;
-use crate::harness::{Window, check, click, cursor, moment, press, rows, type_into, verdict};
+use crate::harness::{Window, check, click, cursor, moment, press, rows, type_into, unfold, verdict};
 use crate::pictures::can_paint;
 
 fn records(journals: impl Journals + 'static, folder: &Path) -> Records {
@@ -195,7 +195,8 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
     type_into(&mut window, "Reason", "read from the wrong part");
     click(&mut window, Role::Button, "Record the correction");
     window.get_by_label("Nothing is different: change a field, or withdraw the record");
-    type_into(&mut window, "Typed value, mm", "25.023");
+    type_into(&mut window, "Measured value", "25.023");
+    unfold(&mut window, "Part, serial number, name");
     type_into(&mut window, "Part", "Flange 7");
     click(&mut window, Role::Button, "Record the correction");
     // The new record is open, and stands in place of the old one.
@@ -206,7 +207,7 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
         listed[0].contains("Record 5") && listed[0].contains("Flange 7, 25 H7, 25.023 mm, +23 µm, SCRAP"),
         "{listed:?}"
     );
-    assert!(listed[3].contains("Record 2") && listed[3].contains("See 5"), "{listed:?}");
+    assert!(listed[3].contains("Record 2") && listed[3].contains("Void, see 5"), "{listed:?}");
     click(&mut window, Role::Button, "In place of record 2");
     window.get_by_role_and_label(Role::Button, "Corrected or withdrawn by record 5");
     assert!(window.query_by_role_and_label(Role::Button, "Correct…").unwrap().accesskit_node().is_disabled());
@@ -225,6 +226,91 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
     let history = rows(&again);
     assert_eq!(history.len(), 2, "{history:?}");
     assert!(history[0].contains("Flange 7") && history[1].contains("Flange 2"), "{history:?}");
+}
+
+#[test]
+fn a_check_of_the_history_is_corrected_in_one_step_and_undo_takes_it_back_in_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    check(&mut window, "25 H7", "25.030");
+    check(&mut window, "25 H7", "25.012");
+    let [_, wrong] = <[String; 2]>::try_from(rows(&window)).unwrap();
+    click(&mut window, Role::Row, &wrong);
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    click(&mut window, Role::Button, "Correct…");
+    window.get_by_label("Correct record 2");
+    assert!(verdict(&window).starts_with("No result"), "no verdict beside other inputs: {}", verdict(&window));
+    let value = |window: &Harness<'_, App>, name: &str| {
+        window.get_by_role_and_label(Role::TextInput, name).accesskit_node().value().unwrap_or_default()
+    };
+    assert_eq!((value(&window, "Measured value"), value(&window, "Callout")), ("25.03".into(), "25 H7".into()));
+    // The value was typed wrongly, and so was the callout.
+    type_into(&mut window, "Measured value", "24.998");
+    type_into(&mut window, "Callout", "25 X99");
+    press(&mut window, Key::Enter);
+    assert!(window.state().session().error(RecordsField::Callout).is_some());
+    type_into(&mut window, "Callout", "25 h6");
+    press(&mut window, Key::Enter);
+    window.get_by_label("A correction needs a reason");
+    type_into(&mut window, "Reason", "digits swapped");
+    press(&mut window, Key::Enter);
+    // 25 h6 is 24.987 to 25.000.
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    let listed = rows(&window);
+    assert_eq!(listed.len(), 3, "{listed:?}");
+    assert!(listed[0].contains("25 h6, 24.9980 mm") && listed[0].contains("GOOD"), "{listed:?}");
+    assert!(listed[2].contains("25 H7, 25.0300 mm") && listed[2].contains("Void, see 4"), "{listed:?}");
+    window.get_by_label("Record 4");
+    click(&mut window, Role::Row, &listed[2]);
+    window.get_by_label("Record 2, void: see 4");
+    assert!(window.query_by_role_and_label(Role::Button, "Correct…").unwrap().accesskit_node().is_disabled());
+    // The journal has one entry more, which names the old one and the reason.
+    press_ctrl(&mut window, Key::Num3);
+    assert!(rows(&window)[2].contains("Record 2") && rows(&window)[2].contains("Void, see 4"), "{:?}", rows(&window));
+    let fourth = rows(&window)[0].clone();
+    click(&mut window, Role::Row, &fourth);
+    window.get_by_role_and_label(Role::Button, "In place of record 2");
+    window.get_by_label("digits swapped");
+    // One step back: what stood before stands again, and nothing is gone.
+    press_ctrl(&mut window, Key::Num1);
+    press_ctrl(&mut window, Key::Z);
+    let listed = rows(&window);
+    assert_eq!(listed.len(), 4, "{listed:?}");
+    assert!(listed[0].contains("25 H7, 25.0300 mm") && listed[0].contains("SCRAP"), "{listed:?}");
+    assert!(listed[1].contains("25 h6, 24.9980 mm") && listed[1].contains("Void, see 5"), "{listed:?}");
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    press_ctrl(&mut window, Key::Z);
+    let stand = |window: &Harness<'_, App>| {
+        window.state().session().history().iter().map(|record| record.measured().to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(stand(&window), ["25.03"], "the next step is the check before");
+    drop(window);
+    let again = at(folder.path()).open();
+    assert_eq!(stand(&again), ["25.012", "25.03"], "the journal has it all");
+}
+
+#[test]
+fn a_correction_that_cannot_be_written_says_so_and_changes_nothing() {
+    let fake = Fake::of(1, Duration::ZERO);
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window { records: records(fake.clone(), folder.path()), ..Window::default() }.open();
+    check(&mut window, "25 H7", "25.030");
+    click(&mut window, Role::Button, "Correct…");
+    type_into(&mut window, "Measured value", "25.003");
+    type_into(&mut window, "Reason", "digits swapped");
+    fake.is_full.store(true, SeqCst);
+    press(&mut window, Key::Enter);
+    assert!(rows(&window).len() == 1 && rows(&window)[0].contains("SCRAP"), "{:?}", rows(&window));
+    assert!(window.query_all_by_role_and_label(Role::Button, "Try again").next().is_some());
+    fake.is_full.store(false, SeqCst);
+    send(&mut window, RecordsCommand::TryAgain);
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    assert_eq!(rows(&window).len(), 2);
+    // Escape leaves a form, and nothing is recorded.
+    click(&mut window, Role::Button, "Correct…");
+    press(&mut window, Key::Escape);
+    assert!(window.query_by_label("Reason").is_none());
+    assert_eq!(fake.written.lock().unwrap().len(), 2);
 }
 
 #[test]

@@ -69,6 +69,7 @@ records-page-none-found = No record matches
 ## The list
 records-page-list = Records
 records-page-head-number = No.
+records-page-zone = In the zone
 records-page-move = Go to another record
 records-page-open = Open the record
 records-page-choose = Choose for a report
@@ -102,7 +103,8 @@ records-page-out-unread = { $count ->
     [one] 1 record that cannot be read is left out
    *[other] { $count } records that cannot be read are left out
 }
-records-page-see = See { $number }
+records-page-see = Void, see { $number }
+records-page-void = Record { $number }, void: see { $by }
 records-page-takes-back = Withdraws { $number }
 records-page-withdrawal = Withdrawal
 records-page-cycle = Cycle { $cycle }
@@ -140,16 +142,19 @@ records-page-chain-name = Journal
 records-page-hash = Hash
 
 ## A correction
-records-page-correction = Correction
+records-page-correction = Correct record { $number }
+records-page-correction-rule = Judged anew by what the record was judged by: { $rule }.
+records-page-correction-temperature = Corrected from { $temperature } °C to 20 °C.
+records-page-correction-rest = Part, serial number, name
 records-page-correction-hint = A new record takes the place of this one. Both stay in the journal.
 records-page-corrector = Corrected by
 records-page-reason = Reason
 records-page-withdraw = Withdraw the record
 records-page-withdraw-hint = Nothing takes its place
 records-page-withdraw-neither = Record { $number }, which this one corrects, does not count again
-records-page-typed = Typed value, mm
 records-page-send-correction = Record the correction
 records-page-leave-correction = Cancel
+records-page-undone = Correction undone
 records-page-no-reason = A correction needs a reason
 records-page-nothing-changed = Nothing is different: change a field, or withdraw the record
 records-page-not-open = The record is not open

@@ -32,6 +32,7 @@ undo-add = { $count ->
     [one] add 1 check
    *[other] add { $count } checks
 }
+undo-correct = correction
 undo-clear = clear history
 undone = Undone: { $what }
 clear-history = Clear history

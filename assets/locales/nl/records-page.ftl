@@ -69,6 +69,7 @@ records-page-none-found = Geen vastlegging voldoet
 ## De lijst
 records-page-list = Vastleggingen
 records-page-head-number = Nr.
+records-page-zone = In de zone
 records-page-move = Naar een andere vastlegging
 records-page-open = De vastlegging openen
 records-page-choose = Voor een rapport kiezen
@@ -102,7 +103,8 @@ records-page-out-unread = { $count ->
     [one] 1 vastlegging die niet kan worden gelezen is weggelaten
    *[other] { $count } vastleggingen die niet kunnen worden gelezen zijn weggelaten
 }
-records-page-see = Zie { $number }
+records-page-see = Vervallen, zie { $number }
+records-page-void = Vastlegging { $number }, vervallen: zie { $by }
 records-page-takes-back = Trekt { $number } in
 records-page-withdrawal = Intrekking
 records-page-cycle = Cyclus { $cycle }
@@ -140,16 +142,19 @@ records-page-chain-name = Logboek
 records-page-hash = Hash
 
 ## Een correctie
-records-page-correction = Correctie
+records-page-correction = Vastlegging { $number } corrigeren
+records-page-correction-rule = Opnieuw beoordeeld zoals de vastlegging zelf: { $rule }.
+records-page-correction-temperature = Gecorrigeerd van { $temperature } °C naar 20 °C.
+records-page-correction-rest = Onderdeel, serienummer, naam
 records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het logboek.
 records-page-corrector = Gecorrigeerd door
 records-page-reason = Reden
 records-page-withdraw = De vastlegging intrekken
 records-page-withdraw-hint = Er komt niets in haar plaats
 records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet weer
-records-page-typed = Getypte waarde, mm
 records-page-send-correction = De correctie vastleggen
 records-page-leave-correction = Annuleren
+records-page-undone = Correctie ongedaan gemaakt
 records-page-no-reason = Een correctie heeft een reden nodig
 records-page-nothing-changed = Er is niets anders: wijzig een veld, of trek de vastlegging in
 records-page-not-open = De vastlegging is niet geopend

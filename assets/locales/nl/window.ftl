@@ -32,6 +32,7 @@ undo-add = { $count ->
     [one] 1 controle toevoegen
    *[other] { $count } controles toevoegen
 }
+undo-correct = correctie
 undo-clear = geschiedenis wissen
 undone = Ongedaan gemaakt: { $what }
 clear-history = Geschiedenis wissen

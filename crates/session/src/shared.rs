@@ -14,6 +14,7 @@ use fitcheck_core::tolerance::{Absent, Sources};
 use fitcheck_core::words::{Dialogue, Language, Words};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::Entry;
+use fitcheck_exchange::journal::query::RecordId;
 use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::machine::{NcPath, Store};
 
@@ -152,6 +153,10 @@ pub(super) enum News {
         /// The number of what stands in its place, and what it tells.
         by: Option<Box<(u64, Entry)>>,
     },
+    /// A record is being corrected.
+    Correcting,
+    /// The correction that put this check into the history is taken back.
+    UndoCorrection(RecordId),
     /// Other columns of files are remembered.
     Columns,
     /// Values are brought to 20 °C from another temperature, or no longer.

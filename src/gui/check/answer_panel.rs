@@ -47,9 +47,14 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let has_failed = matches!(recorded, Some(Recorded::Failed(_)));
     let below = if has_failed { control(ui) * 2.0 } else { 0.0 };
     let card = Card { height: height - below, ..card };
-    let said = match recorded {
-        Some(Recorded::Kept(number)) => view.words.say(&message!("records-page-record").text("number", number)),
-        Some(Recorded::Waiting) => view.text("records-page-waiting"),
+    let shown = view.session.check().shown.as_ref().and_then(|shown| shown.id);
+    let replaced = shown.and_then(|id| view.session.history().replaced_by(id));
+    let said = match (recorded, replaced) {
+        (Some(Recorded::Kept(number)), Some(by)) => {
+            view.words.say(&message!("records-page-void").text("number", number).text("by", by))
+        }
+        (Some(Recorded::Kept(number)), None) => view.words.say(&message!("records-page-record").text("number", number)),
+        (Some(Recorded::Waiting), _) => view.text("records-page-waiting"),
         _ => String::new(),
     };
     match record {

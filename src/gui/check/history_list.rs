@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eframe::egui::{Id, Ui};
 
 use crate::gui::key_names::part_id;
-use crate::gui::table::{Cell, Column, Row, Table};
+use crate::gui::table::{Cell, Column, Row, Table, Zoned};
 use crate::gui::view::{Digits, View};
 use crate::journal::Record;
 use crate::journal::query::{Column as By, RecordId, TIME, callout};
@@ -21,13 +21,14 @@ pub(in crate::gui) fn id() -> Id {
 }
 
 /// The columns of the history, behind the choice for export. What is left over goes to where a value comes from, which gives way first.
-pub(in crate::gui) const COLUMNS: [Column; 8] = [
+pub(in crate::gui) const COLUMNS: [Column; 9] = [
     Column::choice(),
-    Column::text(26.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(3),
-    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(4),
+    Column::text(26.0).sorts(Action::Check(CheckAction::SortHistory(By::Time))).gives_way(4),
+    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Part))).gives_way(5),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
     Column::text(23.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
-    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(2),
+    Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(3),
+    Column::zone().head("records-page-zone").gives_way(2),
     Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))).takes_rest(),
     Column::text(58.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
 ];
@@ -57,6 +58,7 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<RecordId>> {
     let shown = view.session.check().shown.as_ref().map(|shown| Arc::clone(&shown.record));
     let row = |(id, record): (RecordId, Arc<Record>)| Row {
         is_cursor: history.cursor == Some(id),
+        is_struck: history.replaced_by(id).is_some(),
         is_open: shown.as_ref().is_some_and(|shown| Arc::ptr_eq(shown, &record)),
         ..row(view, id, &record)
     };
@@ -80,7 +82,11 @@ fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
     let callout = callout(record);
     let measured = digits.mm(words, record.measurement.diameter, 4);
     let deviation = format!("{} µm", digits.signed_um(words, record.verdict.size.deviation));
-    let status = status_text(record, words);
+    let replaced = view.session.history().replaced_by(id);
+    let status = match replaced {
+        Some(by) => words.say(&message!("records-page-see").text("number", by)),
+        None => status_text(record, words),
+    };
     let from = words.say(&record.measurement.origin.message());
     let check = format!("{part} {callout} {measured} mm");
     let name = words.say(&message!("choose-check").text("check", check.trim()).text("time", &time));
@@ -94,13 +100,17 @@ fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
         .text("from", &from);
     let said = words.say(&said);
     let said = if is_chosen { words.say(&message!("history-row-chosen").text("row", said)) } else { said };
-    let verdict = Cell::Verdict {
-        status: Some(record.verdict.status()),
-        is_simulated: record.measurement.origin.is_simulated(),
-        word: status,
+    let verdict = match replaced {
+        Some(_) => Cell::Text(status),
+        None => Cell::Verdict {
+            status: Some(record.verdict.status()),
+            is_simulated: record.measurement.origin.is_simulated(),
+            word: status,
+        },
     };
     let [time, part, callout, measured, deviation, from] =
         [short, part, callout, measured, deviation, from].map(Cell::Text);
-    let choice = Cell::Choice { is_chosen, can_choose: true, name };
-    Row::new(id, vec![choice, time, part, callout, measured, deviation, verdict, from], said)
+    let choice = Cell::Choice { is_chosen, can_choose: replaced.is_none(), name };
+    let zone = Cell::Zone(Some(Zoned::of(record)));
+    Row::new(id, vec![choice, time, part, callout, measured, deviation, zone, verdict, from], said)
 }

@@ -61,6 +61,9 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
             filter_ui(ui, view);
             view.checkbox(ui, CheckAction::OnlyBad);
             theme::looking(ui, theme::tonal, |ui| ui.menu_button(view.text("export"), |ui| export_ui(ui, view)));
+            if view.session.recording().is_on() {
+                view.button(ui, CheckAction::CorrectCheck);
+            }
             chosen_ui(ui, view);
         }
     });

@@ -44,6 +44,7 @@ use super::card::close_card_ui;
 use super::columns::{Shape, Side, THREE, area_ui, bar_ui, column_ui, of_height, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView, measurements};
+use super::records::correction_ui;
 use super::room::is_low;
 use super::theme::{Icon, space};
 use super::verdict_card::least_width;
@@ -84,7 +85,11 @@ fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     keypad_ui(ui, view);
-    column_ui(ui, "check-asked", |ui| asked_panel::asked_panel_ui(ui, view));
+    let session = view.session;
+    column_ui(ui, "check-asked", |ui| match session.records().correcting.as_ref() {
+        Some(form) => correction_ui(ui, view, form),
+        None => asked_panel::asked_panel_ui(ui, view),
+    });
 }
 
 /// The width of the left column, and what the user may make of it.

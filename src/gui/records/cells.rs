@@ -1,6 +1,6 @@
 //! The texts of a row of the list.
 
-use crate::gui::table::{Cell, Row, joined};
+use crate::gui::table::{Cell, Row, Zoned, joined};
 use crate::gui::view::Digits;
 use crate::journal::entry::Checked;
 use crate::message::message;
@@ -20,6 +20,7 @@ pub(super) struct RecordCells {
     pub callout: String,
     pub measured: String,
     pub deviation: String,
+    pub zone: Option<Zoned>,
     pub status: String,
     pub who: String,
     /// The verdict, for colour and shape.
@@ -54,10 +55,12 @@ impl RecordCells {
         };
         let RowTexts { time, callout, mut measured, mut deviation, status } = RowTexts::of(row, words);
         let check = entry.check();
+        let mut zone = None;
         if let Some(Checked::Size(record)) = check.map(|check| &check.what) {
             let digits = Digits::of(record);
             measured = digits.mm(words, record.measurement.diameter, 3);
             deviation = digits.signed_um(words, record.verdict.size.deviation);
+            zone = Some(Zoned::of(record));
         }
         let about = &entry.about;
         let time = if row.went_back { words.say(&message!("records-page-went-back").text("time", time)) } else { time };
@@ -77,6 +80,7 @@ impl RecordCells {
             callout,
             measured,
             deviation: if deviation.is_empty() { deviation } else { format!("{deviation} µm") },
+            zone,
             status,
             who: about.who.clone(),
             verdict: check.and_then(crate::journal::entry::Check::status),
@@ -98,7 +102,8 @@ impl RecordCells {
         let texts =
             [self.number, self.time, self.part, self.serial, self.feature, self.callout, self.measured, self.deviation];
         let choice = Cell::Choice { is_chosen, can_choose, name };
-        let cells = std::iter::once(choice).chain(texts.map(Cell::Text)).chain([status, Cell::Text(self.who)]);
+        let rest = [Cell::Zone(self.zone), status, Cell::Text(self.who)];
+        let cells = std::iter::once(choice).chain(texts.map(Cell::Text)).chain(rest);
         Row::new(number, cells.collect(), said)
     }
 

@@ -1,40 +1,41 @@
-//! The form of a correction: what the record should say, and why. The old entry stays.
+//! The form of a correction, for the records page and the check page: what the record should say, and why. The old entry stays.
 
-use eframe::egui::{Ui, vec2};
+use eframe::egui::{Label, RichText, Ui, vec2};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::theme::{control, space};
+use crate::gui::limits::{feature_id, limits_ui};
+use crate::gui::section::Section;
+use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
+use crate::journal::Record;
 use crate::message::message;
 use crate::session::RecordsField;
 use crate::session::records::Correcting;
-use crate::session::{RecordsAction, WindowAction};
+use crate::session::{RecordsAction, RecordsCommand, WindowAction};
+use crate::tolerance::Feature;
 
-pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
-    heading(ui, view.text("records-page-correction"));
+pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
+    let page = view.session.records();
+    let number = page.open.as_ref().map_or(0, |open| open.number);
+    heading(ui, view.words.say(&message!("records-page-correction").text("number", number)));
     quiet(ui, view.text("records-page-correction-hint"));
-    view.checkbox(ui, RecordsAction::WithdrawRecord);
-    if let Some(number) = view.session.records().corrects().filter(|_| form.withdraws) {
-        quiet(ui, view.words.say(&message!("records-page-withdraw-neither").text("number", number.to_string())));
-    }
-    field(ui, view, RecordsField::Reason, "records-page-reason");
     if !form.withdraws {
-        for (of, name) in [
-            (RecordsField::Part, "head-part"),
-            (RecordsField::Serial, "records-page-serial"),
-            (RecordsField::Feature, "records-page-feature"),
-            (RecordsField::Measurer, "records-page-who"),
-            (RecordsField::Remark, "records-page-remark"),
-        ] {
-            field(ui, view, of, name);
+        if page.typed_value().is_some() {
+            value_ui(ui, view);
         }
-        if view.session.records().typed_value().is_some() {
-            field(ui, view, RecordsField::Measured, "records-page-typed");
+        if let Some(record) = page.opened_size() {
+            callout_ui(ui, view, form);
+            judged_ui(ui, view, record);
         }
     }
+    let reason = quiet(ui, view.text("records-page-reason"));
+    let width = ui.available_width();
+    field_ui(ui, view, RecordsField::Reason, reason.id, FieldStyle::text(width));
+    error_ui(ui, view, RecordsField::Reason);
     if let Some(why) = &form.problem {
         problem(ui, view.words.say(why));
     }
+    ui.add_space(space(0.5));
     ui.horizontal_wrapped(|ui| {
         let width = view.width_of(ui, &[RecordsAction::SendCorrection]);
         view.main_button(ui, RecordsAction::SendCorrection, vec2(width, control(ui)));
@@ -45,13 +46,83 @@ pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting)
             quiet(ui, view.text("records-page-waiting"));
         }
     });
+    if !form.withdraws {
+        rest_ui(ui, view);
+    }
+    view.checkbox(ui, RecordsAction::WithdrawRecord);
+    if let Some(number) = view.session.records().corrects().filter(|_| form.withdraws) {
+        quiet(ui, view.words.say(&message!("records-page-withdraw-neither").text("number", number.to_string())));
+    }
     ui.add_space(space(1.0));
     ui.separator();
 }
 
-fn field(ui: &mut Ui, view: &mut View<'_>, field: RecordsField, name: &str) {
-    let name = quiet(ui, view.text(name));
-    let look = FieldStyle::text(ui.available_width());
-    field_ui(ui, view, field, name.id, look);
-    error_ui(ui, view, field);
+/// The value as it should have been typed.
+fn value_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = quiet(ui, view.text("measured-value"));
+    let unit = space(8.0);
+    ui.horizontal(|ui| {
+        let width = ui.available_width() - unit - space(2.0);
+        let style = FieldStyle::value(ui, width);
+        field_ui(ui, view, RecordsField::Measured, name.id, style);
+        quiet(ui, "mm");
+    });
+    error_ui(ui, view, RecordsField::Measured);
+}
+
+/// What it was measured against: the callout, hole or shaft where that does not say it, and its limits.
+fn callout_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
+    let name = quiet(ui, view.text("callout"));
+    let style = FieldStyle::callout(ui);
+    field_ui(ui, view, RecordsField::Callout, name.id, style);
+    error_ui(ui, view, RecordsField::Callout);
+    if view.session.records().corrected_callout().is_some_and(|callout| callout.feature().is_none()) {
+        ui.horizontal(|ui| {
+            for feature in [Feature::Hole, Feature::Shaft] {
+                if ui.radio(form.feature == Some(feature), view.text(feature_id(feature))).clicked() {
+                    view.send(RecordsCommand::ChooseFeature(feature));
+                }
+            }
+        });
+    }
+    if let Some((_, limits)) = &form.asked {
+        limits_ui(ui, view, limits);
+    }
+}
+
+/// What the verdict is computed anew by: what the record was judged by.
+fn judged_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
+    let said = message!("records-page-correction-rule").text("rule", view.words.told(&record.verdict.rule));
+    let mut said = view.words.say(&said);
+    if let Some(correction) = record.correction {
+        let temperature = view.words.number(&correction.part.temperature.to_string());
+        let corrected = message!("records-page-correction-temperature").text("temperature", temperature);
+        said = format!("{said} {}", view.words.say(&corrected));
+    }
+    ui.add(Label::new(RichText::new(said).font(theme::font(sizes().small))).wrap());
+}
+
+/// What else the record should say, folded away.
+fn rest_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let fields = [
+        (RecordsField::Part, "head-part"),
+        (RecordsField::Serial, "records-page-serial"),
+        (RecordsField::Feature, "records-page-feature"),
+        (RecordsField::Measurer, "records-page-who"),
+        (RecordsField::Remark, "records-page-remark"),
+    ];
+    let said = fields.map(|(field, _)| view.session.text(field).trim());
+    let value = said.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ");
+    // A long remark is read in its field.
+    let value = if value.chars().count() <= 40 { value } else { String::new() };
+    let is_wrong = fields.iter().any(|(field, _)| view.session.error(*field).is_some());
+    let section = Section { icon: Icon::NotePencil, name: "records-page-correction-rest", value, is_wrong };
+    section.show(ui, view, |ui, view| {
+        for (field, name) in fields {
+            let name = quiet(ui, view.text(name));
+            let width = ui.available_width();
+            field_ui(ui, view, field, name.id, FieldStyle::text(width));
+            error_ui(ui, view, field);
+        }
+    });
 }

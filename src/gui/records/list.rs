@@ -17,18 +17,19 @@ pub(in crate::gui) fn id() -> Id {
 }
 
 /// The columns of the list, behind the choice for a report.
-pub(in crate::gui) const COLUMNS: [Column; 11] = [
+pub(in crate::gui) const COLUMNS: [Column; 12] = [
     Column::choice(),
     Column::text(16.0).head("records-page-head-number"),
-    Column::text(34.0).head("head-time").gives_way(5),
-    Column::text(26.0).head("head-part").gives_way(6),
-    Column::text(20.0).head("records-page-serial-short").gives_way(2),
-    Column::text(20.0).head("records-page-feature").gives_way(1),
+    Column::text(34.0).head("head-time").gives_way(6),
+    Column::text(26.0).head("head-part").gives_way(7),
+    Column::text(20.0).head("records-page-serial-short").gives_way(4),
+    Column::text(20.0).head("records-page-feature").gives_way(3),
     Column::text(19.0).head("head-callout"),
     Column::text(23.0).head("head-measured"),
-    Column::text(25.0).head("head-deviation").gives_way(4),
+    Column::text(25.0).head("head-deviation").gives_way(5),
+    Column::zone().head("records-page-zone").gives_way(2),
     Column::verdict(46.0).head("head-status").takes_rest(),
-    Column::text(26.0).head("records-page-who").gives_way(3).takes_rest(),
+    Column::text(26.0).head("records-page-who").gives_way(1).takes_rest(),
 ];
 
 /// Heads and rows in the room that is left.

@@ -6,7 +6,7 @@
 //! | `asking_panel` | above: the question, its short ways, how many records |
 //! | `list`, `cells` | the rows in sight of all |
 //! | `record_panel` | right, or in the place of the list: the record that is open, with its whole reasoning |
-//! | `correction_panel` | the form of a correction |
+//! | `correction_panel` | the form of a correction; also on the check page |
 //! | `foot_panel` | below: where records are kept, how many, what is wrong; the walk along the chain |
 
 mod asking_panel;
@@ -20,6 +20,7 @@ mod record_panel;
 use eframe::egui::{Id, Ui};
 
 use crate::gui::page::{Group, PageView, measurements, nothing};
+pub(super) use correction_panel::correction_ui;
 #[cfg(test)]
 pub(super) use list::COLUMNS;
 

@@ -17,6 +17,8 @@ pub(super) enum Kind {
     Verdict,
     /// Colour and shape of a verdict.
     Mark,
+    /// Where a value lies in its zone.
+    Zone,
     /// A box with a check mark.
     Choice,
 }
@@ -78,6 +80,11 @@ impl Column {
         Self::new(Kind::Mark, 10.0)
     }
 
+    /// A column of small bands, of a width of its own.
+    pub const fn zone() -> Self {
+        Self::new(Kind::Zone, 26.0)
+    }
+
     /// A column of check marks, of a width of its own.
     pub const fn choice() -> Self {
         Self::new(Kind::Choice, 10.0)
@@ -132,7 +139,7 @@ impl Column {
 
     /// Whether it keeps its width whatever the room is.
     pub(super) const fn is_fixed(&self) -> bool {
-        matches!(self.kind, Kind::Mark | Kind::Choice)
+        matches!(self.kind, Kind::Mark | Kind::Zone | Kind::Choice)
     }
 }
 
@@ -234,9 +241,9 @@ mod tests {
         let free = f32::INFINITY;
         let pairs = [false, true].map(pairing::columns);
         for (columns, stretch, expected, never) in [
-            (&check::HISTORY[..], free, [8, 8, 8, 8, 7, 7, 5, 5, 4, 4], vec![0, 3, 4, 6]),
+            (&check::HISTORY[..], free, [9, 9, 9, 8, 8, 7, 5, 5, 4, 4], vec![0, 3, 4, 7]),
             (&check::ROWS, free, [7, 7, 7, 7, 6, 5, 4, 4, 4, 4], vec![2, 3, 5, 6]),
-            (&records::COLUMNS, free, [11, 11, 11, 10, 9, 7, 6, 5, 5, 5], vec![0, 1, 6, 7, 9]),
+            (&records::COLUMNS, free, [12, 12, 11, 10, 9, 7, 6, 5, 5, 5], vec![0, 1, 6, 7, 10]),
             (&pairs[0], 1.6, [6, 6, 6, 6, 6, 6, 6, 5, 4, 3], vec![0, 2, 4]),
             (&pairs[1], 1.6, [7, 7, 7, 7, 7, 7, 6, 5, 4, 4], vec![0, 2, 4, 6]),
             (&parts::SIZES, 1.6, [6, 6, 6, 6, 6, 6, 6, 6, 5, 3], vec![0, 1, 3]),

@@ -7,6 +7,7 @@
 //! | `heads` | the names above, what sorts, and edges that are dragged |
 //! | `grid` | cells under heads that stay, of a page of its own |
 //! | `rows` | the rows in sight and their cells |
+//! | `zone` | where a value lies in its zone |
 //! | `long_list` | scrolling, for more rows than a scroll area can count |
 
 mod columns;
@@ -14,6 +15,7 @@ pub(super) mod grid;
 mod heads;
 mod long_list;
 mod rows;
+mod zone;
 
 use std::fmt::Debug;
 use std::hash::Hash;
@@ -24,6 +26,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Id, Rect, Sense, Ui, UiBuilder, WidgetInfo, vec2};
 use long_list::scrolled;
 pub(super) use rows::{Cell, PAD, Row, joined, text_ui};
+pub(super) use zone::Zoned;
 
 use super::shapes::{focus_ring, lines_of, times};
 use super::theme::{row, space};

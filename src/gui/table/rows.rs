@@ -8,7 +8,7 @@ use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Color32, FontId, Painter, Rangef, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
 use super::columns::{Across, Kind};
-use super::{Seen, Table};
+use super::{Seen, Table, Zoned};
 use crate::gui::shapes::{self, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::colours;
@@ -47,6 +47,8 @@ impl<K> Row<K> {
 #[derive(Debug)]
 pub(in crate::gui) enum Cell {
     Text(String),
+    /// Where a value lies in its zone; nothing where there is none.
+    Zone(Option<Zoned>),
     /// A verdict; a simulated one is pale and framed by dashes.
     Verdict {
         status: Option<Status>,
@@ -124,6 +126,9 @@ fn row_ui<K: Copy + Debug + Hash>(
                 let colours = colours(palette, *status, *is_simulated);
                 let word = (column.kind == Kind::Verdict).then_some(word.as_str());
                 verdict(ui.painter(), room, (*status, *is_simulated), colours, word);
+            }
+            (Some(room), Cell::Zone(zoned)) => {
+                zoned.iter().for_each(|zoned| zoned.paint(ui.painter(), room, palette));
             }
             (Some(room), Cell::Choice { is_chosen, can_choose, name }) => {
                 if choice_ui(ui, table, room, &row.key, (*is_chosen, *can_choose, name)) {

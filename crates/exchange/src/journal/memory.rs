@@ -31,6 +31,8 @@ struct SearchableRecord {
     id: RecordId,
     record: Arc<Record>,
     texts: Searched,
+    /// The number of the entry that corrects it or takes it back: it is listed, but it does not count.
+    replaced_by: Option<u64>,
 }
 
 /// Records that were taken out, and can be put back.
@@ -55,9 +57,29 @@ impl Memory {
         RecordId(self.next)
     }
 
-    /// Every record, oldest first.
-    pub fn all(&self) -> impl DoubleEndedIterator<Item = (RecordId, &Arc<Record>)> {
-        self.rows.iter().map(|row| (row.id, &row.record))
+    /// Every record that stands, oldest first.
+    pub fn standing(&self) -> impl DoubleEndedIterator<Item = (RecordId, &Arc<Record>)> {
+        self.rows.iter().filter(|row| row.replaced_by.is_none()).map(|row| (row.id, &row.record))
+    }
+
+    /// The numbers of all records, oldest first.
+    pub fn ids(&self) -> impl Iterator<Item = RecordId> {
+        self.rows.iter().map(|row| row.id)
+    }
+
+    /// The entry that corrects a record or takes it back.
+    pub fn replaced_by(&self, id: RecordId) -> Option<u64> {
+        self.row(id)?.1.replaced_by
+    }
+
+    /// An entry corrects a record or takes it back: it stays in its place, and does not count any more.
+    pub fn replace(&mut self, id: RecordId, by: u64) {
+        if let Ok(place) = self.rows.binary_search_by_key(&id, |row| row.id)
+            && let Some(row) = self.rows.get_mut(place)
+        {
+            row.replaced_by = Some(by);
+        }
+        self.count_statuses();
     }
 
     pub fn add(&mut self, records: Vec<Arc<Record>>) {
@@ -65,7 +87,7 @@ impl Memory {
         let few = records.len() <= FEW;
         for record in records {
             let texts = Searched::of(&record);
-            self.rows.push(SearchableRecord { id: RecordId(self.next), record, texts });
+            self.rows.push(SearchableRecord { id: RecordId(self.next), record, texts, replaced_by: None });
             self.next += 1;
         }
         if few {
@@ -91,25 +113,22 @@ impl Memory {
         let count = long(records.len() - skipped);
         let ids: Vec<RecordId> = (first.saturating_sub(count)..first).map(RecordId).collect();
         let rows = records.into_iter().skip(skipped).zip(&ids);
-        let rows = rows.map(|(record, id)| SearchableRecord { id: *id, texts: Searched::of(&record), record });
+        let rows = rows.map(|(record, id)| {
+            let texts = Searched::of(&record);
+            SearchableRecord { id: *id, texts, record, replaced_by: None }
+        });
         self.rows.splice(0..0, rows);
         self.arrange();
         ids
     }
 
-    /// Takes out every record from a number on.
-    pub fn remove_from(&mut self, first: RecordId) -> Removed {
-        let removed = self.rows.split_off(self.rows.partition_point(|row| row.id < first));
-        let left = self.rows.len();
-        self.order.retain(|place| *place < left);
-        self.count_statuses();
-        Removed(removed)
-    }
-
-    /// Takes out one record, for good.
-    pub fn take_out(&mut self, id: RecordId) {
-        self.rows.retain(|row| row.id != id);
+    /// Takes out the records of these numbers.
+    pub fn remove(&mut self, ids: Range<RecordId>) -> Removed {
+        let first = self.rows.partition_point(|row| row.id < ids.start);
+        let end = self.rows.partition_point(|row| row.id < ids.end).max(first);
+        let removed = self.rows.splice(first..end, []).collect();
         self.arrange();
+        Removed(removed)
     }
 
     /// Puts records back that were taken out.
@@ -150,7 +169,8 @@ impl Memory {
 
     fn count_statuses(&mut self) {
         let mut counts = [0; Status::ALL.len()];
-        for row in self.order.iter().filter_map(|place| self.rows.get(*place)) {
+        let listed = self.order.iter().filter_map(|place| self.rows.get(*place));
+        for row in listed.filter(|row| row.replaced_by.is_none()) {
             if let Some(count) = counts.get_mut(number_of(row)) {
                 *count += 1;
             }

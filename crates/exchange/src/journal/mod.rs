@@ -138,20 +138,33 @@ impl Record {
     /// The same with another typed diameter, judged by its limits, its rule and its temperature; `None` where it was not typed. A budget
     /// counts as it did for the value before.
     pub fn typed_again(&self, diameter: Length) -> Option<Self> {
-        let Self { time, id, callout, limits, measurement, verdict, correction, budget, .. } = self.clone();
-        if measurement.origin != Origin::Typed {
-            return None;
-        }
+        let is_typed = self.measurement.origin == Origin::Typed;
         let measurement = Measurement::of_diameter(diameter, Origin::Typed);
+        is_typed.then(|| self.again((self.callout, self.limits.clone()), measurement, diameter))
+    }
+
+    /// The same measurement against other limits, judged by its rule and its temperature.
+    #[must_use]
+    pub fn asked_again(&self, callout: Option<Callout>, limits: Limits) -> Self {
+        self.again((callout, limits), self.measurement.clone(), self.measured())
+    }
+
+    /// The diameter as it was measured: at the temperature of the part.
+    pub fn measured(&self) -> Length {
+        self.correction.map_or(self.measurement.diameter, |correction| correction.measured)
+    }
+
+    fn again(&self, (callout, limits): (Option<Callout>, Limits), measurement: Measurement, measured: Length) -> Self {
+        let Self { time, id, verdict, correction, budget, .. } = self.clone();
         let record = Self::judged(time, id, callout, limits, measurement, verdict.position);
         let record = match correction {
-            Some(old) => record.corrected(Correction::new(diameter, old.part, old.scale)),
+            Some(old) => record.corrected(Correction::new(measured, old.part, old.scale)),
             None => record,
         };
-        Some(match budget {
+        match budget {
             Some(budget) => record.by_budget(verdict.rule, budget),
             None => record.by(verdict.rule),
-        })
+        }
     }
 
     /// The same with the diameter at 20 °C, judged again by its rule.

@@ -215,7 +215,7 @@ pub trait Records {
     /// How many records it finds.
     fn count(&self) -> usize;
 
-    /// How many of them have each status, in the order of [`Status::ALL`].
+    /// How many of them stand and have each status, in the order of [`Status::ALL`].
     fn counts(&self) -> [usize; Status::ALL.len()];
 
     /// The records at these places of its answer; places beyond the last are left out.

@@ -47,6 +47,7 @@ use super::field::Field;
 use super::files::FilesAction;
 use super::page::pages;
 use super::palette::PaletteCommand;
+use super::records::RecordsCommand;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Notice, Page, Session};
 
@@ -179,6 +180,8 @@ impl Session {
             Some(Command::ShowMessages(false))
         } else if self.notices().first().is_some_and(Notice::asks) {
             Some(Command::Close)
+        } else if self.page() == Page::Check && self.records().correcting.is_some() {
+            Some(RecordsCommand::Correct(false).into())
         } else {
             let of_workpiece = self.workpiece_is_open() && matches!(self.page(), Page::Cycles | Page::Program);
             let of_page = self.closes_on_page().or_else(|| of_workpiece.then(|| WorkpieceCommand::Show(false).into()));

@@ -18,6 +18,8 @@ use crate::history::ListCommand;
 use crate::page::Page;
 use crate::purpose::Purpose;
 use crate::rows::{Rows, RowsCommand, row_forms};
+use crate::recording::Recorded;
+use crate::records::RecordsCommand;
 use crate::step::Step;
 
 /// The list of checks.
@@ -57,6 +59,8 @@ actions! {
     MoveCheck(Step): Step::BLOCKS;
     /// Shows the check again.
     ShowCheck;
+    /// Opens the form that corrects the shown check, or the one at which the keys are.
+    CorrectCheck;
     /// Chooses the check for export, or not.
     ChooseCheck;
     /// Chooses every check of the list.
@@ -160,6 +164,13 @@ impl Actions for CheckAction {
             )
             .key(Shortcut::plain(Key::Enter))
             .when(has_cursor),
+            Self::CorrectCheck => ActionRow::new(
+                ActionScope::Page(Page::Check),
+                "records-page-correct",
+                Sends::AtCursor(|session| Some(RecordsCommand::CorrectNumber(correctable(session)?).into())),
+            )
+            .hint("records-page-correct-hint")
+            .when(|session| correctable(session).is_some()),
             Self::ChooseCheck => ActionRow::new(
                 ActionScope::Part(HISTORY),
                 "history-choose",
@@ -293,6 +304,16 @@ fn is_before_best(session: &Session) -> bool {
 
 fn has_listed(session: &Session) -> bool {
     0 < session.history().listed().count()
+}
+
+/// The record of the shown check, or of the one at which the keys are, where it stands.
+fn correctable(session: &Session) -> Option<u64> {
+    let history = session.history();
+    let shown = session.check().shown.as_ref().map_or(history.cursor, |shown| shown.id);
+    match session.recording().of_check(shown.filter(|id| history.replaced_by(*id).is_none())?)? {
+        Recorded::Kept(number) if session.records().correcting.is_none() => Some(number),
+        _ => None,
+    }
 }
 
 fn has_rows(session: &Session) -> bool {

@@ -139,6 +139,8 @@ impl PageState for CheckPage {
                 }
             }
             News::Check(callout) => self.take_callout(callout, &shared.sources),
+            News::Correcting if shared.page == Page::Check => self.clear(&shared.sources),
+            News::TakenBack { by, .. } => self.taken_back(by.as_ref().map(|by| by.0), shared),
             News::MeasureAgain { record, part, serial } => self.ask_again(record, part, serial, shared),
             // No verdict stays beside a budget that it was not made with.
             News::Budget if self.own_judging().from == UncertaintyFrom::Budget => self.edited(&shared.sources),
@@ -153,7 +155,8 @@ impl PageState for CheckPage {
             | News::Columns
             | News::Temperature
             | News::Journal
-            | News::TakenBack { .. }
+            | News::Correcting
+            | News::UndoCorrection(_)
             | News::Kept(..)
             | News::Budget => {}
         }
@@ -203,6 +206,10 @@ impl CheckPage {
     /// Undoes the last change of the history, and closes the notice that tells of it. Where the list is not in sight, a
     /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
+        if let Some(new) = shared.history.undoes_correction() {
+            shared.history.take_back();
+            return shared.spread(News::UndoCorrection(new));
+        }
         let change = shared.history.last_change();
         let stay = shared.recording.has_any(&shared.history.taken_by_undo()).then(|| message!("records-page-stay"));
         let Some(undone) = shared.history.take_back() else { return };
@@ -210,6 +217,18 @@ impl CheckPage {
         shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
         if shared.page != Page::Check || stay.is_some() {
             shared.note(message!("undone").message("what", undone), stay.into_iter().collect());
+        }
+    }
+
+    /// What stands now takes the place of the check that was shown, or that was corrected here.
+    fn taken_back(&mut self, by: Option<u64>, shared: &mut Shared) {
+        let shown = self.shown.as_ref().and_then(|shown| shown.id);
+        if shared.page != Page::Check && shown.is_none_or(|id| shared.history.replaced_by(id).is_none()) {
+            return;
+        }
+        self.clear(&shared.sources);
+        if let Some(new) = by.and_then(|number| shared.recording.check_of(number)) {
+            self.show(new, shared);
         }
     }
 
@@ -418,8 +437,7 @@ impl CheckPage {
             && let Some(doubt) = record.doubt
         {
             // As it was typed.
-            let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
-            let question = Question { measured, doubt };
+            let question = Question { measured: record.measured(), doubt };
             if asked_about != Some(question) {
                 self.question = Some(question);
                 return;
@@ -502,7 +520,7 @@ impl CheckPage {
         }
         let is_typed = record.measurement.origin == Origin::Typed;
         // As it was typed, not as it is at 20 °C.
-        let diameter = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+        let diameter = record.measured();
         let measured = self.asked.length(CheckField::Measured).filter(|_| is_typed);
         if measured != Some(diameter) {
             let text = self.inputs.typed(id).map_or_else(|| shared.as_typed(&diameter.to_string()), str::to_owned);

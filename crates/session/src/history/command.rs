@@ -42,13 +42,13 @@ impl History {
             }
             ListCommand::OnlyBad(only_bad) => self.ask(Query { only_bad, ..self.records.query().clone() }),
             ListCommand::ChooseAll => {
-                let listed = self.records.page(0..self.records.count());
-                self.chosen.extend(listed.into_iter().map(|(id, _)| id));
+                let listed = self.records.page(0..self.records.count()).into_iter().map(|(id, _)| id);
+                self.chosen.extend(listed.filter(|id| self.records.replaced_by(*id).is_none()));
             }
             ListCommand::ChooseBad => {
                 let listed = self.records.page(0..self.records.count()).into_iter();
-                let bad = listed.filter(|(_, record)| record.verdict.status() != Status::Good);
-                self.chosen = bad.map(|(id, _)| id).collect();
+                let bad = listed.filter(|(_, record)| record.verdict.status() != Status::Good).map(|(id, _)| id);
+                self.chosen = bad.filter(|id| self.records.replaced_by(*id).is_none()).collect();
                 self.count_hidden();
             }
             ListCommand::ChooseNone => {

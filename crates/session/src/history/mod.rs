@@ -52,6 +52,8 @@ pub struct ChangeId(u64);
 enum Change {
     /// Records were added from this one on.
     Added { first: RecordId, count: usize },
+    /// A record was corrected: another one stands in its place.
+    Corrected { new: RecordId },
     /// Records were removed; some of them were chosen.
     Cleared { removed: Removed, chosen: BTreeSet<RecordId>, cursor: Option<RecordId> },
 }
@@ -61,6 +63,7 @@ impl Change {
     fn message(&self) -> Message {
         match self {
             Self::Added { count, .. } => message!("undo-add").count("count", *count),
+            Self::Corrected { .. } => message!("undo-correct"),
             Self::Cleared { .. } => message!("undo-clear"),
         }
     }
@@ -77,9 +80,14 @@ impl History {
         self.records.is_empty()
     }
 
-    /// Every check, oldest first.
+    /// Every check that stands, oldest first.
     pub fn iter(&self) -> impl DoubleEndedIterator<Item = &Arc<Record>> {
-        self.records.all().map(|(_, record)| record)
+        self.records.standing().map(|(_, record)| record)
+    }
+
+    /// The record of the journal that stands in the place of a check, or takes it back.
+    pub fn replaced_by(&self, id: RecordId) -> Option<u64> {
+        self.records.replaced_by(id)
     }
 
     /// A check.
@@ -119,12 +127,12 @@ impl History {
         } else {
             self.chosen.clone()
         };
-        self.records.all().filter(move |(id, _)| listed.contains(id)).map(|(_, record)| record)
+        self.records.standing().filter(move |(id, _)| listed.contains(id)).map(|(_, record)| record)
     }
 
     /// How many checks a report has.
     pub fn exported_count(&self) -> usize {
-        if self.chosen.is_empty() { self.records.count() } else { self.chosen.len() }
+        if self.chosen.is_empty() { self.records.counts().into_iter().sum() } else { self.chosen.len() }
     }
 
     /// What undo would take back.
@@ -144,12 +152,31 @@ impl History {
         ids
     }
 
-    /// Takes out a check that does not stand any more: it was corrected or withdrawn in the journal. Undo does not bring it back.
-    pub(super) fn take_out(&mut self, id: RecordId) {
-        self.records.take_out(id);
-        self.chosen.remove(&id);
-        self.cursor = self.cursor.filter(|cursor| *cursor != id);
+    /// An entry of the journal corrects a check, or takes it back: the check stays in the list, struck through. What stands in its place is a
+    /// check of its own, whose number comes back.
+    pub(super) fn replace(&mut self, old: RecordId, by: u64, record: Option<Arc<Record>>) -> Option<RecordId> {
+        self.records.replace(old, by);
+        self.chosen.remove(&old);
+        let new = record.map(|record| {
+            let new = self.records.next();
+            self.records.add(vec![record]);
+            new
+        });
         self.count_hidden();
+        new
+    }
+
+    /// Undo takes a correction back.
+    pub(super) fn can_undo_correction(&mut self, new: RecordId) {
+        self.remember(Change::Corrected { new });
+    }
+
+    /// The correction that undo would take back: what stands in the place of the check before.
+    pub(super) fn undoes_correction(&self) -> Option<RecordId> {
+        match self.undo.back() {
+            Some((_, Change::Corrected { new })) => Some(*new),
+            _ => None,
+        }
     }
 
     /// The numbers of the checks that undo would take away.
@@ -162,7 +189,7 @@ impl History {
 
     /// The numbers of all checks.
     pub(super) fn ids(&self) -> BTreeSet<RecordId> {
-        self.records.all().map(|(id, _)| id).collect()
+        self.records.ids().collect()
     }
 
     /// Leaves room before the first check for those of the journal.
@@ -185,7 +212,7 @@ impl History {
     }
 
     pub(super) fn choose(&mut self, id: RecordId, is_chosen: bool) {
-        if is_chosen && self.records.get(id).is_some() {
+        if is_chosen && self.records.get(id).is_some() && self.replaced_by(id).is_none() {
             self.chosen.insert(id);
         } else {
             self.chosen.remove(&id);
@@ -212,7 +239,7 @@ impl History {
 
     /// Empties it; returns how many checks it had.
     pub(super) fn clear(&mut self) -> usize {
-        let removed = self.records.remove_from(RecordId::default());
+        let removed = self.records.remove(RecordId::default()..self.records.next());
         let count = removed.len();
         if 0 < count {
             let chosen = std::mem::take(&mut self.chosen);
@@ -228,11 +255,14 @@ impl History {
         let (_, change) = self.undo.pop_back()?;
         let message = change.message();
         match change {
-            Change::Added { first, .. } => {
-                self.records.remove_from(first);
-                self.chosen.retain(|id| *id < first);
-                self.cursor = self.cursor.filter(|id| *id < first);
+            Change::Added { first, count } => {
+                let added = first..RecordId(first.0.saturating_add(fitcheck_core::text::long(count)));
+                self.records.remove(added.clone());
+                self.chosen.retain(|id| !added.contains(id));
+                self.cursor = self.cursor.filter(|id| !added.contains(id));
             }
+            // The journal answers first.
+            Change::Corrected { .. } => {}
             Change::Cleared { removed, chosen, cursor } => {
                 self.records.put_back(removed);
                 self.chosen = chosen;

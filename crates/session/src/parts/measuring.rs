@@ -308,6 +308,6 @@ pub(super) struct Arriving {
 
 /// What is asked about a typed value before it is taken, as it was typed.
 fn question(record: &Record) -> Option<Question> {
-    let measured: Length = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+    let measured: Length = record.measured();
     record.doubt.map(|doubt| Question { measured, doubt })
 }

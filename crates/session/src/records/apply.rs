@@ -67,7 +67,10 @@ impl PageState for RecordsPage {
                 return pages.map(Effect::ReadRecords).collect();
             }
             RecordsCommand::Found { run, result } => self.found(run, result),
-            RecordsCommand::Read { numbers, result } => self.read(numbers, result),
+            RecordsCommand::Read { numbers, result } => {
+                self.read(numbers, result);
+                self.correct_now(shared);
+            }
             RecordsCommand::Move(step) => self.step(step),
             RecordsCommand::Open(number) => return self.open(number),
             RecordsCommand::CloseRecord => {
@@ -79,7 +82,9 @@ impl PageState for RecordsPage {
             RecordsCommand::WithSimulated(with) => self.with_simulated = with,
             RecordsCommand::Copy => return self.copied(shared.language).map(Effect::Copy).into_iter().collect(),
             RecordsCommand::MeasureAgain => self.measure_again(shared),
-            RecordsCommand::Correct(is_open) => self.correct(is_open),
+            RecordsCommand::Correct(is_open) => self.correct(is_open, shared),
+            RecordsCommand::CorrectNumber(number) => return self.correct_number(number, shared),
+            RecordsCommand::ChooseFeature(feature) => self.mean(feature, shared),
             RecordsCommand::Withdraw(withdraws) => self.withdraw(withdraws),
             RecordsCommand::SendCorrection => self.send_correction(shared),
             command @ (RecordsCommand::Verify
@@ -91,9 +96,11 @@ impl PageState for RecordsPage {
     }
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {
-        if *news == News::Opened(Page::Records) {
+        match news {
             // What was recorded meanwhile, here and elsewhere.
-            self.ask(shared, false);
+            News::Opened(Page::Records) => self.ask(shared, false),
+            News::UndoCorrection(new) => self.undo_correction(*new, shared),
+            _ => {}
         }
     }
 
@@ -123,7 +130,7 @@ impl PageState for RecordsPage {
     }
 
     fn is_free_text(&self, field: RecordsField) -> bool {
-        field != RecordsField::Measured
+        !matches!(field, RecordsField::Measured | RecordsField::Callout)
     }
 }
 
@@ -131,8 +138,10 @@ impl RecordsPage {
     fn type_text(&mut self, field: RecordsField, text: String, shared: &Shared) {
         self.texts.insert(field, text);
         self.errors.remove(&field);
-        if field == RecordsField::Question {
-            self.ask(shared, true);
+        match field {
+            RecordsField::Question => self.ask(shared, true),
+            RecordsField::Callout => self.read_callout(shared),
+            _ => {}
         }
     }
 
@@ -235,6 +244,7 @@ impl RecordsPage {
         self.look += 1;
         self.open = Some(OpenRecord { number, row });
         self.correcting = None;
+        self.corrects_soon = false;
         effects
     }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
+use fitcheck_core::tolerance::Feature;
 use fitcheck_exchange::journal::chain::{Hash, Head};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
@@ -104,6 +105,10 @@ pub enum RecordsCommand {
     MeasureAgain,
     /// Opens the form of a correction, or closes it.
     Correct(bool),
+    /// The same for a record of this number, whichever is open.
+    CorrectNumber(u64),
+    /// Says whether a hole or a shaft is meant, for a callout of the form that does not say it.
+    ChooseFeature(Feature),
     /// Whether the correction takes the record back, and puts nothing in its place.
     Withdraw(bool),
     /// Writes the correction.

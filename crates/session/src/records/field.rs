@@ -23,4 +23,6 @@ pub enum RecordsField {
     Remark,
     /// The typed value that it should have, mm.
     Measured,
+    /// The callout that it should have.
+    Callout,
 }

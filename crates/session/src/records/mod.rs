@@ -37,12 +37,13 @@ pub use field::RecordsField;
 use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::chain::Head;
 use fitcheck_exchange::journal::entry::{Entry, Moment};
-use fitcheck_exchange::journal::query::TIME;
+use fitcheck_exchange::journal::query::{RecordId, TIME};
 use jiff::Timestamp;
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use listing::{FoundNumbers, Listing, Numbers, PAGE};
 
+use self::correcting::{Before, Replacing};
 use super::effect::Effect;
 
 /// A record as it is read from the journal.
@@ -124,6 +125,12 @@ pub struct RecordsPage {
     pub open: Option<OpenRecord>,
     /// The correction that is being made.
     pub correcting: Option<Correcting>,
+    /// Whether it is asked for and its record is being read.
+    corrects_soon: bool,
+    /// Corrections on their way to the journal, by their batch.
+    replacing: BTreeMap<u64, Replacing>,
+    /// What stood before a correction of the history.
+    before: BTreeMap<RecordId, Before>,
     /// The number of the walk that goes on.
     walks: u64,
     /// The walk along the chain.
