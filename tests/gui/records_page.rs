@@ -125,6 +125,7 @@ fn a_question_is_typed_and_its_words_have_buttons() {
     type_into(&mut window, "Find", "flange");
     assert_eq!(rows(&window).len(), 2);
     window.get_by_label("2 records");
+    click(&mut window, Role::Button, "Filter");
     click(&mut window, Role::Button, "Not good");
     let field = window.get_by_role_and_label(Role::TextInput, "Find").accesskit_node().value();
     assert_eq!(field.as_deref(), Some("flange verdict:rework,re-measure,scrap"));
@@ -140,6 +141,47 @@ fn a_question_is_typed_and_its_words_have_buttons() {
     window.get_by_label("No record matches");
     press(&mut window, Key::Escape);
     assert_eq!(rows(&window).len(), 3, "Escape empties the question");
+}
+
+#[test]
+fn chips_and_the_typed_question_are_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    press_ctrl(&mut window, Key::Num3);
+    let asked = |window: &Harness<'_, App>| {
+        window.get_by_role_and_label(Role::TextInput, "Find").accesskit_node().value().unwrap_or_default()
+    };
+    let chips = |window: &Harness<'_, App>| -> Vec<String> {
+        let chips = window.query_all_by_role(Role::Button).filter_map(|button| button.accesskit_node().label());
+        chips.filter_map(|name| name.strip_prefix("Remove filter ").map(str::to_owned)).collect()
+    };
+    // What is typed is seen as chips; a word that is searched for, or is being typed, is none.
+    type_into(&mut window, "Find", "flange part:\"Flange 2\" verdict:rework,scrap today serial:");
+    assert_eq!(chips(&window), ["Part Flange 2", "Status REWORK, SCRAP", "Today"]);
+    type_into(&mut window, "Find", "flange part:\"Flange 2\" verdict:rework,scrap today");
+    assert_eq!(rows(&window).len(), 1);
+    window.get_by_label("1 record");
+    click(&mut window, Role::Button, "Remove filter Status REWORK, SCRAP");
+    assert_eq!(asked(&window), "flange part:\"Flange 2\" today");
+    // A filter of the form is typed into the question, in the place of one about the same.
+    click(&mut window, Role::Button, "Filter");
+    type_into(&mut window, "Value", "Flange 1");
+    press(&mut window, Key::Enter);
+    assert_eq!(asked(&window), "flange today part:\"Flange 1\"");
+    assert_eq!(rows(&window).len(), 1);
+    assert!(rows(&window)[0].contains("Flange 1"), "{:?}", rows(&window));
+    for name in ["Remove filter Part Flange 1", "Remove filter Today"] {
+        click(&mut window, Role::Button, name);
+    }
+    assert_eq!((asked(&window), rows(&window).len(), chips(&window).len()), ("flange".to_owned(), 2, 0));
+    // By another field, chosen from the list.
+    click(&mut window, Role::ComboBox, "Filter by");
+    click(&mut window, Role::Button, "Callout");
+    type_into(&mut window, "Value", "25 H7");
+    click(&mut window, Role::Button, "Add filter");
+    assert_eq!(asked(&window), "flange callout:\"25 H7\"");
+    assert_eq!(chips(&window), ["Callout 25 H7"]);
 }
 
 #[test]
@@ -639,8 +681,13 @@ fn what_is_pressed_is_as_high_as_a_finger_needs() {
     three(&mut window);
     send(&mut window, Command::SetDensity(Density::Touch));
     send(&mut window, Command::OpenPage(Page::Records));
+    send(&mut window, RecordsCommand::AskForFilter(true));
+    send(&mut window, Field::from(RecordsField::Question).typed("part:Flange*".to_owned()));
+    send(&mut window, Field::from(RecordsField::Question).typed("measured".to_owned()));
     send(&mut window, RecordsCommand::Open(3));
-    for name in ["Verify", "Today", "Not good", "Measure again", "Correct…", "Back to the list"] {
+    for name in
+        ["Verify", "Today", "Not good", "Remove filter Measured only", "Measure again", "Correct…", "Back to the list"]
+    {
         let height = window.get_by_role_and_label(Role::Button, name).rect().height();
         assert!(44.0 <= height, "{name}: {height}");
     }

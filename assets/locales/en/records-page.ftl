@@ -54,6 +54,16 @@ records-page-today = Today
 records-page-this-week = This week
 records-page-not-good = Not good
 records-page-measured-only = Measured only
+records-page-filter = Filter
+records-page-filter-hint = Narrows the list by part, serial number, date and more
+records-page-add-filter = Add filter
+records-page-filter-by = Filter by
+records-page-filter-value = Value
+records-page-from = From
+records-page-to = To
+records-page-standing = Not void
+records-page-simulated-only = Simulated only
+records-page-remove-filter = Remove filter { $filter }
 records-page-looking = Searching
 records-page-count = { $many ->
     [one] 1 record
@@ -105,6 +115,7 @@ records-page-out-unread = { $count ->
 }
 records-page-see = Void, see { $number }
 records-page-void = Record { $number }, void: see { $by }
+records-page-instead = for { $number }
 records-page-takes-back = Withdraws { $number }
 records-page-withdrawal = Withdrawal
 records-page-cycle = Cycle { $cycle }

@@ -54,6 +54,16 @@ records-page-today = Vandaag
 records-page-this-week = Deze week
 records-page-not-good = Niet goed
 records-page-measured-only = Alleen gemeten
+records-page-filter = Filter
+records-page-filter-hint = Beperkt de lijst tot een onderdeel, serienummer, datum en meer
+records-page-add-filter = Filter toevoegen
+records-page-filter-by = Filteren op
+records-page-filter-value = Waarde
+records-page-from = Vanaf
+records-page-to = Tot en met
+records-page-standing = Niet vervallen
+records-page-simulated-only = Alleen gesimuleerd
+records-page-remove-filter = Filter { $filter } verwijderen
 records-page-looking = Zoeken…
 records-page-count = { $many ->
     [one] 1 vastlegging
@@ -105,6 +115,7 @@ records-page-out-unread = { $count ->
 }
 records-page-see = Vervallen, zie { $number }
 records-page-void = Vastlegging { $number }, vervallen: zie { $by }
+records-page-instead = voor { $number }
 records-page-takes-back = Trekt { $number } in
 records-page-withdrawal = Intrekking
 records-page-cycle = Cyclus { $cycle }

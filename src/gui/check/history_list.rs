@@ -106,6 +106,7 @@ fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
             status: Some(record.verdict.status()),
             is_simulated: record.measurement.origin.is_simulated(),
             word: status,
+            beside: String::new(),
         },
     };
     let [time, part, callout, measured, deviation, from] =

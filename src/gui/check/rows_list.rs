@@ -123,7 +123,8 @@ impl LargeFileCells {
         let Self { line, part, callout, measured, deviation, status, what } = self;
         let [line, part, callout, measured, deviation, what] =
             [line, part, callout, measured, deviation, what].map(Cell::Text);
-        let verdict = Cell::Verdict { status: row.fate.status(), is_simulated: false, word: status };
+        let verdict =
+            Cell::Verdict { status: row.fate.status(), is_simulated: false, word: status, beside: String::new() };
         Row::new(row.number, vec![line, part, callout, measured, deviation, verdict, what], said)
     }
 

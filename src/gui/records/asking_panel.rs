@@ -1,19 +1,21 @@
 //! Above: the question, the words of it that have a button, and how many records answer it.
 
-use eframe::egui::{Id, Key, Label, RichText, Ui};
+use eframe::egui::{Button, Id, Key, Label, RichText, Ui, vec2};
 
 use super::list;
 use crate::gui::check::grouped;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::room::is_tiny;
-use crate::gui::theme::{palette, sizes, space};
-use crate::gui::view::{View, problem, quiet};
+use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
+use crate::gui::view::{View, one_of_ui, problem, quiet};
+use crate::journal::ask::KEYS;
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
-use crate::session::records::{LeftOut, Shorthand};
-use crate::session::{Field, RecordsField};
+use crate::session::records::{Filter, LeftOut, Shorthand};
+use crate::session::{Command, Field, RecordsCommand, RecordsField};
 use crate::session::{RecordsAction, WindowAction};
 use crate::text::long;
+use crate::verdict::Status;
 
 /// The question, and what comes of it. In a very low window its buttons are in a menu, so that rows stay in sight.
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -26,9 +28,8 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
         if is_tiny {
             ui.menu_button(view.text("records-page-more-actions"), |ui| more_ui(ui, view));
         } else {
-            for action in Shorthand::ALL.map(RecordsAction::AskRecords) {
-                view.toggle(ui, action);
-            }
+            chips_ui(ui, view);
+            view.toggle(ui, RecordsAction::AskForFilter);
         }
         count_ui(ui, view);
     });
@@ -36,9 +37,89 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
     if is_tiny {
         return;
     }
+    if view.session.records().is_filtering {
+        filter_ui(ui, view);
+    }
+    chosen_ui(ui, view);
+}
+
+/// The words of the question that have names; a press on one takes it out.
+fn chips_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let high = control(ui);
+    // By touch as high as everything that is pressed.
+    let height = if space(10.0) < high { high } else { space(7.5) };
+    for filter in &view.session.records().filters {
+        let (name, value) = named(view, filter);
+        let said =
+            view.words.say(&message!("records-page-remove-filter").text("filter", format!("{name} {value}").trim()));
+        let value = RichText::new(value).font(theme::bold(sizes().body));
+        let button = Button::new((name, value, Icon::X.text(Weight::Bold, space(3.0))));
+        let button = button.fill(palette(ui.ctx()).tint.0).corner_radius(height / 2.0).min_size(vec2(0.0, height));
+        if ui.add(button).accessible_name(said).on_hover_text(&filter.word).clicked() {
+            view.send(RecordsCommand::RemoveFilter(filter.word.clone()));
+        }
+    }
+}
+
+/// The name of a filter and what it asks for, in the language of the window.
+fn named(view: &View<'_>, filter: &Filter) -> (String, String) {
+    let text = view.text(key_id(filter.key));
+    if filter.word == Shorthand::NotGood.word() {
+        return (view.text("records-page-not-good"), String::new());
+    }
+    let status = |word: &str| {
+        let status = Status::ALL.into_iter().find(|status| status.word().eq_ignore_ascii_case(word.trim()));
+        status.map_or_else(|| word.to_owned(), |status| view.words.told(&status))
+    };
+    match filter.key {
+        "verdict" => (text, filter.value.split(',').map(status).collect::<Vec<_>>().join(", ")),
+        _ => (text, filter.value.clone()),
+    }
+}
+
+/// The name of what the language of questions asks about.
+fn key_id(key: &str) -> &'static str {
+    match key {
+        "part" => "head-part",
+        "serial" => "records-page-serial",
+        "feature" => "records-page-feature",
+        "callout" => "callout",
+        "class" => "tolerance-class",
+        "who" => "records-page-who",
+        "station" => "records-page-station",
+        "from" => "records-page-from",
+        "to" => "records-page-to",
+        "today" => "records-page-today",
+        "week" => "records-page-this-week",
+        "measured" => "records-page-measured-only",
+        "simulated" => "records-page-simulated-only",
+        "standing" => "records-page-standing",
+        _ => "head-status",
+    }
+}
+
+/// The form for another filter.
+fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        for action in Shorthand::ALL.map(RecordsAction::AskRecords) {
+            view.toggle(ui, action);
+        }
+    });
+    ui.horizontal_wrapped(|ui| {
+        let name = quiet(ui, view.text("records-page-filter-by"));
+        let keys = KEYS.into_iter().filter(|key| *key != "verdict").map(|key| (key, view.text(key_id(key))));
+        let (key, list) = one_of_ui(ui, "records-filter-by", space(44.0), &view.session.records().filter_key(), keys);
+        list.labelled_by(name.id);
+        if let Some(key) = key {
+            view.send(RecordsCommand::FilterBy(key));
+            view.send(Command::GoTo(RecordsField::Filter.into()));
+        }
+        let name = quiet(ui, view.text("records-page-filter-value"));
+        field_ui(ui, view, RecordsField::Filter, name.id, FieldStyle::text(space(44.0)));
+        view.field_button(ui, RecordsAction::AddFilter);
+    });
     let help = RichText::new(view.text("records-page-help")).size(sizes().small).color(palette(ui.ctx()).quiet.0);
     ui.add(Label::new(help).wrap());
-    chosen_ui(ui, view);
 }
 
 /// The field; Escape empties it and goes to the list.

@@ -22,6 +22,8 @@ pub(super) struct RecordCells {
     pub deviation: String,
     pub zone: Option<Zoned>,
     pub status: String,
+    /// The record in whose place it stands.
+    pub instead_of: String,
     pub who: String,
     /// The verdict, for colour and shape.
     pub verdict: Option<Status>,
@@ -82,6 +84,9 @@ impl RecordCells {
             deviation: if deviation.is_empty() { deviation } else { format!("{deviation} µm") },
             zone,
             status,
+            instead_of: entry.corrects().filter(|_| check.is_some()).map_or_else(String::new, |correction| {
+                words.say(&message!("records-page-instead").text("number", correction.target.number))
+            }),
             who: about.who.clone(),
             verdict: check.and_then(crate::journal::entry::Check::status),
             is_simulated: check.is_some_and(crate::journal::entry::Check::is_simulated),
@@ -95,7 +100,8 @@ impl RecordCells {
         let said = self.said(words, is_chosen);
         let name = words.say(&message!("records-page-choose-record").text("number", number));
         let status = if self.is_check && !self.is_struck {
-            Cell::Verdict { status: self.verdict, is_simulated: self.is_simulated, word: self.status }
+            let Self { verdict: status, is_simulated, status: word, instead_of: beside, .. } = self;
+            Cell::Verdict { status, is_simulated, word, beside }
         } else {
             Cell::Text(self.status)
         };
@@ -116,7 +122,7 @@ impl RecordCells {
             measured => format!("{measured} mm"),
         };
         let who = [&number, &self.time, &self.part, &self.serial, &self.feature];
-        let what = [&self.callout, &measured, &self.deviation, &self.status, &self.who];
+        let what = [&self.callout, &measured, &self.deviation, &self.status, &self.instead_of, &self.who];
         let said = joined(who.into_iter().chain(what));
         if is_chosen { words.say(&message!("history-row-chosen").text("row", said)) } else { said }
     }

@@ -54,6 +54,8 @@ pub(in crate::gui) enum Cell {
         status: Option<Status>,
         is_simulated: bool,
         word: String,
+        /// What is said beside it, where there is room.
+        beside: String,
     },
     /// A box with a check mark, and its name.
     Choice {
@@ -122,10 +124,11 @@ fn row_ui<K: Copy + Debug + Hash>(
             (Some(room), Cell::Text(text)) => {
                 is_cut |= text_in(ui.painter(), room.shrink2(vec2(PAD, 0.0)), text, look, (column.kind, Some(sign)));
             }
-            (Some(room), Cell::Verdict { status, is_simulated, word }) => {
+            (Some(room), Cell::Verdict { status, is_simulated, word, beside }) => {
                 let colours = colours(palette, *status, *is_simulated);
                 let word = (column.kind == Kind::Verdict).then_some(word.as_str());
-                verdict(ui.painter(), room, (*status, *is_simulated), colours, word);
+                let chip = verdict(ui.painter(), room, (*status, *is_simulated), colours, word);
+                is_cut |= !beside.is_empty() && !beside_ui(ui.painter(), room, chip, beside);
             }
             (Some(room), Cell::Zone(zoned)) => {
                 zoned.iter().for_each(|zoned| zoned.paint(ui.painter(), room, palette));
@@ -218,7 +221,7 @@ fn verdict(
     (status, is_simulated): (Option<Status>, bool),
     (fill, colour): (Color32, Color32),
     word: Option<&str>,
-) {
+) -> Rect {
     let (rect, corner) = match word {
         Some(word) => {
             let height = cell.height().min(space(6.0));
@@ -240,6 +243,19 @@ fn verdict(
     if is_simulated {
         shapes::dashed_frame(painter, rect, colour);
     }
+    rect
+}
+
+/// A few words beside a verdict; returns whether there was room for them.
+fn beside_ui(painter: &Painter, cell: Rect, chip: Rect, text: &str) -> bool {
+    let colour = palette(painter.ctx()).quiet.0;
+    let galley = painter.layout_no_wrap(text.to_owned(), theme::font(sizes().small), colour);
+    let at = pos2(chip.right() + 2.0 * PAD, cell.center().y - galley.size().y / 2.0);
+    let has_room = at.x + galley.size().x <= cell.right();
+    if has_room {
+        painter.galley(at, galley, colour);
+    }
+    has_room
 }
 
 /// A box with a check mark; returns whether it was clicked.

@@ -23,6 +23,10 @@ actions! {
 
     /// Puts a word into the question to the journal, or takes it out.
     AskRecords(Shorthand): Shorthand::ALL;
+    /// Opens or closes the form for another filter.
+    AskForFilter;
+    /// Puts the filter of the form into the question.
+    AddFilter;
     /// Goes to the question.
     FindRecords;
     /// Goes to another record.
@@ -74,9 +78,19 @@ impl Actions for RecordsAction {
                     Shorthand::ThisWeek => "records-page-this-week",
                     Shorthand::NotGood => "records-page-not-good",
                     Shorthand::Measured => "records-page-measured-only",
+                    Shorthand::Standing => "records-page-standing",
                 };
                 on(Page::Records, text, RecordsCommand::Toggle(shorthand)).when(|session| session.recording().is_on())
             }
+            Self::AskForFilter => ActionRow::new(
+                ActionScope::Page(Page::Records),
+                "records-page-filter",
+                Sends::FromState(|session| RecordsCommand::AskForFilter(!session.records().is_filtering).into()),
+            )
+            .hint("records-page-filter-hint")
+            .when(|session| session.recording().is_on()),
+            Self::AddFilter => on(Page::Records, "records-page-add-filter", RecordsCommand::AddFilter)
+                .when(|session| !session.text(RecordsField::Filter).trim().is_empty()),
             Self::FindRecords => {
                 on(Page::Records, "records-page-question", Command::GoTo(RecordsField::Question.into()))
                     .key(Shortcut::ctrl('F'))
@@ -171,6 +185,7 @@ impl Actions for RecordsAction {
     fn is_on(&self, session: &Session) -> Option<bool> {
         Some(match *self {
             Self::AskRecords(shorthand) => session.records().has(shorthand),
+            Self::AskForFilter => session.records().is_filtering,
             Self::WithSimulated => session.records().with_simulated,
             Self::WithdrawRecord => session.records().correcting.as_ref().is_some_and(|form| form.withdraws),
             _ => return None,
@@ -180,6 +195,7 @@ impl Actions for RecordsAction {
     fn on_enter(field: Field, _page: Page) -> Option<Self> {
         match field {
             Field::Records(RecordsField::Question | RecordsField::Who) => None,
+            Field::Records(RecordsField::Filter) => Some(Self::AddFilter),
             Field::Records(RecordsField::Server) => Some(Self::TakeServer),
             Field::Records(_) => Some(Self::SendCorrection),
             _ => None,

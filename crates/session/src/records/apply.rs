@@ -61,6 +61,20 @@ impl PageState for RecordsPage {
                 self.toggle(shorthand);
                 self.ask(shared, false);
             }
+            RecordsCommand::RemoveFilter(word) => {
+                self.remove(&word);
+                self.ask(shared, false);
+            }
+            RecordsCommand::AskForFilter(is_filtering) => {
+                self.is_filtering = is_filtering;
+                let focus = is_filtering.then_some(Effect::Focus(RecordsField::Filter.into()));
+                return focus.into_iter().collect();
+            }
+            RecordsCommand::FilterBy(key) => self.filter_key = Some(key),
+            RecordsCommand::AddFilter => {
+                self.add_filter();
+                self.ask(shared, false);
+            }
             RecordsCommand::AskAgain => self.ask(shared, false),
             RecordsCommand::See(places) => {
                 let pages = self.listing.see(&places).into_iter();

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use fitcheck_core::message::Say as _;
-use fitcheck_exchange::journal::ask::{LocalNow, Question};
+use fitcheck_exchange::journal::ask::{KEYS, LocalNow, Question, SWITCHES, asking};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
@@ -23,10 +23,12 @@ pub enum Shorthand {
     NotGood,
     /// Checks that somebody measured.
     Measured,
+    /// Checks that no other entry corrects or takes back.
+    Standing,
 }
 
 impl Shorthand {
-    pub const ALL: [Self; 4] = [Self::Today, Self::ThisWeek, Self::NotGood, Self::Measured];
+    pub const ALL: [Self; 5] = [Self::Today, Self::ThisWeek, Self::NotGood, Self::Measured, Self::Standing];
 
     pub const fn word(self) -> &'static str {
         match self {
@@ -34,7 +36,34 @@ impl Shorthand {
             Self::ThisWeek => "week",
             Self::NotGood => "verdict:rework,re-measure,scrap",
             Self::Measured => "measured",
+            Self::Standing => "standing",
         }
+    }
+}
+
+/// A word of the question that has a name: it stands beside the question, where it can be taken out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Filter {
+    /// What it asks about, or the switch that it is, in the language of questions.
+    pub key: &'static str,
+    /// What it asks for; nothing of a switch.
+    pub value: String,
+    /// As it stands in the question.
+    pub word: String,
+}
+
+impl Filter {
+    /// Nothing of a word that is searched for, and of one that is still being typed.
+    fn of(word: &str) -> Option<Self> {
+        let is = |of: &&str| of.eq_ignore_ascii_case(word);
+        if let Some(key) = SWITCHES.into_iter().find(|switch| is(switch)) {
+            return Some(Self { key, value: String::new(), word: word.to_owned() });
+        }
+        let (given, value) = word.split_once(':')?;
+        let key = KEYS.into_iter().find(|key| key.eq_ignore_ascii_case(given))?;
+        let plain = value.strip_prefix('"').and_then(|value| value.strip_suffix('"'));
+        let value = plain.map_or_else(|| value.to_owned(), |plain| plain.replace("\"\"", "\""));
+        (!value.is_empty()).then(|| Self { key, value, word: word.to_owned() })
     }
 }
 
@@ -64,6 +93,32 @@ impl RecordsPage {
         words(self.text(RecordsField::Question)).iter().any(|(_, word)| *word == shorthand.word())
     }
 
+    /// Takes a word out of the question.
+    pub(super) fn remove(&mut self, word: &str) {
+        let text = self.text(RecordsField::Question);
+        let others: Vec<&str> =
+            words(text).into_iter().map(|(_, other)| other).filter(|other| *other != word).collect();
+        let text = others.join(" ");
+        self.texts.insert(RecordsField::Question, text);
+    }
+
+    /// What the field of a new filter asks about.
+    pub fn filter_key(&self) -> &'static str {
+        self.filter_key.unwrap_or("part")
+    }
+
+    /// Puts the filter of the form into the question, in the place of one about the same.
+    pub(super) fn add_filter(&mut self) {
+        let key = self.filter_key();
+        let added = asking(key, self.text(RecordsField::Filter).trim());
+        let text = self.text(RecordsField::Question);
+        let is_of = |word: &str| Filter::of(word).is_some_and(|filter| filter.key == key);
+        let others = words(text).into_iter().map(|(_, word)| word).filter(|word| !is_of(word));
+        let text = others.chain([added.as_str()]).collect::<Vec<_>>().join(" ");
+        self.texts.insert(RecordsField::Question, text);
+        self.texts.remove(&RecordsField::Filter);
+    }
+
     /// Puts a word into the question, or takes it out.
     pub(super) fn toggle(&mut self, shorthand: Shorthand) {
         let text = self.text(RecordsField::Question);
@@ -77,6 +132,8 @@ impl RecordsPage {
     pub(super) fn ask(&mut self, shared: &Shared, rests: bool) {
         self.errors.remove(&RecordsField::Question);
         self.culprit = None;
+        self.filters =
+            words(self.text(RecordsField::Question)).iter().filter_map(|(_, word)| Filter::of(word)).collect();
         if !shared.recording.is_on() {
             return;
         }

@@ -71,6 +71,14 @@ pub enum RecordsCommand {
 
     /// Puts a word of the language of questions into the question, or takes it out.
     Toggle(Shorthand),
+    /// Takes a word out of the question.
+    RemoveFilter(String),
+    /// Opens the form for another filter, or closes it.
+    AskForFilter(bool),
+    /// What the form asks about, in the language of questions.
+    FilterBy(&'static str),
+    /// Puts the filter of the form into the question.
+    AddFilter,
     /// Asks the question again, for what is new.
     AskAgain,
     /// These places of the list are in sight: their rows are read.

@@ -5,6 +5,8 @@
 pub enum RecordsField {
     /// Which records are listed, in the language of questions.
     Question,
+    /// What another filter asks for.
+    Filter,
     /// The name of who measures from now on; in the top bar of every page.
     Who,
     /// The address of the server of the shop.

@@ -29,7 +29,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 pub use actions::{RECORDS, RecordsAction};
-pub use asking::Shorthand;
+pub use asking::{Filter, Shorthand};
 pub use choosing::{LeftOut, RowTexts};
 pub use command::RecordsCommand;
 pub use correcting::Correcting;
@@ -107,6 +107,11 @@ pub struct RecordsPage {
     errors: BTreeMap<RecordsField, Message>,
     /// Where in the question an error shows.
     culprit: Option<Range<usize>>,
+    /// The words of the question that have names.
+    pub filters: Vec<Filter>,
+    /// Whether the form for another one is open.
+    pub is_filtering: bool,
+    filter_key: Option<&'static str>,
     /// How many questions and walks there were.
     runs: u64,
     /// The number of the question that is asked.

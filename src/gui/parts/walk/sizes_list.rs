@@ -113,7 +113,7 @@ fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow
     let remark = remarks.join(", ");
     let said = joined([&name, &asked, &word, &measured, &deviation, &remark]);
     let mark = match status {
-        Some(_) => Cell::Verdict { status, is_simulated, word },
+        Some(_) => Cell::Verdict { status, is_simulated, word, beside: String::new() },
         None => Cell::Text(String::new()),
     };
     let texts = [name, asked, shown, deviation, remark].map(Cell::Text);

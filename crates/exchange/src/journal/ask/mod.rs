@@ -44,6 +44,8 @@ use fitcheck_core::verdict::Status;
 use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
+pub use printing::asking;
+pub use reading::{KEYS, SWITCHES};
 
 /// When and where somebody asks: what `today` is, and when a day begins.
 #[derive(Debug, Clone, PartialEq, Eq)]

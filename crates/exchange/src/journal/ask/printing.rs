@@ -17,7 +17,7 @@ impl Question {
             ("class", &self.class),
         ];
         let mut name = |(key, text): (&str, &Option<String>)| {
-            words.extend(text.as_ref().map(|text| format!("{key}:{}", value(text))));
+            words.extend(text.as_ref().map(|text| asking(key, text)));
         };
         named.into_iter().for_each(&mut name);
         let verdicts: Vec<String> = self.verdicts.iter().map(|status| status.word().to_lowercase()).collect();
@@ -49,6 +49,11 @@ fn instant(ms: i64, here: &LocalNow, is_end: bool) -> String {
         Ok(day) if begins(&day) && (0..=9999).contains(&day.year()) => day.to_string(),
         _ => time.to_string(),
     }
+}
+
+/// A word that asks for a value by its key.
+pub fn asking(key: &str, text: &str) -> String {
+    format!("{key}:{}", value(text))
 }
 
 /// A value, in quotation marks where it needs them.

@@ -16,11 +16,11 @@ use super::{AskError, AskErrorKind, LocalNow, Question};
 pub(super) const LONGEST: usize = 65_536;
 
 /// What has a value after a colon.
-pub(super) const KEYS: [&str; 10] =
+pub const KEYS: [&str; 10] =
     ["part", "serial", "feature", "callout", "class", "verdict", "who", "station", "from", "to"];
 
 /// What stands alone.
-pub(super) const SWITCHES: [&str; 5] = ["today", "week", "simulated", "measured", "standing"];
+pub const SWITCHES: [&str; 5] = ["today", "week", "simulated", "measured", "standing"];
 
 struct Word {
     /// Before the colon, in small letters; `None` where there is none.
