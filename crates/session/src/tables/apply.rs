@@ -5,7 +5,7 @@ use std::path::Path;
 use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
-use super::{Document, Filter, Origin, TableChoice, TablesCommand, TablesField, TablesPage};
+use super::{Document, Origin, TableChoice, TablesCommand, TablesField, TablesPage};
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::saved::Saved;
@@ -123,10 +123,11 @@ impl TablesPage {
 
     /// Filter, selection and fields follow when the shown table is exchanged or changed.
     pub(super) fn shown_changed(&mut self, shared: &Shared) {
-        let only = self.shows_only_differences();
-        let Some(document) = self.documents.get_mut(self.shown) else { return };
-        self.filter = Filter::of(self.texts.text(TablesField::Filter), document, only);
-        document.keep_selection();
+        let Some(filter) = self.filtered(self.texts.text(TablesField::Filter)) else { return };
+        self.filter = filter;
+        if let Some(document) = self.shown_mut() {
+            document.keep_selection();
+        }
         self.fill_cell_fields(shared);
     }
 }

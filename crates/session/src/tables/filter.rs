@@ -32,31 +32,12 @@ enum Word<'a> {
 }
 
 impl Filter {
-    /// Reads a filter. Of differences alone it leaves the columns and rows that have one.
-    pub fn of(text: &str, document: &Document, only_differences: bool) -> Self {
-        let table = document.table();
-        let mut filter = Self::by_text(text, table);
-        if !only_differences {
-            filter.ranges = (0..table.ends().len()).collect();
-            return filter;
-        }
-        filter.columns.retain(|column| 0 < document.differing_in(*column));
-        let mut ranges: Vec<usize> = document
-            .differing_cells()
-            .filter(|(column, _)| filter.columns.contains(column))
-            .map(|(_, range)| range)
-            .collect();
-        ranges.sort_unstable();
-        ranges.dedup();
-        Self { ranges, ..filter }
-    }
-
-    /// Blanks, and commas that no digit follows, separate words; an empty text shows every column.
+    /// Reads a filter. Blanks, and commas that no digit follows, separate words; an empty text shows every column.
     ///
     /// Case counts where it tells columns apart; otherwise `h7` finds `H7`, too. A whole number that is a grade of the
     /// table is the grade; `7 mm` and `7.0` are sizes.
-    fn by_text(text: &str, table: &DeviationTable) -> Self {
-        let mut filter = Self::default();
+    pub fn of(text: &str, table: &DeviationTable) -> Self {
+        let mut filter = Self { ranges: (0..table.ends().len()).collect(), ..Self::default() };
         let mut chooses = false;
         let mut shown = vec![false; table.columns().len()];
         let text = text.replace(" mm", "mm");
@@ -79,6 +60,16 @@ impl Filter {
         let chosen = shown.iter().enumerate().filter(|(_, shown)| **shown || !chooses);
         filter.columns = chosen.map(|(column, _)| column).collect();
         filter
+    }
+
+    /// What of it differs from ISO 286: the columns and size ranges with such a cell.
+    pub(super) fn differing(mut self, document: &Document) -> Self {
+        self.columns.retain(|column| 0 < document.differing_in(*column));
+        let cells = document.differing_cells().filter(|(column, _)| self.columns.binary_search(column).is_ok());
+        self.ranges = cells.map(|(_, range)| range).collect();
+        self.ranges.sort_unstable();
+        self.ranges.dedup();
+        self
     }
 
     fn mark(&mut self, size: Length, table: &DeviationTable) -> bool {

@@ -71,6 +71,13 @@ impl TablesPage {
         self.only_differences && self.shown().is_some_and(|document| 0 < document.differing())
     }
 
+    /// What a filter's text makes of the shown table.
+    fn filtered(&self, text: &str) -> Option<Filter> {
+        let document = self.shown()?;
+        let filter = Filter::of(text, document.table());
+        Some(if self.shows_only_differences() { filter.differing(document) } else { filter })
+    }
+
     /// Whether limits are looked up in the shown table first, as it stands.
     pub fn is_used(&self, sources: &Sources) -> bool {
         let (Some(document), Some(own)) = (self.shown(), sources.own().first()) else { return false };

@@ -2,7 +2,7 @@
 
 use fitcheck_core::tolerance::ToleranceClass;
 
-use super::{Filter, TablesField, TablesPage};
+use super::{TablesField, TablesPage};
 use crate::Step;
 use crate::shared::Shared;
 use crate::state::PageState as _;
@@ -22,7 +22,7 @@ impl TablesPage {
     /// Moves the selection to where the filter points: to the row of a size, and into the columns that are shown.
     pub(super) fn filter_changed(&mut self, shared: &mut Shared) {
         let Some(document) = self.shown() else { return };
-        let filter = Filter::of(self.text(TablesField::Filter), document, self.shows_only_differences());
+        let Some(filter) = self.filtered(self.text(TablesField::Filter)) else { return };
         let Some((class, range)) = document.selected else { return };
         let is_shown = document.column(class).is_some_and(|column| filter.columns.contains(&column));
         let first = filter.columns.first().and_then(|&column| document.table().columns().get(column));
@@ -83,8 +83,10 @@ impl TablesPage {
         drop(cells);
         let Some((column, range)) = next else { return };
         let Some(class) = document.table().columns().get(column).map(|column| column.class) else { return };
-        if !self.filter.columns.contains(&column) {
-            self.filter = Filter::of("", document, self.shows_only_differences());
+        if !self.filter.columns.contains(&column)
+            && let Some(filter) = self.filtered("")
+        {
+            self.filter = filter;
             self.texts.set(TablesField::Filter, "");
         }
         self.select(class, range, shared);
