@@ -231,6 +231,28 @@ fn every_licence_is_allowed_and_no_allowed_one_is_needless() {
     }
 }
 
+/// `packaging/sbom --licences` writes the page, which the window shows under About.
+#[test]
+fn the_manual_names_every_crate_of_cargo_lock_with_its_licence() {
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/manual/licences.md")).unwrap();
+    let mut listed: BTreeMap<String, String> = BTreeMap::new();
+    for section in text.split("\n## ").skip(2) {
+        let (licence, crates) = section.split_once('\n').unwrap();
+        let crates = crates.split_whitespace().collect::<Vec<_>>().join(" ");
+        listed.extend(crates.split(", ").map(|one| (one.to_owned(), licence.to_owned())));
+    }
+    let lock = toml("Cargo.lock");
+    let of_others = tables(&lock["package"]).filter(|one| one.contains_key("source"));
+    let locked: BTreeSet<String> = of_others.map(|one| format!("{} {}", one["name"], one["version"])).collect();
+    assert_eq!(listed.keys().cloned().collect::<BTreeSet<_>>(), locked, "run packaging/sbom --licences");
+    for (name, licence) in licences().0 {
+        // Of two versions, each may have a licence of its own.
+        let mut under = listed.iter().filter(|(one, _)| one.split(' ').next() == Some(name.as_str()));
+        let is_ours = name == "fitcheck" || name.starts_with("fitcheck-");
+        assert!(is_ours || under.any(|(_, told)| choices(told) == choices(&licence)), "{name}: {licence}");
+    }
+}
+
 #[test]
 fn the_largest_dependencies_are_those_of_cargo_lock() {
     let lock = toml("Cargo.lock");

@@ -124,7 +124,8 @@ fn the_scale_survives_a_restart_and_the_page_says_where_it_is_kept() {
     send(&mut first, Command::SetZoom(Zoom::from(120)));
     section(&mut first, Section::About);
     first.get_by_label(&path.display().to_string());
-    first.get_by_label(env!("CARGO_PKG_VERSION"));
+    let version = format!("{}, commit ", env!("CARGO_PKG_VERSION"));
+    first.get_by_label_contains(&version);
     first.get_by_label("MIT OR Apache-2.0");
     eframe::App::on_exit(first.state_mut(), None);
     let again = Window { store: Store::at(&path), ..Window::default() }.open();

@@ -124,6 +124,9 @@ settings-page-in-dialog = In the file dialog
 # About
 settings-page-version = Version
 settings-page-version-about = Fitcheck tells at a glance whether a measured hole or shaft is good.
+settings-page-version-is = { $version }, commit { $commit }
+settings-page-unknown = unknown
+settings-page-licences = Licences of what is built in
 settings-page-licence = Licence
 settings-page-licence-about = Free software. The embedded fonts have licences of their own.
 settings-page-state-file = State file

@@ -124,6 +124,9 @@ settings-page-in-dialog = In het bestandsvenster
 # About
 settings-page-version = Versie
 settings-page-version-about = Fitcheck zegt in één oogopslag of een gemeten boring of as goed is.
+settings-page-version-is = { $version }, commit { $commit }
+settings-page-unknown = onbekend
+settings-page-licences = Licenties van wat is ingebouwd
 settings-page-licence = Licentie
 settings-page-licence-about = Vrije software. De ingebouwde lettertypen hebben eigen licenties.
 settings-page-state-file = Statusbestand

@@ -53,7 +53,12 @@ pub(super) fn told(view: &View<'_>, of: Told) -> Option<String> {
         Told::RecentFiles => {
             view.words.say(&message!("settings-page-recent-count").count("count", session.recent_files().len()))
         }
-        Told::Version => env!("CARGO_PKG_VERSION").to_owned(),
+        Told::Version => {
+            let commit =
+                option_env!("FITCHECK_COMMIT").map_or_else(|| view.text("settings-page-unknown"), str::to_owned);
+            let said = message!("settings-page-version-is").text("version", env!("CARGO_PKG_VERSION"));
+            view.words.say(&said.text("commit", commit))
+        }
         Told::Licence => env!("CARGO_PKG_LICENSE").to_owned(),
         Told::StateFile => place(session.settings_page().state_file.as_deref(), "settings-page-nowhere"),
     })

@@ -9,6 +9,7 @@ use crate::action::row::{ActionRow, Actions, Sends, actions, everywhere, on};
 use crate::action::{ActionScope, Shortcut};
 use crate::check::{CheckCommand, UncertaintyFrom};
 use crate::command::Command;
+use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
 use crate::purpose::Purpose;
 use crate::settings::{DecimalSign, RowHeight};
@@ -30,6 +31,8 @@ actions! {
     ExportSettings;
     /// Reads such a file.
     ImportSettings;
+    /// Opens the manual at what is built in, and its licences.
+    ShowLicences;
     /// Changes the language of the window.
     UseLanguage(Language): Language::all();
     ZoomOut;
@@ -54,6 +57,10 @@ impl Actions for SettingsAction {
     fn row(&self) -> ActionRow {
         match *self {
             Self::ShowSection(section) => on(Page::Settings, section.name(), SettingsCommand::Show(section)),
+            Self::ShowLicences => {
+                let place = HelpPlace::of(HelpTopic::Manual("licences.md"));
+                everywhere("settings-page-licences", HelpCommand::Open(place).into())
+            }
             Self::FindSetting => on(Page::Settings, "settings-page-find", Command::GoTo(SettingsField::Find.into()))
                 .key(Shortcut::ctrl('F')),
             Self::BackToDefaults => ActionRow::new(

@@ -295,7 +295,12 @@ pub const SETTINGS: &[Setting] = &[
         Control::Buttons(Told::RecentFiles, &[window(WindowAction::ForgetRecent)]),
     ),
     row(Section::About, "settings-page-version", "settings-page-version-about", Control::Told(Told::Version)),
-    row(Section::About, "settings-page-licence", "settings-page-licence-about", Control::Told(Told::Licence)),
+    row(
+        Section::About,
+        "settings-page-licence",
+        "settings-page-licence-about",
+        Control::Buttons(Told::Licence, &[action(SettingsAction::ShowLicences)]),
+    ),
     row(Section::About, "settings-page-state-file", "settings-page-state-file-about", Control::Told(Told::StateFile)),
     row(Section::About, "settings-page-journal-file", "settings-page-journal-file-about", Control::Told(Told::Journal)),
 ];
