@@ -18,7 +18,7 @@ use super::rail::rail_ui;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{crash, dialogs, field, keys, palette, parts, top_bar, zoom};
+use super::{crash, dialogs, field, field_help, keys, palette, parts, top_bar, zoom};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, RowHeight, Session, Theme};
@@ -302,4 +302,5 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     dropped_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
     palette::palette_ui(ui, view);
+    field_help::follow_ui(ui, view);
 }

@@ -329,6 +329,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::Keep { .. }
         | Effect::AskRecords { .. }
         | Effect::ReadPart { .. }
+        | Effect::FindRecords { .. }
         | Effect::Watch { .. }
         | Effect::WatchTaken { .. }
         | Effect::StopWatch

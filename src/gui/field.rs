@@ -10,12 +10,14 @@ use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
+use super::field_help::field_help_ui;
 use super::in_turn::hold;
 use super::keypad;
 use super::room::is_low;
+use super::section;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet, remembered};
-use crate::session::{Command, Field};
+use crate::session::{Command, Field, FieldPlace};
 
 /// How a field looks.
 pub(super) struct FieldStyle {
@@ -132,6 +134,7 @@ pub(super) fn field_ui(
             node.set_description(said.clone());
         });
     }
+    field_help_ui(ui, view, field, &response);
     response
 }
 
@@ -224,8 +227,40 @@ pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
         hold(ctx);
         return ctx.request_repaint();
     }
+    if let FieldPlace::Fold(name) = field.place()
+        && section::unfold(ctx, name)
+    {
+        // What is unfolded is drawn some frames later: a field that is not drawn loses the focus again.
+        ctx.data_mut(|data| data.insert_temp(unfolding(), Some((field, UNFOLDING))));
+        hold(ctx);
+        return ctx.request_repaint();
+    }
     ctx.memory_mut(|memory| memory.request_focus(id(field)));
     select_all(ctx, id(field), text);
+}
+
+/// How many frames a fold has to open at most.
+const UNFOLDING: u8 = 30;
+
+fn unfolding() -> Id {
+    Id::unique("field-unfolding")
+}
+
+/// Gives the focus to a field in a fold once it is drawn.
+fn arrive_in_fold(ctx: &Context, view: &View<'_>) {
+    let id = unfolding();
+    let Some((field, left)) =
+        ctx.data_mut(|data| std::mem::take(data.get_temp_mut_or_default::<Option<(Field, u8)>>(id)))
+    else {
+        return;
+    };
+    if keypad::was_seen(ctx, field) {
+        go_to(ctx, field, view.session.text(field));
+    } else if let Some(left) = left.checked_sub(1) {
+        ctx.data_mut(|data| data.insert_temp(id, Some((field, left))));
+        hold(ctx);
+        ctx.request_repaint();
+    }
 }
 
 fn soon() -> Id {
@@ -234,6 +269,7 @@ fn soon() -> Id {
 
 /// Gives the focus to the field that it was promised to.
 pub(super) fn arrive(ctx: &Context, view: &View<'_>) {
+    arrive_in_fold(ctx, view);
     let promised = ctx.data_mut(|data| std::mem::take(data.get_temp_mut_or_default::<Option<Field>>(soon())));
     if let Some(field) = promised {
         go_to(ctx, field, view.session.text(field));

@@ -74,21 +74,29 @@ pub(super) fn aim(ui: &Ui, field: Field) {
     ui.data_mut(|data| data.insert_temp(target_id(), field));
 }
 
+/// The field that had the focus last.
+pub(super) fn aimed(ui: &Ui) -> Option<Field> {
+    ui.data(|data| data.get_temp(target_id()))
+}
+
 /// Remembers that a field is on screen in this frame.
 pub(super) fn see(ui: &Ui, field: Field) {
     let frame = ui.ctx().cumulative_frame_nr();
     ui.data_mut(|data| data.insert_temp(field_id::id(field).with("seen"), frame));
 }
 
+/// Whether a field was drawn in the last frame.
+pub(super) fn was_seen(ctx: &Context, field: Field) -> bool {
+    let frame = ctx.data(|data| data.get_temp::<u64>(field_id::id(field).with("seen")));
+    frame.is_some_and(|frame| ctx.cumulative_frame_nr() <= frame + 1)
+}
+
 /// The field that the keypad types into: the one that had the focus last, while it is on screen; else the measured
 /// value, while that is.
 fn target(ui: &Ui) -> Option<Field> {
-    let this = ui.ctx().cumulative_frame_nr();
-    let seen = |field: &Field| ui.data(|data| data.get_temp::<u64>(field_id::id(*field).with("seen")));
     // The keypad is drawn before the fields.
-    let is_seen = |field: &Field| seen(field).is_some_and(|frame| this <= frame + 1);
-    let last = ui.data(|data| data.get_temp(target_id()));
-    last.filter(is_seen).or(Some(Field::Check(CheckField::Measured)).filter(is_seen))
+    let is_seen = |field: &Field| was_seen(ui.ctx(), *field);
+    aimed(ui).filter(is_seen).or(Some(Field::Check(CheckField::Measured)).filter(is_seen))
 }
 
 /// The height of a key that a glove hits.

@@ -24,7 +24,7 @@
 //! | `table` | a list of rows with heads |
 //! | `columns`, `split`, `room` | three columns, a list with what is open of it, and how both fold |
 //! | `empty` | what stands where there is nothing yet |
-//! | `card`, `section`, `segments`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `card`, `section`, `segments`, `class_chooser`, `field`, `field_help`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 //!
@@ -56,6 +56,7 @@ mod effects;
 mod empty;
 mod errands;
 mod field;
+mod field_help;
 mod field_id;
 mod file_contents;
 mod fit;

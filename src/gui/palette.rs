@@ -2,13 +2,13 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Id, Key, Label, Layout, Memory, Modal, Modifiers, RichText, ScrollArea, Sense, TextEdit, TextStyle,
-    Ui, UiBuilder, WidgetInfo, vec2,
+    Align, Align2, Button, Id, Key, Label, Layout, Memory, Modal, Modifiers, RichText, ScrollArea, Sense, TextEdit,
+    TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 use super::key_names::told;
 use super::over_page::just_opened;
-use super::theme::{control, palette, sizes, space};
+use super::theme::{control, looking, palette, plain, sizes, space};
 use super::view::{View, quiet};
 use crate::session::{Palette, PaletteCommand, PaletteEntry, Step};
 
@@ -41,7 +41,7 @@ pub(super) fn palette_ui(ui: &Ui, view: &mut View<'_>) {
             list_ui(ui, view, open);
         });
         ui.separator();
-        quiet(ui, view.text("palette-hint"));
+        foot_ui(ui, view, open);
     });
     if shown.backdrop_response.clicked() {
         view.send(PaletteCommand::Show(false));
@@ -82,9 +82,17 @@ fn field_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
     if let Some(step) = step {
         view.send(PaletteCommand::Move(step));
     }
+    let (tab, back) = ui.input_mut(|input| {
+        let back = input.consume_key(Modifiers::SHIFT, Key::Tab);
+        (input.consume_key(Modifiers::NONE, Key::Tab), back)
+    });
+    if tab || back {
+        view.send(PaletteCommand::More(tab));
+    }
     let mut query = open.query.clone();
     let field = TextEdit::singleline(&mut query)
         .id(field_id())
+        .lock_focus(true)
         .font(TextStyle::Heading)
         .hint_text(view.text("palette"))
         .desired_width(f32::INFINITY)
@@ -101,6 +109,26 @@ fn field_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
     if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
         view.send(PaletteCommand::Do(None));
     }
+}
+
+/// What may be typed, and what else can be done with the highlighted entry: by Tab, and by a press.
+fn foot_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
+    ui.horizontal_wrapped(|ui| {
+        let more = if open.shows_more {
+            Some(("palette-back", false))
+        } else {
+            open.found.get(open.at).filter(|entry| entry.has_more()).map(|_| ("palette-more", true))
+        };
+        if let Some((text, shows)) = more {
+            let key = if shows { "Tab" } else { "Esc" };
+            let button = Button::new(view.text(text)).shortcut_text(key).min_size(vec2(0.0, control(ui)));
+            if looking(ui, plain, |ui| ui.add(button)).accessible_name(view.text(text)).clicked() {
+                view.send(PaletteCommand::More(shows));
+                ui.memory_mut(|memory| memory.request_focus(field_id()));
+            }
+        }
+        quiet(ui, view.text("palette-hint"));
+    });
 }
 
 fn list_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {

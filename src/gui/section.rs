@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Align2, Color32, Id, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align2, Color32, Context, Id, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::View;
@@ -19,11 +19,23 @@ pub(super) struct Section<'a> {
     pub is_wrong: bool,
 }
 
+fn id(name: &str) -> Id {
+    Id::unique(("section", name))
+}
+
+/// Opens the part of a name: something in it gets the focus. Whether it was closed.
+pub(super) fn unfold(ctx: &Context, name: &str) -> bool {
+    let mut state = CollapsingState::load_with_default_open(ctx, id(name), false);
+    let was_closed = !state.is_open();
+    state.set_open(true);
+    state.store(ctx);
+    was_closed
+}
+
 impl Section<'_> {
     /// The row, and below it the part where it is open.
     pub fn show(&self, ui: &mut Ui, view: &mut View<'_>, content: impl FnOnce(&mut Ui, &mut View<'_>)) {
-        let id = Id::unique(("section", self.name));
-        let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, false);
+        let mut state = CollapsingState::load_with_default_open(ui.ctx(), id(self.name), false);
         if self.is_wrong {
             state.set_open(true);
         }

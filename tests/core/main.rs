@@ -115,6 +115,7 @@ mod session_budget;
 mod session_columns;
 mod session_cycles;
 mod session_enter;
+mod session_fields;
 mod session_files;
 mod session_filter;
 mod session_fit;

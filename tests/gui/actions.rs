@@ -10,9 +10,9 @@ use fitcheck::session::action::{Held, Part, Shortcut};
 use fitcheck::session::parts::{PartsView, PlanCommand};
 use fitcheck::session::program::Speed;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, Page, Paired, PairingCommand,
-    PairingField, PaletteCommand, PartsCommand, ProgramCommand, Purpose, RecordsCommand, Session, SettingsField, Step,
-    TablesCommand, Theme,
+    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, HelpCommand, Page, Paired,
+    PairingCommand, PairingField, PaletteCommand, PartsCommand, ProgramCommand, Purpose, RecordsCommand, Session,
+    SettingsField, Step, TablesCommand, Theme,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::words::Language;
@@ -32,6 +32,7 @@ impl Pair {
         let nowhere = nowhere();
         pair.apply(RecordsCommand::Begin { usual: None, station: nowhere.station, zone: nowhere.zone }.into());
         pair.apply(Command::SetTheme(Theme::Light));
+        pair.apply(Command::Welcome(false));
         pair.send(Command::OpenPage(page));
         pair
     }
@@ -78,6 +79,7 @@ impl Pair {
     #[track_caller]
     fn press(&mut self, shortcut: Shortcut) {
         self.focus();
+        self.follow();
         let page = self.session.page();
         let part = Part::of(page).next();
         let heard = self.session.keys(part, false).into_iter().find(|(heard, _)| *heard == shortcut);
@@ -87,7 +89,14 @@ impl Pair {
             self.apply(command);
             self.done.insert(named(action, shortcut));
         }
+        self.follow();
         self.check_same(&format!("{shortcut} on {page:?} for {heard:?}"));
+    }
+
+    /// The session hears which field of the window has the focus.
+    fn follow(&mut self) {
+        let at = self.window.state().session().help().at.clone();
+        self.apply(HelpCommand::At(at).into());
     }
 
     /// Gives the focus to the part of the page; on pages without one, nothing has it.

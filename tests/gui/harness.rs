@@ -66,6 +66,8 @@ pub struct Window {
     pub told: Vec<Message>,
     /// How long a notice stays that asks for nothing; for ever, unless a test is about it.
     pub notices_stay: Option<f64>,
+    /// Whether it is the first start: the check page shows the first steps.
+    pub is_first: bool,
 }
 
 impl Default for Window {
@@ -82,6 +84,7 @@ impl Default for Window {
             records: nowhere(),
             told: Vec::new(),
             notices_stay: None,
+            is_first: false,
         }
     }
 }
@@ -113,6 +116,9 @@ impl Window {
         };
         let ctx = harness.ctx.clone();
         harness.state_mut().send(&ctx, Command::SetTheme(theme));
+        if !self.is_first {
+            harness.state_mut().send(&ctx, Command::Welcome(false));
+        }
         harness.run();
         harness
     }

@@ -6,13 +6,13 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use fitcheck::gui::App;
+use fitcheck::gui::{App, Store};
 use fitcheck::session::help::{HelpPlace, HelpTopic, topics};
 use fitcheck::session::parts::PictureState;
-use fitcheck::session::{Command, Density, HelpCommand, Page};
+use fitcheck::session::{CheckField, Command, Density, HelpCommand, Page};
 use fitcheck::words::Language;
 
-use crate::harness::{Window, click, cursor, press, rows, scan, settle, type_into};
+use crate::harness::{Window, click, cursor, press, rows, scan, settle, type_into, verdict};
 
 fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
     let ctx = window.ctx.clone();
@@ -35,10 +35,106 @@ fn f1_opens_the_page_about_what_is_open_and_returns() {
     let mut window = Window::default().open();
     send(&mut window, Command::OpenPage(Page::Pairing));
     press(&mut window, Key::F1);
-    assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Pairs of measured parts"));
-    window.get_by_role_and_label(Role::Heading, "Pairs of measured parts");
+    // The page begins in its first field.
+    assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Fields"));
+    let heading = window.get_by_role_and_label(Role::Heading, "Wanted clearance or fit").rect();
+    assert!(0.0 < heading.top() && heading.bottom() < 800.0, "{heading:?}");
     press(&mut window, Key::F1);
     assert_eq!(page(&window), Page::Pairing);
+    // Where no field has the focus, it is the page.
+    press(&mut window, Key::Escape);
+    press(&mut window, Key::F1);
+    assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Pairs of measured parts"));
+    window.get_by_role_and_label(Role::Heading, "Pairs of measured parts");
+}
+
+#[test]
+fn the_sign_at_a_field_shows_its_paragraph_and_moves_nothing() {
+    let mut window = Window::default().open();
+    type_into(&mut window, "Centre X", "40");
+    let before = window.get_by_role_and_label(Role::TextInput, "Centre X").rect();
+    window.get_by_role_and_label(Role::Button, "Help for Centre X").click();
+    window.run();
+    window.get_by_label_contains("Where the centre of the hole or shaft should be");
+    window.get_by_role_and_label(Role::Figure, "Q273: nominal centre in the first axis");
+    assert_eq!(window.get_by_role_and_label(Role::TextInput, "Centre X").rect(), before);
+    // The field keeps the keys, and Escape closes the paragraph alone.
+    scan(&mut window, "41");
+    assert_eq!(window.state().session().text(CheckField::CentreX), "41");
+    press(&mut window, Key::Escape);
+    assert!(window.query_by_label_contains("Where the centre of the hole or shaft should be").is_none());
+}
+
+#[test]
+fn by_keys_the_paragraph_opens_and_f1_goes_on_reading() {
+    let mut window = Window::default().open();
+    type_into(&mut window, "Measured value", "25");
+    window.key_press_modifiers(Modifiers::SHIFT, Key::F1);
+    window.run();
+    window.get_by_label_contains("Enter judges it.");
+    click(&mut window, Role::Button, "In the manual");
+    assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Fields"));
+    press(&mut window, Key::F1);
+    scan(&mut window, ".01⏎");
+    assert_eq!(
+        window.state().session().text(CheckField::Measured),
+        ".01",
+        "the field has the keys again, all of it selected"
+    );
+}
+
+#[test]
+fn a_finger_hits_the_sign_at_a_field() {
+    let mut window = Window::default().open();
+    send(&mut window, Command::SetDensity(Density::Touch));
+    type_into(&mut window, "Measured value", "25");
+    let sign = window.get_by_role_and_label(Role::Button, "Help for Measured value").rect();
+    assert!(44.0 <= sign.height() + 0.1 && 44.0 <= sign.width() + 0.1, "{sign:?}");
+}
+
+#[test]
+fn first_steps_stand_on_the_check_page_until_something_is_judged() {
+    let mut window = Window { is_first: true, ..Window::default() }.open();
+    window.get_by_label("First time here?");
+    click(&mut window, Role::Button, "Try 25 H7 with 25.012");
+    assert!(verdict(&window).starts_with("SIMULATED. GOOD. 25.012 mm"), "{}", verdict(&window));
+    assert!(window.query_by_label("First time here?").is_none());
+    assert!(window.state().session().recent_files().is_empty());
+    send(&mut window, Command::OpenPage(Page::Help));
+    click(&mut window, Role::Row, "The manual");
+    click(&mut window, Role::Button, "First steps");
+    assert_eq!(page(&window), Page::Check);
+    window.get_by_label("First time here?");
+}
+
+#[test]
+fn first_steps_are_dismissed_for_good() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.toml");
+    let first = |path: &std::path::Path| Window { is_first: true, store: Store::at(path), ..Window::default() }.open();
+    let mut window = first(&path);
+    click(&mut window, Role::Button, "Done");
+    assert!(window.query_by_label("First time here?").is_none());
+    eframe::App::on_exit(window.state_mut(), None);
+    assert!(first(&path).query_by_label("First time here?").is_none());
+}
+
+#[test]
+fn the_ways_of_the_first_steps_open_samples_and_pages() {
+    for (name, opens) in [
+        ("Open a sample part", Page::Parts),
+        ("Open a sample program", Page::Program),
+        ("Parts", Page::Parts),
+        ("Cycles", Page::Cycles),
+    ] {
+        let mut window = Window { is_first: true, ..Window::default() }.open();
+        let buttons = window.query_all_by_role_and_label(Role::Button, name);
+        // The rail has the pages by the same names, further to the left.
+        let way = buttons.max_by(|one, other| one.rect().left().total_cmp(&other.rect().left())).unwrap();
+        way.click();
+        window.run();
+        assert_eq!(page(&window), opens, "{name}");
+    }
 }
 
 #[test]

@@ -2,6 +2,10 @@ page-help = Help
 
 help-page-help = Help for this page
 help-page-help-hint = Opens the manual; on the help page, returns to the page before it
+help-page-explain = Explain this field
+help-page-explain-hint = Shows what the field is for, its unit, its range and an example
+help-page-about-field = Help for { $name }
+help-page-in-manual = In the manual
 help-page-entry = Help: { $title }
 help-page-keys = Keyboard shortcuts
 help-page-search = Search the manual
@@ -18,6 +22,7 @@ help-page-english = The manual is in English.
 
 # Samples
 help-page-samples = Try it
+help-page-sample-value = Try 25 H7 with 25.012
 help-page-sample-part = Open a sample part
 help-page-sample-file = Open a sample file
 help-page-sample-program = Open a sample program

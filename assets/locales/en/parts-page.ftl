@@ -32,6 +32,7 @@ parts-page-next = Next fault
 parts-page-choose-picture = Choose picture…
 parts-page-dialog-picture = Choose the picture of the part
 parts-page-table = Features of the plan
+parts-page-cell-name = Cell of the plan
 parts-page-cell = Row { $row }, { $column }, { $text }
 parts-page-cell-empty = Row { $row }, { $column }, empty
 parts-page-cell-wrong = { $cell }, fault: { $what }

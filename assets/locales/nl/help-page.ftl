@@ -2,6 +2,10 @@ page-help = Hulp
 
 help-page-help = Hulp bij deze pagina
 help-page-help-hint = Opent de handleiding; op de hulppagina terug naar de pagina van daarvoor
+help-page-explain = Dit veld uitleggen
+help-page-explain-hint = Toont waarvoor het veld dient, met eenheid, bereik en een voorbeeld
+help-page-about-field = Hulp bij { $name }
+help-page-in-manual = In de handleiding
 help-page-entry = Hulp: { $title }
 help-page-keys = Sneltoetsen
 help-page-search = Zoeken in de handleiding
@@ -18,6 +22,7 @@ help-page-english = De handleiding is alleen in het Engels beschikbaar.
 
 # Samples
 help-page-samples = Uitproberen
+help-page-sample-value = 25 H7 met 25,012 proberen
 help-page-sample-part = Voorbeeldonderdeel openen
 help-page-sample-file = Voorbeeldbestand openen
 help-page-sample-program = Voorbeeldprogramma openen

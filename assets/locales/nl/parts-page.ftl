@@ -32,6 +32,7 @@ parts-page-next = Volgende fout
 parts-page-choose-picture = Afbeelding kiezen…
 parts-page-dialog-picture = Afbeelding van het onderdeel kiezen
 parts-page-table = Elementen van het plan
+parts-page-cell-name = Cel van het plan
 parts-page-cell = Rij { $row }, { $column }, { $text }
 parts-page-cell-empty = Rij { $row }, { $column }, leeg
 parts-page-cell-wrong = { $cell }, fout: { $what }

@@ -63,6 +63,8 @@ macro_rules! command {
             SetZoom(Zoom),
             /// Sets what a section of the settings page has back to what a first start has.
             BackToDefaults(Section),
+            /// Shows the first steps on the check page, or hides them.
+            Welcome(bool),
             /// A finger touched the window, or a mouse moved over it.
             Touched(bool),
             /// Draws the status window with a built-in mask; `None` is the mask of the language.

@@ -106,6 +106,15 @@ pub enum Effect {
         /// Whether to wait until nobody types.
         rests: bool,
     },
+    /// Find a few of the newest records for the palette and send `PaletteCommand::Found`; the question before is given up.
+    FindRecords {
+        /// The number of the question.
+        run: u64,
+        /// What is asked.
+        question: Box<Question>,
+        /// How many records.
+        most: usize,
+    },
     /// Read these records and send `RecordsCommand::Read`.
     ReadRecords(Vec<u64>),
     /// Read the checks that answer a question from the journal, the oldest first and at most so many, and send

@@ -26,7 +26,8 @@
 //! | `asking` | questions that Enter answers, and none in passing |
 //! | `page`, `state` | the list of the pages; what every page is |
 //! | `command`, `effect` | every command, and what it asks of the outside world |
-//! | `field`, `texts`, `typing` | every text field, the texts in them, and what typing does |
+//! | `field`, `field_table` | every text field; its name, its place, its paragraph of the manual |
+//! | `texts`, `typing` | the texts in fields, and what typing does |
 //! | `purpose`, `settings`, `zoom`, `step` | what files are for; how the window looks; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
@@ -65,6 +66,7 @@ mod cycles;
 mod document;
 mod effect;
 mod field;
+mod field_table;
 mod files;
 mod fit;
 pub mod help;
@@ -119,6 +121,7 @@ pub use cycles::{
 pub use document::OpenDocument;
 pub use effect::Effect;
 pub use field::Field;
+pub use field_table::{FieldDrawing, FieldPlace};
 pub use files::{
     Content, Dialog, DialogId, FilesAction, FilesCommand, FolderList, HEAD, Launch, OpenError, ReadOutcome, RecentFile,
     Working,
@@ -194,12 +197,14 @@ macro_rules! session {
             asking: Asking,
             /// The palette, while it is open.
             pub palette: Option<Palette>,
+            /// How often it asked the journal.
+            palette_runs: u64,
         }
 
         impl Session {
             /// Every page as it was left.
             fn with_pages(saved: &Saved, shared: Shared) -> Self {
-                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), palette: None, shared }
+                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), palette: None, palette_runs: 0, shared }
             }
 
             /// Adds what every page keeps.
@@ -300,6 +305,7 @@ impl Session {
         shared.density = saved.density;
         shared.rows = saved.rows;
         shared.decimal = saved.decimal;
+        shared.welcomes = !saved.welcomed;
         shared.zoom = saved.zoom;
         shared.columns = columns::Columns::restore(saved.columns.clone());
         let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
@@ -331,6 +337,7 @@ impl Session {
             density: self.shared.density,
             rows: self.shared.rows,
             decimal: self.shared.decimal,
+            welcomed: !self.shared.welcomes,
             zoom: self.shared.zoom,
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
@@ -368,10 +375,13 @@ impl Session {
         self.shared.recording.named = self.check.named();
         self.shared.take_worth(self.check.own_worth());
         let before = self.is_setting(&command).then(|| self.saved());
+        let checks = self.shared.history.len();
         let mut effects = self.apply_command(command, now);
         if let Some(before) = before {
             self.note_setting(before);
         }
+        // Who has a verdict needs no first steps any more.
+        self.shared.welcomes &= self.shared.history.len() <= checks;
         self.shared.take_worth(self.check.own_worth());
         let errands = self.spread_news();
         let shared = &mut self.shared;
@@ -414,8 +424,9 @@ impl Session {
             }
             Command::Tools(command) => shared.apply_tools(command),
             Command::Palette(command) => {
-                let commands = self.apply_palette(command);
-                return commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
+                let (commands, asked) = self.apply_palette(command);
+                let effects = commands.into_iter().flat_map(|command| self.apply(command, now));
+                return effects.chain(asked).collect();
             }
             Command::OpenPage(page) => shared.open(page),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
@@ -426,6 +437,12 @@ impl Session {
             Command::SetRows(rows) => shared.rows = rows,
             Command::SetDecimal(decimal) => shared.set_decimal(decimal),
             Command::SetZoom(zoom) => shared.zoom = zoom,
+            Command::Welcome(welcomes) => {
+                shared.welcomes = welcomes;
+                if welcomes {
+                    shared.open(Page::Check);
+                }
+            }
             Command::Touched(is_touched) => shared.is_touched = is_touched,
             Command::SetMask(language) => {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));

@@ -88,6 +88,11 @@ impl Session {
         self.shared.is_touched
     }
 
+    /// Whether the check page shows the first steps.
+    pub const fn welcomes(&self) -> bool {
+        self.shared.welcomes
+    }
+
     /// Whether what is pressed is high enough for fingers.
     pub const fn is_for_touch(&self) -> bool {
         match self.shared.density {

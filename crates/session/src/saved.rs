@@ -35,6 +35,8 @@ pub struct Saved {
     pub rows: RowHeight,
     /// What stands before the decimals of a number.
     pub decimal: DecimalSign,
+    /// Whether the first steps are done.
+    pub welcomed: bool,
     /// The scale of the window in per cent.
     pub zoom: Zoom,
     /// The folder of the user's own tables.
@@ -157,6 +159,7 @@ impl Default for Saved {
             density: Density::default(),
             rows: RowHeight::default(),
             decimal: DecimalSign::default(),
+            welcomed: false,
             zoom: Zoom::default(),
             tables_folder: None,
             mask: None,

@@ -188,6 +188,8 @@ pub(super) struct Shared {
     pub decimal: DecimalSign,
     pub rows: RowHeight,
     pub zoom: Zoom,
+    /// Whether the check page shows the first steps.
+    pub welcomes: bool,
     /// Whether a finger was used last.
     pub is_touched: bool,
     pub mask: MaskChoice,

@@ -13,7 +13,8 @@ use crate::gui::view::{Digits, View, doubt_text, heading};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say, message};
-use crate::session::CheckAction;
+use crate::session::help::Sample;
+use crate::session::{CheckAction, WindowAction};
 use crate::session::{DoubtedText, Lot, Question, Recorded, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
@@ -29,7 +30,8 @@ pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
     }
     let shown = check.shown.as_ref();
     let card = shown.map_or_else(|| no_card(view), |shown| card(view.words, &shown.record, true));
-    card_height_in(ui, view, &card, width) + shown.map_or(0.0, |_| foot_height(ui))
+    let example = if view.session.welcomes() { control(ui) + ui.spacing().item_spacing.y } else { 0.0 };
+    card_height_in(ui, view, &card, width) + shown.map_or(example, |_| foot_height(ui))
 }
 
 /// The verdict card over a height; or a question instead.
@@ -45,7 +47,12 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let recorded = view.session.check_recorded();
     // What was not recorded is said below the card, where its colour is no verdict's.
     let has_failed = matches!(recorded, Some(Recorded::Failed(_)));
-    let below = if has_failed { control(ui) * 2.0 } else { 0.0 };
+    let welcomes = record.is_none() && view.session.welcomes();
+    let below = match (has_failed, welcomes) {
+        (true, _) => control(ui) * 2.0,
+        (_, true) => control(ui) + ui.spacing().item_spacing.y,
+        _ => 0.0,
+    };
     let card = Card { height: height - below, ..card };
     let shown = view.session.check().shown.as_ref().and_then(|shown| shown.id);
     let replaced = shown.and_then(|id| view.session.history().replaced_by(id));
@@ -66,6 +73,10 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     }
     if has_failed {
         recorded_ui(ui, view, recorded);
+    } else if welcomes {
+        let sample = WindowAction::OpenSample(Sample::Value);
+        let button = view.named(sample).min_size(vec2(ui.available_width(), control(ui)));
+        view.button_as(ui, sample, button);
     }
 }
 

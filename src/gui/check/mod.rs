@@ -7,6 +7,7 @@
 //! | `record_panel` | left: what is recorded besides; right: the number of the record |
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `worth_lines`, `status_panel` | right: the verdict, what it is worth, and the control's window |
+//! | `first_panel` | at the first start, in the place of what was seen and of earlier checks: settings, and three ways in |
 //! | `history_panel`, `history_list` | bottom: earlier checks |
 //! | `rows_panel`, `rows_list`, `row_texts` | in their place: the rows of a large file |
 
@@ -15,6 +16,7 @@ mod asked_panel;
 mod band_plot;
 mod contacts_plot;
 mod field_pairs;
+mod first_panel;
 mod history_list;
 mod history_panel;
 mod last_values;
@@ -120,6 +122,7 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     panel_ui(ui, view, Side::Left, "check-asked", sizes, asked_ui);
     history_below_ui(ui, view);
     let size = ui.available_size();
+    let welcomes = view.session.welcomes();
     let verdict = least.max((size.x * 0.35).min(space(78.0)));
     let sizes = (verdict, least..=(size.x * 0.6).max(least));
     let needed = answer_panel::height_in(ui, view, verdict);
@@ -129,6 +132,9 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
             area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
             rest_ui(ui, view, band_card_ui);
         });
+        if welcomes {
+            return first_panel::first_ui(ui, view);
+        }
         area_ui(ui, view, Side::Right, "check-status", sizes, |ui, view| {
             close_card_ui(ui, |ui| status_card_ui(ui, view));
         });
@@ -141,6 +147,10 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
             ui.add_space(space(1.0));
             rest_ui(ui, view, |ui, view| {
                 column_ui(ui, "check-status-low", |ui| {
+                    if welcomes {
+                        first_panel::ways_ui(ui, view);
+                        ui.separator();
+                    }
                     status_ui(ui, view);
                     ui.separator();
                     of_height(ui, space(90.0), |ui| seen_ui(ui, view));
@@ -169,6 +179,13 @@ fn columns_of_three_ui(ui: &mut Ui, view: &mut View<'_>, least: f32, has_history
     let answer = least.max(space(122.0));
     let most = (ui.available_width() - space(100.0)).max(answer);
     let row = space(94.0 + 3.0).min(ui.available_height() * 0.5);
+    if view.session.welcomes() && has_history {
+        row_ui(ui, view, "check-first-wide", row, |ui, view| {
+            area_ui(ui, view, Side::Right, "check-answer-wide", (answer, least..=most), verdict_ui);
+            rest_ui(ui, view, band_card_ui);
+        });
+        return first_panel::first_ui(ui, view);
+    }
     area_ui(ui, view, Side::Right, "check-answer-wide", (answer, least..=most), |ui, view| {
         row_ui(ui, view, "check-verdict-wide", row, verdict_ui);
         if has_history {
@@ -195,6 +212,10 @@ fn narrow_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     ui.add_space(space(1.0));
     rest_ui(ui, view, |ui, view| {
         column_ui(ui, "check-rest", |ui| {
+            if view.session.welcomes() {
+                first_panel::ways_ui(ui, view);
+                ui.separator();
+            }
             of_height(ui, space(50.0).min(ui.available_height()), |ui| band_card_ui(ui, view));
             status_ui(ui, view);
             ui.separator();
@@ -213,6 +234,10 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>) {
         column_ui(ui, "check-all", |ui| {
             asked_panel::asked_panel_ui(ui, view);
             ui.separator();
+            if view.session.welcomes() {
+                first_panel::ways_ui(ui, view);
+                ui.separator();
+            }
             of_height(ui, space(50.0), |ui| band_card_ui(ui, view));
             status_ui(ui, view);
             ui.separator();
@@ -223,6 +248,9 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The history over the width of the page: a table, or one line that unfolds where the window is small.
 fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if view.session.welcomes() && view.session.history().is_empty() {
+        return;
+    }
     let size = ui.available_size();
     if view.session.check().shows_rows() {
         let share = if size.y < space(175.0) { 0.55 } else { 0.45 };
@@ -264,6 +292,10 @@ fn tall_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     panel_ui(ui, view, Side::Left, "check-tall-asked", (width * 0.42, width * 0.35..=width * 0.65), asked_ui);
     rest_ui(ui, view, |ui, view| {
         column_ui(ui, "check-tall-rest", |ui| {
+            if view.session.welcomes() {
+                first_panel::ways_ui(ui, view);
+                ui.separator();
+            }
             status_ui(ui, view);
             ui.separator();
             of_height(ui, ui.available_height().max(space(70.0)), |ui| seen_ui(ui, view));

@@ -10,7 +10,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::without_zeros;
 use crate::message::{Message, message};
-use crate::probing::cycle::{Move, Parameter, Phase, Range};
+use crate::probing::cycle::{Cycle, Key, Move, Parameter, Phase, Range};
 use crate::session::CyclesAction;
 use crate::session::{CycleRun, CyclesCommand, Step};
 use crate::words::Words;
@@ -117,6 +117,20 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
     } else {
         picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
         ui.vertical(words_ui);
+    }
+}
+
+/// What a parameter is, in a narrow place: its drawing, and where it is a field of this page its question, range and default.
+pub(in crate::gui) fn parameter_help_ui(
+    ui: &mut Ui,
+    view: &View<'_>,
+    (cycle, key): (&'static Cycle, Key),
+    is_asked_here: bool,
+) {
+    picture::parameter_picture(ui, view, cycle, key, false);
+    if let Some(parameter) = cycle.parameter(key).filter(|_| is_asked_here) {
+        ui.label(allowed(view, parameter));
+        ui.label(standing_text(view, &view.session.cycles().unset(parameter)));
     }
 }
 

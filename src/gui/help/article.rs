@@ -54,6 +54,13 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
     });
 }
 
+/// A part of a page of the manual, in another place.
+pub(in crate::gui) fn blocks_ui(ui: &mut Ui, view: &mut View<'_>, blocks: &[Block]) {
+    for (number, block) in blocks.iter().enumerate() {
+        block_ui(ui, view, (number, block), false);
+    }
+}
+
 /// What the program can be tried with.
 fn samples_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("help-page-samples"));
@@ -61,6 +68,7 @@ fn samples_ui(ui: &mut Ui, view: &mut View<'_>) {
         for sample in Sample::ALL.map(WindowAction::OpenSample) {
             view.field_button(ui, sample);
         }
+        view.field_button(ui, WindowAction::FirstSteps);
     });
     quiet(ui, view.text("help-page-sample-hint"));
     ui.separator();

@@ -14,6 +14,7 @@ mod sheet;
 mod text;
 mod topics_panel;
 
+pub(super) use article::blocks_ui;
 use eframe::egui::Ui;
 
 use super::columns::{Side, panel_ui, rest_ui};

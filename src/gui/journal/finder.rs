@@ -16,7 +16,7 @@ use crate::journal::chain::Head;
 use crate::message::message;
 use crate::session::parts::WalkCommand;
 use crate::session::records::{FoundNumbers, Numbers, PAGE};
-use crate::session::{Command, RecordRow, RecordsCommand};
+use crate::session::{Command, PaletteCommand, RecordRow, RecordsCommand};
 
 /// How long nobody may type before a question is asked.
 const REST: Duration = Duration::from_millis(120);
@@ -44,6 +44,13 @@ pub(super) enum FinderRequest {
         numbers: Vec<u64>,
         ctx: Context,
     },
+    /// A few of the newest records, for the palette.
+    Few {
+        run: u64,
+        question: Box<Question>,
+        most: usize,
+        ctx: Context,
+    },
     /// Everything that answers a question, the oldest first.
     Part {
         run: u64,
@@ -66,13 +73,16 @@ pub(super) struct Finder {
     journals: Arc<dyn Journals>,
     interrupt: Interrupt,
     newest: Arc<AtomicU64>,
+    newest_few: Arc<AtomicU64>,
     file: Option<PathBuf>,
     reader: Option<Box<dyn Reads>>,
 }
 
 impl Finder {
-    pub fn new(journals: Arc<dyn Journals>, interrupt: Interrupt, newest: Arc<AtomicU64>) -> Self {
-        Self { journals, interrupt, newest, file: None, reader: None }
+    /// `newest` are the numbers of the newest questions: of the records page, and of the palette.
+    pub fn new(journals: Arc<dyn Journals>, interrupt: Interrupt, newest: [Arc<AtomicU64>; 2]) -> Self {
+        let [newest, newest_few] = newest;
+        Self { journals, interrupt, newest, newest_few, file: None, reader: None }
     }
 
     /// Answers until the window is gone.
@@ -187,6 +197,26 @@ impl Finder {
                     Err(ReadError::Interrupted) => Ok(Vec::new()),
                 };
                 say(answers, &ctx, RecordsCommand::Read { numbers, result });
+            }
+            FinderRequest::Few { run, question, most, ctx } => {
+                let read = |reader: &dyn Reads| {
+                    let numbers = reader.numbers(&question, None, most)?;
+                    Ok(whole(&numbers, reader.rows(&numbers)?))
+                };
+                for _ in 0..TRIES {
+                    if self.newest_few.load(Relaxed) != run {
+                        return;
+                    }
+                    // Somebody else's interruption: once more.
+                    let result = match self.with_reader(read) {
+                        Err(ReadError::Interrupted) => continue,
+                        Err(ReadError::Failed(why)) => Err(why),
+                        Ok(rows) => Ok(rows),
+                    };
+                    return say(answers, &ctx, PaletteCommand::Found { run, result });
+                }
+                let result = Err(message!("records-page-interrupted"));
+                say(answers, &ctx, PaletteCommand::Found { run, result });
             }
             FinderRequest::Part { run, question, most, ctx } => {
                 let read = |reader: &dyn Reads| {

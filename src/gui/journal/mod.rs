@@ -174,6 +174,8 @@ pub(super) struct Desk {
     interrupt: Interrupt,
     /// The number of the newest question: what belongs to an older one is given up.
     newest: Arc<AtomicU64>,
+    /// The same of the palette's questions.
+    newest_few: Arc<AtomicU64>,
     /// The number of the walk that goes on; 0 for none.
     walk: Arc<AtomicU64>,
     file: Mutex<Option<PathBuf>>,
@@ -207,8 +209,12 @@ impl Desk {
         let (finder, asked) = channel::<FinderRequest>();
         let interrupt = Interrupt::default();
         let newest = Arc::<AtomicU64>::default();
+        let newest_few = Arc::<AtomicU64>::default();
         let new_writer = || Writer::new(Arc::clone(&records.journals));
-        let new_finder = || Finder::new(Arc::clone(&records.journals), Arc::clone(&interrupt), Arc::clone(&newest));
+        let new_finder = || {
+            let newest = [&newest, &newest_few].map(Arc::clone);
+            Finder::new(Arc::clone(&records.journals), Arc::clone(&interrupt), newest)
+        };
         let is_at_once = errands == Errands::AtOnce && !records.always_threads;
         if !is_at_once {
             let mut of_thread = new_writer();
@@ -234,6 +240,7 @@ impl Desk {
             at_once: Mutex::new((new_writer(), new_finder())),
             interrupt,
             newest,
+            newest_few,
             walk: Arc::default(),
             file: Mutex::default(),
             shop: Mutex::default(),
@@ -276,6 +283,13 @@ impl Desk {
             }
             Effect::ReadPart { run, question, most } => {
                 self.find(ctx, FinderRequest::Part { run, question, most, ctx: ctx.clone() });
+            }
+            Effect::FindRecords { run, question, most } => {
+                self.newest_few.store(run, Relaxed);
+                if let Some(interrupt) = lock(&self.interrupt).as_ref() {
+                    interrupt();
+                }
+                self.find(ctx, FinderRequest::Few { run, question, most, ctx: ctx.clone() });
             }
             Effect::ReadRecords(numbers) => self.find(ctx, FinderRequest::Rows { numbers, ctx: ctx.clone() }),
             Effect::VerifyRecords { run } => self.verify(ctx, run),

@@ -45,6 +45,7 @@ use self::row::{ActionRow, Actions};
 use super::columns::ColumnsCommand;
 use super::field::Field;
 use super::files::FilesAction;
+use super::help::HelpCommand;
 use super::page::pages;
 use super::palette::PaletteCommand;
 use super::records::RecordsCommand;
@@ -166,8 +167,9 @@ impl Session {
 
     /// The command that closes the topmost thing over the page.
     fn uppermost(&self) -> Option<Command> {
-        if self.palette.is_some() {
-            Some(PaletteCommand::Show(false).into())
+        if let Some(palette) = &self.palette {
+            let back = if palette.shows_more { PaletteCommand::More(false) } else { PaletteCommand::Show(false) };
+            Some(back.into())
         } else if self.is_leaving() {
             Some(Command::Leave(false))
         } else if self.asks_about().is_some() {
@@ -178,6 +180,8 @@ impl Session {
             Some(ColumnsCommand::Leave.into())
         } else if self.shows_messages() {
             Some(Command::ShowMessages(false))
+        } else if self.help.explains {
+            Some(HelpCommand::Explain(false).into())
         } else if self.notices().first().is_some_and(Notice::asks) {
             Some(Command::Close)
         } else if self.page() == Page::Check && self.records().correcting.is_some() {

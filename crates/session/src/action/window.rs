@@ -34,8 +34,14 @@ actions! {
     Palette;
     /// Opens the manual at its page about the open page, or goes back to where one was.
     Help;
+    /// Shows the paragraph of the manual about the field that has the focus beside it.
+    Explain;
     /// Opens something to try the program with.
     OpenSample(Sample): Sample::ALL;
+    /// Shows the first steps on the check page.
+    FirstSteps;
+    /// Hides them for good.
+    EndFirstSteps;
     /// Reads measurements.
     Import;
     /// Reads measurements once their columns were seen.
@@ -110,14 +116,25 @@ impl Actions for WindowAction {
             Self::Help => everywhere("help-page-help", HelpCommand::ForPage.into())
                 .hint("help-page-help-hint")
                 .key(Shortcut::plain(Key::Function(1))),
+            Self::Explain => {
+                switch("help-page-explain", |session| HelpCommand::Explain(!session.help().explains).into())
+                    .hint("help-page-explain-hint")
+                    .key(Shortcut { held: Held::Shift, key: Key::Function(1) })
+                    .when(|session| session.help().at.is_some())
+            }
             Self::OpenSample(sample) => {
                 let text = match sample {
+                    Sample::Value => "help-page-sample-value",
                     Sample::Part => "help-page-sample-part",
                     Sample::File => "help-page-sample-file",
                     Sample::Program => "help-page-sample-program",
                 };
                 everywhere(text, FilesCommand::Open(sample.purpose(), sample.path()).into())
                     .hint("help-page-sample-hint")
+            }
+            Self::FirstSteps => everywhere("first-steps", Command::Welcome(true)),
+            Self::EndFirstSteps => {
+                everywhere("first-steps-done", Command::Welcome(false)).when(|session| session.welcomes())
             }
             Self::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
             Self::ImportColumns => everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History)))

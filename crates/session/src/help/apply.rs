@@ -30,6 +30,9 @@ impl PageState for HelpPage {
             scrolled: (0, Step::PageDown),
             lists_topics: false,
             from: shared.page,
+            at: None,
+            explains: false,
+            from_field: None,
             is_walking: false,
         }
     }
@@ -41,11 +44,22 @@ impl PageState for HelpPage {
                 self.query = text;
                 self.lists_topics = true;
             }
-            HelpCommand::ForPage if shared.page == Page::Help => shared.open(self.from),
+            HelpCommand::ForPage if shared.page == Page::Help => {
+                shared.open(self.from);
+                return self.from_field.take().map(Effect::Focus).into_iter().collect();
+            }
             HelpCommand::ForPage => {
-                self.go_to(HelpPlace::of(HelpTopic::Manual(shared.page.manual())));
+                let at = self.at.take();
+                self.from_field = at.as_ref().map(|(field, _)| *field);
+                let page = || HelpPlace::of(HelpTopic::Manual(shared.page.manual()));
+                self.go_to(at.map_or_else(page, |(_, place)| place));
                 shared.open(Page::Help);
             }
+            HelpCommand::At(at) => {
+                self.explains &= self.at.as_ref().map(|(field, _)| field) == at.as_ref().map(|(field, _)| field);
+                self.at = at;
+            }
+            HelpCommand::Explain(explains) => self.explains = explains && self.at.is_some(),
             HelpCommand::Open(place) => {
                 self.go_to(place);
                 if shared.page != Page::Help {
@@ -76,8 +90,14 @@ impl PageState for HelpPage {
 
     fn follow(&mut self, news: &News, _shared: &mut Shared) {
         match news {
-            News::Opened(Page::Help) => self.found = search(&self.query),
-            News::Opened(page) => self.from = *page,
+            News::Opened(page) => {
+                self.explains = false;
+                if *page == Page::Help {
+                    self.found = search(&self.query);
+                } else {
+                    self.from = *page;
+                }
+            }
             _ => {}
         }
     }

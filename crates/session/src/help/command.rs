@@ -1,6 +1,7 @@
 //! What can be done on the help page.
 
 use super::{HelpField, HelpPlace};
+use crate::field::Field;
 use crate::step::Step;
 
 /// What can be done on the help page.
@@ -8,8 +9,13 @@ use crate::step::Step;
 pub enum HelpCommand {
     /// Replaces the text of a field.
     Type(HelpField, String),
-    /// Opens the manual at its page about the open page; on the help page goes back to where one was.
+    /// Opens the manual at the paragraph about the field that has the focus, or else at its page about the open page; on the help page goes
+    /// back to where one was.
     ForPage,
+    /// The focus has gone to another field, whose paragraph is there; or to none.
+    At(Option<(Field, HelpPlace)>),
+    /// Shows the paragraph about the field that has the focus beside it, or hides it.
+    Explain(bool),
     /// Opens the help page at a place.
     Open(HelpPlace),
     /// Shows what was found, by its number.

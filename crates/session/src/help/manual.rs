@@ -63,6 +63,15 @@ impl ManualPage {
         MANUAL.iter().find(|page| page.file == file)
     }
 
+    /// What stands below a heading, up to the next one.
+    pub fn below(&self, anchor: &str) -> &[Block] {
+        let is_it = |block: &Block| matches!(block, Block::Heading { anchor: known, .. } if known == anchor);
+        let after = self.blocks.iter().position(is_it).map_or(self.blocks.len(), |place| place + 1);
+        let rest = self.blocks.get(after..).unwrap_or(&[]);
+        let end = rest.iter().position(|block| matches!(block, Block::Heading { .. })).unwrap_or(rest.len());
+        rest.get(..end).unwrap_or(&[])
+    }
+
     /// Where its links lead.
     pub fn links(&self) -> impl Iterator<Item = &HelpPlace> {
         self.blocks.iter().flat_map(Block::spans).filter_map(|span| span.link.as_ref())

@@ -32,6 +32,7 @@ pub use samples::Sample;
 pub use search::HelpFound;
 pub use sheet::{KeyGroup, KeyRow, key_groups};
 
+use super::field::Field;
 use super::page::Page;
 use super::step::Step;
 
@@ -94,6 +95,12 @@ pub struct HelpPage {
     pub lists_topics: bool,
     /// The page from which the help was opened.
     pub from: Page,
+    /// The field that has the focus, and its paragraph.
+    pub at: Option<(Field, HelpPlace)>,
+    /// Whether the paragraph is shown beside the field.
+    pub explains: bool,
+    /// The field from which the help was opened.
+    from_field: Option<Field>,
     /// Whether the keys go through the topics: those in between are not come back to.
     is_walking: bool,
 }

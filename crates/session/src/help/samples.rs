@@ -12,6 +12,8 @@ const FOLDER: &str = "fitcheck:samples";
 /// Something to try the program with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Sample {
+    /// One measured value, marked as simulated.
+    Value,
     /// A plan with a picture.
     Part,
     /// A file of measurements. Its values are marked as simulated: they are recorded as any others are.
@@ -22,11 +24,12 @@ pub enum Sample {
 
 impl Sample {
     /// Every sample.
-    pub const ALL: [Self; 3] = [Self::Part, Self::File, Self::Program];
+    pub const ALL: [Self; 4] = [Self::Value, Self::Part, Self::File, Self::Program];
 
     /// What it is read for, and its name.
     const fn row(self) -> (Purpose, &'static str) {
         match self {
+            Self::Value => (Purpose::Import, "sample_value.csv"),
             Self::Part => (Purpose::OpenPlan, "sample_plate.toml"),
             Self::File => (Purpose::Import, "sample_measurements.csv"),
             Self::Program => (Purpose::OpenProgram, "sample_plate.h"),

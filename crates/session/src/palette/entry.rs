@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 use fitcheck_core::message::message;
 use fitcheck_core::tolerance::Callout;
@@ -11,9 +13,13 @@ use crate::Session;
 use crate::action::{Action, ActionScope, Shortcut, WindowAction};
 use crate::check::{CheckCommand, CheckField};
 use crate::command::Command;
+use crate::field::Field;
+use crate::field_table::FieldPlace;
 use crate::files::FilesCommand;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic, topics};
 use crate::page::Page;
+use crate::purpose::Purpose;
+use crate::records::RecordRow;
 use crate::settings_page::setting_of;
 
 /// Under which head an entry stands.
@@ -21,10 +27,12 @@ use crate::settings_page::setting_of;
 pub enum PaletteGroup {
     /// What can be done.
     Do,
-    /// Pages, recent files and samples.
+    /// Pages, fields, recent files and samples.
     Open,
     /// How the window looks, where limits come from, and the manual.
     Settings,
+    /// What was recorded; it comes after everything else, when it comes.
+    Records,
 }
 
 impl PaletteGroup {
@@ -34,6 +42,7 @@ impl PaletteGroup {
             Self::Do => "palette-do",
             Self::Open => "palette-open",
             Self::Settings => "palette-settings",
+            Self::Records => "palette-records",
         }
     }
 }
@@ -59,6 +68,39 @@ pub struct PaletteEntry {
     /// Everything that it is found by, in small letters: its name in every language.
     pub(super) names: Vec<String>,
     pub(super) does: Does,
+    pub(super) subject: Subject,
+}
+
+/// What an entry is about: what else can be done follows from it.
+#[derive(Debug, Clone)]
+pub(super) enum Subject {
+    Nothing,
+    Action(Action),
+    Field(Field),
+    Callout(Callout),
+    File(PathBuf, Purpose),
+    Record(Arc<RecordRow>),
+}
+
+impl PaletteEntry {
+    /// An entry that does some commands.
+    pub(super) const fn new(group: PaletteGroup, text: String, does: Vec<Command>) -> Self {
+        Self {
+            group,
+            text,
+            note: String::new(),
+            keys: None,
+            is_possible: true,
+            names: Vec::new(),
+            does: Does::Commands(does),
+            subject: Subject::Nothing,
+        }
+    }
+
+    /// Whether something else can be done with it.
+    pub const fn has_more(&self) -> bool {
+        !matches!(self.subject, Subject::Nothing)
+    }
 }
 
 /// Everything that can be found now.
@@ -80,30 +122,42 @@ pub(super) fn all(session: &Session) -> Vec<PaletteEntry> {
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         let folder = path.parent().map_or(OsStr::new(""), |folder| folder.as_os_str());
         PaletteEntry {
-            group: PaletteGroup::Open,
             names: vec![path.display().to_string().to_lowercase()],
-            text: name,
             note: folder.to_string_lossy().into_owned(),
-            keys: None,
-            is_possible: true,
-            does: Does::Commands(vec![FilesCommand::OpenRecent(number).into()]),
+            subject: Subject::File(path.to_owned(), file.purpose),
+            ..PaletteEntry::new(PaletteGroup::Open, name, vec![FilesCommand::OpenRecent(number).into()])
         }
     }));
+    entries.extend(session.fields().into_iter().filter_map(|field| of_field(field, session, &own, &others)));
     entries.extend(topics().map(|topic| of_topic(topic, &own, &others)));
     entries
+}
+
+/// The entry of a field that stands on its page: the page opens, the part in which it is folded away, too, and it has the focus.
+fn of_field(field: Field, session: &Session, own: &Words, others: &[Words]) -> Option<PaletteEntry> {
+    if !session.stands(field) {
+        return None;
+    }
+    let beside = |words: &Words| match field.place() {
+        FieldPlace::Fold(fold) => format!("{}, {}", words.get(field.page().name()), words.get(fold)),
+        _ => words.get(field.page().name()),
+    };
+    let name = |words: &Words| session.field_name(field, words);
+    let names = std::iter::once(own).chain(others);
+    Some(PaletteEntry {
+        names: names.map(|words| format!("{} {}", name(words), beside(words)).to_lowercase()).collect(),
+        note: beside(own),
+        subject: Subject::Field(field),
+        ..PaletteEntry::new(PaletteGroup::Open, name(own), vec![Command::OpenPage(field.page()), Command::GoTo(field)])
+    })
 }
 
 /// The entry of something that can be read on the help page.
 fn of_topic(topic: HelpTopic, own: &Words, others: &[Words]) -> PaletteEntry {
     let name = |words: &Words| words.say(&message!("help-page-entry").text("title", topic.title(words)));
     PaletteEntry {
-        group: PaletteGroup::Settings,
-        text: name(own),
-        note: String::new(),
-        keys: None,
-        is_possible: true,
         names: std::iter::once(own).chain(others).map(|words| name(words).to_lowercase()).collect(),
-        does: Does::Commands(vec![HelpCommand::Open(HelpPlace::of(topic)).into()]),
+        ..PaletteEntry::new(PaletteGroup::Settings, name(own), vec![HelpCommand::Open(HelpPlace::of(topic)).into()])
     }
 }
 
@@ -147,6 +201,7 @@ fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -
         keys: action.shortcut_on(page.unwrap_or(session.page())),
         is_possible: session.can(action),
         does: Does::Action(action),
+        subject: Subject::Action(action),
         text,
     }
 }
@@ -157,17 +212,15 @@ pub(super) fn of_callout(query: &str, session: &Session, words: &Words) -> Optio
     let limits = session.sources().limits(&callout, callout.feature()).ok()?;
     let range = format!("{} … {}", words.mm(limits.minimum(), 3), words.mm(limits.maximum(), 3));
     let text = callout.to_string();
+    let said = words.say(&message!("palette-check").text("callout", &text));
+    let does = vec![
+        Command::OpenPage(Page::Check),
+        CheckCommand::Type(CheckField::Callout, text).into(),
+        Command::GoTo(CheckField::Measured.into()),
+    ];
     Some(PaletteEntry {
-        group: PaletteGroup::Do,
-        names: Vec::new(),
-        text: words.say(&message!("palette-check").text("callout", &text)),
         note: format!("{range} mm"),
-        keys: None,
-        is_possible: true,
-        does: Does::Commands(vec![
-            Command::OpenPage(Page::Check),
-            CheckCommand::Type(CheckField::Callout, text).into(),
-            Command::GoTo(CheckField::Measured.into()),
-        ]),
+        subject: Subject::Callout(callout),
+        ..PaletteEntry::new(PaletteGroup::Do, said, does)
     })
 }

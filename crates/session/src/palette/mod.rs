@@ -7,10 +7,14 @@
 //! | `command` | what can be done with it |
 //! | `entry` | one entry, and every one that there is |
 //! | `matching` | which entries a query finds, the best first |
+//! | `records` | what the journal adds when it has answered |
+//! | `more` | what else can be done with an entry |
 
 mod command;
 mod entry;
 mod matching;
+mod more;
+mod records;
 
 use fitcheck_core::words::Words;
 
@@ -20,6 +24,7 @@ pub use entry::{PaletteEntry, PaletteGroup};
 use self::entry::{Does, all};
 use super::Session;
 use super::command::Command;
+use super::effect::Effect;
 use super::step::Step;
 
 /// How many entries a page of the list has.
@@ -34,13 +39,27 @@ pub struct Palette {
     pub found: Vec<PaletteEntry>,
     /// The highlighted entry: Enter does what it stands for.
     pub at: usize,
+    /// Whether what else can be done with an entry stands in the place of what was found.
+    pub shows_more: bool,
+    /// What was found, and what was highlighted there, meanwhile.
+    before: (Vec<PaletteEntry>, usize),
+    /// The number of the question that the journal was asked.
+    run: u64,
     /// Everything that can be found.
     all: Vec<PaletteEntry>,
 }
 
 impl Palette {
     pub(super) fn open(session: &Session) -> Self {
-        let mut palette = Self { query: String::new(), found: Vec::new(), at: 0, all: all(session) };
+        let mut palette = Self {
+            query: String::new(),
+            found: Vec::new(),
+            at: 0,
+            shows_more: false,
+            before: (Vec::new(), 0),
+            run: 0,
+            all: all(session),
+        };
         palette.search(session);
         palette
     }
@@ -50,6 +69,28 @@ impl Palette {
         let callout = entry::of_callout(&self.query, session, &words);
         self.found = callout.into_iter().chain(matching::found(&self.query, &self.all)).collect();
         self.at = 0;
+        self.shows_more = false;
+    }
+
+    /// What else can be done with the highlighted entry takes the place of what was found, or gives it back.
+    fn show_more(&mut self, shows: bool, session: &Session) {
+        if shows && !self.shows_more {
+            let words = Words::new(session.language());
+            let more = self.found.get(self.at).map_or_else(Vec::new, |entry| more::more(entry, session, &words));
+            if !more.is_empty() {
+                self.before = (std::mem::replace(&mut self.found, more), self.at);
+                (self.shows_more, self.at) = (true, 0);
+            }
+        } else if !shows && self.shows_more {
+            (self.found, self.at) = std::mem::take(&mut self.before);
+            self.shows_more = false;
+        }
+    }
+
+    /// Adds records behind everything else: what is highlighted stays where it is.
+    fn add(&mut self, records: Vec<PaletteEntry>) {
+        let list = if self.shows_more { &mut self.before.0 } else { &mut self.found };
+        list.extend(records);
     }
 
     fn step(&mut self, step: Step) {
@@ -68,15 +109,24 @@ impl Palette {
 }
 
 impl Session {
-    /// Does something with the palette; what its entry stands for comes back, to be done in its order.
-    pub(super) fn apply_palette(&mut self, command: PaletteCommand) -> Vec<Command> {
+    /// Does something with the palette. What its entry stands for comes back, to be done in its order, and what is asked of the journal.
+    pub(super) fn apply_palette(&mut self, command: PaletteCommand) -> (Vec<Command>, Option<Effect>) {
         match command {
             PaletteCommand::Show(is_open) => self.palette = is_open.then(|| Palette::open(self)),
-            PaletteCommand::Type(query) => {
+            PaletteCommand::Type(query) => return (Vec::new(), self.search_palette(query)),
+            PaletteCommand::More(shows) => {
                 if let Some(mut palette) = self.palette.take() {
-                    palette.query = query;
-                    palette.search(self);
+                    palette.show_more(shows, self);
                     self.palette = Some(palette);
+                }
+            }
+            PaletteCommand::Found { run, result } => {
+                let words = Words::new(self.language());
+                if let Some(palette) = self.palette.as_mut().filter(|palette| palette.run == run) {
+                    palette.add(match result {
+                        Ok(rows) => records::entries(&rows, &words),
+                        Err(why) => vec![records::problem(&why, &words)],
+                    });
                 }
             }
             PaletteCommand::Move(step) => {
@@ -84,9 +134,22 @@ impl Session {
                     palette.step(step);
                 }
             }
-            PaletteCommand::Do(number) => return self.take_entry(number),
+            PaletteCommand::Do(number) => return (self.take_entry(number), None),
         }
-        Vec::new()
+        (Vec::new(), None)
+    }
+
+    /// Finds what is typed at once, and asks the journal for more.
+    fn search_palette(&mut self, query: String) -> Option<Effect> {
+        let mut palette = self.palette.take()?;
+        palette.query = query;
+        palette.search(self);
+        self.palette_runs += 1;
+        palette.run = self.palette_runs;
+        let question = records::question(&palette.query, self);
+        let run = palette.run;
+        self.palette = Some(palette);
+        question.map(|question| Effect::FindRecords { run, question: Box::new(question), most: records::MOST })
     }
 
     /// The palette closes, and the page of an action is opened before it is done: nothing is changed out of sight.

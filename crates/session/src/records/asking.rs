@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use fitcheck_core::message::Say as _;
-use fitcheck_exchange::journal::ask::{KEYS, LocalNow, Question, SWITCHES, asking};
+use fitcheck_exchange::journal::ask::{AskError, KEYS, LocalNow, Question, SWITCHES, asking};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
@@ -128,6 +128,16 @@ impl RecordsPage {
         self.texts.insert(RecordsField::Question, text);
     }
 
+    /// What a text asks of the journal.
+    ///
+    /// # Errors
+    /// Which part of it is no question.
+    pub(crate) fn read_question(&self, text: &str) -> Result<Question, AskError> {
+        let zone = self.zone.clone().unwrap_or(TimeZone::UTC);
+        let now = self.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
+        Question::read(text, &LocalNow { now, zone })
+    }
+
     /// Asks the question. `rests` waits until nobody types.
     pub(super) fn ask(&mut self, shared: &Shared, rests: bool) {
         self.errors.remove(&RecordsField::Question);
@@ -137,9 +147,7 @@ impl RecordsPage {
         if !shared.recording.is_on() {
             return;
         }
-        let zone = self.zone.clone().unwrap_or(TimeZone::UTC);
-        let now = self.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
-        match Question::read(self.text(RecordsField::Question), &LocalNow { now, zone }) {
+        match self.read_question(self.text(RecordsField::Question)) {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;
