@@ -17,9 +17,9 @@ use crate::field::Field;
 use crate::history::ListCommand;
 use crate::page::Page;
 use crate::purpose::Purpose;
-use crate::rows::{Rows, RowsCommand, row_forms};
 use crate::recording::Recorded;
 use crate::records::RecordsCommand;
+use crate::rows::{Rows, RowsCommand, row_forms};
 use crate::step::Step;
 
 /// The list of checks.
