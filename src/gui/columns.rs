@@ -84,10 +84,19 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page) {
     }
 }
 
+fn is_narrow(ui: &Ui) -> bool {
+    ui.available_width() < space(300.0)
+}
+
+/// How wide a side column of this width is where there is little room.
+pub(super) fn scaled(ui: &Ui, width: f32) -> f32 {
+    if is_narrow(ui) { width * 0.88 } else { width }
+}
+
 fn three_ui(ui: &mut Ui, view: &mut View<'_>, page: &Page, least: f32) {
-    let is_narrow = ui.available_width() < space(300.0);
+    let is_narrow = is_narrow(ui);
     let all = ui.available_width();
-    let [left, right] = [page.left, page.right].map(|width| if is_narrow { width * 0.88 } else { width });
+    let [left, right] = [page.left, page.right].map(|width| scaled(ui, width));
     // The middle keeps a fifth of the page, and the width of a drawing, however wide the others are drawn.
     let least_asked = LEAST_ASKED.max(keypad::width(view));
     let most = (all - (all * 0.2).max(space(72.0)) - least).max(least_asked);

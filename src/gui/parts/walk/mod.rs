@@ -27,7 +27,7 @@ pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;
-use crate::gui::columns::{Page, Shape, THREE, columns_ui, of_height};
+use crate::gui::columns::{Page, Shape, THREE, columns_ui, of_height, scaled};
 use crate::gui::room::is_tiny;
 use crate::gui::theme::space;
 use crate::gui::verdict_card::least_width;
@@ -39,6 +39,9 @@ use crate::words::Words;
 
 /// From this width on the columns are wider.
 const WIDE: f32 = 400.0;
+
+/// Around what is in the left card: the gap beside it, its margins and the bar.
+const AROUND: f32 = 15.0;
 
 /// The least height of the list below what is asked, steps of space.
 const LIST: f32 = 36.0;
@@ -98,11 +101,14 @@ pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
     catch_typing(ui, view);
     let is_wide = space(WIDE) <= ui.available_width();
     let least = least_width(ui, view);
-    let is_picture = Shape::of(ui, least, THREE) == Shape::Three && has_picture(view);
+    let left = if is_wide { space(85.0) } else { space(82.0) };
+    // Names that have no room beside their values stand below the picture.
+    let names = || sizes_list::has_room(ui, &view.session.parts().walking, scaled(ui, left) - space(AROUND));
+    let is_picture = Shape::of(ui, least, THREE) == Shape::Three && has_picture(view) && names();
     let page = Page {
         // Another size of window has widths of its own.
         name: if is_wide { "walk-wide" } else { "walk" },
-        left: if is_wide { space(85.0) } else { space(82.0) },
+        left,
         right: if is_wide { space(105.0) } else { space(88.0) },
         three: THREE,
         head: has_head(ui, view).then_some(head_ui),

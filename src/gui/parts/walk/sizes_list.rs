@@ -63,12 +63,23 @@ pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The column of names, as wide as the longest of them where values keep their room; what is longer goes on in a second line.
 fn name_column(ui: &Ui, walking: &Walking) -> Column {
-    let longest = (0..walking.count()).max_by_key(|at| walking.name(*at).chars().count());
-    let name = longest.and_then(|at| walking.with_row(at, |row| numbered(row.size)));
+    let name = longest(walking);
     let width = |name| ui.painter().layout_no_wrap(name, theme::font(sizes().body), Color32::PLACEHOLDER).size().x;
     let wanted = name.map_or(0.0, |name| (width(name) + 2.0 * PAD) / space(1.0));
     let room = ui.available_width() / space(1.0) - BESIDE;
     Column::text(wanted.ceil().min(room).max(NAME)).wraps()
+}
+
+fn longest(walking: &Walking) -> Option<String> {
+    let longest = (0..walking.count()).max_by_key(|at| walking.name(*at).chars().count())?;
+    walking.with_row(longest, |row| numbered(row.size))
+}
+
+/// Whether a list of this width has every name whole, in two lines at most.
+pub(super) fn has_room(ui: &Ui, walking: &Walking, width: f32) -> bool {
+    let width = width - space(BESIDE) - 2.0 * PAD;
+    let rows = |name| ui.painter().layout(name, theme::font(sizes().small), Color32::PLACEHOLDER, width).rows.len();
+    longest(walking).is_none_or(|name| rows(name) < 3)
 }
 
 /// Number and name of a size.
