@@ -37,9 +37,8 @@ fn press(page: &mut Page, button: &str) {
 /// Opens the menu of the tools that have no room.
 fn more(page: &mut Page) {
     let row = page.get_by_role_and_label(Role::Button, "Open…").rect();
-    let all = page.get_all_by_role_and_label(Role::Button, "More");
-    let more = all.filter(|node| (node.rect().center().y - row.center().y).abs() < 2.0).next();
-    more.unwrap().click();
+    let is_there = |rect: eframe::egui::Rect| (rect.center().y - row.center().y).abs() < 2.0;
+    page.get_all_by_role_and_label(Role::Button, "More").find(|node| is_there(node.rect())).unwrap().click();
     page.run();
 }
 
