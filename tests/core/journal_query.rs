@@ -227,7 +227,21 @@ fn a_number_is_never_given_twice() {
     memory.add(vec![record((0, 0, 0, 1, 0)), record((0, 0, 0, 2, 0))]);
     memory.remove(RecordId(1)..RecordId(u64::MAX));
     memory.add(vec![record((0, 0, 0, 3, 0))]);
-    let ids: Vec<_> = memory.all().map(|(id, _)| id.0).collect();
+    let ids: Vec<_> = memory.ids().map(|id| id.0).collect();
     assert_eq!(ids, [0, 2]);
     assert_eq!(memory.get(RecordId(1)), None);
+}
+
+#[test]
+fn what_is_replaced_stays_in_the_list_and_does_not_count() {
+    let mut memory = Memory::default();
+    // Good, and too small: rework.
+    memory.add(vec![record((0, 0, 0, 12, 0)), record((0, 0, 0, -7, 0))]);
+    let all = memory.counts();
+    memory.replace(RecordId(1), 9);
+    assert_eq!((memory.count(), memory.replaced_by(RecordId(1)), memory.replaced_by(RecordId(0))), (2, Some(9), None));
+    assert_eq!(memory.standing().map(|(id, _)| id.0).collect::<Vec<_>>(), [0]);
+    assert_eq!((all.iter().sum::<usize>(), memory.counts().iter().sum::<usize>()), (2, 1));
+    memory.ask(Query { only_bad: true, ..Query::default() });
+    assert_eq!((memory.count(), memory.counts().iter().sum::<usize>()), (1, 0));
 }

@@ -404,6 +404,41 @@ fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
 }
 
 #[test]
+fn corrections_are_undone_one_after_another_and_always_in_the_place_of_what_stands() {
+    let mut session = recording();
+    let (run, first) = kept(&measure(&mut session, "25 H7", "25.001"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(2)]) });
+    let mut entries = first;
+    let stand = |session: &Session| -> Vec<String> {
+        session.history().iter().map(|record| record.measured().to_string()).collect()
+    };
+    for (number, value) in [(2, "25.002"), (3, "25.003")] {
+        let row = RecordRow { entry: Ok(entries[0].clone()), ..check_row(number, 0, None) };
+        send(&mut session, RecordsCommand::CorrectNumber(number));
+        send(&mut session, RecordsCommand::Read { numbers: vec![number], result: Ok(vec![Arc::new(row)]) });
+        typed(&mut session, RecordsField::Measured, value);
+        typed(&mut session, RecordsField::Reason, "digits swapped");
+        let (run, sent) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+        send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number + 1)]) });
+        assert_eq!(stand(&session), [value]);
+        entries = sent;
+    }
+    // The first undo stands in the place of record 4, and the second one in the place of the first.
+    for (number, corrected, value) in [(5, 4, "25.002"), (6, 5, "25.001")] {
+        let undo = WindowAction::Undo.command(&session).unwrap();
+        let (run, sent) = kept(&send(&mut session, undo));
+        let correction = sent[0].corrects().unwrap();
+        assert_eq!((correction.target, correction.reason.as_str()), (head(corrected), "Correction undone"));
+        send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number)]) });
+        assert_eq!(stand(&session), [value]);
+    }
+    // Then the check itself; the journal keeps everything.
+    let undo = WindowAction::Undo.command(&session).unwrap();
+    assert_eq!(send(&mut session, undo), []);
+    assert!(session.history().is_empty() && WindowAction::Undo.command(&session).is_none());
+}
+
+#[test]
 fn a_correction_is_judged_by_what_its_record_was_judged_by_whatever_the_page_says_now() {
     let mut session = recording();
     for (field, text) in [(CheckField::Uncertainty, "1"), (CheckField::PartTemperature, "30")] {

@@ -154,7 +154,7 @@ records-page-hash = Hash
 
 ## A correction
 records-page-correction = Correct record { $number }
-records-page-correction-rule = Judged anew by what the record was judged by: { $rule }.
+records-page-correction-rule = Judged again as record { $number } was: { $rule }.
 records-page-correction-temperature = Corrected from { $temperature } °C to 20 °C.
 records-page-correction-rest = Part, serial number, name
 records-page-correction-hint = A new record takes the place of this one. Both stay in the journal.
@@ -165,6 +165,7 @@ records-page-withdraw-hint = Nothing takes its place
 records-page-withdraw-neither = Record { $number }, which this one corrects, does not count again
 records-page-send-correction = Record the correction
 records-page-leave-correction = Cancel
+records-page-undo-void = Not undone: the record was withdrawn after the correction
 records-page-undone = Correction undone
 records-page-no-reason = A correction needs a reason
 records-page-nothing-changed = Nothing is different: change a field, or withdraw the record

@@ -154,7 +154,7 @@ records-page-hash = Hash
 
 ## Een correctie
 records-page-correction = Vastlegging { $number } corrigeren
-records-page-correction-rule = Opnieuw beoordeeld zoals de vastlegging zelf: { $rule }.
+records-page-correction-rule = Opnieuw beoordeeld zoals vastlegging { $number }: { $rule }.
 records-page-correction-temperature = Gecorrigeerd van { $temperature } °C naar 20 °C.
 records-page-correction-rest = Onderdeel, serienummer, naam
 records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het logboek.
@@ -165,6 +165,7 @@ records-page-withdraw-hint = Er komt niets in haar plaats
 records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet weer
 records-page-send-correction = De correctie vastleggen
 records-page-leave-correction = Annuleren
+records-page-undo-void = Niet ongedaan gemaakt: de vastlegging is na de correctie ingetrokken
 records-page-undone = Correctie ongedaan gemaakt
 records-page-no-reason = Een correctie heeft een reden nodig
 records-page-nothing-changed = Er is niets anders: wijzig een veld, of trek de vastlegging in

@@ -23,7 +23,7 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
     let is_tiny = is_tiny(ui);
     ui.horizontal_wrapped(|ui| {
         let name = ui.label(view.text("records-page-question"));
-        let most = if is_tiny { space(50.0) } else { space(110.0) };
+        let most = if is_tiny { space(50.0) } else { space(80.0) };
         question_ui(ui, view, name.id, (ui.available_width() - space(4.0)).min(most));
         if is_tiny {
             ui.menu_button(view.text("records-page-more-actions"), |ui| more_ui(ui, view));

@@ -3,7 +3,7 @@
 use eframe::egui::{Label, RichText, Ui, vec2};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::limits::{feature_id, limits_ui};
+use crate::gui::limits::{feature_id, source_ui};
 use crate::gui::section::Section;
 use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
@@ -25,7 +25,7 @@ pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Cor
         }
         if let Some(record) = page.opened_size() {
             callout_ui(ui, view, form);
-            judged_ui(ui, view, record);
+            judged_ui(ui, view, record, number);
         }
     }
     let reason = quiet(ui, view.text("records-page-reason"));
@@ -86,13 +86,16 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
         });
     }
     if let Some((_, limits)) = &form.asked {
-        limits_ui(ui, view, limits);
+        let [most, least] = [limits.maximum(), limits.minimum()].map(|size| view.words.mm(size, 3));
+        quiet(ui, format!("{least} … {most} mm"));
+        source_ui(ui, view, limits);
     }
 }
 
 /// What the verdict is computed anew by: what the record was judged by.
-fn judged_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
-    let said = message!("records-page-correction-rule").text("rule", view.words.told(&record.verdict.rule));
+fn judged_ui(ui: &mut Ui, view: &View<'_>, record: &Record, number: u64) {
+    let said = message!("records-page-correction-rule").text("number", number);
+    let said = said.text("rule", view.words.told(&record.verdict.rule));
     let mut said = view.words.say(&said);
     if let Some(correction) = record.correction {
         let temperature = view.words.number(&correction.part.temperature.to_string());

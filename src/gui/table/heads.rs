@@ -52,8 +52,8 @@ pub(super) fn heads_ui(ui: &mut Ui, view: &mut View<'_>, table: &Table<'_>, acro
             Head::Text(id, unit) => {
                 let parts = id.map(|id| view.text(id)).into_iter().chain(unit.map(str::to_owned));
                 let text = parts.collect::<Vec<_>>().join(", ");
-                let kind =
-                    if column.kind == Kind::Text || column.kind == Kind::Verdict { Kind::Text } else { Kind::Figure };
+                let is_left = matches!(column.kind, Kind::Text | Kind::Verdict | Kind::Zone);
+                let kind = if is_left { Kind::Text } else { Kind::Figure };
                 let font = theme::font(sizes().small);
                 let colour = palette(ui.ctx()).quiet.0;
                 text_in(ui.painter(), cell.shrink2(vec2(PAD, 0.0)), &text, (&font, colour), (kind, None));

@@ -207,7 +207,10 @@ impl CheckPage {
     /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
         if let Some(new) = shared.history.undoes_correction() {
-            shared.history.take_back();
+            let undone = shared.history.take_back();
+            if let Some(undone) = undone.filter(|_| shared.page != Page::Check) {
+                shared.note(message!("undone").message("what", undone), Vec::new());
+            }
             return shared.spread(News::UndoCorrection(new));
         }
         let change = shared.history.last_change();

@@ -12,7 +12,7 @@ mod command;
 mod copy;
 mod filter;
 
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
@@ -39,6 +39,8 @@ pub struct History {
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
     undo: VecDeque<(ChangeId, Change)>,
+    /// What stands in the place of checks that were corrected here.
+    successors: BTreeMap<RecordId, RecordId>,
     /// How many changes there were.
     changes: u64,
 }
@@ -160,6 +162,7 @@ impl History {
         let new = record.map(|record| {
             let new = self.records.next();
             self.records.add(vec![record]);
+            self.successors.insert(old, new);
             new
         });
         self.count_hidden();
@@ -257,9 +260,20 @@ impl History {
         match change {
             Change::Added { first, count } => {
                 let added = first..RecordId(first.0.saturating_add(fitcheck_core::text::long(count)));
+                // With what corrected them, which comes later.
+                let mut later = BTreeSet::new();
+                for (old, new) in &self.successors {
+                    if added.contains(old) || later.contains(old) {
+                        later.insert(*new);
+                    }
+                }
                 self.records.remove(added.clone());
-                self.chosen.retain(|id| !added.contains(id));
-                self.cursor = self.cursor.filter(|id| !added.contains(id));
+                for id in &later {
+                    self.records.remove(*id..RecordId(id.0.saturating_add(1)));
+                }
+                let is_left = |id: &RecordId| !added.contains(id) && !later.contains(id);
+                self.chosen.retain(is_left);
+                self.cursor = self.cursor.filter(is_left);
             }
             // The journal answers first.
             Change::Corrected { .. } => {}

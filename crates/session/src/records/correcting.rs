@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature, Limits};
 use fitcheck_core::words::Words;
@@ -44,13 +44,6 @@ pub(super) struct Replacing {
     entry: Entry,
     /// Whether it takes a correction back.
     is_undo: bool,
-}
-
-/// What undo puts in the place of a correction: the entry before it.
-#[derive(Debug)]
-pub(super) struct Before {
-    corrected: Head,
-    entry: Entry,
 }
 
 type Refusal = (RecordsField, Message);
@@ -278,10 +271,11 @@ impl RecordsPage {
             let new = shared.history.replace(id, number, size(&entry).map(named));
             if let Some(new) = new {
                 shared.recording.know([(new, number)]);
-                let corrected = shared.recording.journal.as_ref().map(|journal| journal.head);
-                if let (false, Some(corrected), Ok(before)) = (is_undo, corrected, &old.entry) {
+                let head = shared.recording.journal.as_ref().map(|journal| journal.head);
+                self.heads.extend(head.map(|head| (new, head)));
+                if let (false, Ok(before)) = (is_undo, &old.entry) {
                     shared.history.can_undo_correction(new);
-                    self.before.insert(new, Before { corrected, entry: before.clone() });
+                    self.before.insert(new, before.clone());
                 }
             }
         }
@@ -294,8 +288,11 @@ impl RecordsPage {
 
     /// Undo takes a correction back: what stood before it stands again, as an entry of its own.
     pub(super) fn undo_correction(&mut self, new: RecordId, shared: &mut Shared) {
-        let Some(Before { corrected, entry }) = self.before.remove(&new) else { return };
+        let Some(entry) = self.before.remove(&new) else { return };
         let Content::Check(check) = entry.content.clone() else { return };
+        let Some(corrected) = self.standing(new, shared) else {
+            return shared.tell(message!("records-page-undo-void"));
+        };
         let reason = Words::new(shared.language).get("records-page-undone");
         let check = Check { corrects: Some(correcting(corrected, &reason)), ..*check };
         let replaced = Entry { about: entry.about.clone(), content: Content::Check(Box::new(check)) };
@@ -304,6 +301,15 @@ impl RecordsPage {
         if let Err(problem) = self.replace(replacing, shared) {
             shared.tell(problem);
         }
+    }
+
+    /// What stands now in the place of a corrected check: it may have been corrected again. `None` where it was taken back.
+    fn standing(&self, id: RecordId, shared: &Shared) -> Option<Head> {
+        let mut standing = id;
+        while let Some(number) = shared.history.replaced_by(standing) {
+            standing = shared.recording.check_of(number)?;
+        }
+        self.heads.get(&standing).copied()
     }
 }
 

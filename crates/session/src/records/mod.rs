@@ -43,7 +43,7 @@ use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use listing::{FoundNumbers, Listing, Numbers, PAGE};
 
-use self::correcting::{Before, Replacing};
+use self::correcting::Replacing;
 use super::effect::Effect;
 
 /// A record as it is read from the journal.
@@ -135,7 +135,9 @@ pub struct RecordsPage {
     /// Corrections on their way to the journal, by their batch.
     replacing: BTreeMap<u64, Replacing>,
     /// What stood before a correction of the history.
-    before: BTreeMap<RecordId, Before>,
+    before: BTreeMap<RecordId, Entry>,
+    /// The entries of corrections in the history.
+    heads: BTreeMap<RecordId, Head>,
     /// The number of the walk that goes on.
     walks: u64,
     /// The walk along the chain.

@@ -31,7 +31,7 @@
 //! 2. Add what it needs to `journal/found.rs` and `body/brief.rs`.
 //! 3. Add a column and a condition to `schema.rs` and `finding.rs` in `store/local`, and raise `schema::VERSION`. The next recording brings
 //!    an older file up to date; until then nobody reads that file.
-//! 4. Name the word in the help of `cli/journal/mod.rs` and in `records-page-help`.
+//! 4. Name the word in the help of `cli/journal/mod.rs`, in `records-page-help` and in `gui/records/asking_panel.rs`.
 //! 5. Ask for it in `questions_find_what_a_look_at_every_entry_finds` (`tests/core/local_journal.rs`).
 
 mod error;
