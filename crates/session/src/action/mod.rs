@@ -48,7 +48,6 @@ use super::files::FilesAction;
 use super::help::HelpCommand;
 use super::page::pages;
 use super::palette::PaletteCommand;
-use super::records::RecordsCommand;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Notice, Page, Session};
 
@@ -184,11 +183,13 @@ impl Session {
             Some(HelpCommand::Explain(false).into())
         } else if self.notices().first().is_some_and(Notice::asks) {
             Some(Command::Close)
-        } else if self.page() == Page::Check && self.records().correcting.is_some() {
-            Some(RecordsCommand::Correct(false).into())
         } else {
+            // The form of a correction stands on the check page, too.
+            let of_form = self.records().leaves_form().filter(|_| self.page() == Page::Check);
             let of_workpiece = self.workpiece_is_open() && matches!(self.page(), Page::Cycles | Page::Program);
-            let of_page = self.closes_on_page().or_else(|| of_workpiece.then(|| WorkpieceCommand::Show(false).into()));
+            let of_page = of_form
+                .or_else(|| self.closes_on_page())
+                .or_else(|| of_workpiece.then(|| WorkpieceCommand::Show(false).into()));
             // What goes by itself is the last to ask for a key.
             of_page.or_else(|| (!self.notices().is_empty()).then_some(Command::Close))
         }

@@ -139,8 +139,7 @@ impl PageState for RecordsPage {
     }
 
     fn closes(&self) -> Option<Command> {
-        let correcting = self.correcting.as_ref().map(|_| RecordsCommand::Correct(false));
-        correcting.or_else(|| self.open.as_ref().map(|_| RecordsCommand::CloseRecord)).map(Command::from)
+        self.leaves_form().or_else(|| self.open.as_ref().map(|_| RecordsCommand::CloseRecord.into()))
     }
 
     fn is_free_text(&self, field: RecordsField) -> bool {
@@ -149,6 +148,11 @@ impl PageState for RecordsPage {
 }
 
 impl RecordsPage {
+    /// Closes the form of a correction, where it is open.
+    pub(crate) fn leaves_form(&self) -> Option<Command> {
+        self.correcting.as_ref().map(|_| RecordsCommand::Correct(false).into())
+    }
+
     fn type_text(&mut self, field: RecordsField, text: String, shared: &Shared) {
         self.texts.insert(field, text);
         self.errors.remove(&field);
