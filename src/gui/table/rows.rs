@@ -131,6 +131,7 @@ fn row_ui<K: Copy + Debug + Hash>(
                 is_cut |= !beside.is_empty() && !beside_ui(ui.painter(), room, chip, beside);
             }
             (Some(room), Cell::Zone(zoned)) => {
+                let room = room.shrink2(vec2(PAD, 0.0));
                 zoned.iter().for_each(|zoned| zoned.paint(ui.painter(), room, palette));
             }
             (Some(room), Cell::Choice { is_chosen, can_choose, name }) => {

@@ -2,7 +2,6 @@
 
 use eframe::egui::{Painter, Rect, Shape, Stroke, pos2, vec2};
 
-use super::PAD;
 use crate::gui::shapes::screen;
 use crate::gui::theme::{Palette, space};
 use crate::journal::Record;
@@ -36,7 +35,7 @@ impl Zoned {
 
     pub(super) fn paint(self, painter: &Painter, cell: Rect, palette: &Palette) {
         let size = vec2(space(SIZE[0]), space(SIZE[1]));
-        let band = Rect::from_min_size(cell.left_center() + vec2(PAD, -size.y / 2.0), size);
+        let band = Rect::from_min_size(cell.left_center() - vec2(0.0, size.y / 2.0), size);
         let zone = Rect::from_center_size(band.center(), vec2(band.width() * ZONE, band.height() * 0.6));
         painter.hline(band.x_range(), band.center().y, Stroke::new(1.5, palette.edge.0));
         painter.rect_filled(zone, 0.0, palette.zone.0);
