@@ -182,7 +182,7 @@ fn news(text: &str, take: usize, end: Option<End>) -> News {
         bytes: (1, Some(2)),
         elapsed_ms: 10,
         end,
-        sha256: None,
+        ..News::default()
     }
 }
 
@@ -203,8 +203,11 @@ fn send(session: &mut Session, command: RowsCommand) -> Vec<Effect> {
     session.apply(command.into(), now())
 }
 
-fn judged(session: &mut Session, run: u64, news: News) {
-    assert!(send(session, RowsCommand::Judged { run, news: Box::new(news) }).is_empty());
+/// The worker says something; at the end the worst row is read, which is shown.
+fn judged(session: &mut Session, run: u64, news: News) -> Vec<Effect> {
+    let effects = send(session, RowsCommand::Judged { run, news: Box::new(news) });
+    assert!(effects.iter().all(|effect| matches!(effect, Effect::ReadRows { .. })), "{effects:?}");
+    effects
 }
 
 /// Answers the effects that read rows again.
@@ -297,7 +300,7 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
     }
     send(&mut session, RowsCommand::Fate(RowFate::Judged(Status::Scrap)));
     for (step, number) in [
-        (Step::Down, 1),
+        // The keys are at the worst row.
         (Step::Down, 11),
         (Step::Last, 91),
         (Step::Down, 91),
@@ -317,7 +320,9 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
 #[test]
 fn the_check_of_a_row_is_the_one_that_an_import_makes() {
     let (text, mut session) = (some(100), opened());
-    judged(&mut session, 1, news(&text, usize::MAX, Some(End::Done)));
+    let effects = judged(&mut session, 1, news(&text, usize::MAX, Some(End::Done)));
+    answer(&mut session, &text, effects);
+    assert_eq!(rows(&session).shown.as_ref().unwrap().number, 1, "the first of the worst");
     let imported = import("big.csv", text.as_bytes(), &Sources::default(), now());
     for number in [0_u64, 1, 57, 99] {
         let effects = send(&mut session, RowsCommand::Check(number));

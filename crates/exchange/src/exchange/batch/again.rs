@@ -10,12 +10,11 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use fitcheck_core::length::Length;
 use fitcheck_core::text::long;
 use fitcheck_core::tolerance::Sources;
-use fitcheck_core::verdict::Status;
 
 use super::court::StreamJudging;
 use super::cut::Block;
 use super::judge::Take;
-use super::judged::Judged;
+use super::judged::{Judged, Rank};
 use super::layout::Layout;
 use super::marks::{Part, RowFate, Sieve};
 use super::pick::{Picked, pick};
@@ -76,16 +75,6 @@ pub struct Sifted {
     pub count: u64,
     /// How many of the numbers have no verdict.
     pub unjudged: usize,
-}
-
-/// What rows are compared by, the worst one the least: scrap before rework before good before no verdict, then by how far
-/// the value is beyond a limit or from the nearer one.
-pub type Rank = (Reverse<Option<Status>>, Length);
-
-/// The rank of a row with a verdict.
-pub(super) fn rank(judged: &Judged) -> Rank {
-    let verdict = judged.verdict();
-    (Reverse(Some(judged.status)), verdict.above_minimum.min(verdict.below_maximum))
 }
 
 const NO_VERDICT: Rank = (Reverse(None), Length::ZERO);
@@ -285,7 +274,7 @@ impl Sifter<'_, '_> {
 
 impl Take for Sifter<'_, '_> {
     fn judged(&mut self, row: &TextRow<'_>, judged: &Judged) {
-        self.row(RowFate::Judged(judged.status), || rank(judged), Some(row), "");
+        self.row(RowFate::Judged(judged.status), || judged.rank(), Some(row), "");
     }
 
     fn refused(&mut self, row: &TextRow<'_>, reason: &str) {

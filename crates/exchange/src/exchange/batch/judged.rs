@@ -1,8 +1,14 @@
 //! A row with its verdict: its limits, its value, its status.
 
+use std::cmp::Reverse;
+
 use fitcheck_core::length::{Length, Window};
 use fitcheck_core::tolerance::Bounds;
 use fitcheck_core::verdict::{SizeVerdict, Status, judge_bounds, verdict_of};
+
+/// What rows are compared by, the worst one the least: scrap before rework before good before no verdict, then by how far
+/// the value is beyond a limit or from the nearer one.
+pub type Rank = (Reverse<Option<Status>>, Length);
 
 /// A row that was judged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +32,12 @@ impl Judged {
     #[inline(always)]
     pub fn verdict(&self) -> SizeVerdict {
         verdict_of(&self.bounds, self.measured, self.status)
+    }
+
+    /// Its rank among all rows.
+    pub(super) fn rank(&self) -> Rank {
+        let verdict = self.verdict();
+        (Reverse(Some(self.status)), verdict.above_minimum.min(verdict.below_maximum))
     }
 
     /// Appends the limits in millimetres and the deviation in micrometres, each behind a separator.

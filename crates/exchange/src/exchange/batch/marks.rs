@@ -7,10 +7,9 @@ use std::collections::BTreeSet;
 use fitcheck_core::tolerance::ToleranceClass;
 use fitcheck_core::verdict::Status;
 
-use super::again::{Rank, rank};
 use super::cut::Block;
 use super::judge::Take;
-use super::judged::Judged;
+use super::judged::{Judged, Rank};
 use super::tally::Tally;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::{Broken, wide};
@@ -133,7 +132,7 @@ impl Take for Marks {
     fn judged(&mut self, _row: &TextRow<'_>, judged: &Judged) {
         // Of most rows the word says enough.
         if self.worst.is_none_or(|((Reverse(status), _), _)| status <= Some(judged.status)) {
-            let rank = rank(judged);
+            let rank = judged.rank();
             if self.worst.is_none_or(|(worst, _)| rank < worst) {
                 self.worst = Some((rank, self.rows.len()));
             }

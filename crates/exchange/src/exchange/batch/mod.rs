@@ -38,7 +38,7 @@ mod tsv;
 #[cfg(feature = "parquet")]
 mod typed;
 
-pub use again::{ListedRows, MOST_SIFTED, Rank, Sifted, Sifting, StreamBytes};
+pub use again::{ListedRows, MOST_SIFTED, Sifted, Sifting, StreamBytes};
 #[cfg(feature = "parquet")]
 pub use answers::{Answers, output_fields};
 pub use court::StreamJudging;
@@ -46,7 +46,7 @@ pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter, read};
 pub use json_lines::JsonLines;
 pub use judge::{Counts, Judge, JudgedCounts, Take};
-pub use judged::Judged;
+pub use judged::{Judged, Rank};
 pub use known::Figures;
 pub use layout::{HEAD, Layout};
 pub use marks::{FATES, Filter, Marks, Part, RowFate, Sieve, Store};
