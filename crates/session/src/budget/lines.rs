@@ -30,11 +30,6 @@ impl WrittenContribution {
     pub fn line(&self, key: &str) -> Option<usize> {
         self.keys.iter().find(|(known, ..)| known == key).map(|(_, line, _)| *line)
     }
-
-    /// Its keys in their order.
-    pub fn keys(&self) -> impl Iterator<Item = &str> {
-        self.keys.iter().map(|(key, ..)| key.as_str())
-    }
 }
 
 /// The contributions of a text; `None` where it writes them in another way than one key a line.
@@ -184,7 +179,10 @@ mod tests {
     fn contributions_are_found_with_their_keys_and_lines() {
         let rows = rows();
         assert_eq!(rows.iter().map(|row| row.lines.clone()).collect::<Vec<_>>(), [3..8, 9..11]);
-        assert_eq!(rows[0].keys().collect::<Vec<_>>(), ["name", "law", "expanded_um", "k"]);
+        assert_eq!(
+            rows[0].keys.iter().map(|(key, ..)| key.as_str()).collect::<Vec<_>>(),
+            ["name", "law", "expanded_um", "k"]
+        );
         assert_eq!(
             [rows[0].value("name"), rows[0].value("law"), rows[1].value("name")],
             ["Ring \"A\"", "normal", "Display"]

@@ -2,7 +2,7 @@
 //! there at once, and every other line stays as it is.
 
 use fitcheck_core::budget::{Basis, Budget, Evaluated, Keys, KindName, Law};
-use fitcheck_core::message::{Message, Say as _, message};
+use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::words::Words;
 
 use super::{BudgetField, BudgetPage, lines};
@@ -288,11 +288,6 @@ impl BudgetPage {
             let text = lines::with_key(&self.document.text, row, before, key);
             self.write(text);
         }
-    }
-
-    /// What is wrong with the text, with its place.
-    pub fn fault(&self) -> Option<Message> {
-        self.read.as_ref()?.as_ref().err().map(fitcheck_core::message::Say::message)
     }
 }
 
