@@ -62,8 +62,8 @@ const TILE: [f32; 2] = [14.0, 42.0];
 fn tiles_ui(ui: &mut Ui, view: &View<'_>, chosen: &Cycle, width: f32) -> Option<u16> {
     let gap = space(1.0);
     let [height, least] = TILE.map(space);
-    let is_wide = 2.0 * least + gap <= width;
-    let size = vec2(if is_wide { (width - gap) / 2.0 } else { width }, height.max(control(ui)));
+    let is_wide = 2.0 * least + space(8.0) <= ui.ctx().content_rect().width();
+    let size = vec2(if is_wide { least } else { width }, height.max(control(ui)));
     ui.spacing_mut().item_spacing = vec2(gap, gap);
     let mut picked = None;
     for row in CYCLES.chunks(if is_wide { 2 } else { 1 }) {

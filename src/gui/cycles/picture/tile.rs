@@ -37,12 +37,12 @@ pub(in crate::gui) fn tile_picture(painter: &Painter, palette: &Palette, rect: R
         }
         Shape::Pocket => {
             void(rect);
-            hollow(vec2(half * 1.3, half));
-            inside(half * 1.3);
+            hollow(vec2(half * 1.05, half));
+            inside(half * 1.05);
         }
         Shape::Boss => {
-            canvas.block(block(vec2(half * 1.3, half)));
-            outside(half * 1.3);
+            canvas.block(block(vec2(half * 1.05, half)));
+            outside(half * 1.05);
         }
         Shape::Slot => {
             void(rect);
