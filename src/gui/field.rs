@@ -2,11 +2,11 @@
 //!
 //! Text is read at every change and committed with Enter; nothing is removed or altered while typing.
 
-pub(super) use super::field_id::{id, select};
+pub(super) use super::field_id::{id, select, select_all};
 
 use std::ops::Range;
 
-use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
+use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
 
@@ -274,11 +274,6 @@ pub(super) fn arrive(ctx: &Context, view: &View<'_>) {
     if let Some(field) = promised {
         go_to(ctx, field, view.session.text(field));
     }
-}
-
-/// Selects the whole text of a field.
-pub(super) fn select_all(ctx: &Context, id: Id, text: &str) {
-    select(ctx, id, CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count())));
 }
 
 /// What is wrong with a field, below it.

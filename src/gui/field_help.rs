@@ -5,8 +5,7 @@ use eframe::egui::{
     Id, Memory, Popup, PopupCloseBehavior, Rect, Response, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2,
 };
 
-use super::cycles::parameter_help_ui;
-use super::field::select_all;
+use super::cycles::picture::{parameter_picture, parameter_range};
 use super::field_id;
 use super::help::blocks_ui;
 use super::keypad;
@@ -67,7 +66,7 @@ pub(super) fn field_help_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, resp
     if is_pressed {
         view.send(HelpCommand::Explain(!explains));
         response.request_focus();
-        select_all(ui.ctx(), response.id, view.session.text(field));
+        field_id::select_all(ui.ctx(), response.id, view.session.text(field));
     }
     if explains {
         paragraph_ui(ui, view, (field, name.trim()), response);
@@ -85,7 +84,10 @@ fn paragraph_ui(ui: &Ui, view: &mut View<'_>, (field, name): (Field, &str), resp
         ScrollArea::vertical().max_height(space(HEIGHT).min(screen.height() * 0.5)).show(ui, |ui| {
             heading(ui, name);
             if let Some((cycle, key)) = view.session.drawing_of(field) {
-                parameter_help_ui(ui, view, (cycle, key), matches!(field, Field::Cycles(_)));
+                parameter_picture(ui, view, cycle, key, false);
+                if let (Field::Cycles(_), Some(parameter)) = (field, cycle.parameter(key)) {
+                    ui.label(parameter_range(view, parameter));
+                }
             }
             let place = view.session.help_of(field);
             if let HelpTopic::Manual(file) = place.topic

@@ -1,6 +1,6 @@
 //! The ids of fields, and what is selected in them.
 
-use eframe::egui::text::CCursorRange;
+use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Context, Id};
 
@@ -17,4 +17,9 @@ pub(super) fn select(ctx: &Context, id: Id, range: CCursorRange) {
     let mut state = TextEditState::load(ctx, id).unwrap_or_default();
     state.cursor.set_char_range(Some(range));
     state.store(ctx, id);
+}
+
+/// Selects the whole text of a field.
+pub(super) fn select_all(ctx: &Context, id: Id, text: &str) {
+    select(ctx, id, CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count())));
 }

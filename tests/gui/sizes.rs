@@ -107,6 +107,25 @@ fn open(size: (f32, f32, f32), tongue: Tongue) -> Harness<'static, App> {
     Window { size: vec2(width, height) / zoom, zoom, language, words, records, ..Window::default() }.open()
 }
 
+/// The first start: the first steps, and the paragraph of the manual beside the first field, which lies over the page.
+fn first_start(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
+    let points = vec2(size.0, size.1) / size.2;
+    let what = format!("first start {}x{} at {} {}", size.0, size.1, size.2, tongue.name);
+    let mut window = open(size, tongue);
+    send(&mut window, Command::Welcome(true));
+    paint(&mut window, &what);
+    check_frame(&window, points, &what);
+    let mut found = faults(&window, tongue, &what);
+    send(&mut window, Command::GoTo(CheckField::Measured.into()));
+    window.run();
+    send(&mut window, HelpCommand::Explain(true));
+    window.run();
+    paint(&mut window, &format!("{what} explained"));
+    let explained = faults(&window, tongue, &format!("{what}, explained"));
+    found.extend(explained.into_iter().filter(|fault| !fault.contains(" covers ")));
+    found
+}
+
 fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
     let ctx = window.ctx.clone();
     window.state_mut().send(&ctx, command.into());
@@ -394,6 +413,13 @@ fn walk(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
 }
 
 #[test]
+fn the_first_start_at_every_size() {
+    let sizes = SIZES.into_iter().flat_map(|size| languages().map(move |tongue| (size, tongue)));
+    let found: Vec<_> = sizes.flat_map(|(size, tongue)| first_start(size, tongue)).collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
 fn the_walk_at_every_size() {
     let mut found = Vec::new();
     for tongue in languages() {
@@ -420,6 +446,7 @@ fn texts_that_are_a_third_longer_have_room() {
     let mut found = Vec::new();
     for size in USUAL {
         found.extend(check_page(size, LONG, 64.0));
+        found.extend(first_start(size, LONG));
         found.extend(other_pages().flat_map(|page| other_page(page, size, LONG)));
     }
     assert!(found.is_empty(), "{}", found.join("\n"));

@@ -14,8 +14,13 @@ use crate::words::Language;
 /// From this width on the ways stand beside each other.
 const BESIDE: f32 = 160.0;
 
-/// The height of a picture, and of a card at most.
+/// The height of a picture.
 const PICTURE: f32 = 24.0;
+
+/// From this width on a card has a picture.
+const PICTURED: f32 = 66.0;
+
+/// The height of a card at most.
 const CARD: f32 = 84.0;
 
 /// A way into the program.
@@ -69,7 +74,10 @@ pub(super) fn first_ui(ui: &mut Ui, view: &mut View<'_>) {
                 ui.allocate_ui_with_layout(vec2(width, height), Layout::top_down(Align::Min), |ui| {
                     ui.set_width(width);
                     page_card_ui(ui, |ui| {
-                        picture_ui(ui, way.icon);
+                        // Texts and buttons come before pictures.
+                        if space(PICTURED) <= width {
+                            picture_ui(ui, way.icon);
+                        }
                         way_ui(ui, view, &way);
                     });
                 });

@@ -21,7 +21,6 @@ pub(super) mod workpiece_window;
 use crate::gui::page::{Group, PageView, cycle_file, ending, open};
 use crate::session::Purpose;
 use eframe::egui::{Id, Ui};
-pub(super) use seen_panel::parameter_help_ui;
 use std::path::Path;
 
 use super::columns::{Page, columns_ui};

@@ -9,8 +9,8 @@ use crate::gui::columns::{column_ui, of_height};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::without_zeros;
-use crate::message::{Message, message};
-use crate::probing::cycle::{Cycle, Key, Move, Parameter, Phase, Range};
+use crate::message::Message;
+use crate::probing::cycle::{Move, Parameter, Phase};
 use crate::session::CyclesAction;
 use crate::session::{CycleRun, CyclesCommand, Step};
 use crate::words::Words;
@@ -98,7 +98,7 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
         ui.spacing_mut().item_spacing.y = 0.0;
         heading(ui, parameter.key.to_string());
         ui.label(parameter.question(view.words.language().dialogue()));
-        quiet(ui, allowed(view, parameter));
+        quiet(ui, picture::parameter_range(view, parameter));
         quiet(ui, standing_text(view, &view.session.cycles().unset(parameter)));
         if parameter.may_be_predef {
             quiet(ui, view.text("cycles-may-be-predef"));
@@ -118,31 +118,6 @@ fn focused_ui(ui: &mut Ui, view: &View<'_>, parameter: &'static Parameter) {
         picture::parameter_picture(ui, view, cycle, parameter.key, is_wide);
         ui.vertical(words_ui);
     }
-}
-
-/// What a parameter is, in a narrow place: its drawing, and where it is a field of this page its question, range and default.
-pub(in crate::gui) fn parameter_help_ui(
-    ui: &mut Ui,
-    view: &View<'_>,
-    (cycle, key): (&'static Cycle, Key),
-    is_asked_here: bool,
-) {
-    picture::parameter_picture(ui, view, cycle, key, false);
-    if let Some(parameter) = cycle.parameter(key).filter(|_| is_asked_here) {
-        ui.label(allowed(view, parameter));
-        ui.label(standing_text(view, &view.session.cycles().unset(parameter)));
-    }
-}
-
-/// What the parameter may be.
-fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
-    if matches!(parameter.range, Range::Tool | Range::Band) {
-        return view.words.told(&parameter.range);
-    }
-    let range = view.words.say(&parameter.range.short());
-    // A range without a unit ends the line.
-    let unit = parameter.range.unit().unwrap_or("");
-    view.words.say(&message!("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
 /// Whether the words of every move have room beside the heading, so that they stay there on the way.

@@ -33,6 +33,6 @@ mod way;
 
 pub(in crate::gui) use contacts::{contacts_factor, contacts_picture};
 pub(in crate::gui) use criteria::criteria_table;
-pub(in crate::gui) use parameter::{parameter_picture, parameter_sentence};
+pub(in crate::gui) use parameter::{parameter_picture, parameter_range, parameter_sentence};
 pub(in crate::gui) use path::{Surroundings, path_picture};
 pub(in crate::gui) use tile::tile_picture;

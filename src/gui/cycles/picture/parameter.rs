@@ -8,7 +8,7 @@ use super::scene::Scene;
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::probing::cycle::{Axis, Cycle, Key, Meaning, Parameter, Range};
 use crate::probing::simulated::Shape;
 use crate::words::Words;
@@ -61,6 +61,17 @@ pub(super) fn sentence(words: &Words, parameter: &Parameter) -> String {
         message = message.text("of", of.join(", "));
     }
     format!("{}: {}", parameter.key, words.say(&message))
+}
+
+/// What the parameter may be.
+pub(in crate::gui) fn parameter_range(view: &View<'_>, parameter: &Parameter) -> String {
+    if matches!(parameter.range, Range::Tool | Range::Band) {
+        return view.words.told(&parameter.range);
+    }
+    let range = view.words.say(&parameter.range.short());
+    // A range without a unit ends the line.
+    let unit = parameter.range.unit().unwrap_or("");
+    view.words.say(&message!("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
 fn draw(canvas: &Canvas<'_>, scene: Scene, parameter: &Parameter) {
