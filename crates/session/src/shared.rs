@@ -176,6 +176,7 @@ pub(super) enum News {
 }
 
 /// What belongs to every page.
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of its own")]
 #[derive(Debug, Default)]
 pub(super) struct Shared {
     /// The open page.

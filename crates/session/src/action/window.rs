@@ -133,9 +133,7 @@ impl Actions for WindowAction {
                     .hint("help-page-sample-hint")
             }
             Self::FirstSteps => everywhere("first-steps", Command::Welcome(true)),
-            Self::EndFirstSteps => {
-                everywhere("first-steps-done", Command::Welcome(false)).when(|session| session.welcomes())
-            }
+            Self::EndFirstSteps => everywhere("first-steps-done", Command::Welcome(false)).when(Session::welcomes),
             Self::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
             Self::ImportColumns => everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History)))
                 .hint("columns-page-hint"),

@@ -89,16 +89,13 @@ impl PageState for HelpPage {
     }
 
     fn follow(&mut self, news: &News, _shared: &mut Shared) {
-        match news {
-            News::Opened(page) => {
-                self.explains = false;
-                if *page == Page::Help {
-                    self.found = search(&self.query);
-                } else {
-                    self.from = *page;
-                }
+        if let News::Opened(page) = news {
+            self.explains = false;
+            if *page == Page::Help {
+                self.found = search(&self.query);
+            } else {
+                self.from = *page;
             }
-            _ => {}
         }
     }
 
