@@ -132,7 +132,9 @@ fn row_ui<K: Copy + Debug + Hash>(
             }
             (Some(room), Cell::Zone(zoned)) => {
                 let room = room.shrink2(vec2(PAD, 0.0));
-                zoned.iter().for_each(|zoned| zoned.paint(ui.painter(), room, palette));
+                if let Some(zoned) = zoned {
+                    zoned.paint(ui.painter(), room, palette);
+                }
             }
             (Some(room), Cell::Choice { is_chosen, can_choose, name }) => {
                 if choice_ui(ui, table, room, &row.key, (*is_chosen, *can_choose, name)) {
