@@ -37,6 +37,12 @@ pub trait StreamBytes: Debug + Send + Sync {
     fn bytes(&self, part: &Part) -> io::Result<Vec<u8>>;
 }
 
+/// A part with the numbers of some of its rows, ascending.
+pub(crate) type PartRows<'a> = (&'a Arc<Part>, Vec<usize>);
+
+/// Sees the numbers of a portion of rows in their order, and the parts that have them.
+type SeePortion<'s, 'a> = dyn FnMut(&[u64], &[PartRows<'a>]) -> io::Result<()> + 's;
+
 /// Rows of a stream that are listed, in their order.
 #[derive(Debug, Clone)]
 pub struct ListedRows {
@@ -128,10 +134,7 @@ impl ListedRows {
 
     /// Shows some rows at a time: each part that has some of them with their numbers in it, ascending. In the order of
     /// the stream.
-    pub(crate) fn each_portion<'a>(
-        &'a self,
-        see: &mut dyn FnMut(&[u64], &[(&'a Arc<Part>, Vec<usize>)]) -> io::Result<()>,
-    ) -> io::Result<()> {
+    pub(crate) fn each_portion<'a>(&'a self, see: &mut SeePortion<'_, 'a>) -> io::Result<()> {
         let mut numbers = self.numbers();
         loop {
             let portion: Vec<u64> = numbers.by_ref().take(AT_A_TIME).collect();
@@ -140,7 +143,7 @@ impl ListedRows {
             }
             let mut sorted = portion.clone();
             sorted.sort_unstable();
-            let mut parts: Vec<(&Arc<Part>, Vec<usize>)> = Vec::new();
+            let mut parts: Vec<PartRows<'_>> = Vec::new();
             let mut rest = sorted.as_slice();
             for part in &self.parts {
                 let (of_part, behind) =
