@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::part::Column;
 use fitcheck::session::PartsAction;
-use fitcheck::session::{BudgetCommand, CheckField, Command, Field, FitField, Page, RecordsField};
+use fitcheck::session::{BudgetCommand, BudgetView, CheckField, Command, Field, FitField, Page, RecordsField};
 
 use crate::harness::{DESK, click, press, scan, settle, unfold, verdict, window};
 use crate::walk_page::{begun, put, window_of};
@@ -181,6 +181,7 @@ fn a_budget_is_typed_with_its_line_breaks() {
     let mut page = page(Key::Num9);
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, BudgetCommand::Edit(String::new()).into());
+    page.state_mut().send(&ctx, BudgetCommand::Show(BudgetView::Text).into());
     page.run();
     page.get_by_role_and_label(Role::MultilineTextInput, "Budget as TOML").focus();
     page.run();

@@ -261,7 +261,7 @@ fn samples_open_from_the_contents_and_are_no_recent_files() {
     send(&mut window, Command::OpenPage(Page::Help));
     click(&mut window, Role::Button, "Open a sample program");
     assert_eq!(page(&window), Page::Program);
-    window.get_by_label_contains("sample_plate.h");
+    window.get_by_label_contains("sample_plate.h is open");
     assert!(window.state().session().recent_files().is_empty());
 }
 

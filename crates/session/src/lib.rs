@@ -460,10 +460,7 @@ impl Session {
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
             Command::ShowMessages(shows) => shared.shows_messages = shows,
-            Command::ForgetMessages => {
-                shared.earlier.clear();
-                shared.shows_messages = false;
-            }
+            Command::ForgetMessages => shared.forget_messages(),
             Command::AskToLeave => {
                 if !self.would_lose() {
                     return vec![Effect::Leave];

@@ -394,6 +394,12 @@ impl Shared {
         }
     }
 
+    /// Empties the list of what was told before.
+    pub fn forget_messages(&mut self) {
+        self.earlier.clear();
+        self.shows_messages = false;
+    }
+
     /// Tells the user what was done.
     pub fn note(&mut self, message: Message, details: Vec<Message>) {
         self.push_notice(Notice { details, ..Notice::of(message, false) });

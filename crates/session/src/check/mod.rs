@@ -169,7 +169,7 @@ impl CheckPage {
         let filters = [CheckField::HistoryFilter, CheckField::RowsFilter].map(|field| field.declared().0);
         let (measured, _) = CheckField::Measured.declared();
         let is_judged = self.measured_is_used;
-        let is_kept = |key: &str| !filters.contains(&key) && !(is_judged && key == measured);
+        let is_kept = |key: &str| !(filters.contains(&key) || is_judged && key == measured);
         texts.saved().filter(|(key, _)| is_kept(key)).collect()
     }
 
