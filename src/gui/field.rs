@@ -17,7 +17,8 @@ use super::room::is_low;
 use super::section;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet, remembered};
-use crate::session::{Command, Field, FieldPlace};
+use crate::probing::cycle::ParameterGroup;
+use crate::session::{Command, CycleField, Field, FieldPlace};
 
 /// How a field looks.
 pub(super) struct FieldStyle {
@@ -235,8 +236,27 @@ pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
         hold(ctx);
         return ctx.request_repaint();
     }
+    if matches!(field, Field::Cycles(CycleField::Parameter(_))) && !keypad::was_seen(ctx, field) {
+        // Which of its parameters a cycle folds away is known to its form alone.
+        for name in ParameterGroup::ALL.into_iter().flat_map(group_ids) {
+            section::unfold(ctx, name);
+        }
+        ctx.data_mut(|data| data.insert_temp(unfolding(), Some((field, UNFOLDING))));
+        hold(ctx);
+        return ctx.request_repaint();
+    }
     ctx.memory_mut(|memory| memory.request_focus(id(field)));
     select_all(ctx, id(field), text);
+}
+
+/// The text that names a group, and the one of what may be left out of it.
+pub(super) const fn group_ids(group: ParameterGroup) -> [&'static str; 2] {
+    match group {
+        ParameterGroup::Position => ["cycles-group-position", "cycles-optional-position"],
+        ParameterGroup::Probing => ["cycles-group-probing", "cycles-optional-probing"],
+        ParameterGroup::Tolerance => ["cycles-group-tolerance", "cycles-optional-tolerance"],
+        ParameterGroup::Output => ["cycles-group-output", "cycles-optional-output"],
+    }
 }
 
 /// How many frames a fold has to open at most.

@@ -132,9 +132,13 @@ impl Pair {
     #[track_caller]
     fn check_done(&self) {
         let page = self.session.page();
-        // The rows of a large file have keys of their own, which `rows` presses.
+        // The rows of a large file have keys of their own, which `rows` presses; a field is explained in `help_page`.
         let is_of_rows = |action: &Action| {
-            matches!(action, Action::Check(CheckAction::CancelRows | CheckAction::MoveRow(_) | CheckAction::ShowRow))
+            matches!(
+                action,
+                Action::Check(CheckAction::CancelRows | CheckAction::MoveRow(_) | CheckAction::ShowRow)
+                    | Action::Window(WindowAction::Explain)
+            )
         };
         for action in Action::all().filter(|action| action.shortcut_on(page).is_some() && !is_of_rows(action)) {
             for shortcut in action.shortcuts() {

@@ -243,16 +243,6 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// The text that names a group, and the one of what may be left out of it.
-const fn group_ids(group: ParameterGroup) -> [&'static str; 2] {
-    match group {
-        ParameterGroup::Position => ["cycles-group-position", "cycles-optional-position"],
-        ParameterGroup::Probing => ["cycles-group-probing", "cycles-optional-probing"],
-        ParameterGroup::Tolerance => ["cycles-group-tolerance", "cycles-optional-tolerance"],
-        ParameterGroup::Output => ["cycles-group-output", "cycles-optional-output"],
-    }
-}
-
 /// The parameters of a group: those without a value of their own, and folded away those that have one.
 fn group_ui(ui: &mut Ui, view: &mut View<'_>, group: ParameterGroup, focused: &mut Option<Key>) {
     let cycle = view.session.cycles().cycle;
