@@ -249,7 +249,7 @@ fn group_ui(ui: &mut Ui, view: &mut View<'_>, group: ParameterGroup, focused: &m
     let of_group =
         cycle.parameters.iter().filter(|parameter| parameter.has_effect && parameter.meaning.group() == group);
     let (optional, needed): (Vec<_>, Vec<_>) = of_group.partition(|parameter| may_fold(parameter));
-    let [name, name_of_optional] = group_ids(group);
+    let [name, name_of_optional] = crate::gui::field::group_ids(group);
     let mut each = |ui: &mut Ui, view: &mut View<'_>, parameters: &[&'static Parameter]| {
         for parameter in parameters {
             if parameter_ui(ui, view, parameter) {
