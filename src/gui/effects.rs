@@ -132,8 +132,6 @@ impl Runner {
                 let known = self.desk.known();
                 let journal = self.desk.file();
                 let language = words.language();
-                let ctx = ctx.clone();
-                let answers = self.sender.clone();
                 let clock = self.clock;
                 let sources = Arc::clone(sources);
                 let columns = Arc::clone(columns);
@@ -149,8 +147,8 @@ impl Runner {
                     temperature,
                     known,
                     journal,
-                    ctx,
-                    answers,
+                    ctx: ctx.clone(),
+                    answers: self.sender.clone(),
                 };
                 return self.watching.begin(watch);
             }

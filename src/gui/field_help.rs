@@ -39,7 +39,7 @@ pub(super) fn follow_ui(ui: &Ui, view: &mut View<'_>) {
 }
 
 /// The sign at the corner of a field that has the focus, and the paragraph where it is shown.
-pub(super) fn field_help_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, response: &Response) {
+pub(super) fn field_help_ui(ui: &Ui, view: &mut View<'_>, field: Field, response: &Response) {
     // The frame in which something else is pressed has to see whether that was the sign.
     if !response.has_focus() && !response.lost_focus() || !ui.is_rect_visible(response.rect) {
         return;

@@ -395,8 +395,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("rows.csv");
         // The middle of the zone is 25.0105: the last rows are the worst.
-        let rows: String = (0..1_000_000).map(|row| format!("25 H7,{}.{:06}\n", 25, row / 10)).collect();
-        files::write(&path, format!("callout,measured\n{rows}").as_bytes()).unwrap();
+        let rows: Vec<String> = (0..1_000_000).map(|row| format!("25 H7,25.{:06}", row / 10)).collect();
+        files::write(&path, format!("callout,measured\n{}\n", rows.join("\n")).as_bytes()).unwrap();
         let runs = Runs::default();
         let watch = runs.begin(1);
         let mut all = News::default();

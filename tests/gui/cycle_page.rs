@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::probing::cycles::cycle_named;
-use fitcheck::session::{CycleField, Page};
+use fitcheck::session::{Command, CycleField, Page};
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
@@ -428,7 +428,9 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     click(&mut window, Role::Button, "Save…");
     type_into(&mut window, "File", &path.display().to_string());
     key(&mut window, Modifiers::NONE, Key::Enter);
-    click_last(&mut window, "Close");
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, Command::Close);
+    window.run();
     type_into(&mut window, "True diameter", "24.9");
     click(&mut window, Role::Button, "Open…");
     type_into(&mut window, "File", &path.display().to_string());
@@ -445,12 +447,6 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
     }
     click(&mut window, Role::RadioButton, "Z/X");
     assert_eq!(window.state().session().workpiece().plane, fitcheck::probing::cycle::Plane::Zx);
-}
-
-/// Presses the last of several buttons of the same name: the topmost one.
-fn click_last(window: &mut Harness<'_, App>, label: &str) {
-    window.get_all_by_role_and_label(Role::Button, label).last().unwrap().click_accesskit();
-    window.run();
 }
 
 #[test]

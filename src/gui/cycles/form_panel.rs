@@ -99,7 +99,7 @@ fn tile_ui(ui: &mut Ui, view: &View<'_>, cycle: &Cycle, (is_chosen, size): (bool
         let room = inner.right() - left;
         let name = cycle.name(view.words.language().dialogue()).to_owned();
         let name = ui.painter().layout(name, theme::font(sizes().small), palette.text.0, room);
-        let top = inner.center().y - (number.size().y + name.size().y) / 2.0;
+        let top = inner.center().y - f32::midpoint(number.size().y, name.size().y);
         let below = top + number.size().y;
         ui.painter().galley(pos2(left, top), number, palette.text.0);
         ui.painter().galley(pos2(left, below), name, palette.text.0);
