@@ -28,9 +28,9 @@ pub(in crate::gui) const COLUMNS: [Column; 9] = [
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Callout))),
     Column::text(23.0).sorts(Action::Check(CheckAction::SortHistory(By::Measured))),
     Column::text(20.0).sorts(Action::Check(CheckAction::SortHistory(By::Deviation))).gives_way(3),
-    Column::zone().head("records-page-zone").gives_way(2),
-    Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))),
-    Column::text(32.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(1).takes_rest(),
+    Column::zone().head("records-page-zone").gives_way(1),
+    Column::verdict(52.0).sorts(Action::Check(CheckAction::SortHistory(By::Status))).takes_rest(),
+    Column::text(58.0).sorts(Action::Check(CheckAction::SortHistory(By::From))).gives_way(2).takes_rest(),
 ];
 
 /// Heads and rows in the room that is left.
