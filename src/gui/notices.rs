@@ -1,4 +1,4 @@
-//! What is told in the corner, the oldest first: a problem, or what was skipped or assumed, until it is closed; anything else for some
+//! What is told in the corner, what asks for a look first: a problem, or what was skipped or assumed, until it is closed; anything else for some
 //! seconds, in one line. What asked for a look can be read again in the list of earlier messages.
 
 use std::time::Duration;
@@ -16,7 +16,7 @@ pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
     if view.session.shows_messages() {
         return earlier_ui(ui, view);
     }
-    let Some(notice) = view.session.notices().first().cloned() else { return };
+    let Some(notice) = view.session.notice().cloned() else { return };
     let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
     let window = fixed_window("notice", title, Align2::RIGHT_BOTTOM, Vec2::splat(-space(5.0)));
     let shown = if notice.asks() {
@@ -45,7 +45,7 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
         || session.working().is_some()
         || session.shows_messages()
         || session.palette.is_some();
-    let notice = session.notices().first().filter(|notice| !notice.asks() && !is_covered);
+    let notice = session.notice().filter(|notice| !notice.asks() && !is_covered);
     let is_looked_at = ui.data(|data| data.get_temp(looked_at_id())) == Some(true);
     let Some(notice) = notice.filter(|_| !is_looked_at) else { return };
     let now = ui.input(|input| input.time);
@@ -83,13 +83,11 @@ fn toast_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
 /// What can be done about it.
 fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     // Only what undo would take back now: other changes may have followed.
-    if notice.change.is_some() && notice.change == view.session.history().last_change() {
-        let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
-        view.button_as(ui, WindowAction::Undo, undo);
-    }
-    if notice.before.is_some() {
-        let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
-        view.button_as(ui, SettingsAction::SettingBack, undo);
+    let is_last = notice.change.is_some() && notice.change == view.session.history().last_change();
+    let of_history = is_last.then_some(Action::from(WindowAction::Undo));
+    if let Some(undo) = of_history.or_else(|| notice.before.is_some().then(|| SettingsAction::SettingBack.into())) {
+        let button = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
+        view.button_as(ui, undo, button);
     }
     if notice.records {
         view.wide_button(ui, WindowAction::RecordAgain);

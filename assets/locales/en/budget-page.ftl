@@ -170,3 +170,7 @@ budget-kind-resolution = Resolution
 budget-table-stale = The text has a fault: the table shows the contributions as they last were
 budget-table-other = The text writes its contributions in a way that the table cannot change. Edit the text
 budget-table-calibrated = This budget is of a calibrated piece and has no contributions. Edit the text
+budget-law-normal = Normal law
+budget-law-rectangular = Rectangular law
+budget-law-u-shaped = U-shaped law
+budget-law-triangular = Triangular law

@@ -170,3 +170,7 @@ budget-kind-resolution = Resolutie
 budget-table-stale = De tekst bevat een fout: de tabel toont de bijdragen zoals ze het laatst waren
 budget-table-other = De tekst schrijft de bijdragen op een manier die de tabel niet kan wijzigen. Bewerk de tekst
 budget-table-calibrated = Dit budget is van een gekalibreerd stuk en heeft geen bijdragen. Bewerk de tekst
+budget-law-normal = Normale verdeling
+budget-law-rectangular = Rechthoekige verdeling
+budget-law-u-shaped = U-vormige verdeling
+budget-law-triangular = Driehoekige verdeling

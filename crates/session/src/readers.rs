@@ -193,6 +193,11 @@ impl Session {
         &self.shared.notices
     }
 
+    /// The one that is shown.
+    pub fn notice(&self) -> Option<&Notice> {
+        self.shared.notice()
+    }
+
     /// What was told before and asked for a look, newest first.
     pub fn earlier_notices(&self) -> impl ExactSizeIterator<Item = &Notice> {
         self.shared.earlier.iter()

@@ -356,22 +356,25 @@ impl Shared {
         self.spread(News::Sources);
     }
 
-    /// Tells the user something: what failed comes before what goes by itself. The change of a setting is told until something else
-    /// is: it is in sight.
+    /// Tells the user something. The change of a setting is told until something else is: it is in sight.
     pub fn push_notice(&mut self, notice: Notice) {
         self.notices.retain(|earlier| earlier.before.is_none());
-        let first_to_go = self.notices.iter().position(|earlier| notice.is_problem && !earlier.asks());
-        self.notices.insert(first_to_go.unwrap_or(self.notices.len()), notice);
+        self.notices.push(notice);
+    }
+
+    /// The place of the notice that is shown: the oldest one that asks for a look, or else the oldest one.
+    pub fn shown_place(&self) -> usize {
+        self.notices.iter().position(Notice::asks).unwrap_or(0)
+    }
+
+    /// The notice that is shown.
+    pub fn notice(&self) -> Option<&Notice> {
+        self.notices.get(self.shown_place())
     }
 
     /// Tells the user what failed.
     pub fn tell(&mut self, message: Message) {
         self.push_notice(Notice::of(message, true));
-    }
-
-    /// Tells the user what failed, before the notice that asked for it.
-    pub fn tell_first(&mut self, message: Message) {
-        self.notices.insert(0, Notice::of(message, true));
     }
 
     /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
@@ -380,14 +383,14 @@ impl Shared {
         self.push_notice(Notice { records: true, ..Notice::of(message, true) });
     }
 
-    /// Closes the oldest notice. One that asked for a look stays in the list of what was told before.
+    /// Closes the notice that is shown. One that asked for a look stays in the list of what was told before.
     pub fn close_notice(&mut self) {
         /// How many are kept.
         const EARLIER: usize = 50;
         if self.notices.is_empty() {
             return;
         }
-        let notice = self.notices.remove(0);
+        let notice = self.notices.remove(self.shown_place());
         if notice.asks() {
             self.earlier.push_front(notice);
             self.earlier.truncate(EARLIER);

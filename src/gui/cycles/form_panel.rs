@@ -227,7 +227,6 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let idle = || cycle.parameters.iter().filter(|parameter| !parameter.has_effect);
     if idle().next().is_some() {
-        let _page = view.session.cycles();
         let is_wrong = idle().any(|parameter| view.session.error(CycleField::Parameter(parameter.key)).is_some());
         let header = CollapsingHeader::new(view.text("cycles-without-effect")).id_salt("without-effect");
         header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
@@ -294,7 +293,6 @@ fn in_force(view: &View<'_>, parameters: &[&Parameter]) -> String {
 
 /// Where the ball stands before the cycle.
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let _page = view.session.cycles();
     let is_wrong = Axis::ALL.iter().any(|axis| view.session.error(CycleField::Position(*axis)).is_some());
     // An error is never folded away.
     let header = CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position");

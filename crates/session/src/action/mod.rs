@@ -181,7 +181,7 @@ impl Session {
             Some(Command::ShowMessages(false))
         } else if self.help.explains {
             Some(HelpCommand::Explain(false).into())
-        } else if self.notices().first().is_some_and(Notice::asks) {
+        } else if self.notice().is_some_and(Notice::asks) {
             Some(Command::Close)
         } else {
             // The form of a correction stands on the check page, too.

@@ -27,7 +27,7 @@ pub(crate) fn shows_columns(session: &Session) -> Option<&OpenColumns> {
 
 /// What the notice that is shown tells of the columns of its file.
 pub(crate) fn told_columns(session: &Session) -> Option<&NoticeColumns> {
-    session.notices().first()?.columns.as_ref()
+    session.notice()?.columns.as_ref()
 }
 
 pub(crate) fn asks_to_replace(session: &Session) -> bool {
@@ -36,7 +36,7 @@ pub(crate) fn asks_to_replace(session: &Session) -> bool {
 
 /// Whether the notice that is shown is about a file that was written.
 pub(crate) fn tells_of_file(session: &Session) -> bool {
-    session.dialog().is_none() && session.notices().first().is_some_and(|notice| notice.file.is_some())
+    session.dialog().is_none() && session.notice().is_some_and(|notice| notice.file.is_some())
 }
 
 pub(crate) fn has_history(session: &Session) -> bool {

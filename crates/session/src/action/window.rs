@@ -241,7 +241,6 @@ impl Actions for WindowAction {
             Self::RoundJs => rounds_js(session.sources().options()),
             Self::Edition1988 => is_of_1988(session.sources().options()),
             Self::Keypad => session.has_keypad(),
-            Self::Messages => session.shows_messages(),
             _ => return None,
         })
     }

@@ -84,10 +84,10 @@ impl Actions for BudgetAction {
             }
             Self::LawOfContribution(law) => {
                 let text = match law {
-                    Law::Normal => "budget-page-law-normal",
-                    Law::Rectangular => "budget-page-law-rectangular",
-                    Law::UShaped => "budget-page-law-u-shaped",
-                    Law::Triangular => "budget-page-law-triangular",
+                    Law::Normal => "budget-law-normal",
+                    Law::Rectangular => "budget-law-rectangular",
+                    Law::UShaped => "budget-law-u-shaped",
+                    Law::Triangular => "budget-law-triangular",
                 };
                 of_page(text, BudgetCommand::SetLaw(law)).when(has_law)
             }

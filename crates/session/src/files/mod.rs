@@ -63,13 +63,13 @@ impl Session {
             FilesCommand::ForgetRecent => self.shared.places.forget(),
             FilesCommand::Seen { purpose, path, fate } => self.shared.places.seen(purpose, path, fate),
             FilesCommand::Launch(how) => {
-                let written = self.shared.notices.first().and_then(|notice| notice.file.clone());
+                let written = self.shared.notice().and_then(|notice| notice.file.clone());
                 return written.map(|path| Effect::Launch(path, how)).into_iter().collect();
             }
             FilesCommand::Working(working) => self.shared.working = working,
             FilesCommand::StopWorking => return vec![Effect::StopWorking],
             FilesCommand::Launched(Ok(())) => {}
-            FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
+            FilesCommand::Launched(Err(problem)) => self.shared.tell(problem),
             FilesCommand::IsFolder(path) => {
                 self.pairing.is_no_file(&path);
                 if !self.shared.dialog_waits() {
