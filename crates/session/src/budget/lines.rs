@@ -80,20 +80,12 @@ fn before_comment(line: &str) -> &str {
     line
 }
 
-/// A value without its quotation marks.
+/// A text without its quotation marks and escapes; anything else, and what is no value yet, as it stands.
 fn unquoted(value: &str) -> String {
-    if let Some(inner) = value.strip_prefix('\'').and_then(|value| value.strip_suffix('\'')) {
-        return inner.to_owned();
+    match toml::from_str::<toml::Table>(&format!("it = {value}")).ok().and_then(|mut table| table.remove("it")) {
+        Some(toml::Value::String(text)) => text,
+        _ => value.to_owned(),
     }
-    let Some(inner) = value.strip_prefix('"').and_then(|value| value.strip_suffix('"')) else {
-        return value.to_owned();
-    };
-    let mut text = String::new();
-    let mut signs = inner.chars();
-    while let Some(sign) = signs.next() {
-        text.push(if sign == '\\' { signs.next().unwrap_or(sign) } else { sign });
-    }
-    text
 }
 
 /// A text as a value.
@@ -173,6 +165,13 @@ mod tests {
 
     fn rows() -> Vec<WrittenContribution> {
         read(TEXT).unwrap()
+    }
+
+    #[test]
+    fn a_text_is_read_with_the_escapes_of_toml_and_a_number_as_it_stands() {
+        let text = "[[contribution]]\nname = \"Ma\\u00df\\t1\"\nhalf_width_um = 1_0.5\nk = 2e\n";
+        let row = read(text).unwrap().remove(0);
+        assert_eq!([row.value("name"), row.value("half_width_um"), row.value("k")], ["Maß\t1", "1_0.5", "2e"]);
     }
 
     #[test]
