@@ -200,7 +200,7 @@ impl PageState for CheckPage {
 impl CheckPage {
     /// Lists what the filter says in the language of the window.
     fn filter(&self, shared: &mut Shared) {
-        shared.history.filter(self.text(CheckField::HistoryFilter), &Words::new(shared.language));
+        shared.history.filter(self.text(CheckField::HistoryFilter), &shared.words());
     }
 
     /// Undoes the last change of the history, and closes the notice that tells of it. Where the list is not in sight, a

@@ -16,8 +16,9 @@ use super::measuring::{length, record};
 use super::worth::RuleFields;
 use super::{CheckField, CheckPage, Lot};
 use crate::budget::OpenBudget;
+use crate::notice::Notice;
 use crate::recording::used;
-use crate::shared::{Notice, Shared};
+use crate::shared::Shared;
 use crate::state::PageState as _;
 
 impl CheckPage {

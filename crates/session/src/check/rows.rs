@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use fitcheck_core::message::message;
-use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::entry::FileRole;
 use jiff::civil::DateTime;
 
@@ -98,7 +97,7 @@ impl CheckPage {
 
     /// Lists the rows that have the words of the filter.
     pub(super) fn filter_rows(&mut self, shared: &Shared) -> Vec<Effect> {
-        let words = filter_words(self.text(CheckField::RowsFilter), &Words::new(shared.language));
+        let words = filter_words(self.text(CheckField::RowsFilter), &shared.words());
         self.rows.as_mut().map_or_else(Vec::new, |rows| rows.find(words, &shared.sources))
     }
 

@@ -42,8 +42,7 @@ impl PageState for FitPage {
             }
             FitCommand::ShowClasses(side) => self.side = Some(side),
             FitCommand::ChooseExpansion(part, expansion) => {
-                let sign = shared.decimal_sign().to_string();
-                self.texts.set(FitField::expansion(part), expansion.to_string().replace('.', &sign));
+                self.texts.set(FitField::expansion(part), shared.as_typed(&expansion.to_string()));
             }
             FitCommand::SearchAmong(scope) => self.scope = scope,
             FitCommand::Check(part) => self.check_part(part, shared),

@@ -16,8 +16,6 @@ mod matching;
 mod more;
 mod records;
 
-use fitcheck_core::words::Words;
-
 pub use command::PaletteCommand;
 pub use entry::{PaletteEntry, PaletteGroup};
 
@@ -65,7 +63,7 @@ impl Palette {
     }
 
     fn search(&mut self, session: &Session) {
-        let words = Words::new(session.language());
+        let words = session.shared.words();
         let callout = entry::of_callout(&self.query, session, &words);
         self.found = callout.into_iter().chain(matching::found(&self.query, &self.all)).collect();
         self.at = 0;
@@ -75,7 +73,7 @@ impl Palette {
     /// What else can be done with the highlighted entry takes the place of what was found, or gives it back.
     fn show_more(&mut self, shows: bool, session: &Session) {
         if shows && !self.shows_more {
-            let words = Words::new(session.language());
+            let words = session.shared.words();
             let more = self.found.get(self.at).map_or_else(Vec::new, |entry| more::more(entry, session, &words));
             if !more.is_empty() {
                 self.before = (std::mem::replace(&mut self.found, more), self.at);
@@ -121,7 +119,7 @@ impl Session {
                 }
             }
             PaletteCommand::Found { run, result } => {
-                let words = Words::new(self.language());
+                let words = self.shared.words();
                 if let Some(palette) = self.palette.as_mut().filter(|palette| palette.run == run) {
                     palette.add(match result {
                         Ok(rows) => records::entries(&rows, &words),

@@ -50,11 +50,10 @@ impl ProgramPage {
 
     fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &Shared) {
         let path = document.path.clone();
-        let sign = shared.decimal_sign().to_string();
         self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
         for (parameter, text) in document.assigned() {
             let Some(input) = Input::of(*parameter) else { continue };
-            let text = if input.unit().is_empty() { text.clone() } else { text.replace('.', &sign) };
+            let text = if input.unit().is_empty() { text.clone() } else { shared.as_typed(text) };
             self.texts.insert(ProgramField::Input(input), text);
         }
         self.breakpoints.clear();
