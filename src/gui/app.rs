@@ -164,7 +164,7 @@ impl App {
 
     fn run(&self, ctx: &Context, effect: Effect) {
         if let Effect::Focus(field) = effect {
-            return field::go_to(ctx, field, self.session.text(field));
+            return field::go_to(ctx, &self.session, field);
         }
         if effect == Effect::FocusTable {
             return parts::focus_table(ctx);

@@ -17,8 +17,7 @@ use super::room::is_low;
 use super::section;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet, remembered};
-use crate::probing::cycle::ParameterGroup;
-use crate::session::{Command, CycleField, Field, FieldPlace};
+use crate::session::{Command, Field, FieldPlace, Session};
 
 /// How a field looks.
 pub(super) struct FieldStyle {
@@ -222,13 +221,13 @@ fn underlined(ui: &Ui, text: &str, font: &FontId, culprit: Option<&Range<usize>>
 
 /// Gives the focus to a field and selects its text, so that typing replaces it. As long as something lies over the page, egui takes the
 /// focus from it again: then it is given once that is gone.
-pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
+pub(super) fn go_to(ctx: &Context, session: &Session, field: Field) {
     if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
         ctx.data_mut(|data| data.insert_temp(soon(), Some(field)));
         hold(ctx);
         return ctx.request_repaint();
     }
-    if let FieldPlace::Fold(name) = field.place()
+    if let FieldPlace::Fold(name) = session.place_of(field)
         && section::unfold(ctx, name)
     {
         // What is unfolded is drawn some frames later: a field that is not drawn loses the focus again.
@@ -236,27 +235,8 @@ pub(super) fn go_to(ctx: &Context, field: Field, text: &str) {
         hold(ctx);
         return ctx.request_repaint();
     }
-    if matches!(field, Field::Cycles(CycleField::Parameter(_))) && !keypad::was_seen(ctx, field) {
-        // Which of its parameters a cycle folds away is known to its form alone.
-        for name in ParameterGroup::ALL.into_iter().flat_map(group_ids) {
-            section::unfold(ctx, name);
-        }
-        ctx.data_mut(|data| data.insert_temp(unfolding(), Some((field, UNFOLDING))));
-        hold(ctx);
-        return ctx.request_repaint();
-    }
     ctx.memory_mut(|memory| memory.request_focus(id(field)));
-    select_all(ctx, id(field), text);
-}
-
-/// The text that names a group, and the one of what may be left out of it.
-pub(super) const fn group_ids(group: ParameterGroup) -> [&'static str; 2] {
-    match group {
-        ParameterGroup::Position => ["cycles-group-position", "cycles-optional-position"],
-        ParameterGroup::Probing => ["cycles-group-probing", "cycles-optional-probing"],
-        ParameterGroup::Tolerance => ["cycles-group-tolerance", "cycles-optional-tolerance"],
-        ParameterGroup::Output => ["cycles-group-output", "cycles-optional-output"],
-    }
+    select_all(ctx, id(field), session.text(field));
 }
 
 /// How many frames a fold has to open at most.
@@ -275,7 +255,7 @@ fn arrive_in_fold(ctx: &Context, view: &View<'_>) {
         return;
     };
     if keypad::was_seen(ctx, field) {
-        go_to(ctx, field, view.session.text(field));
+        go_to(ctx, view.session, field);
     } else if let Some(left) = left.checked_sub(1) {
         ctx.data_mut(|data| data.insert_temp(id, Some((field, left))));
         hold(ctx);
@@ -292,7 +272,7 @@ pub(super) fn arrive(ctx: &Context, view: &View<'_>) {
     arrive_in_fold(ctx, view);
     let promised = ctx.data_mut(|data| std::mem::take(data.get_temp_mut_or_default::<Option<Field>>(soon())));
     if let Some(field) = promised {
-        go_to(ctx, field, view.session.text(field));
+        go_to(ctx, view.session, field);
     }
 }
 

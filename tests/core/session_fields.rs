@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use fitcheck::probing::cycle::Key;
 use fitcheck::probing::cycles::CYCLES;
 use fitcheck::session::help::{Block, HelpPlace, HelpTopic, ManualPage};
 use fitcheck::session::{
@@ -159,7 +160,16 @@ fn a_parameter_of_a_cycle_means_what_its_cycle_says() {
 fn a_field_can_be_gone_to_only_where_it_stands() {
     let session = Session::new(Language::En);
     let stands = |field: CheckField| session.stands(field.into());
-    assert_eq!(Field::from(CheckField::CentreX).place(), FieldPlace::Fold("probe-position"));
+    assert_eq!(session.place_of(CheckField::CentreX.into()), FieldPlace::Fold("probe-position"));
+    // Of cycle 421: a nominal value has none of its own, the measuring height and the set-up clearance have one.
+    for (number, place) in [
+        (273, FieldPlace::Page),
+        (261, FieldPlace::Fold("cycles-optional-position")),
+        (320, FieldPlace::Fold("cycles-group-probing")),
+    ] {
+        let field = CycleField::Parameter(Key::Q(number)).into();
+        assert_eq!(session.place_of(field), place, "Q{number}");
+    }
     assert!(stands(CheckField::Callout) && stands(CheckField::CentreX));
     // Without a rule that takes it, and without checks, there is none.
     assert!(!stands(CheckField::GuardWidth) && !stands(CheckField::HistoryFilter));

@@ -1,15 +1,10 @@
 //! What is to be known of every text field: its name, where it stands, its paragraph of the manual and its drawing. Help and palette are
 //! made from it. A field without a row does not compile.
 
-use fitcheck_core::message::message;
 use fitcheck_core::part::HeadField;
-use fitcheck_core::probing::cycle::{Axis as PlaneAxis, Cycle, Key, Meaning, Range};
-use fitcheck_core::probing::cycles::measuring;
-use fitcheck_core::tolerance::Feature;
-use fitcheck_core::words::Words;
+use fitcheck_core::probing::cycle::{Cycle, Meaning};
 use fitcheck_nc::control::variables::Parameter;
 
-use super::Session;
 use super::budget::BudgetField;
 use super::check::CheckField;
 use super::cycles::{Axis, CycleField, WorkpieceField};
@@ -40,16 +35,16 @@ pub enum FieldPlace {
 
 /// What is to be known of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct FieldRow {
+pub(super) struct FieldRow {
     /// The id of its name.
-    name: &'static str,
-    place: FieldPlace,
+    pub name: &'static str,
+    pub place: FieldPlace,
     /// What links call the heading of its paragraph.
     paragraph: &'static str,
 }
 
 /// The fields of a page.
-trait Rows: Sized + 'static {
+pub(super) trait Rows: Sized + 'static {
     const ALL: &'static [Self];
 
     fn row(self) -> FieldRow;
@@ -70,8 +65,8 @@ macro_rules! rows {
     };
 }
 
-const PAGE: FieldPlace = FieldPlace::Page;
-const AT_TIMES: FieldPlace = FieldPlace::AtTimes;
+pub(super) const PAGE: FieldPlace = FieldPlace::Page;
+pub(super) const AT_TIMES: FieldPlace = FieldPlace::AtTimes;
 const PROBE: FieldPlace = FieldPlace::Fold("probe-position");
 const SIMULATED: FieldPlace = FieldPlace::Fold("simulated-workpiece");
 const RULE: FieldPlace = FieldPlace::Fold("check-rule-section");
@@ -341,7 +336,7 @@ pub(super) fn all(cycle: &'static Cycle) -> Vec<Field> {
 
 impl Field {
     /// Its row; none for a cell of the plan, a parameter of a cycle and a tool, which are named by what they belong to.
-    fn row(self) -> Option<FieldRow> {
+    pub(super) fn row(self) -> Option<FieldRow> {
         Some(match self {
             Self::Check(field) => field.row(),
             Self::Parts(PartsField::Walk(field)) => field.row(),
@@ -377,14 +372,6 @@ impl Field {
         }
     }
 
-    /// Where it stands on its page.
-    pub fn place(self) -> FieldPlace {
-        match self {
-            Self::Cycles(CycleField::Parameter(_)) => PAGE,
-            field => field.row().map_or(AT_TIMES, |row| row.place),
-        }
-    }
-
     /// Its place in the manual; `cycle` says what a parameter means.
     pub(super) fn help(self, cycle: &Cycle) -> HelpPlace {
         let paragraph = match self {
@@ -396,89 +383,5 @@ impl Field {
             field => field.row().map_or("cell-of-the-plan", |row| row.paragraph),
         };
         HelpPlace { topic: HelpTopic::Manual(MANUAL), anchor: Some(paragraph.to_owned()) }
-    }
-}
-
-/// The drawing of a field: a parameter of a cycle that means the same.
-pub type FieldDrawing = (&'static Cycle, Key);
-
-impl Session {
-    /// Every text field, with those of the parameters of the chosen cycle.
-    pub fn fields(&self) -> Vec<Field> {
-        all(self.cycles.cycle)
-    }
-
-    /// Whether a field stands on its page now, so that it can be gone to.
-    pub fn stands(&self, field: Field) -> bool {
-        match field {
-            Field::Check(CheckField::HistoryFilter) => !self.history().is_empty(),
-            Field::Records(RecordsField::Question) => self.recording().is_on(),
-            Field::Budget(BudgetField::Size) => self.budget.read.is_some() && self.budget.asks.size,
-            Field::Budget(BudgetField::Day) => self.budget.read.is_some(),
-            // One of a few numbers is chosen from a list, and what has no effect is folded away.
-            Field::Cycles(CycleField::Parameter(key)) => self
-                .cycles
-                .cycle
-                .parameter(key)
-                .is_some_and(|parameter| parameter.has_effect && !matches!(parameter.range, Range::OneOf(_))),
-            field => field.place() != AT_TIMES,
-        }
-    }
-
-    /// The paragraph of the manual about a field.
-    pub fn help_of(&self, field: Field) -> HelpPlace {
-        field.help(self.cycles.cycle)
-    }
-
-    /// What a field is called, in the words of a language.
-    pub fn field_name(&self, field: Field, words: &Words) -> String {
-        match field {
-            Field::Cycles(CycleField::Parameter(key) | CycleField::Global(key)) => {
-                let parameter = self.cycles.cycle.parameter(key);
-                let question = parameter.map(|parameter| parameter.question(words.language().dialogue()));
-                format!("{key}  {}", question.unwrap_or_default())
-            }
-            Field::Cycles(CycleField::Position(axis)) => {
-                format!("{} {}", words.get("cycles-ball-stands"), axis.letter())
-            }
-            Field::Program(ProgramField::Tool(parameter)) => {
-                words.say(&message!("tools-input").text("parameter", parameter))
-            }
-            Field::Program(ProgramField::Input(input)) => {
-                format!("{} {}", input.parameter(), words.get(input.row().name))
-            }
-            field => words.get(field.row().map_or("parts-page-cell-name", |row| row.name)),
-        }
-    }
-
-    /// The drawing that shows what a field means; of cycle 421 where the field sets a parameter of it.
-    pub fn drawing_of(&self, field: Field) -> Option<FieldDrawing> {
-        let of_hole = |meaning| {
-            let cycle = measuring(Feature::Hole);
-            Some((cycle, cycle.meant(meaning)?.key))
-        };
-        match field {
-            Field::Cycles(CycleField::Parameter(key) | CycleField::Global(key)) => Some((self.cycles.cycle, key)),
-            Field::Check(CheckField::CentreX) | Field::Program(ProgramField::Input(Input::CentreX)) => {
-                of_hole(Meaning::Centre(PlaneAxis::First))
-            }
-            Field::Check(CheckField::CentreY) | Field::Program(ProgramField::Input(Input::CentreY)) => {
-                of_hole(Meaning::Centre(PlaneAxis::Second))
-            }
-            Field::Check(CheckField::Height) | Field::Program(ProgramField::Input(Input::Height)) => {
-                of_hole(Meaning::MeasuringHeight)
-            }
-            Field::Check(CheckField::FirstAngle) | Field::Program(ProgramField::Input(Input::Angle)) => {
-                of_hole(Meaning::FirstAngle)
-            }
-            Field::Check(CheckField::Clearance) | Field::Program(ProgramField::Input(Input::Clearance)) => {
-                of_hole(Meaning::SetUpClearance)
-            }
-            Field::Check(CheckField::CentreTolerance) => of_hole(Meaning::CentreTolerance(PlaneAxis::First)),
-            Field::Check(CheckField::Nominal) | Field::Program(ProgramField::Input(Input::Size)) => {
-                of_hole(Meaning::Diameter)
-            }
-            _ => None,
-        }
     }
 }

@@ -21,12 +21,12 @@
 //! | `help` | the manual, and the keys |
 //! | `settings_page` | everything that can be set |
 //! | `rows` | the rows of a file that is too large for the history |
-//! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
+//! | `shared`, `notice`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
 //! | `asking` | questions that Enter answers, and none in passing |
 //! | `page`, `state` | the list of the pages; what every page is |
 //! | `command`, `effect` | every command, and what it asks of the outside world |
-//! | `field`, `field_table` | every text field; its name, its place, its paragraph of the manual |
+//! | `field`, `field_table`, `fields` | every text field; its name, its place, its paragraph of the manual; finding them |
 //! | `texts`, `typing` | the texts in fields, and what typing does |
 //! | `purpose`, `settings`, `zoom`, `step` | what files are for; how the window looks; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
@@ -67,10 +67,12 @@ mod document;
 mod effect;
 mod field;
 mod field_table;
+mod fields;
 mod files;
 mod fit;
 pub mod help;
 mod history;
+mod notice;
 mod page;
 mod pairing;
 mod palette;
@@ -116,12 +118,13 @@ pub use columns::{
 pub use command::Command;
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesAction, CyclesCommand, CyclesPage, RunLog, ValueOrigin,
-    WorkpieceField, WorkpieceForm,
+    WorkpieceField, WorkpieceForm, fold_name, group_name, may_fold,
 };
 pub use document::OpenDocument;
 pub use effect::Effect;
 pub use field::Field;
-pub use field_table::{FieldDrawing, FieldPlace};
+pub use field_table::FieldPlace;
+pub use fields::FieldDrawing;
 pub use files::{
     Content, Dialog, DialogId, FilesAction, FilesCommand, FolderList, HEAD, Launch, OpenError, ReadOutcome, RecentFile,
     Working,
@@ -138,6 +141,7 @@ use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::control::shipped_tables;
 pub use help::{HelpAction, HelpCommand, HelpField, HelpPage};
 pub use history::{ChangeId, History, ListCommand, status_text};
+pub use notice::Notice;
 pub use page::Page;
 pub use pairing::{
     Bin, FromMiddle, Marks, PairRow, Paired, PairingAction, PairingCommand, PairingField, PairingPage, PairingView,
@@ -159,8 +163,8 @@ pub use settings_page::{
     Control, KeyRow, KeysOfPlace, SETTINGS, Section, Setting, SettingsAction, SettingsCommand, SettingsField,
     SettingsPage, Told,
 };
+pub use shared::MaskChoice;
 use shared::OwnMask;
-pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesAction, TablesCommand, TablesField, TablesPage};
 pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};

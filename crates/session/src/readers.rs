@@ -14,11 +14,12 @@ use super::Session;
 use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile, Working};
 use super::history::History;
+use super::notice::Notice;
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
 use super::settings::{DecimalSign, Density, RowHeight, Theme};
-use super::shared::{MaskChoice, Notice, ProgramFiles};
+use super::shared::{MaskChoice, ProgramFiles};
 use super::workpiece::{OpenPart, RecordedContacts};
 use super::zoom::Zoom;
 

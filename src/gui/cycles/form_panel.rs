@@ -14,7 +14,7 @@ use crate::message::message;
 use crate::probing::cycle::{Cycle, Key, Parameter, ParameterGroup, Value};
 use crate::probing::cycles::CYCLES;
 use crate::session::{Axis, ContactsFrom, CycleField, CyclesCommand};
-use crate::session::{CyclesAction, WindowAction, WorkpieceAction};
+use crate::session::{CyclesAction, WindowAction, WorkpieceAction, fold_name, group_name, may_fold};
 
 /// What stands above the form: the cycle, where contacts come from, and what runs it.
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -248,7 +248,6 @@ fn group_ui(ui: &mut Ui, view: &mut View<'_>, group: ParameterGroup, focused: &m
     let of_group =
         cycle.parameters.iter().filter(|parameter| parameter.has_effect && parameter.meaning.group() == group);
     let (optional, needed): (Vec<_>, Vec<_>) = of_group.partition(|parameter| may_fold(parameter));
-    let [name, name_of_optional] = crate::gui::field::group_ids(group);
     let mut each = |ui: &mut Ui, view: &mut View<'_>, parameters: &[&'static Parameter]| {
         for parameter in parameters {
             if parameter_ui(ui, view, parameter) {
@@ -257,7 +256,7 @@ fn group_ui(ui: &mut Ui, view: &mut View<'_>, group: ParameterGroup, focused: &m
         }
     };
     if !needed.is_empty() {
-        heading(ui, view.text(name));
+        heading(ui, view.text(group_name(group)));
         each(ui, view, &needed);
     }
     if !optional.is_empty() {
@@ -267,18 +266,12 @@ fn group_ui(ui: &mut Ui, view: &mut View<'_>, group: ParameterGroup, focused: &m
         };
         let section = Section {
             icon: Icon::Target,
-            name: if needed.is_empty() { name } else { name_of_optional },
+            name: fold_name(cycle, group),
             value: in_force(view, &optional),
             is_wrong: optional.iter().any(|parameter| is_wrong(&parameter)),
         };
         section.show(ui, view, |ui, view| each(ui, view, &optional));
     }
-}
-
-/// Whether a parameter may be folded away: one with a value of its own. Limits are always in sight, for they make the verdict.
-fn may_fold(parameter: &Parameter) -> bool {
-    let has_value = !matches!(parameter.default_value(), None | Some(Value::Band(None)));
-    has_value && parameter.meaning.other_limit().is_none()
 }
 
 /// What counts of parameters that may be left out: `Q320 0 mm, Q309 0`.

@@ -5,7 +5,8 @@ use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::Role;
 
 use super::{NoticeColumns, role_id, unit_id};
-use crate::shared::{Notice, Shared};
+use crate::notice::Notice;
+use crate::shared::Shared;
 
 impl Shared {
     /// A notice of a file says what its columns were taken for, and offers to correct that.

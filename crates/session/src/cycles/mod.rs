@@ -8,6 +8,7 @@
 //! | `reading` | what the fields mean, read anew at every change |
 //! | `workpiece`, `workpiece_field` | the simulated workpiece as text fields |
 //! | `running` | from the fields to a run, and stepping along its path |
+//! | `folding` | which parameters are folded away |
 //! | `filling` | NC blocks and files into fields |
 //!
 //! A result is kept with what it was made with: any change of an input clears it.
@@ -17,6 +18,7 @@ mod apply;
 mod command;
 mod field;
 mod filling;
+mod folding;
 mod reading;
 mod running;
 mod workpiece;
@@ -35,6 +37,8 @@ use crate::state::PageState as _;
 pub use actions::CyclesAction;
 pub use command::CyclesCommand;
 pub use field::{Axis, CycleField};
+pub(crate) use folding::fold_of;
+pub use folding::{fold_name, group_name, may_fold};
 pub use running::{CycleRun, RunLog};
 pub use workpiece::WorkpieceForm;
 pub use workpiece_field::WorkpieceField;

@@ -46,9 +46,10 @@ pub use working::Working;
 use super::Session;
 use super::effect::Effect;
 use super::help::Sample;
+use super::notice::Notice;
 use super::page::Page;
 use super::purpose::Purpose;
-use super::shared::{MaskChoice, News, Notice, OwnMask};
+use super::shared::{MaskChoice, News, OwnMask};
 
 impl Session {
     /// Does something about files.

@@ -105,7 +105,7 @@ impl PaletteEntry {
 
 /// Everything that can be found now.
 pub(super) fn all(session: &Session) -> Vec<PaletteEntry> {
-    let own = Words::new(session.language());
+    let own = session.shared.words();
     let others: Vec<Words> =
         Language::all().filter(|language| *language != session.language()).map(Words::new).collect();
     let mut seen = BTreeSet::new();
@@ -138,7 +138,7 @@ fn of_field(field: Field, session: &Session, own: &Words, others: &[Words]) -> O
     if !session.stands(field) {
         return None;
     }
-    let beside = |words: &Words| match field.place() {
+    let beside = |words: &Words| match session.place_of(field) {
         FieldPlace::Fold(fold) => format!("{}, {}", words.get(field.page().name()), words.get(fold)),
         _ => words.get(field.page().name()),
     };

@@ -12,8 +12,9 @@ use fitcheck_exchange::journal::entry::{FileRole, UsedFile};
 use super::PartsPage;
 use super::judging::judged_by;
 use super::measuring::Arriving;
+use crate::notice::Notice;
 use crate::recording::used;
-use crate::shared::{Notice, Shared};
+use crate::shared::Shared;
 
 /// What a file held.
 #[derive(Debug, Default)]

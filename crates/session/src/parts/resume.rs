@@ -13,11 +13,12 @@ use super::PartsPage;
 use super::planned::{Away, Planned, Sizes};
 use super::walking::Value;
 use crate::effect::Effect;
+use crate::notice::Notice;
 use crate::purpose::Purpose;
 use crate::recording::{Keeping, Recorded};
 use crate::records::RecordRow;
 use crate::saved::{SavedWalk, SavedWatch};
-use crate::shared::{Notice, Shared};
+use crate::shared::Shared;
 
 /// The most values of a part that come back: every size of the largest plan, some of them several times.
 const MOST: usize = 10_000;

@@ -11,10 +11,10 @@ use crate::check::CheckCommand;
 use crate::command::Command;
 use crate::effect::Effect;
 use crate::files::FilesCommand;
+use crate::notice::Notice;
 use crate::page::Page;
 use crate::purpose::Purpose;
 use crate::saved::{Saved, SavedError};
-use crate::shared::Notice;
 
 impl Session {
     /// The bytes of a file with the settings, for a whole shop.

@@ -91,7 +91,7 @@ fn catch_typing(ui: &Ui, view: &mut View<'_>) {
         view.send(WalkCommand::Next);
         in_turn::give_back(ui, is_text);
     } else {
-        field::go_to(ui.ctx(), field.into(), session.text(field));
+        field::go_to(ui.ctx(), session, field.into());
         // The next letter does not replace this one.
         keypad::keep_selection(ui.ctx(), field::id(field));
     }
