@@ -93,7 +93,7 @@ fn a_contribution_is_added_given_another_kind_and_removed() {
             "law = \"rectangular\"\nhalf_width_k = 1.0\nkind = \"scale-temperature\"\nalpha_per_k = 11.5e-6\n"
         )
     );
-    choose(&mut page, "Law", "normal");
+    choose(&mut page, "Law", "Normal law");
     choose(&mut page, "Given as", "Expanded uncertainty");
     assert!(text(&page).contains("law = \"normal\"\nexpanded_k = 1.0\n") && text(&page).ends_with("\nk = 2\n"));
     assert!(verdict(&page).starts_with("Expanded uncertainty"), "every change is a budget: {}", verdict(&page));

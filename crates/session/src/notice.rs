@@ -73,6 +73,11 @@ impl Shared {
         self.push_notice(Notice::of(message, true));
     }
 
+    /// Tells the user what failed, before the notice that asked for it.
+    pub fn tell_first(&mut self, message: Message) {
+        self.notices.insert(0, Notice::of(message, true));
+    }
+
     /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
     pub fn tell_of_records(&mut self, message: Message) {
         self.notices.retain(|notice| !notice.records);

@@ -70,7 +70,7 @@ impl Session {
             FilesCommand::Working(working) => self.shared.working = working,
             FilesCommand::StopWorking => return vec![Effect::StopWorking],
             FilesCommand::Launched(Ok(())) => {}
-            FilesCommand::Launched(Err(problem)) => self.shared.tell(problem),
+            FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
             FilesCommand::IsFolder(path) => {
                 self.pairing.is_no_file(&path);
                 if !self.shared.dialog_waits() {
