@@ -463,8 +463,8 @@ impl Session {
             Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
-            Command::ShowMessages(shows) => shared.shows_messages = shows,
-            Command::ForgetMessages => shared.forget_messages(),
+            Command::ShowMessages(shows) => shared.notices.shows_earlier = shows,
+            Command::ForgetMessages => shared.notices.forget_earlier(),
             Command::AskToLeave => {
                 if !self.would_lose() {
                     return vec![Effect::Leave];

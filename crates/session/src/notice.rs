@@ -1,5 +1,6 @@
 //! What the user is told: what happened, until it is closed or has been seen; and what was told before.
 
+use std::collections::VecDeque;
 use std::path::PathBuf;
 
 use fitcheck_core::message::Message;
@@ -7,7 +8,6 @@ use fitcheck_core::message::Message;
 use super::columns::NoticeColumns;
 use super::history::ChangeId;
 use super::saved::Saved;
-use super::shared::Shared;
 
 /// A notice, shown until it is closed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,75 +51,75 @@ impl Notice {
     }
 }
 
-impl Shared {
-    /// Tells the user something. The change of a setting is told until something else is: it is in sight.
-    pub fn push_notice(&mut self, notice: Notice) {
-        self.notices.retain(|earlier| earlier.before.is_none());
-        self.notices.push(notice);
+/// What the user is told now, oldest first, and what was told before.
+#[derive(Debug, Default)]
+pub(crate) struct Notices {
+    open: Vec<Notice>,
+    /// What was closed and asked for a look, newest first.
+    earlier: VecDeque<Notice>,
+    pub shows_earlier: bool,
+}
+
+impl Notices {
+    /// How many of the earlier ones are kept.
+    const EARLIER: usize = 50;
+
+    pub fn open(&self) -> &[Notice] {
+        &self.open
     }
 
-    /// The place of the notice that is shown: the oldest one that asks for a look, or else the oldest one.
-    pub fn shown_place(&self) -> usize {
-        self.notices.iter().position(Notice::asks).unwrap_or(0)
+    pub const fn earlier(&self) -> &VecDeque<Notice> {
+        &self.earlier
     }
 
-    /// The notice that is shown.
-    pub fn notice(&self) -> Option<&Notice> {
-        self.notices.get(self.shown_place())
+    /// The change of a setting is told until something else is: it is in sight.
+    pub fn push(&mut self, notice: Notice) {
+        self.open.retain(|earlier| earlier.before.is_none());
+        self.open.push(notice);
     }
 
-    /// Tells the user what failed.
-    pub fn tell(&mut self, message: Message) {
-        self.push_notice(Notice::of(message, true));
+    /// Before the notice that asked for it.
+    pub fn push_first(&mut self, notice: Notice) {
+        self.open.insert(0, notice);
     }
 
-    /// Tells the user what failed, before the notice that asked for it.
-    pub fn tell_first(&mut self, message: Message) {
-        self.notices.insert(0, Notice::of(message, true));
+    pub fn retain(&mut self, stays: impl FnMut(&Notice) -> bool) {
+        self.open.retain(stays);
     }
 
-    /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
-    pub fn tell_of_records(&mut self, message: Message) {
-        self.notices.retain(|notice| !notice.records);
-        self.push_notice(Notice { records: true, ..Notice::of(message, true) });
+    fn shown_place(&self) -> usize {
+        self.open.iter().position(Notice::asks).unwrap_or(0)
     }
 
-    /// Closes the notice that is shown. One that asked for a look stays in the list of what was told before.
-    pub fn close_notice(&mut self) {
-        /// How many are kept.
-        const EARLIER: usize = 50;
-        if self.notices.is_empty() {
+    /// The notice that is shown: the oldest one that asks for a look, or else the oldest one.
+    pub fn shown(&self) -> Option<&Notice> {
+        self.open.get(self.shown_place())
+    }
+
+    pub fn shown_mut(&mut self) -> Option<&mut Notice> {
+        let place = self.shown_place();
+        self.open.get_mut(place)
+    }
+
+    pub fn newest_mut(&mut self) -> Option<&mut Notice> {
+        self.open.last_mut()
+    }
+
+    /// Closes the notice that is shown. One that asked for a look stays among the earlier ones.
+    pub fn close(&mut self) {
+        if self.open.is_empty() {
             return;
         }
-        let notice = self.notices.remove(self.shown_place());
+        let notice = self.open.remove(self.shown_place());
         if notice.asks() {
             self.earlier.push_front(notice);
-            self.earlier.truncate(EARLIER);
+            self.earlier.truncate(Self::EARLIER);
         }
     }
 
-    /// Empties the list of what was told before.
-    pub fn forget_messages(&mut self) {
+    /// Empties the list of the earlier ones.
+    pub fn forget_earlier(&mut self) {
         self.earlier.clear();
-        self.shows_messages = false;
-    }
-
-    /// Tells the user what was done.
-    pub fn note(&mut self, message: Message, details: Vec<Message>) {
-        self.push_notice(Notice { details, ..Notice::of(message, false) });
-    }
-
-    /// Tells the user what was done, where there are details.
-    pub fn note_details(&mut self, message: Message, details: Vec<Message>) {
-        if !details.is_empty() {
-            self.note(message, details);
-        }
-    }
-
-    /// The newest notice tells of the last change of the history, and offers to undo it.
-    pub fn note_change(&mut self) {
-        if let Some(notice) = self.notices.last_mut() {
-            notice.change = self.history.last_change();
-        }
+        self.shows_earlier = false;
     }
 }

@@ -191,22 +191,22 @@ impl Session {
 
     /// The notices, oldest first.
     pub fn notices(&self) -> &[Notice] {
-        &self.shared.notices
+        self.shared.notices.open()
     }
 
     /// The one that is shown.
     pub fn notice(&self) -> Option<&Notice> {
-        self.shared.notice()
+        self.shared.notices.shown()
     }
 
     /// What was told before and asked for a look, newest first.
     pub fn earlier_notices(&self) -> impl ExactSizeIterator<Item = &Notice> {
-        self.shared.earlier.iter()
+        self.shared.notices.earlier().iter()
     }
 
     /// Whether they are shown.
     pub const fn shows_messages(&self) -> bool {
-        self.shared.shows_messages
+        self.shared.notices.shows_earlier
     }
 
     /// Adds a notice of something that happened outside, such as a state file that was set aside.

@@ -24,7 +24,7 @@ use super::columns::Columns;
 use super::effect::Effect;
 use super::files::{Dialog, DialogId, Places, Working};
 use super::history::History;
-use super::notice::Notice;
+use super::notice::{Notice, Notices};
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::Recording;
@@ -184,10 +184,7 @@ pub(super) struct Shared {
     pub answered: Option<DialogId>,
     pub places: Places,
     pub columns: Columns,
-    pub notices: Vec<Notice>,
-    /// What was told before and asked for a look, newest first.
-    pub earlier: VecDeque<Notice>,
-    pub shows_messages: bool,
+    pub notices: Notices,
     /// The file that is being read or written, where that takes long.
     pub working: Option<Box<Working>>,
     /// Whether the user wants to close the window and something is unsaved.
@@ -313,6 +310,37 @@ impl Shared {
     pub fn use_sources(&mut self, sources: Sources) {
         self.sources = Arc::new(sources);
         self.spread(News::Sources);
+    }
+
+    /// Tells the user what failed.
+    pub fn tell(&mut self, message: Message) {
+        self.notices.push(Notice::of(message, true));
+    }
+
+    /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
+    pub fn tell_of_records(&mut self, message: Message) {
+        self.notices.retain(|notice| !notice.records);
+        self.notices.push(Notice { records: true, ..Notice::of(message, true) });
+    }
+
+    /// Tells the user what was done.
+    pub fn note(&mut self, message: Message, details: Vec<Message>) {
+        self.notices.push(Notice { details, ..Notice::of(message, false) });
+    }
+
+    /// Tells the user what was done, where there are details.
+    pub fn note_details(&mut self, message: Message, details: Vec<Message>) {
+        if !details.is_empty() {
+            self.note(message, details);
+        }
+    }
+
+    /// The newest notice tells of the last change of the history, and offers to undo it.
+    pub fn note_change(&mut self) {
+        let change = self.history.last_change();
+        if let Some(notice) = self.notices.newest_mut() {
+            notice.change = change;
+        }
     }
 
     pub fn open_dialog(&mut self, purpose: Purpose, path: String) {

@@ -65,7 +65,7 @@ impl CheckPage {
                     notice.is_problem = true;
                 }
             }
-            shared.push_notice(notice);
+            shared.notices.push(notice);
             return;
         }
         match judge_imported(&mut imported, &self.own_worth(), shared.budget.as_deref()) {
@@ -74,11 +74,11 @@ impl CheckPage {
                 notice.message = message!("import-not-judged").text("name", name);
                 notice.details.insert(0, why);
                 notice.is_problem = true;
-                shared.push_notice(notice);
+                shared.notices.push(notice);
                 return;
             }
         }
-        shared.push_notice(notice);
+        shared.notices.push(notice);
         let records: Vec<_> = std::mem::take(&mut imported.records).into_iter().map(Arc::new).collect();
         let is_lot = 1 < imported.rows && !(records.is_empty() && imported.unjudged.is_empty());
         if !is_lot && records.is_empty() {

@@ -29,13 +29,12 @@ impl Session {
             ColumnsCommand::Take => return self.take_columns(now),
             ColumnsCommand::Leave => _ = self.shared.columns.open.pop_front(),
             ColumnsCommand::Correct => {
-                let of_notice = self.shared.notice().and_then(|notice| notice.columns.clone());
+                let of_notice = self.shared.notices.shown().and_then(|notice| notice.columns.clone());
                 let read = of_notice.map(|columns| Effect::Read(Purpose::AskColumns(columns.into), columns.path));
                 return read.into_iter().collect();
             }
             ColumnsCommand::Forget => {
-                let shown = self.shared.shown_place();
-                let Some(notice) = self.shared.notices.get_mut(shown) else { return Vec::new() };
+                let Some(notice) = self.shared.notices.shown_mut() else { return Vec::new() };
                 let shape = notice.columns.as_mut().and_then(|columns| columns.shape.take());
                 if shape.is_some_and(|shape| Arc::make_mut(&mut self.shared.columns.remembered).forget(&shape)) {
                     notice.details.insert(0, message!("columns-page-forgotten"));

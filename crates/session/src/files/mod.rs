@@ -64,13 +64,13 @@ impl Session {
             FilesCommand::ForgetRecent => self.shared.places.forget(),
             FilesCommand::Seen { purpose, path, fate } => self.shared.places.seen(purpose, path, fate),
             FilesCommand::Launch(how) => {
-                let written = self.shared.notice().and_then(|notice| notice.file.clone());
+                let written = self.shared.notices.shown().and_then(|notice| notice.file.clone());
                 return written.map(|path| Effect::Launch(path, how)).into_iter().collect();
             }
             FilesCommand::Working(working) => self.shared.working = working,
             FilesCommand::StopWorking => return vec![Effect::StopWorking],
             FilesCommand::Launched(Ok(())) => {}
-            FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
+            FilesCommand::Launched(Err(problem)) => self.shared.notices.push_first(Notice::of(problem, true)),
             FilesCommand::IsFolder(path) => {
                 self.pairing.is_no_file(&path);
                 if !self.shared.dialog_waits() {
@@ -284,7 +284,7 @@ impl Session {
             // The question is answered with "keep"; the dialog asks for another name.
             _ = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
         } else if self.shared.dialog.take().is_none() {
-            self.shared.close_notice();
+            self.shared.notices.close();
         }
     }
 
@@ -362,6 +362,6 @@ impl Session {
             None => message!("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.push_notice(Notice { details, file, ..Notice::of(message, false) });
+        self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });
     }
 }

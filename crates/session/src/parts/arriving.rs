@@ -55,7 +55,7 @@ impl PartsPage {
         let details = arrived.problems.iter().chain(&said).chain(&arrived.warnings).cloned().collect();
         let mut notice = Notice { details, ..Notice::of(message, is_problem) };
         shared.add_columns(&mut notice, name);
-        shared.push_notice(notice);
+        shared.notices.push(notice);
         self.keep(arrived.values, shared);
         self.stay_open();
     }

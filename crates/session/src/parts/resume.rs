@@ -182,7 +182,7 @@ impl PartsPage {
         tell_gone(gone, shared);
         if !changed.is_empty() {
             let said = message!("walk-page-changed");
-            shared.push_notice(Notice { details: changed, ..Notice::of(said, true) });
+            shared.notices.push(Notice { details: changed, ..Notice::of(said, true) });
         }
         came.sort_by_key(|(place, _)| *place);
         self.walking.put_before(came.into_iter().map(|(_, value)| value).collect());

@@ -72,12 +72,12 @@ impl Session {
             [(name, _)] => message!("settings-page-changed").message("name", Message::new(name)),
             several => message!("settings-page-several-changed").count("count", several.len()),
         };
-        self.shared.push_notice(Notice { before: Some(Box::new(before)), ..Notice::of(told, false) });
+        self.shared.notices.push(Notice { before: Some(Box::new(before)), ..Notice::of(told, false) });
     }
 
     /// Sets what a notice tells of back to what it was before.
     pub(crate) fn setting_back(&mut self, now: DateTime) -> Vec<Effect> {
-        let Some(before) = self.shared.notices.iter().find_map(|notice| notice.before.clone()) else {
+        let Some(before) = self.shared.notices.open().iter().find_map(|notice| notice.before.clone()) else {
             return Vec::new();
         };
         let changes = changes(&self.saved(), &before);
