@@ -42,6 +42,7 @@
 //! 6. Describe it in `docs/manual/`, whose `README.md` lists the pages, its keys in `window.md`, and it in `CHANGELOG.md`; add its words to
 //!    `docs/TERMS.md`.
 
+mod action_icon;
 mod app;
 mod budget;
 mod card;

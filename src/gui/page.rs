@@ -6,7 +6,7 @@ use eframe::egui::Ui;
 
 use super::theme::Icon;
 use super::view::View;
-use crate::session::{Command, CycleFile, FilesCommand, Purpose};
+use crate::session::{Action, Command, CycleFile, FilesCommand, Purpose, WindowAction};
 
 /// What pages are for: they stand together in the rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,14 +30,33 @@ pub(super) struct PageView {
     pub group: Group,
     pub icon: Icon,
     pub ui: fn(&mut Ui, &mut View<'_>),
+    /// The two sides of a page that has two, chosen beside its title.
+    pub sides: &'static [Action],
+    /// What brings in what the page is about.
+    pub action: fn(&View<'_>) -> Action,
     /// The names of what is open on it: a part, a serial number, a file.
     pub opened: fn(&View<'_>) -> Vec<String>,
     /// What is done with a file that is dropped on it: its path, and its number among those that were dropped together.
     pub dropped: fn(&View<'_>, &Path, usize) -> Command,
 }
 
+impl PageView {
+    /// A page of measurements, on which nothing else is opened.
+    pub const fn of(group: Group, icon: Icon, ui: fn(&mut Ui, &mut View<'_>)) -> Self {
+        Self {
+            group,
+            icon,
+            ui,
+            sides: &[],
+            action: |_| WindowAction::Import.into(),
+            opened: nothing,
+            dropped: measurements,
+        }
+    }
+}
+
 /// A page on which nothing is opened.
-pub(super) const fn nothing(_view: &View<'_>) -> Vec<String> {
+const fn nothing(_view: &View<'_>) -> Vec<String> {
     Vec::new()
 }
 
@@ -47,7 +66,7 @@ pub(super) fn open(purpose: Purpose, path: &Path) -> Command {
 }
 
 /// A dropped file of measurements.
-pub(super) fn measurements(_view: &View<'_>, path: &Path, _number: usize) -> Command {
+fn measurements(_view: &View<'_>, path: &Path, _number: usize) -> Command {
     open(Purpose::Import, path)
 }
 

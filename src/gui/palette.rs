@@ -2,19 +2,24 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Button, Id, Key, Label, Layout, Memory, Modal, Modifiers, RichText, ScrollArea, Sense, TextEdit,
-    TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
+    Align, Align2, Button, Frame, Id, Key, Label, Layout, Memory, Modal, Modifiers, RichText, ScrollArea, Sense,
+    StrokeKind, TextEdit, TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
+use super::action_icon::icon_of;
 use super::key_names::told;
 use super::over_page::just_opened;
-use super::theme::{control, looking, palette, plain, sizes, space};
+use super::pages::page_of;
+use super::theme::{Icon, Weight, control, font, line, looking, palette, plain, sizes, space};
 use super::view::{View, quiet};
-use crate::session::{Palette, PaletteCommand, PaletteEntry, Step};
+use crate::session::{Palette, PaletteCommand, PaletteEntry, PaletteGroup, Step};
 
 /// Its width and its distance from the top, in steps of the grid.
 const WIDTH: f32 = 160.0;
 const TOP: f32 = 22.0;
+
+/// The height of its field, in the same steps.
+const FIELD: f32 = 13.0;
 
 /// How much of the height of the window its list takes at most.
 const SHARE: f32 = 0.6;
@@ -90,14 +95,32 @@ fn field_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
         view.send(PaletteCommand::More(tab));
     }
     let mut query = open.query.clone();
+    let quiet = palette(ui.ctx()).quiet.0;
     let field = TextEdit::singleline(&mut query)
         .id(field_id())
         .lock_focus(true)
+        .frame(Frame::NONE)
         .font(TextStyle::Heading)
         .hint_text(view.text("palette"))
-        .desired_width(f32::INFINITY)
-        .min_size(vec2(0.0, control(ui)));
-    let response = ui.add(field);
+        .align(Align2::LEFT_CENTER)
+        .min_size(vec2(0.0, space(FIELD)));
+    // The field has the focus as long as the palette is open: an icon says where one types, no ring.
+    let row = ui.allocate_ui_with_layout(
+        vec2(ui.available_width(), space(FIELD)),
+        Layout::right_to_left(Align::Center),
+        |ui| {
+            ui.add_space(space(2.0));
+            cap_ui(ui, "Esc");
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.add_space(space(2.0));
+                let (icon, _) = ui.allocate_exact_size(vec2(space(6.0), space(6.0)), Sense::hover());
+                Icon::MagnifyingGlass.paint(ui.painter(), icon.center(), Weight::Regular, space(5.5), quiet);
+                ui.add(field.desired_width(ui.available_width()))
+            })
+            .inner
+        },
+    );
+    let response = row.inner;
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(view.text("palette")));
     if opened {
         response.request_focus();
@@ -109,6 +132,15 @@ fn field_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
     if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
         view.send(PaletteCommand::Do(None));
     }
+}
+
+/// The cap of a key.
+fn cap_ui(ui: &mut Ui, key: &str) {
+    let palette = palette(ui.ctx());
+    let galley = ui.painter().layout_no_wrap(key.to_owned(), font(sizes().tiny), palette.quiet.0);
+    let (cap, _) = ui.allocate_exact_size(galley.size() + vec2(space(3.0), space(1.0)), Sense::hover());
+    ui.painter().rect(cap, 4.0, palette.surface.0, line(ui.ctx()), StrokeKind::Inside);
+    ui.painter().galley(cap.center() - galley.size() / 2.0, galley, palette.quiet.0);
 }
 
 /// What may be typed, and what else can be done with the highlighted entry: by Tab, and by a press.
@@ -152,6 +184,17 @@ fn list_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
     }
 }
 
+/// What an entry is known by at a glance: its own icon, or that of its page.
+fn icon(entry: &PaletteEntry) -> Icon {
+    let of_page = || match (entry.group, entry.page()) {
+        (_, Some(page)) => page_of(page).icon,
+        (PaletteGroup::Settings, None) => Icon::GearSix,
+        (PaletteGroup::Open, None) => Icon::FolderOpen,
+        (PaletteGroup::Do | PaletteGroup::Records, None) => Icon::CaretRight,
+    };
+    entry.action().and_then(icon_of).unwrap_or_else(of_page)
+}
+
 /// An entry: its name, what else is to be known of it, and its keys at the right.
 fn entry_ui(
     ui: &mut Ui,
@@ -177,9 +220,14 @@ fn entry_ui(
             ui.disable();
         }
         if let Some(keys) = entry.keys {
-            ui.label(RichText::new(told(ui, keys)).size(sizes().small).color(quiet));
+            // From the right: the last key first.
+            for key in told(ui, keys).rsplit('+') {
+                cap_ui(ui, key);
+            }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let (place, _) = ui.allocate_exact_size(vec2(space(6.0), space(6.0)), Sense::hover());
+            icon(entry).paint(ui.painter(), place.center(), Weight::Regular, space(5.0), quiet);
             let name = RichText::new(&entry.text).size(sizes().body).color(text);
             ui.add(Label::new(name).truncate().selectable(false));
             ui.add(

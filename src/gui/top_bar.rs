@@ -8,6 +8,8 @@ use eframe::egui::{Align2, Frame, Id, Margin, Panel, Rect, RichText, Sense, Stro
 use super::check::grouped;
 use super::key_names::told;
 use super::pages::page_of;
+use super::segments::segments_ui;
+use super::shapes::times;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
@@ -52,6 +54,9 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     let bar = ui.max_rect();
     let page = WindowAction::Open(view.session.page()).text(view.session, view.words);
     ui.label(RichText::new(page).font(theme::bold(sizes().title)));
+    if has_sides(ui) {
+        sides_ui(ui, view);
+    }
     let id = Id::unique("top-bar");
     // The widths of the frames before, by how much was folded.
     let widths: [f32; Fold::ALL.len()] = remembered(ui, id);
@@ -81,6 +86,20 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
         });
         ui.data_mut(|data| data.insert_temp::<[f32; Fold::ALL.len()]>(id, widths));
         ui.ctx().request_repaint();
+    }
+}
+
+/// Whether the sides of a page have room beside its title; else they stand on the page.
+pub(super) fn has_sides(ui: &Ui) -> bool {
+    space(160.0) <= ui.ctx().content_rect().width()
+}
+
+/// The sides of the page that is open, as segments.
+pub(super) fn sides_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let sides = page_of(view.session.page()).sides;
+    if !sides.is_empty() {
+        let width = times(view.width_of(ui, sides).max(space(20.0)), sides.len());
+        segments_ui(ui, view, sides, width);
     }
 }
 
@@ -139,8 +158,9 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
     }
     let name = view.text("top-undo");
     view.icon_button_named(ui, WindowAction::Undo, Icon::ArrowUUpLeft, &name);
+    let action = (page_of(view.session.page()).action)(view);
     if fold < Fold::Buttons {
-        view.button(ui, WindowAction::Import);
+        view.button(ui, action);
     }
     let name = view.text("menu");
     theme::looking(ui, theme::plain, |ui| {
@@ -150,6 +170,9 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
                 ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
             }
             if Fold::Buttons <= fold {
+                view.menu_item(ui, action);
+            }
+            if action != WindowAction::Import.into() {
                 view.menu_item(ui, WindowAction::Import);
             }
             ui.menu_button(view.text("export"), |ui| export_ui(ui, view));

@@ -8,6 +8,7 @@ use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{self, Button, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
+use super::action_icon::icon_of;
 use super::key_names::{is_held, told};
 use super::shapes;
 use super::theme::{self, Icon, Weight, control};
@@ -18,6 +19,9 @@ use crate::session::PartsAction;
 use crate::session::{Action, Command, Session};
 use crate::verdict::{Doubt, Status};
 use crate::words::Words;
+
+/// The size of an icon in a button.
+const ICON: f32 = 18.0;
 
 /// What every panel is given.
 pub(super) struct View<'a> {
@@ -49,7 +53,11 @@ impl View<'_> {
     /// A button with the name of an action.
     pub fn named(&self, action: impl Into<Action>) -> Button<'static> {
         let action = action.into();
-        Button::new(action.text(self.session, self.words))
+        let text = action.text(self.session, self.words);
+        match icon_of(action) {
+            Some(icon) => Button::new((icon.text(Weight::Regular, ICON), text)),
+            None => Button::new(text),
+        }
     }
 
     /// Draws an action as a button.
@@ -64,6 +72,10 @@ impl View<'_> {
         let action = action.into();
         let is_possible = self.session.can(action);
         let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, button));
+        if icon_of(action).is_some() {
+            // The icon is no part of the name.
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(action.text(self.session, self.words)));
+        }
         self.pressed(ui, action, response)
     }
 
@@ -153,7 +165,11 @@ impl View<'_> {
         let palette = theme::palette(ui.ctx());
         let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
         let text = text.font(theme::bold(theme::sizes().body));
-        let response = self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
+        let button = match icon_of(action) {
+            Some(icon) => Button::new((icon.text(Weight::Regular, ICON).color(palette.on_accent.0), text)),
+            None => Button::new(text),
+        };
+        let response = self.button_as(ui, action, button.fill(palette.accent.0).min_size(size));
         if response.has_focus() {
             // The usual ring has the colour of the button.
             let rect = response.rect.expand(1.0);
@@ -169,7 +185,8 @@ impl View<'_> {
         let width = |action: Action| {
             let text = action.text(self.session, self.words);
             let font = theme::bold(theme::sizes().body);
-            ui.painter().layout_no_wrap(text, font, egui::Color32::PLACEHOLDER).size().x
+            let icon = icon_of(action).map_or(0.0, |_| ICON + ui.spacing().icon_spacing);
+            icon + ui.painter().layout_no_wrap(text, font, egui::Color32::PLACEHOLDER).size().x
         };
         let widest = actions.iter().map(|action| width((*action).into())).fold(0.0, f32::max);
         (widest + 2.0 * ui.spacing().button_padding.x).ceil()
@@ -187,6 +204,18 @@ impl View<'_> {
             self.act(action);
             ui.close();
         }
+    }
+
+    /// Three dots that open a menu of what is used less often.
+    pub fn more_ui(&mut self, ui: &mut Ui, content: impl FnOnce(&mut Ui, &mut Self)) {
+        let name = self.text("rail-more");
+        theme::looking(ui, theme::plain, |ui| {
+            ui.spacing_mut().interact_size.y = control(ui);
+            let icon = Icon::DotsThree.text(Weight::Bold, theme::space(5.0));
+            let shown = ui.menu_button(icon, |ui| content(ui, self)).response;
+            shown.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            shown.on_hover_text(name);
+        });
     }
 
     /// Draws an action as one of several choices; returns whether it was taken.

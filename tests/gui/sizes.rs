@@ -54,6 +54,10 @@ const SIZES: [(f32, f32, f32); 13] = [
 const USUAL: [(f32, f32, f32); 4] =
     [(800.0, 600.0, 1.0), (1024.0, 768.0, 1.0), (1280.0, 800.0, 1.0), (1920.0, 1080.0, 1.0)];
 
+/// The sizes that pictures are made at for people to look at.
+const PICTURED: [(f32, f32); 6] =
+    [(800.0, 600.0), (1024.0, 768.0), (1280.0, 800.0), (1920.0, 1080.0), (800.0, 1600.0), (3840.0, 2160.0)];
+
 /// What the window speaks.
 #[derive(Clone, Copy)]
 struct Tongue {
@@ -147,7 +151,11 @@ fn measured(window: &mut Harness<'_, App>, values: &[&str]) {
 /// A picture for people to look at, where they asked for it.
 fn paint(window: &mut Harness<'_, App>, name: &str) {
     let Ok(folder) = std::env::var("PICTURES") else { return };
-    if window.state().session().language().code() != LONGEST {
+    let points = window.ctx.content_rect().size();
+    let pixels = points * window.ctx.zoom_factor();
+    let is_usual = window.ctx.zoom_factor() == if pixels.x < 3000.0 { 1.0 } else { 2.0 };
+    let is_longest = window.state().session().language().code() == LONGEST;
+    if !is_longest || !is_usual || !PICTURED.contains(&(pixels.x.round(), pixels.y.round())) {
         return;
     }
     for (theme, look) in
@@ -260,6 +268,10 @@ fn check_page(size: (f32, f32, f32), tongue: Tongue, least: f32) -> Vec<String> 
     paint(&mut window, &format!("{what} rework"));
     check_frame(&window, points, &what);
     found.extend(faults(&window, tongue, &format!("{what}, rework")));
+    send(&mut window, RecordsCommand::CorrectNumber(5));
+    paint(&mut window, &format!("{what} correction"));
+    found.extend(faults(&window, tongue, &format!("{what}, correction")));
+    send(&mut window, RecordsCommand::Correct(false));
     let word = (tongue.words)(tongue.language).told(&Status::Rework);
     let label = window
         .get_all_by_label(&word)
@@ -365,14 +377,14 @@ fn recorded(window: &mut Harness<'_, App>) {
 /// Whether an answer stands on a page, whatever its size.
 const fn has_verdict(page: Page) -> bool {
     match page {
-        Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget | Page::Parts => true,
-        Page::Tables | Page::Program | Page::Records | Page::Help | Page::Settings => false,
+        Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget => true,
+        Page::Parts | Page::Tables | Page::Program | Page::Records | Page::Help | Page::Settings => false,
     }
 }
 
-/// The pages that are looked at in one state; the check page and the walk have several.
+/// The pages that are looked at in one state; the check page has several, and the walk stands by itself.
 fn other_pages() -> impl Iterator<Item = Page> {
-    Page::ALL.into_iter().filter(|page| !matches!(page, Page::Check | Page::Parts))
+    Page::ALL.into_iter().filter(|page| !matches!(page, Page::Check))
 }
 
 const HOLES: &[u8] = b"id;measured\nH1;25,012\nH2;25,004\nH3;25,001\nH4;25,021\nH5;\n";

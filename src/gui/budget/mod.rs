@@ -24,10 +24,14 @@ use super::over_page::just_opened;
 use super::theme::{Icon, space};
 use super::view::{View, quiet};
 use crate::gui::page::{Group, PageView, ending, open};
-use crate::session::{BudgetView, Command, Purpose};
+use crate::session::{BudgetAction, BudgetView, Command, Purpose};
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Uncertainty, icon: Icon::PlusMinus, ui: budget_ui, opened, dropped };
+pub(super) const PAGE: PageView = PageView {
+    action: |_| BudgetAction::OpenBudget.into(),
+    opened,
+    dropped,
+    ..PageView::of(Group::Uncertainty, Icon::PlusMinus, budget_ui)
+};
 
 /// The budget.
 fn opened(view: &View<'_>) -> Vec<String> {

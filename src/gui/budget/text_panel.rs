@@ -17,7 +17,7 @@ const LEAST_ROWS: usize = 8;
 /// New, open, save.
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
-        for action in [BudgetAction::NewBudget, BudgetAction::OpenBudget, BudgetAction::SaveBudget] {
+        for action in [BudgetAction::NewBudget, BudgetAction::SaveBudget] {
             view.field_button(ui, action);
         }
     });

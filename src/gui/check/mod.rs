@@ -45,7 +45,7 @@ pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 use super::card::close_card_ui;
 use super::columns::{Shape, Side, THREE, area_ui, bar_ui, column_ui, of_height, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
-use super::page::{Group, PageView, measurements};
+use super::page::{Group, PageView};
 use super::records::correction_ui;
 use super::room::is_low;
 use super::theme::{Icon, space};
@@ -64,8 +64,7 @@ const NARROW: f32 = 210.0;
 /// What the verdict takes of a column, so that nothing moves when it comes.
 const VERDICT: f32 = 69.0;
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Measure, icon: Icon::Ruler, ui: check_ui, opened, dropped: measurements };
+pub(super) const PAGE: PageView = PageView { opened, ..PageView::of(Group::Measure, Icon::Ruler, check_ui) };
 
 /// The large file whose rows are listed.
 fn opened(view: &View<'_>) -> Vec<String> {

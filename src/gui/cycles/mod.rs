@@ -31,8 +31,7 @@ use super::verdict_card::least_width;
 use super::view::{View, remembered};
 use crate::session::{Action, Command, CycleField, CyclesCommand};
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Control, icon: Icon::Target, ui: cycles_ui, opened, dropped };
+pub(super) const PAGE: PageView = PageView { opened, dropped, ..PageView::of(Group::Control, Icon::Target, cycles_ui) };
 
 /// The part that is probed.
 fn opened(view: &View<'_>) -> Vec<String> {

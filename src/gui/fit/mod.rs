@@ -26,13 +26,12 @@ use super::over_page::just_opened;
 use super::theme::{Icon, space};
 use super::view::View;
 use crate::gui::limits::feature_id;
-use crate::gui::page::{Group, PageView, measurements, nothing};
+use crate::gui::page::{Group, PageView};
 use crate::message::message;
 use crate::session::FitField;
 use crate::tolerance::Feature;
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Design, icon: Icon::Intersect, ui: fit_ui, opened: nothing, dropped: measurements };
+pub(super) const PAGE: PageView = PageView::of(Group::Design, Icon::Intersect, fit_ui);
 
 /// A part and its class: `Hole H7`. What has been typed may not name a class yet.
 fn part_text(view: &View<'_>, part: Feature) -> String {

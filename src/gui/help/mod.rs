@@ -19,15 +19,14 @@ use eframe::egui::Ui;
 
 use super::columns::{Side, panel_ui, rest_ui};
 use super::keypad::keypad_ui;
-use super::page::{Group, PageView, measurements, nothing};
+use super::page::{Group, PageView};
 use super::theme::{Icon, space};
 use super::view::View;
 
 /// From this width on the topics stand beside the text.
 const BESIDE: f32 = 190.0;
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Foot, icon: Icon::Question, ui: help_ui, opened: nothing, dropped: measurements };
+pub(super) const PAGE: PageView = PageView::of(Group::Foot, Icon::Question, help_ui);
 
 /// Topics and text beside each other where there is room, else one in the place of the other.
 fn help_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -18,7 +18,7 @@ use std::path::Path;
 
 use eframe::egui::{Id, Ui};
 
-use crate::gui::page::{Group, PageView, nothing, open};
+use crate::gui::page::{Group, PageView, open};
 use crate::session::Command;
 use crate::session::PairingCommand;
 use crate::session::Purpose;
@@ -34,7 +34,7 @@ use super::view::View;
 use crate::session::PairingField;
 
 pub(super) const PAGE: PageView =
-    PageView { group: Group::Design, icon: Icon::LinkSimpleHorizontal, ui: pairing_ui, opened: nothing, dropped };
+    PageView { dropped, ..PageView::of(Group::Design, Icon::LinkSimpleHorizontal, pairing_ui) };
 
 /// The page: left what is asked, middle what is seen, right the answer.
 fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -2,13 +2,11 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `head` | above both views: the switch between them, new, open, save |
 //! | `plan_view`, `plan` | the plan as a table |
 //! | `picture` | the part's picture with its balloons |
 //! | `home` | where the focus goes when whatever had it is gone |
 //! | `walk` | the part that is measured, feature by feature |
 
-mod head;
 mod home;
 mod picture;
 mod plan;
@@ -19,20 +17,29 @@ use std::path::Path;
 
 use eframe::egui::Ui;
 
-use super::columns::{Side, bar_ui};
 use super::theme::Icon;
 use super::view::View;
 use crate::gui::page::{Group, PageView, ending, open};
-use crate::session::Command;
-use crate::session::Purpose;
 use crate::session::parts::PartsView;
+use crate::session::{Action, Command, PartsAction, Purpose};
 pub(super) use plan::grid::focus as focus_table;
 pub(super) use plan::grid_id as plan_id;
 #[cfg(test)]
 pub(super) use walk::SIZES;
 pub(super) use walk::sizes_id;
 
-pub(super) const PAGE: PageView = PageView { group: Group::Measure, icon: Icon::Cube, ui: parts_ui, opened, dropped };
+pub(super) const PAGE: PageView =
+    PageView { sides: &SIDES, action, opened, dropped, ..PageView::of(Group::Measure, Icon::Cube, parts_ui) };
+
+const SIDES: [Action; 2] =
+    [Action::Parts(PartsAction::ShowParts(PartsView::Walk)), Action::Parts(PartsAction::ShowParts(PartsView::Plan))];
+
+/// Values for the part that is measured; else a plan.
+fn action(view: &View<'_>) -> Action {
+    let parts = view.session.parts();
+    let is_measured = parts.view == PartsView::Walk && parts.walking.is_begun();
+    if is_measured { PartsAction::ImportValues } else { PartsAction::OpenPlan }.into()
+}
 
 /// The plan, and the serial number of the part that is measured.
 fn opened(view: &View<'_>) -> Vec<String> {
@@ -46,10 +53,6 @@ fn opened(view: &View<'_>) -> Vec<String> {
 fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
     home::home_ui(ui, view);
     let is_walk = view.session.parts().view == PartsView::Walk;
-    // Where there is no room, the head scrolls with the walk: the verdict stays in sight.
-    if !(is_walk && walk::has_head(ui, view)) {
-        bar_ui(ui, view, Side::Top, "parts-head", head::head_ui);
-    }
     if is_walk {
         walk::walk_ui(ui, view);
     } else {

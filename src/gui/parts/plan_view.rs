@@ -9,14 +9,15 @@ use crate::gui::empty::empty_ui;
 use crate::gui::keypad::keypad_ui;
 use crate::gui::theme::space;
 use crate::gui::view::View;
-use crate::session::{Action, PartsAction};
+use crate::session::help::Sample;
+use crate::session::{PartsAction, WindowAction};
 
 /// The least size of a window in which table, picture and faults stand beside each other.
 const ROOM: [f32; 2] = [225.0, 160.0];
 
 pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.parts().document.is_empty() {
-        let actions = [PartsAction::OpenPlan, PartsAction::NewPlan].map(Action::from);
+        let actions = [WindowAction::OpenSample(Sample::Part).into(), PartsAction::NewPlan.into()];
         return rest_ui(ui, view, |ui, view| empty_ui(ui, view, "parts-page-no-plan", &actions));
     }
     keypad_ui(ui, view);

@@ -42,10 +42,14 @@ use crate::session::Command;
 use crate::session::CycleFile;
 use crate::session::Purpose;
 use crate::session::program::Speed;
-use crate::session::{ProgramCommand, ProgramField};
+use crate::session::{ProgramAction, ProgramCommand, ProgramField};
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Control, icon: Icon::FileCode, ui: program_ui, opened, dropped };
+pub(super) const PAGE: PageView = PageView {
+    action: |_| ProgramAction::OpenProgram.into(),
+    opened,
+    dropped,
+    ..PageView::of(Group::Control, Icon::FileCode, program_ui)
+};
 
 /// The program that runs.
 fn opened(view: &View<'_>) -> Vec<String> {

@@ -94,7 +94,6 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     list.accessible_name(name);
-    view.field_button(ui, ProgramAction::OpenProgram);
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {

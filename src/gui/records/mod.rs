@@ -19,7 +19,7 @@ mod record_panel;
 
 use eframe::egui::{Id, Ui};
 
-use crate::gui::page::{Group, PageView, measurements, nothing};
+use crate::gui::page::{Group, PageView};
 pub(super) use correction_panel::correction_ui;
 #[cfg(test)]
 pub(super) use list::COLUMNS;
@@ -34,8 +34,7 @@ use crate::session::Keeping;
 /// From this width on the open record stands beside the list.
 const BESIDE: f32 = 230.0;
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Results, icon: Icon::ListChecks, ui: records_ui, opened: nothing, dropped: measurements };
+pub(super) const PAGE: PageView = PageView::of(Group::Results, Icon::ListChecks, records_ui);
 
 /// The page.
 fn records_ui(ui: &mut Ui, view: &mut View<'_>) {

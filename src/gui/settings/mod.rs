@@ -23,7 +23,7 @@ use super::columns::{Side, rest_ui};
 use super::field;
 use super::keypad::keypad_ui;
 use super::over_page::just_opened;
-use super::page::{Group, PageView, measurements};
+use super::page::{Group, PageView};
 use super::theme::{Icon, space};
 use super::view::View;
 use crate::session::SettingsField;
@@ -34,8 +34,7 @@ const BESIDE: f32 = 180.0;
 /// The width of the sections, in steps of the grid.
 const SECTIONS: f32 = 64.0;
 
-pub(super) const PAGE: PageView =
-    PageView { group: Group::Foot, icon: Icon::GearSix, ui: settings_ui, opened: section, dropped: measurements };
+pub(super) const PAGE: PageView = PageView { opened: section, ..PageView::of(Group::Foot, Icon::GearSix, settings_ui) };
 
 /// Which section is shown.
 fn section(view: &View<'_>) -> Vec<String> {

@@ -21,14 +21,13 @@ use super::keypad::{self, keypad_ui};
 use super::theme::{Icon, space};
 use super::view::View;
 use crate::gui::page::{Group, PageView, open};
-use crate::session::Purpose;
+use crate::session::{Purpose, TablesAction};
 
 pub(super) const PAGE: PageView = PageView {
-    group: Group::Design,
-    icon: Icon::Table,
-    ui: tables_ui,
+    action: |_| TablesAction::OpenTable.into(),
     opened: |view| view.session.tables().shown().iter().map(|document| document.title.clone()).collect(),
     dropped: |_view, path, _number| open(Purpose::OpenTable, path),
+    ..PageView::of(Group::Design, Icon::Table, tables_ui)
 };
 
 /// The page: above which table, middle its cells, right the selected cell.

@@ -1,13 +1,13 @@
 //! Above the cells one row of tools: which table, what is shown of it, and what can be done with it. Below them whether it agrees with ISO 286.
 
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Label, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Label, RichText, Sense, Ui, vec2};
 
 use super::paint;
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::gui::field::{FieldStyle, field_ui};
 use crate::gui::shapes;
-use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
 use crate::message::message;
 use crate::session::TablesAction;
@@ -30,7 +30,6 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(control(ui));
         choice_ui(ui, view);
-        view.field_button(ui, TablesAction::OpenTable);
         theme::looking(ui, theme::tonal, |ui| {
             ui.spacing_mut().interact_size.y = control(ui);
             ui.menu_button(view.text("tables-save"), |ui| {
@@ -64,17 +63,10 @@ fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     }
     if !more.is_empty() {
-        let name = view.text("rail-more");
-        theme::looking(ui, theme::plain, |ui| {
-            ui.spacing_mut().interact_size.y = control(ui);
-            let icon = Icon::DotsThree.text(Weight::Bold, space(5.0));
-            let shown = ui.menu_button(icon, |ui| {
-                for action in more {
-                    view.menu_item(ui, action);
-                }
-            });
-            shown.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
-            shown.response.on_hover_text(name);
+        view.more_ui(ui, |ui, view| {
+            for action in more {
+                view.menu_item(ui, action);
+            }
         });
     }
 }

@@ -97,6 +97,24 @@ impl PaletteEntry {
         }
     }
 
+    /// The action that it does, where it is one.
+    pub const fn action(&self) -> Option<Action> {
+        if let Subject::Action(action) = &self.subject { Some(*action) } else { None }
+    }
+
+    /// The page that it belongs to; `None` where it is a file or belongs to every page.
+    pub fn page(&self) -> Option<Page> {
+        match &self.subject {
+            Subject::Action(Action::Window(WindowAction::Open(page))) => Some(*page),
+            Subject::Action(action) => action.place().page(),
+            Subject::Field(field) => Some(field.page()),
+            Subject::Callout(_) => Some(Page::Check),
+            Subject::Record(_) => Some(Page::Records),
+            Subject::Nothing => Some(Page::Help),
+            Subject::File(..) => None,
+        }
+    }
+
     /// Whether something else can be done with it.
     pub const fn has_more(&self) -> bool {
         !matches!(self.subject, Subject::Nothing)

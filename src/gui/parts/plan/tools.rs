@@ -8,6 +8,9 @@ use crate::message::message;
 use crate::session::PartsAction;
 use crate::session::Step;
 
+/// What is done with the plan as a whole: a new one, writing it as TOML and as CSV.
+const WHOLE: [PartsAction; 3] = [PartsAction::NewPlan, PartsAction::SavePlan(0), PartsAction::SavePlan(1)];
+
 /// What is done with cells.
 const CELLS: [PartsAction; 3] = [PartsAction::EditPlanCell, PartsAction::CopyPlanCells, PartsAction::PastePlanCells];
 
@@ -24,22 +27,41 @@ const ROWS: [PartsAction; 6] = [
 /// The same in one row: what is used less often is in a menu.
 pub(in crate::gui::parts) fn folded_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
-        for action in [PartsAction::UndoPlan, PartsAction::RedoPlan, PartsAction::EditPlanCell] {
+        for action in
+            [PartsAction::SavePlan(0), PartsAction::UndoPlan, PartsAction::RedoPlan, PartsAction::EditPlanCell]
+        {
             view.field_button(ui, action);
         }
         ui.menu_button(view.text("parts-page-more"), |ui| {
+            for action in [PartsAction::NewPlan, PartsAction::SavePlan(1)] {
+                view.menu_item(ui, action);
+            }
+            ui.separator();
             for action in CELLS.into_iter().skip(1).chain(ROWS) {
                 view.menu_item(ui, action);
             }
             view.checkbox(ui, PartsAction::ShowAllColumns);
         });
+        unsaved_ui(ui, view);
     });
+}
+
+/// That the plan has changes that are in no file.
+fn unsaved_ui(ui: &mut Ui, view: &View<'_>) {
+    let document = &view.session.parts().document;
+    if document.is_unsaved() {
+        quiet(ui, view.words.say(&message!("parts-page-not-saved").text("name", document.name())));
+    }
 }
 
 /// The buttons, and how many features there are.
 pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
+        for action in WHOLE {
+            view.field_button(ui, action);
+        }
+        ui.separator();
         for action in [PartsAction::UndoPlan, PartsAction::RedoPlan].into_iter().chain(CELLS).chain(ROWS) {
             let response = view.field_button(ui, action);
             if response.clicked() && action == PartsAction::PastePlanCells {
@@ -56,5 +78,6 @@ pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.checkbox(ui, PartsAction::ShowAllColumns);
         let count = view.session.parts().document.draft().rows.len();
         quiet(ui, view.words.say(&message!("parts-page-features").count("count", count)));
+        unsaved_ui(ui, view);
     });
 }

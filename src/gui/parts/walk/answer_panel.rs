@@ -231,12 +231,14 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
                     });
                 });
             });
-            view.field_button(ui, PartsAction::ImportValues);
-            view.field_button(ui, PartsAction::ImportValuesColumns);
-            view.field_button(ui, PartsAction::WatchFolder);
-            if view.session.parts().watched.folder.is_some() {
-                view.field_button(ui, PartsAction::StopWatch);
+            if walking.asked().is_some() {
+                view.field_button(ui, PartsAction::NextPart);
             }
+            view.more_ui(ui, |ui, view| {
+                for action in [PartsAction::ImportValuesColumns, PartsAction::WatchFolder, PartsAction::StopWatch] {
+                    view.menu_item(ui, action);
+                }
+            });
         });
     });
 }

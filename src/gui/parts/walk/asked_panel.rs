@@ -13,6 +13,7 @@ use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::message;
 use crate::part::{Plan, Size};
+use crate::session::help::Sample;
 use crate::session::{FilesCommand, Purpose};
 use crate::session::{PartsAction, WalkField, WindowAction};
 
@@ -33,7 +34,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         size_ui(ui, view, &asked, &faced);
         steady(ui, "walk-actions", |ui| {
             ui.horizontal_wrapped(|ui| {
-                for action in [PartsAction::SizeAgain, PartsAction::SkipSize, PartsAction::NextPart] {
+                for action in [PartsAction::SizeAgain, PartsAction::SimulateValue] {
                     view.field_button(ui, action);
                 }
             });
@@ -71,6 +72,8 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(plan) = document.plan() else {
         if document.is_empty() || document.is_blank() {
             quiet(ui, view.text("walk-page-no-plan"));
+            view.field_button(ui, WindowAction::OpenSample(Sample::Part));
+            view.field_button(ui, PartsAction::NewPlan);
         } else {
             let count = document.faults();
             problem(ui, view.words.say(&message!("walk-page-plan-wrong").count("count", count)));
@@ -81,6 +84,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, if part.is_empty() { document.name() } else { part.clone() });
     if document.path().is_none() || document.is_unsaved() {
         quiet(ui, view.text("walk-page-not-saved"));
+        view.field_button(ui, PartsAction::SavePlan(0));
     }
     let name = heading(ui, view.text("walk-page-serial"));
     let width = ui.available_width();
@@ -226,10 +230,11 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
     });
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
-        ui.horizontal_wrapped(|ui| {
-            let size = vec2(view.width_of(ui, &[PartsAction::TakeValue]), control(ui));
-            view.main_button(ui, PartsAction::TakeValue, size);
-            view.field_button(ui, PartsAction::SimulateValue);
+        ui.horizontal(|ui| {
+            let skip = view.width_of(ui, &[PartsAction::SkipSize]) + ui.spacing().item_spacing.x;
+            let width = (ui.available_width() - skip).max(view.width_of(ui, &[PartsAction::TakeValue]));
+            view.main_button(ui, PartsAction::TakeValue, vec2(width, control(ui)));
+            view.field_button(ui, PartsAction::SkipSize);
         });
     });
 }

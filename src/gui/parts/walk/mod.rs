@@ -26,10 +26,9 @@ use crate::session::WalkField;
 pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
-use super::head::head_ui;
 use crate::gui::columns::{Page, Shape, THREE, columns_ui, of_height, scaled};
-use crate::gui::room::is_tiny;
 use crate::gui::theme::space;
+use crate::gui::top_bar::{has_sides, sides_ui};
 use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
 use crate::gui::{field, in_turn, keypad};
@@ -45,11 +44,6 @@ const AROUND: f32 = 15.0;
 
 /// The least height of the list below what is asked, steps of space.
 const LIST: f32 = 36.0;
-
-/// Whether the head of the page scrolls with the view, because there is no room for it above.
-pub(super) fn has_head(ui: &Ui, view: &View<'_>) -> bool {
-    is_tiny(ui) || Shape::of(ui, least_width(ui, view), THREE) == Shape::One
-}
 
 /// What a size asks for: its callout, or the deviations of a point.
 fn asked_text(words: &Words, size: &Size<'_>) -> String {
@@ -111,7 +105,7 @@ pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
         left,
         right: if is_wide { space(105.0) } else { space(88.0) },
         three: THREE,
-        head: has_head(ui, view).then_some(head_ui),
+        head: (!has_sides(ui)).then_some(sides_ui),
         asked: if is_picture { asked_over_sizes_ui } else { asked_panel::asked_ui },
         seen: if is_picture { seen_panel::picture_ui } else { seen_panel::list_ui },
         seen_height: if has_picture(view) { space(150.0) } else { space(90.0) },
