@@ -1,6 +1,6 @@
 //! What the plan says of the part as a whole.
 
-use eframe::egui::{Align, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Color32, Layout, RichText, Ui, vec2};
 
 use super::head_id;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
@@ -11,8 +11,17 @@ use crate::session::PartsAction;
 use crate::session::PartsCommand;
 use crate::session::parts::{PlanCommand, PlanField};
 
-/// The width of a field, steps of space.
-const fn width(field: HeadField) -> f32 {
+/// The width of a field: its hint is whole.
+fn width(ui: &Ui, view: &View<'_>, field: HeadField) -> f32 {
+    let hint = hint(field).map_or(0.0, |id| {
+        let font = theme::font(sizes().body);
+        ui.painter().layout_no_wrap(view.text(id), font, Color32::PLACEHOLDER).size().x + space(6.5)
+    });
+    space(steps(field)).max(hint)
+}
+
+/// Its usual width, steps of space.
+const fn steps(field: HeadField) -> f32 {
     match field {
         HeadField::Part | HeadField::Drawing | HeadField::Picture => 27.0,
         HeadField::Material | HeadField::Rule => 21.0,
@@ -39,7 +48,7 @@ pub(in crate::gui::parts) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.allocate_ui_with_layout(row, line, |ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
         for field in HeadField::ALL {
-            let size = space(width(field));
+            let size = width(ui, view, field);
             ui.allocate_ui(vec2(size, row.y), |ui| {
                 ui.vertical(|ui| {
                     ui.spacing_mut().item_spacing.y = 0.0;
