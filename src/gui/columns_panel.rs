@@ -71,8 +71,7 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     });
     ui.horizontal_wrapped(|ui| {
         let size = vec2(view.width_of(ui, &[WindowAction::TakeColumns]), control(ui));
-        let take = view.named(WindowAction::TakeColumns).min_size(size);
-        let mut take = view.button_as(ui, WindowAction::TakeColumns, take);
+        let mut take = view.sized_button(ui, WindowAction::TakeColumns, size);
         if let Some(refusal) = &open.refusal {
             take = take.on_disabled_hover_text(view.words.say(refusal));
         }

@@ -13,8 +13,7 @@ pub(super) fn empty_ui(ui: &mut Ui, view: &mut View<'_>, text: &str, actions: &[
         quiet(ui, view.text(text));
         let size = vec2(view.width_of(ui, actions), control(ui));
         for action in actions {
-            let button = view.named(*action).min_size(size);
-            view.button_as(ui, *action, button);
+            view.sized_button(ui, *action, size);
         }
     });
 }

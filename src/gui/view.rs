@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use std::hash::Hash;
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{self, Button, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
+use eframe::egui::{self, Button, Color32, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
 use super::action_icon::icon_of;
@@ -50,21 +50,9 @@ impl View<'_> {
         self.commands.extend(action.command(self.session));
     }
 
-    /// A button with the name of an action.
-    pub fn named(&self, action: impl Into<Action>) -> Button<'static> {
-        let action = action.into();
-        let text = action.text(self.session, self.words);
-        match icon_of(action) {
-            Some(icon) => Button::new((icon.text(Weight::Regular, ICON), text)),
-            None => Button::new(text),
-        }
-    }
-
     /// Draws an action as a button.
     pub fn button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
-        let action = action.into();
-        let button = self.named(action);
-        self.button_as(ui, action, button)
+        self.sized_button(ui, action, Vec2::ZERO)
     }
 
     /// Draws an action as a button of another look.
@@ -72,11 +60,33 @@ impl View<'_> {
         let action = action.into();
         let is_possible = self.session.can(action);
         let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, button));
-        if icon_of(action).is_some() {
-            // The icon is no part of the name.
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(action.text(self.session, self.words)));
-        }
         self.pressed(ui, action, response)
+    }
+
+    /// Draws an action as a button with its icon and its name; filled with a colour, in the colour of texts on it.
+    fn named_button(&mut self, ui: &mut Ui, action: Action, size: Vec2, filled: Option<[Color32; 2]>) -> Response {
+        let name = action.text(self.session, self.words);
+        let mut text = RichText::new(&name);
+        let mut icon = icon_of(action).map(|icon| icon.text(Weight::Regular, ICON));
+        if let Some([_, on_it]) = filled {
+            text = text.color(on_it).font(theme::bold(theme::sizes().body));
+            icon = icon.map(|icon| icon.color(on_it));
+        }
+        let button = match icon {
+            Some(icon) => Button::new((icon, text)),
+            None => Button::new(text),
+        };
+        let button = match filled {
+            Some([fill, _]) => button.fill(fill),
+            None => button,
+        };
+        // The icon is no part of the name.
+        self.button_as(ui, action, button.min_size(size)).accessible_name(name)
+    }
+
+    /// The same, at least of a size.
+    pub fn sized_button(&mut self, ui: &mut Ui, action: impl Into<Action>, size: Vec2) -> Response {
+        self.named_button(ui, action.into(), size, None)
     }
 
     /// Draws an action as an icon, named under the pointer.
@@ -128,24 +138,21 @@ impl View<'_> {
 
     /// Draws an action as a button as high as a text field.
     pub fn field_button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
-        let action = action.into();
-        let button = self.named(action).min_size(vec2(0.0, control(ui)));
-        self.button_as(ui, action, button)
+        self.sized_button(ui, action, vec2(0.0, control(ui)))
     }
 
     /// The same for an action that is on or off: pressed in while it is on.
     pub fn toggle(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
         let action = action.into();
         let is_on = action.is_on(self.session) == Some(true);
-        let button = self.named(action).selected(is_on).min_size(vec2(0.0, control(ui)));
+        let button =
+            Button::new(action.text(self.session, self.words)).selected(is_on).min_size(vec2(0.0, control(ui)));
         self.button_as(ui, action, button)
     }
 
     /// The same for a dialog: as wide as the others beside it.
     pub fn wide_button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
-        let action = action.into();
-        let button = self.named(action).min_size(vec2(theme::space(24.0), control(ui)));
-        self.button_as(ui, action, button)
+        self.sized_button(ui, action, vec2(theme::space(24.0), control(ui)))
     }
 
     /// The answers to what the page asks, the highlighted one first: Enter gives that one.
@@ -159,17 +166,10 @@ impl View<'_> {
     pub fn main_button(&mut self, ui: &mut Ui, action: impl Into<Action>, size: Vec2) -> Response {
         let action = action.into();
         if self.session.answers().first().is_some_and(|first| *first != action) {
-            let button = self.named(action).min_size(size);
-            return self.button_as(ui, action, button);
+            return self.sized_button(ui, action, size);
         }
         let palette = theme::palette(ui.ctx());
-        let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
-        let text = text.font(theme::bold(theme::sizes().body));
-        let button = match icon_of(action) {
-            Some(icon) => Button::new((icon.text(Weight::Regular, ICON).color(palette.on_accent.0), text)),
-            None => Button::new(text),
-        };
-        let response = self.button_as(ui, action, button.fill(palette.accent.0).min_size(size));
+        let response = self.named_button(ui, action, size, Some([palette.accent.0, palette.on_accent.0]));
         if response.has_focus() {
             // The usual ring has the colour of the button.
             let rect = response.rect.expand(1.0);

@@ -60,8 +60,7 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     let look = FieldStyle::text(space(46.0));
     let before = view.commands.len();
     field_ui(ui, view, RecordsField::Who, name.id, look);
-    let button = view.named(WindowAction::TakeName).min_size(eframe::egui::vec2(0.0, control(ui)));
-    view.button_as(ui, WindowAction::TakeName, button);
+    view.sized_button(ui, WindowAction::TakeName, eframe::egui::vec2(0.0, control(ui)));
     let is_taken = view
         .commands
         .iter()

@@ -301,7 +301,7 @@ fn without_a_plan_there_are_buttons_where_the_text_is() {
     let mut page = Window::default().open();
     page.key_press_modifiers(Modifiers::COMMAND, Key::Num2);
     page.run();
-    click(&mut page, Role::Button, "Plan");
+    click(&mut page, Role::RadioButton, "Plan");
     page.get_by_label("No plan yet: open or create one.");
     let lowest = page.get_all_by_role_and_label(Role::Button, "New plan").map(|node| node.rect().top());
     assert!(100.0 < lowest.fold(0.0, f32::max));
@@ -513,7 +513,7 @@ fn balloons_have_the_verdicts_of_the_walk_and_lead_to_their_features() {
     let walking = &page.state().session().parts().walking;
     assert_eq!(walking.at, Some(1), "the balloon leads to its feature");
     // On the plan they say the same.
-    click(&mut page, Role::Button, "Plan");
+    click(&mut page, Role::RadioButton, "Plan");
     page.get_by_label("Balloon 1, A1, GOOD");
 }
 

@@ -135,6 +135,7 @@ fn twelve_features_are_measured_from_everywhere() {
     // From the watched folder.
     let drops = folder.path().join("drops");
     std::fs::create_dir(&drops).unwrap();
+    click(&mut page, Role::Button, "More");
     click(&mut page, Role::Button, "Watch a folder…");
     type_into(&mut page, "Folder", &drops.display().to_string());
     // The first Enter goes into the folder, the second takes it.
@@ -382,7 +383,7 @@ fn the_part_says_what_is_to_do_and_leads_there() {
 
 /// Where the left edges and tops of some things are.
 fn places(page: &Harnessed) -> Vec<(String, i32, i32)> {
-    let names = ["Report…", "Watch a folder…", "Judge", "Skip", "Import values…"];
+    let names = ["Report…", "More", "Judge", "Skip", "Import values…"];
     let place = |name: &&str| {
         let rect = page.get_by_role_and_label(Role::Button, name).rect();
         let dot = |side: f32| format!("{side:.0}").parse().unwrap();
@@ -445,6 +446,7 @@ fn the_focus_comes_back_to_the_value_and_the_ring_stays_where_it_is() {
     page.get_by_label("values.csv: 1 imported, 1 not");
     press(&mut page, Key::Escape);
     assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    click(&mut page, Role::Button, "More");
     click(&mut page, Role::Button, "Watch a folder…");
     press(&mut page, Key::Escape);
     assert!(has_focus(&page, Role::TextInput, "Measured value"));
@@ -454,11 +456,11 @@ fn the_focus_comes_back_to_the_value_and_the_ring_stays_where_it_is() {
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
     until(&mut page, |page| page.state().session().parts().watched.known.is_some());
-    page.get_by_role_and_label(Role::Button, "Watch a folder…").focus();
+    page.get_by_role_and_label(Role::Button, "Next part").focus();
     page.run();
     put(&drops.join("d.csv"), "name;measured\nC;16.005\n");
     until(&mut page, |page| page.state().session().parts().watched.count == 1);
-    assert!(has_focus(&page, Role::Button, "Watch a folder…"));
+    assert!(has_focus(&page, Role::Button, "Next part"));
 }
 
 #[test]

@@ -75,8 +75,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
         recorded_ui(ui, view, recorded);
     } else if welcomes {
         let sample = WindowAction::OpenSample(Sample::Value);
-        let button = view.named(sample).min_size(vec2(ui.available_width(), control(ui)));
-        view.button_as(ui, sample, button);
+        view.sized_button(ui, sample, vec2(ui.available_width(), control(ui)));
     }
 }
 
@@ -148,8 +147,7 @@ fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &DoubtedText) {
         view.main_button(ui, CheckAction::TakeText, size);
     }
     if doubted.can_stay {
-        let anyway = view.named(CheckAction::KeepText).min_size(size);
-        view.button_as(ui, CheckAction::KeepText, anyway);
+        view.sized_button(ui, CheckAction::KeepText, size);
     }
 }
 

@@ -122,8 +122,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     ui.horizontal(|ui| {
         let clear = view.width_of(ui, &[CheckAction::ClearResult]) + ui.spacing().item_spacing.x;
         view.main_button(ui, CheckAction::Measure, vec2((width - clear).max(width * 0.5), control(ui) + space(2.0)));
-        let button = view.named(CheckAction::ClearResult).min_size(vec2(0.0, control(ui) + space(2.0)));
-        view.button_as(ui, CheckAction::ClearResult, button);
+        view.sized_button(ui, CheckAction::ClearResult, vec2(0.0, control(ui) + space(2.0)));
     });
 }
 

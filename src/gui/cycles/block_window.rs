@@ -32,8 +32,7 @@ pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
         }
         ui.horizontal(|ui| {
             let size = vec2(space(24.0), control(ui));
-            let fill = view.named(CyclesAction::TakeBlock).min_size(size);
-            view.button_as(ui, CyclesAction::TakeBlock, fill);
+            view.sized_button(ui, CyclesAction::TakeBlock, size);
             if ui.add(Button::new(view.text("dialog-cancel")).min_size(size)).clicked() {
                 view.send(CyclesCommand::ShowBlock(false));
             }

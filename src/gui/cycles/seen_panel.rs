@@ -160,8 +160,7 @@ fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
     let buttons_ui = |ui: &mut Ui, view: &mut View<'_>| {
         ui.spacing_mut().item_spacing.x = space(1.0);
         for step in Step::PATH.map(CyclesAction::StepPath) {
-            let button = view.named(step).min_size(vec2(space(14.0), control(ui)));
-            view.button_as(ui, step, button);
+            view.sized_button(ui, step, vec2(space(14.0), control(ui)));
         }
     };
     if ui.available_width() < space(NARROW) {

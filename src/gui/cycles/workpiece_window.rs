@@ -90,8 +90,7 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let size = vec2(space(20.0), control(ui));
         for action in [WorkpieceAction::SuitWorkpiece, WorkpieceAction::OpenWorkpiece, WorkpieceAction::SaveWorkpiece] {
-            let button = view.named(action).min_size(size);
-            view.button_as(ui, action, button);
+            view.sized_button(ui, action, size);
         }
         if ui.add(Button::new(view.text("close")).min_size(size)).clicked() {
             view.send(WorkpieceCommand::Show(false));
