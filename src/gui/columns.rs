@@ -5,6 +5,7 @@
 use std::ops::RangeInclusive;
 
 use eframe::egui::accesskit::{Action, ActionRequest, TreeId};
+use eframe::egui::containers::panel::PanelState;
 use eframe::egui::{
     AsIdSalt, CentralPanel, Event, EventFilter, Frame, Id, Key, Margin, Memory, Panel, Rect, ScrollArea, Ui, vec2,
 };
@@ -22,7 +23,7 @@ const LEAST_ASKED: f32 = 256.0;
 pub(super) const THREE: f32 = 900.0;
 
 /// Between two cards.
-const GAP: i8 = 12;
+pub(super) const GAP: i8 = 12;
 
 /// Draws a part of a page.
 pub(super) type Draw = fn(&mut Ui, &mut View<'_>);
@@ -255,9 +256,20 @@ pub(super) fn area_ui(
     (size, range): (f32, RangeInclusive<f32>),
     content: impl FnOnce(&mut Ui, &mut View<'_>),
 ) {
-    // As egui names the handle of a panel.
-    let handle = ui.scope_id().with(salt).with("__resize");
+    // As egui names a panel and its handle.
+    let id = ui.scope_id().with(salt);
+    let handle = id.with("__resize");
     arrows(ui, handle, side.arrows());
+    let is_moved = is_moved(ui, handle);
+    if let Some(PanelState { outer_rect }) = PanelState::load(ui.ctx(), id).filter(|_| !is_moved) {
+        // egui keeps what a small window or long words made of it; here it keeps what the user made of it.
+        let wanted = kept_size(ui, salt, (size, range.clone()));
+        let outer_rect = match side {
+            Side::Left | Side::Right => Rect::from_min_size(outer_rect.min, vec2(wanted, outer_rect.height())),
+            Side::Top | Side::Bottom => Rect::from_min_size(outer_rect.min, vec2(outer_rect.width(), wanted)),
+        };
+        ui.data_mut(|data| data.insert_persisted(id, PanelState { outer_rect }));
+    }
     let panel = match side {
         Side::Left => Panel::left(salt),
         Side::Right => Panel::right(salt),
@@ -265,11 +277,16 @@ pub(super) fn area_ui(
         Side::Bottom => Panel::bottom(salt),
     };
     let panel = panel.resizable(true).show_separator_line(false).frame(Frame::new().inner_margin(side.gap()));
-    panel.default_size(size).size_range(range).show(ui, |ui| {
+    let shown = panel.default_size(kept_size(ui, salt, (size, range.clone()))).size_range(range).show(ui, |ui| {
         // A panel is as large as what is in it.
         ui.set_min_size(ui.available_size());
         content(ui, view);
     });
+    if is_moved {
+        let size = shown.response.rect.size();
+        let size = if matches!(side, Side::Left | Side::Right) { size.x } else { size.y };
+        ui.data_mut(|data| data.insert_persisted(kept_id(salt), size));
+    }
     ui.ctx().accesskit_node_builder(handle, |node| node.set_label(view.text("edge")));
     if let Some(edge) = ui.ctx().read_response(handle).filter(|_| ui.memory(|memory| memory.has_focus(handle))) {
         let rect = edge.rect.shrink2(edge.rect.size() * vec2(0.3, 0.0));
@@ -278,6 +295,26 @@ pub(super) fn area_ui(
         let line = Rect::from_center_size(thin.center(), line);
         ui.ctx().debug_painter().rect_filled(line, 1.0, palette(ui.ctx()).focus.0);
     }
+}
+
+fn kept_id(salt: impl AsIdSalt) -> Id {
+    Id::unique(("kept-size", salt))
+}
+
+/// The size of a panel: what the user made of it, as far as there is room; else the usual one.
+pub(super) fn kept_size(ui: &Ui, salt: impl AsIdSalt, (usual, range): (f32, RangeInclusive<f32>)) -> f32 {
+    let kept = ui.data_mut(|data| data.get_persisted::<f32>(kept_id(salt)));
+    kept.unwrap_or(usual).clamp(*range.start(), range.end().max(*range.start()))
+}
+
+/// Whether the user moves an edge in this frame: with the pointer, with a key, or through a screen reader.
+fn is_moved(ui: &Ui, handle: Id) -> bool {
+    let is_step = |event: &Event| {
+        matches!(event, Event::AccessKitActionRequest(request) if request.target_node == handle.accesskit_id()
+            && matches!(request.action, Action::Increment | Action::Decrement | Action::SetValue))
+    };
+    let is_dragged = ui.ctx().read_response(handle).is_some_and(|edge| edge.dragged() || edge.drag_stopped());
+    is_dragged || ui.input(|input| input.events.iter().any(is_step))
 }
 
 /// Passes arrow keys on to the handle of a panel, as a screen reader would move it.

@@ -136,6 +136,10 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
         field.request_focus();
         select_all(ui.ctx(), id, &path);
     }
+    // After a click on a file Enter takes it, as after typing its name.
+    if dialog.exists.is_none() && ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
     // There is nothing to delete: the key goes back.
     if field.has_focus() && dialog.path.is_empty() && ui.input(|input| input.key_pressed(Key::Backspace)) {
         view.act(FilesAction::FolderUp);

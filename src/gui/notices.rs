@@ -89,6 +89,10 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         let button = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
         view.button_as(ui, undo, button);
     }
+    if let Some(page) = notice.page.filter(|page| *page != view.session.page()) {
+        let button = Button::new(view.text("notice-show")).min_size(vec2(space(24.0), control(ui)));
+        view.button_as(ui, WindowAction::Open(page), button);
+    }
     if notice.records {
         view.wide_button(ui, WindowAction::RecordAgain);
     }

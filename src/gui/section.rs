@@ -61,18 +61,19 @@ impl Section<'_> {
         let text = |text: &str, size: f32, colour: Color32| {
             ui.painter().layout_no_wrap(text.to_owned(), theme::font(size), colour)
         };
-        let name = text(name, sizes().body, palette.text.0);
+        // A long name has more lines, so that it does not cover the caret.
+        let room = ui.available_width() - space(6.5 + 4.0);
+        let name = ui.painter().layout(name.to_owned(), theme::font(sizes().body), palette.text.0, room);
         let name_height = name.size().y;
         let mut value = text(&self.value, sizes().small, palette.quiet.0);
         let beside = space(6.5) + name.size().x + space(6.0) + value.size().x;
         // What is in force is said whole: below the name where there is no room beside it.
         let is_below = ui.available_width() < beside && !self.value.is_empty();
         if is_below {
-            let room = ui.available_width() - space(6.5 + 4.0);
             value = ui.painter().layout(self.value.clone(), theme::font(sizes().small), palette.quiet.0, room);
         }
         let more = if is_below { value.size().y } else { 0.0 };
-        let size = vec2(ui.available_width(), control(ui).max(space(8.5)) + more);
+        let size = vec2(ui.available_width(), control(ui).max(space(8.5)).max(name_height + space(2.0)) + more);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         let painter = ui.painter();
         let fill = if response.hovered() { palette.hover.0 } else { Color32::TRANSPARENT };
@@ -94,6 +95,10 @@ impl Section<'_> {
         };
         painter.galley(anchor.anchor_size(at, value.size()).min, value, palette.quiet.0);
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, said));
+        if response.clicked() {
+            // Tab goes on from here.
+            response.request_focus();
+        }
         response.on_hover_text(said).clicked()
     }
 }

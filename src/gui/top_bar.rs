@@ -280,6 +280,14 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     ui.menu_button(view.text("density"), |ui| choices_ui(ui, view, Density::ALL.map(WindowAction::UseDensity)));
     ui.menu_button(view.text("limits-from"), |ui| {
+        // Own tables are asked before any of what stands below.
+        let own = view.session.sources().own();
+        if !own.is_empty() {
+            let names: Vec<&str> = own.iter().map(|table| table.name()).collect();
+            quiet(ui, view.words.say(&message!("limits-own-first").text("names", names.join(", "))));
+            view.menu_item(ui, WindowAction::NoOwnTables);
+            ui.separator();
+        }
         choices_ui(ui, view, Base::ALL.map(WindowAction::UseSource));
         ui.separator();
         view.checkbox(ui, WindowAction::RoundJs);

@@ -9,7 +9,7 @@ use fitcheck::gui::App;
 use fitcheck::session::{CheckCommand, CheckField, Command, Field, FitField, MeasureBy, Page};
 use fitcheck::words::Language;
 
-use crate::harness::{Window, check, type_into, unfold, verdict, window};
+use crate::harness::{Window, check, scan, type_into, unfold, verdict, window};
 
 #[test]
 fn a_value_inside_the_limits_is_good() {
@@ -395,4 +395,28 @@ fn one_part_of_a_fit_is_checked() {
     assert!(verdict(&window).starts_with("GOOD. 24.990 mm"), "{}", verdict(&window));
     let record = window.state().session().history().iter().next().unwrap();
     assert_eq!(record.callout.map(|callout| callout.to_string()), Some("25 g6".to_owned()));
+}
+
+#[test]
+fn enter_in_the_callout_leads_to_the_value() {
+    let mut window = window();
+    scan(&mut window, "20 h6⏎");
+    assert_eq!(window.state().session().text(CheckField::Callout), "20 h6");
+    window.get_by_label_contains("Type the measured value");
+    scan(&mut window, "19.992⏎");
+    assert_eq!(window.state().session().text(CheckField::Callout), "20 h6");
+    assert!(verdict(&window).starts_with("GOOD. 19.992 mm"), "{}", verdict(&window));
+}
+
+#[test]
+fn the_field_of_the_value_stands_still_whatever_the_callout_says() {
+    let mut window = window();
+    let top = |window: &Harness<'_, App>| {
+        window.get_by_role_and_label(Role::TextInput, "Measured value").rect().top().round()
+    };
+    let first = top(&window);
+    for callout in ["25 H7", "20 h6", "18 ±0.02", "25 Q99", ""] {
+        type_into(&mut window, "Callout", callout);
+        assert_eq!(top(&window), first, "{callout}");
+    }
 }

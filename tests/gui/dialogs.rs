@@ -60,6 +60,25 @@ fn bad_rows_are_listed_and_good_rows_are_kept() {
 }
 
 #[test]
+fn a_file_of_measurements_says_how_many_are_what_and_leads_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("parts.csv");
+    put(&path, "id,callout,measured\nA1,25 H7,25.012\nA2,25 H7,25.030\nA3,25 H7,24.998\nA4,25 H7,25.001\n");
+    let mut window = window();
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, Command::OpenPage(Page::Fit));
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Import…").click();
+    window.run();
+    type_path(&mut window, "File", &path);
+    window.get_by_label_contains("parts.csv: 4 checks, no rows refused. GOOD 2, REWORK 1, SCRAP 1");
+    window.get_by_role_and_label(Role::Button, "Show").click();
+    window.run();
+    assert_eq!(window.state().session().page(), Page::Check);
+    assert!(window.query_by_role_and_label(Role::Button, "Show").is_none());
+}
+
+#[test]
 fn a_typed_folder_is_listed_and_a_missing_file_is_refused_in_the_dialog() {
     let folder = tempfile::tempdir().unwrap();
     put(&folder.path().join("parts.csv"), "id,callout,measured\n");

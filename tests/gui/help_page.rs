@@ -258,6 +258,7 @@ fn samples_open_from_the_contents_and_are_no_recent_files() {
     click(&mut window, Role::Button, "Open a sample file");
     assert_eq!(page(&window), Page::Check);
     assert_eq!(window.state().session().history().len(), 12);
+    window.get_by_label("A sample is not recorded.");
     send(&mut window, Command::OpenPage(Page::Help));
     click(&mut window, Role::Button, "Open a sample program");
     assert_eq!(page(&window), Page::Program);

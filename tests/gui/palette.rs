@@ -48,6 +48,16 @@ fn what_comes_behind_enter_in_one_frame_is_the_measured_value() {
 }
 
 #[test]
+fn a_callout_with_a_value_is_judged_at_once() {
+    for (typed, said) in [("25 H7 25.013", "GOOD. 25.013 mm"), ("20 h6 20,005", "REWORK. 20.005 mm")] {
+        let mut window = opened();
+        scan(&mut window, &format!("{typed}⏎"));
+        assert!(verdict(&window).starts_with(said), "{typed}: {}", verdict(&window));
+        assert_eq!(window.state().session().page(), Page::Check);
+    }
+}
+
+#[test]
 fn arrows_choose_and_a_click_does_what_an_entry_stands_for() {
     let mut window = opened();
     scan(&mut window, "budget");

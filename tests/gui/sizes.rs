@@ -271,6 +271,11 @@ fn check_page(size: (f32, f32, f32), tongue: Tongue, least: f32) -> Vec<String> 
     paint(&mut window, &format!("{what} rework"));
     check_frame(&window, points, &what);
     found.extend(faults(&window, tongue, &format!("{what}, rework")));
+    let why = (tongue.words)(tongue.language).get("why");
+    let is_whole = |text: &Drawn| text.said.trim() == why && text.clip.expand(0.6).contains_rect(text.rect);
+    if !texts(&window).iter().any(is_whole) {
+        found.push(format!("{what}, rework: the foot of the card is cut"));
+    }
     let word = (tongue.words)(tongue.language).told(&Status::Rework);
     let label = window
         .get_all_by_label(&word)

@@ -336,6 +336,16 @@ import-notice = { $name }: { $good ->
     [one] 1 row refused
    *[other] { $bad } rows refused
 }
+import-counted = { $file }. { $counts }
+import-counts = { status-good } { $good }, { status-rework } { $rework }{ $again ->
+    [0] { "" }
+   *[other] , { status-re-measure } { $again }
+}, { status-scrap } { $scrap }
+notice-show = Show
+sample-not-recorded = A sample is not recorded.
+limits-own-first = First from own tables: { $names }
+limits-own-stay = Own tables are still asked first: { $names }. Menu, Limits from, stops using them.
+measured-needs-value = Type the measured value
 measured-needs-limits = No limits to judge by: type a callout first
 
 keypad = Keypad
@@ -533,6 +543,7 @@ palette-records-of = Records of { $what }
 palette-show-setting = Show on the settings page
 palette-more = What else with it
 palette-back = Back to what was found
+palette-check-value = Check { $callout } with { $value }
 palette-check = Check { $callout }
 palette-nothing = Nothing has this name
 palette-hint = A callout, a page, a command or a file

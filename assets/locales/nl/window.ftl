@@ -336,6 +336,16 @@ import-notice = { $name }: { $good ->
     [one] 1 rij geweigerd
    *[other] { $bad } rijen geweigerd
 }
+import-counted = { $file }. { $counts }
+import-counts = { status-good } { $good }, { status-rework } { $rework }{ $again ->
+    [0] { "" }
+   *[other] , { status-re-measure } { $again }
+}, { status-scrap } { $scrap }
+notice-show = Tonen
+sample-not-recorded = Een voorbeeld wordt niet vastgelegd.
+limits-own-first = Eerst uit eigen tabellen: { $names }
+limits-own-stay = Eigen tabellen gaan nog steeds voor: { $names }. Met Menu, Grensmaten uit, worden ze niet meer gebruikt.
+measured-needs-value = Typ de gemeten waarde
 measured-needs-limits = Geen grensmaten om aan te toetsen: typ eerst een passing
 
 keypad = Toetsenblok
@@ -533,6 +543,7 @@ palette-records-of = { $what } in het logboek
 palette-show-setting = Tonen op de instellingenpagina
 palette-more = Wat kan hier nog meer mee
 palette-back = Terug naar wat gevonden is
+palette-check-value = { $callout } controleren met { $value }
 palette-check = { $callout } controleren
 palette-nothing = Niets heet zo
 palette-hint = Een maat met passing, een pagina, een opdracht of een bestand

@@ -100,7 +100,7 @@ mod zoom;
 use std::path::Path;
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use jiff::civil::DateTime;
 
 pub use action::{Action, WindowAction, WorkpieceAction};
@@ -480,6 +480,10 @@ impl Session {
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
             Command::UseSource(base) => {
                 let sources = shared.sources.as_ref().clone().with_base(base, shipped_tables);
+                let names: Vec<_> = sources.own().iter().map(|table| table.name()).collect();
+                if !names.is_empty() {
+                    shared.note(message!("limits-own-stay").text("names", names.join(", ")), Vec::new());
+                }
                 shared.use_sources(sources);
             }
             Command::SetStandard(options) => {

@@ -7,6 +7,7 @@ use fitcheck_core::message::Message;
 
 use super::columns::NoticeColumns;
 use super::history::ChangeId;
+use super::page::Page;
 use super::saved::Saved;
 
 /// A notice, shown until it is closed.
@@ -28,6 +29,8 @@ pub struct Notice {
     pub records: bool,
     /// The file whose columns it tells of.
     pub columns: Option<NoticeColumns>,
+    /// The page that shows what it tells of.
+    pub page: Option<Page>,
 }
 
 impl Notice {
@@ -42,6 +45,7 @@ impl Notice {
             before: None,
             records: false,
             columns: None,
+            page: None,
         }
     }
 

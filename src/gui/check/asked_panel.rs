@@ -1,6 +1,6 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
-use eframe::egui::{Align, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
+use eframe::egui::{Align, Color32, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
 
 use super::field_pairs::pairs_ui;
 use crate::gui::check::record_panel::record_ui;
@@ -8,9 +8,10 @@ use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
+use crate::gui::room::is_low;
 use crate::gui::section::Section;
 use crate::gui::segments::segments_ui;
-use crate::gui::theme::{Icon, control, sizes, space};
+use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
 use crate::session::{CheckAction, WindowAction};
@@ -20,12 +21,15 @@ use crate::tolerance::{Feature, Limits, Source};
 /// The panel's content: what is asked, and below it what an engineer sets, folded.
 pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
+    let top = ui.cursor().top();
     let features = callout_ui(ui, view);
     ui.add_space(space(1.0));
     match view.session.check().asked.limits.as_ref() {
-        Some(limits) => limits_ui(ui, view, limits),
+        Some(limits) => limits_ui(ui, view, limits, features.is_none()),
         None => no_limits_ui(ui, view),
     }
+    // The field of the value stands still, whatever the callout says.
+    ui.add_space((room_of_callout(ui) - (ui.cursor().top() - top)).max(0.0));
     ui.add_space(space(1.0));
     let size = vec2(ui.available_width(), sizes().small * 1.4 + control(ui) + space(1.0));
     let (size_and_class, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -41,6 +45,20 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     worth_ui(ui, view);
     part_ui(ui, view);
     record_ui(ui, view);
+}
+
+/// The height of the callout and the limits that it usually has. Where the window is low nothing is kept free.
+fn room_of_callout(ui: &Ui) -> f32 {
+    if is_low(ui) {
+        return 0.0;
+    }
+    let line =
+        |size: f32| ui.painter().layout_no_wrap("0".to_owned(), theme::font(size), Color32::PLACEHOLDER).size().y;
+    // A name, or the choice between hole and shaft.
+    let feature = ui.spacing().interact_size.y;
+    let callout = line(sizes().small) + FieldStyle::callout(ui).height.max(control(ui));
+    let gaps = ui.spacing().item_spacing.y * 6.0 + space(1.0);
+    callout + feature + 2.0 * line(sizes().limits) + line(sizes().small) + gaps
 }
 
 /// The callout; returns the room for hole and shaft, where it does not say which.
@@ -61,7 +79,6 @@ fn feature_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     // A child leaves the cursor of the panel where it is: below the value.
     let ui = &mut ui.new_child(row);
     for feature in [Feature::Hole, Feature::Shaft] {
-        feature_picture(ui, feature, space(6.0));
         let chosen = view.session.check().feature() == Some(feature);
         let is_chosen = ui.radio(chosen, view.text(feature_id(feature))).clicked();
         if is_chosen && !ui.input(|input| input.key_pressed(Key::Enter)) {
@@ -71,13 +88,16 @@ fn feature_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     }
 }
 
-fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = 0.0;
-        feature_picture(ui, limits.feature, space(6.0));
-        ui.label(view.text(feature_id(limits.feature)));
-        quiet(ui, view.words.say(&message!("nominal-is").number("nominal", limits.nominal)));
-    });
+/// The limits; the feature by its name where it is not chosen above.
+fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits, names_feature: bool) {
+    if names_feature {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().interact_size.y = 0.0;
+            feature_picture(ui, limits.feature, space(6.0));
+            ui.label(view.text(feature_id(limits.feature)));
+            quiet(ui, view.words.say(&message!("nominal-is").number("nominal", limits.nominal)));
+        });
+    }
     limits::limits_ui(ui, view, limits);
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
         let by = limits.deviations.minus(standard);

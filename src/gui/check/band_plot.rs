@@ -397,16 +397,23 @@ impl Drawing<'_> {
             if width + space(5.0) < (x - limit).abs() {
                 self.dimension(x, limit, y, &text, ground);
             } else {
-                // Beside the limit where there is no room between: outside it, or on the far side within it.
+                // Where there is no room between, the number stands beyond the limit, or beyond a value outside; never at the other
+                // side of the value, where it would be read as the other distance.
                 self.dimension(x, limit, y, "", ground);
-                let is_left = if is_outside { limit < x } else { x < limit };
+                let end = if is_outside { x } else { limit };
+                let is_left = if is_outside { x < limit } else { limit < x };
+                let room = if is_left { end - self.frame.left() } else { self.frame.right() - end };
+                let (end, is_left) = if width + space(4.0) <= room {
+                    (end, is_left)
+                } else {
+                    (if is_outside { limit } else { x }, !is_left)
+                };
                 let anchor = if is_left { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
-                let beside = if is_outside { limit } else { x };
-                let at = pos2(beside + if is_left { -space(2.0) } else { space(2.0) }, y);
-                let galley = self.painter.layout_no_wrap(text, theme::bold(sizes().small), self.palette.zone_edge.0);
+                let at = pos2(end + if is_left { -space(3.0) } else { space(3.0) }, y);
+                let galley = self.painter.layout_no_wrap(text, theme::bold(sizes().small), self.palette.text.0);
                 let rect = anchor.anchor_size(at, galley.size());
-                self.painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, self.palette.zone.0);
-                self.painter.galley(rect.min, galley, self.palette.zone_edge.0);
+                self.painter.rect_filled(rect.expand2(vec2(4.0, 1.0)), 4.0, self.palette.surface.0);
+                self.painter.galley(rect.min, galley, self.palette.text.0);
             }
         }
     }

@@ -43,7 +43,7 @@ pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
 use super::card::close_card_ui;
-use super::columns::{Shape, Side, THREE, area_ui, bar_ui, column_ui, of_height, panel_ui, rest_ui};
+use super::columns::{GAP, Shape, Side, THREE, area_ui, bar_ui, column_ui, kept_size, of_height, panel_ui, rest_ui};
 use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView};
 use super::records::correction_ui;
@@ -124,8 +124,7 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     let welcomes = view.session.welcomes();
     let verdict = least.max((size.x * 0.35).min(space(78.0)));
     let sizes = (verdict, least..=(size.x * 0.6).max(least));
-    let needed = answer_panel::height_in(ui, view, verdict);
-    let row = needed.max(space(VERDICT)) + space(3.0);
+    let row = row_of_verdict(ui, view, "check-verdict", (verdict, sizes.1.clone())).max(space(VERDICT) + space(3.0));
     if row + space(40.0) < size.y {
         row_ui(ui, view, "check-answer", row, |ui, view| {
             area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
@@ -160,6 +159,13 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     }
 }
 
+/// The height of the row in which the whole answer has room, in the panel of a name.
+fn row_of_verdict(ui: &Ui, view: &View<'_>, salt: &str, sizes: (f32, RangeInclusive<f32>)) -> f32 {
+    // As wide as the card will be: the words of a wider one are larger, those of a narrower one break.
+    let width = kept_size(ui, salt, sizes) - f32::from(GAP);
+    answer_panel::height_in(ui, view, width) + f32::from(GAP)
+}
+
 /// A wide window: what is asked, what is seen, and the answer over the history.
 fn wide_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     if space(ULTRA_WIDE) <= ui.available_width() {
@@ -177,7 +183,8 @@ fn columns_of_three_ui(ui: &mut Ui, view: &mut View<'_>, least: f32, has_history
     panel_ui(ui, view, Side::Left, "check-asked-wide", sizes, asked_ui);
     let answer = least.max(space(122.0));
     let most = (ui.available_width() - space(100.0)).max(answer);
-    let row = space(94.0 + 3.0).min(ui.available_height() * 0.5);
+    let row = row_of_verdict(ui, view, "check-answer-wide", (answer, least..=most));
+    let row = space(94.0 + 3.0).min(ui.available_height() * 0.5).max(row);
     if view.session.welcomes() && has_history {
         row_ui(ui, view, "check-first-wide", row, |ui, view| {
             area_ui(ui, view, Side::Right, "check-answer-wide", (answer, least..=most), verdict_ui);
@@ -281,9 +288,10 @@ fn below_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
 /// A window on its side: the verdict beside the band, what is asked beside the rest.
 fn tall_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     history_below_ui(ui, view);
-    row_ui(ui, view, "check-tall", space(VERDICT), |ui, view| {
-        let width = ui.available_width();
-        let sizes = (least.max(width * 0.4), least..=least.max(width * 0.65));
+    let width = ui.available_width();
+    let sizes = (least.max(width * 0.4), least..=least.max(width * 0.65));
+    let row = row_of_verdict(ui, view, "check-tall-answer", sizes.clone()).max(space(VERDICT));
+    row_ui(ui, view, "check-tall", row, |ui, view| {
         area_ui(ui, view, Side::Right, "check-tall-answer", sizes, verdict_ui);
         rest_ui(ui, view, band_card_ui);
     });

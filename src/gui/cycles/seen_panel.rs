@@ -176,9 +176,17 @@ fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
 
 fn slider_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
     let mut number = step + 1;
-    ui.spacing_mut().slider_width = (ui.available_width() - space(4.0)).max(space(8.0));
-    let slider = Slider::new(&mut number, 1..=count).show_value(false);
-    let slider = ui.add_enabled(1 < count, slider).accessible_name(view.text("cycles-move"));
+    ui.spacing_mut().slider_width = (ui.available_width() - space(4.0)).max(space(20.0));
+    let edge = palette(ui.ctx()).edge.0;
+    let slider = Slider::new(&mut number, 1..=count).show_value(false).trailing_fill(true);
+    let slider = ui
+        .scope(|ui| {
+            // The rail has the colour of an edge: it has none of its own.
+            ui.visuals_mut().widgets.inactive.bg_fill = edge;
+            ui.add_enabled(1 < count, slider)
+        })
+        .inner
+        .accessible_name(view.text("cycles-move"));
     if slider.changed() {
         view.send(CyclesCommand::StepTo(number.saturating_sub(1)));
     }

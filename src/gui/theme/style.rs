@@ -15,6 +15,8 @@ pub fn install(ctx: &Context) {
     for theme in [Theme::Light, Theme::Dark] {
         ctx.set_style_of(theme, style(theme, false));
     }
+    // As desktops have it; the library's 0.3 s are short for a hand in a glove.
+    ctx.options_mut(|options| options.input_options.max_double_click_delay = 0.5);
 }
 
 fn fonts() -> FontDefinitions {

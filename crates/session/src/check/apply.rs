@@ -433,6 +433,10 @@ impl CheckPage {
             Err((field, problem)) => {
                 // A typed value has its error beside it, in sight.
                 self.refusal = Some(problem.clone()).filter(|_| self.by == MeasureBy::Simulating);
+                if field == CheckField::Measured && self.text(field).trim().is_empty() {
+                    // What is typed next is the value, and not the callout once more.
+                    self.errands.push(Effect::Focus(field.into()));
+                }
                 return self.asked.refuse(field, problem);
             }
         };

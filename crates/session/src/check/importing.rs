@@ -6,7 +6,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::measurement::measure_contacts;
 use fitcheck_core::probing::{Contact, Origin};
-use fitcheck_core::verdict::{AxisPosition, PositionVerdict};
+use fitcheck_core::verdict::{AxisPosition, PositionVerdict, Status};
 use fitcheck_exchange::exchange::Imported;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::FileRole;
@@ -16,7 +16,9 @@ use super::measuring::{length, record};
 use super::worth::RuleFields;
 use super::{CheckField, CheckPage, Lot};
 use crate::budget::OpenBudget;
+use crate::help::Sample;
 use crate::notice::Notice;
+use crate::page::Page;
 use crate::recording::used;
 use crate::shared::Shared;
 use crate::state::PageState as _;
@@ -78,6 +80,15 @@ impl CheckPage {
                 return;
             }
         }
+        if let Some(counts) = counts(&imported.records) {
+            let of_rows = std::mem::replace(&mut notice.message, message!("import-counted"));
+            notice.message = message!("import-counted").message("file", of_rows).message("counts", counts);
+        }
+        notice.page = Some(Page::Check);
+        let is_sample = file.as_ref().is_some_and(|file| Sample::is_measured_in(&file.name, file.sha256));
+        if is_sample {
+            notice.details.push(message!("sample-not-recorded"));
+        }
         shared.notices.push(notice);
         let records: Vec<_> = std::mem::take(&mut imported.records).into_iter().map(Arc::new).collect();
         let is_lot = 1 < imported.rows && !(records.is_empty() && imported.unjudged.is_empty());
@@ -91,7 +102,9 @@ impl CheckPage {
         if !records.is_empty() {
             shared.history.add(records.clone());
             shared.note_change();
-            self.keep(first, (&records, &imported.labels), file.as_ref(), shared);
+            if !is_sample {
+                self.keep(first, (&records, &imported.labels), file.as_ref(), shared);
+            }
         }
         if is_lot {
             self.show_of_lot(shared);
@@ -106,6 +119,14 @@ impl CheckPage {
             self.show(id, shared);
         }
     }
+}
+
+/// How many rows have which verdict; nothing for one row, whose verdict is shown.
+fn counts(records: &[Record]) -> Option<Message> {
+    let count = |status| records.iter().filter(|record| record.verdict.status() == status).count();
+    let [good, rework, again, scrap] = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].map(count);
+    let counts = message!("import-counts").count("good", good).count("rework", rework).count("again", again);
+    (1 < records.len()).then(|| counts.count("scrap", scrap))
 }
 
 /// The notice about an imported file: how many checks, and every row that could not be used.

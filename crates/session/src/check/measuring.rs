@@ -56,7 +56,10 @@ pub(super) fn record(
 }
 
 fn typed(asked: &CheckInputs) -> Result<Measurement, Refusal> {
-    Ok(Measurement::of_diameter(length(asked, CheckField::Measured)?, Origin::Typed))
+    // An empty field is no mistake: the callout was typed, and the value comes next.
+    let missing = || asked.error(CheckField::Measured).cloned().unwrap_or_else(|| message!("measured-needs-value"));
+    let measured = asked.length(CheckField::Measured).ok_or_else(|| (CheckField::Measured, missing()))?;
+    Ok(Measurement::of_diameter(measured, Origin::Typed))
 }
 
 /// The value of a field that must hold one.

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_shipped as shipped;
 
 use crate::purpose::Purpose;
@@ -12,11 +13,11 @@ const FOLDER: &str = "fitcheck:samples";
 /// Something to try the program with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Sample {
-    /// One measured value, marked as simulated.
+    /// One measured value, marked as simulated and not recorded.
     Value,
     /// A plan with a picture.
     Part,
-    /// A file of measurements. Its values are marked as simulated: they are recorded as any others are.
+    /// A file of measurements. Its values are marked as simulated, and are not recorded.
     File,
     /// An NC program that measures.
     Program,
@@ -44,6 +45,14 @@ impl Sample {
     /// The path that it is read from.
     pub fn path(self) -> PathBuf {
         Path::new(FOLDER).join(self.row().1)
+    }
+
+    /// Whether a file of measurements is a sample: by its bytes, so that a file of the same name is not taken for one.
+    pub(crate) fn is_measured_in(name: &str, sha256: Hash) -> bool {
+        [Self::Value, Self::File].into_iter().any(|sample| {
+            let is_its = |bytes| Hash::of_file(bytes) == sha256;
+            sample.row().1 == name && Self::bytes_at(&sample.path()).is_some_and(is_its)
+        })
     }
 
     /// The bytes at a path of a sample, or of what lies beside one; `None` for any other path.

@@ -226,16 +226,35 @@ fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -
 
 /// The entry of a callout: the check page checks it, with the limits that it has now.
 pub(super) fn of_callout(query: &str, session: &Session, words: &Words) -> Option<PaletteEntry> {
-    let callout: Callout = query.trim().parse().ok()?;
+    let query = query.trim();
+    // A value may follow: it is judged at once.
+    let with_value = || {
+        let (callout, value) = query.rsplit_once(char::is_whitespace)?;
+        let is_number = value.starts_with(|c: char| c.is_ascii_digit())
+            && value.chars().all(|c| c.is_ascii_digit() || c == '.' || c == ',');
+        Some((callout.parse::<Callout>().ok()?, is_number.then_some(value)?))
+    };
+    let (callout, value) = match query.parse::<Callout>() {
+        Ok(callout) => (callout, None),
+        Err(_) => with_value().map(|(callout, value)| (callout, Some(value)))?,
+    };
     let limits = session.sources().limits(&callout, callout.feature()).ok()?;
     let range = format!("{} … {}", words.mm(limits.minimum(), 3), words.mm(limits.maximum(), 3));
     let text = callout.to_string();
-    let said = words.say(&message!("palette-check").text("callout", &text));
-    let does = vec![
+    let said = match value {
+        Some(value) => message!("palette-check-value").text("callout", &text).text("value", value),
+        None => message!("palette-check").text("callout", &text),
+    };
+    let said = words.say(&said);
+    let mut does = vec![
         Command::OpenPage(Page::Check),
         CheckCommand::Type(CheckField::Callout, text).into(),
         Command::GoTo(CheckField::Measured.into()),
     ];
+    if let Some(value) = value {
+        does.push(CheckCommand::Type(CheckField::Measured, value.to_owned()).into());
+        does.push(CheckCommand::Measure.into());
+    }
     Some(PaletteEntry {
         note: format!("{range} mm"),
         subject: Subject::Callout(callout),
