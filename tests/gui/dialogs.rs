@@ -7,7 +7,7 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{By, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::session::{FilesCommand, Purpose};
+use fitcheck::session::{Command, FilesCommand, Page, Purpose};
 
 use crate::harness::{Window, check, verdict, window};
 
