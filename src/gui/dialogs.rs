@@ -136,10 +136,6 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
         field.request_focus();
         select_all(ui.ctx(), id, &path);
     }
-    // After a click on a file Enter takes it, as after typing its name.
-    if dialog.exists.is_none() && ui.memory(|memory| memory.focused().is_none()) {
-        field.request_focus();
-    }
     // There is nothing to delete: the key goes back.
     if field.has_focus() && dialog.path.is_empty() && ui.input(|input| input.key_pressed(Key::Backspace)) {
         view.act(FilesAction::FolderUp);
@@ -148,6 +144,10 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     }
     if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) && !dialog.is_waiting() {
         view.send(Command::Confirm);
+        field.request_focus();
+    }
+    // After a click on a file Enter takes it, as after typing its name.
+    if dialog.exists.is_none() && ui.memory(|memory| memory.focused().is_none()) {
         field.request_focus();
     }
     // The line is there in any case, so that the list stays in its place.
