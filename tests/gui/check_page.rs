@@ -98,7 +98,7 @@ fn a_value_that_is_no_length_is_refused_beside_its_field() {
     window.get_by_label("25.0.1 is not a number");
     assert_eq!(verdict(&window), "No result");
     check(&mut window, "25 H7", "");
-    window.get_by_label("a length is missing");
+    window.get_by_label("Type the measured value");
 }
 
 #[test]
