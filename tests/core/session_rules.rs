@@ -4,7 +4,9 @@ use fitcheck::budget::Validity;
 use fitcheck::exchange::import;
 use fitcheck::journal::Record;
 use fitcheck::journal::query::RecordId;
-use fitcheck::session::{BudgetCommand, CheckCommand, CheckField, Saved, Session, UncertaintyFrom};
+use fitcheck::session::{
+    BudgetAction, BudgetCommand, BudgetForce, CheckCommand, CheckField, Saved, Session, UncertaintyFrom,
+};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::rules::{Prover, RuleName};
 use fitcheck::words::Language;
@@ -91,10 +93,15 @@ fn the_published_sizes_have_their_states_by_each_rule() {
 fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
     let mut session = Session::new(Language::En);
     run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017)]);
+    assert!(session.error(CheckField::Uncertainty).is_none(), "nothing was typed yet");
+    assert!(session.check().asked.worth.awaits().is_some());
     measured(&mut session, "25 H7", "25.012");
     assert!(session.check().shown.is_none());
     let error = session.error(CheckField::Uncertainty).unwrap().to_string();
-    assert_eq!(error, "rule iso14253-2017 needs the uncertainty of the measured value");
+    assert_eq!(
+        error,
+        "the rule ISO 14253-1:2017, 95 % needs the uncertainty of the measured value: type it at the rule on Check, or use a budget"
+    );
     run(&mut session, [typed(CheckField::Uncertainty, "1,2"), CheckCommand::Measure]);
     assert_eq!(shown(&session).verdict.status(), Status::Good);
     for (field, text, said) in [
@@ -299,6 +306,38 @@ fn the_budget_in_use_gives_the_uncertainty_of_each_value() {
     // Nothing is left of a verdict by a budget that is in use no more.
     session.apply(BudgetCommand::Leave.into(), now());
     assert!(session.check().shown.is_none());
+}
+
+#[test]
+fn use_for_checks_takes_the_place_of_a_typed_uncertainty_until_the_budget_is_left() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998), typed(CheckField::Uncertainty, "1")]);
+    session.apply(BudgetCommand::Edit(budget("2026-01-15", "2027-01-14")).into(), now());
+    session.apply(BudgetCommand::Use.into(), now());
+    assert_eq!(session.budget_force(), BudgetForce::InForce);
+    let told = session.notices().last().unwrap();
+    let told = told.details.iter().map(ToString::to_string).collect::<Vec<_>>().join(". ");
+    assert!(told.contains("checks used the typed uncertainty (u = 1 µm, U = 2 µm (k = 2))"), "{told}");
+    measured(&mut session, "25 H7", "25.012");
+    assert_eq!(shown(&session).verdict.rule.uncertainty().unwrap().um(), "0.957115");
+    assert_eq!(shown(&session).budget.as_ref().unwrap().name, "Station 3");
+    session.apply(BudgetCommand::Leave.into(), now());
+    measured(&mut session, "25 H7", "25.012");
+    assert_eq!(shown(&session).verdict.rule.uncertainty().unwrap().um(), "1");
+}
+
+#[test]
+fn a_budget_is_said_to_be_in_use_only_where_checks_use_it() {
+    let mut session = Session::new(Language::En);
+    session.apply(BudgetCommand::Edit(budget("2026-01-15", "2027-01-14")).into(), now());
+    session.apply(BudgetCommand::Use.into(), now());
+    assert_eq!(session.budget_force(), BudgetForce::RuleWithout, "the limits decide");
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998)]);
+    assert_eq!(session.budget_force(), BudgetForce::InForce);
+    run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Expanded)]);
+    assert_eq!(session.budget_force(), BudgetForce::TypedCounts);
+    session.apply(fitcheck::session::Command::OpenPage(fitcheck::session::Page::Budget), now());
+    assert!(session.can(BudgetAction::UseBudget), "it can be used again");
 }
 
 #[test]

@@ -8,7 +8,8 @@ use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportCommand, ViewportEvent, 
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::session::{BudgetCommand, BudgetView, Command, Density, FilesCommand, Page, Purpose};
+use fitcheck::session::{BudgetCommand, BudgetView, CheckCommand, Command, Density, FilesCommand, Page, Purpose};
+use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
@@ -179,6 +180,8 @@ fn a_budget_is_saved_and_used_for_checks() {
     let written = std::fs::read_to_string(folder.path().join("budget.toml")).unwrap();
     assert!(written.ends_with("# ours\n"), "{written}");
     click(&mut page, Role::Button, "Use for checks");
+    page.get_by_label("“Mill 3” is chosen, but no rule on Check uses an uncertainty yet: choose the rule there");
+    send(&mut page, CheckCommand::UseRule(RuleName::Iso14253Of2017));
     page.get_by_label("In use: Mill 3");
     append(&mut page, "# more\n");
     page.get_by_label("In use: Mill 3");

@@ -125,7 +125,7 @@ fn another_rule_or_uncertainty_takes_the_verdict_away() {
     type_into(&mut window, "Uncertainty u", "1.3");
     assert!(!verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
     type_into(&mut window, "Uncertainty u", "");
-    window.get_by_label("rule iso14253-2017 needs the uncertainty of the measured value");
+    window.get_by_label("the rule ISO 14253-1:2017, 95 % needs the uncertainty of the measured value: type it at the rule on Check, or use a budget");
 }
 
 #[test]

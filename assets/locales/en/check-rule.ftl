@@ -20,6 +20,7 @@ coverage-factor = Coverage factor k
 guard-factor = Multiple of the uncertainty
 guard-width = Width of the guard band
 guard-factor-wrong = { $given }: expected a number above 0 with at most three decimals
+check-rule-no-uncertainty = the rule { $rule } needs the uncertainty of the measured value: type it at the rule on Check, or use a budget
 budget-not-in-use = no budget is in use: open one on the uncertainty page and use it for checks
 check-budget-used = { $name } ({ $file })
 check-budget-none = No budget is in use

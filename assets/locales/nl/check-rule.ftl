@@ -20,6 +20,7 @@ coverage-factor = Dekkingsfactor k
 guard-factor = Veelvoud van de onzekerheid
 guard-width = Breedte van de veiligheidsmarge
 guard-factor-wrong = { $given }: een getal boven 0 met hoogstens drie decimalen verwacht
+check-rule-no-uncertainty = de regel { $rule } heeft de onzekerheid van de gemeten waarde nodig: typ die bij de regel op de pagina Controle, of gebruik een budget
 budget-not-in-use = er is geen budget in gebruik: open er een op de pagina Onzekerheid en gebruik het voor controles
 check-budget-used = { $name } ({ $file })
 check-budget-none = Er is geen budget in gebruik

@@ -105,12 +105,12 @@ use jiff::civil::DateTime;
 
 pub use action::{Action, WindowAction, WorkpieceAction};
 pub use budget::{
-    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetDocument, BudgetField, BudgetPage, BudgetView, GivenAs,
-    KindChoice, OpenBudget, Readings, TakenContacts, UseOf, WrittenContribution, advice, bars,
+    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetDocument, BudgetField, BudgetForce, BudgetPage,
+    BudgetView, GivenAs, KindChoice, OpenBudget, Readings, TakenContacts, UseOf, WrittenContribution, advice, bars,
 };
 pub use check::{
     CheckAction, CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, Lot, MeasureBy, Question, RuleChoice,
-    RuleFields, ShownCheck, UncertaintyFrom,
+    RuleFields, ShownCheck, UncertaintyFrom, rule_name_id,
 };
 pub use columns::{
     ColumnChoice, ColumnsCommand, ColumnsRequest, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id, unit_id,
@@ -526,6 +526,11 @@ impl Session {
     /// The budget whose uncertainty checks may use.
     pub fn used_budget(&self) -> Option<&OpenBudget> {
         self.shared.budget.as_deref()
+    }
+
+    /// What checks do with it.
+    pub fn budget_force(&self) -> BudgetForce {
+        BudgetForce::of(self.check.own_worth().judging)
     }
 
     /// Whether the rows of a large file are listed in the place of the history.

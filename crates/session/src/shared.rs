@@ -106,6 +106,10 @@ pub(super) enum News {
     Tools,
     /// Checks may use another budget's uncertainty, or none any more.
     Budget,
+    /// Checks use this budget from now on: its uncertainty takes the place of a typed one.
+    BudgetTaken,
+    /// Checks use no budget any more.
+    BudgetLeft,
     /// The record of a number was corrected or withdrawn.
     TakenBack {
         number: u64,

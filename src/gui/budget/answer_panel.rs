@@ -11,7 +11,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::without_zeros;
 use crate::message::message;
-use crate::session::{BudgetAction, UseOf, advice};
+use crate::session::{BudgetAction, BudgetForce, Page, UseOf, WindowAction, advice};
 use crate::verdict::Status;
 
 /// U and the validity. It is not a verdict on a part, so it does not have the colour of one.
@@ -133,7 +133,14 @@ fn help_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
 fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("budget-page-checks"));
     let used = view.session.used_budget();
+    let force = view.session.budget_force();
     let said = match (view.session.budget().use_of(used), used) {
+        (_, Some(used)) if force == BudgetForce::TypedCounts => {
+            message!("budget-page-uses-typed").text("name", &used.budget.name)
+        }
+        (_, Some(used)) if force == BudgetForce::RuleWithout => {
+            message!("budget-page-uses-no-rule").text("name", &used.budget.name)
+        }
         (UseOf::Another, Some(used)) => {
             message!("budget-page-uses-another").text("name", &used.budget.name).text("file", &used.file)
         }
@@ -141,6 +148,9 @@ fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
         (_, None) => message!("budget-page-uses-none"),
     };
     ui.label(view.words.say(&said));
+    if used.is_some() && force != BudgetForce::InForce {
+        view.field_button(ui, WindowAction::Open(Page::Check));
+    }
     let placeholders = view.session.budget().placeholders();
     if !placeholders.is_empty() {
         let what = placeholders.iter().map(|what| view.words.say(what)).collect::<Vec<_>>().join(", ");

@@ -11,7 +11,7 @@ use crate::gui::view::{View, one_of_ui, quiet};
 use crate::length::Length;
 use crate::message::{Message, message};
 use crate::session::WindowAction;
-use crate::session::{CheckCommand, CheckField, Page, RuleFields, UncertaintyFrom};
+use crate::session::{CheckCommand, CheckField, Page, RuleFields, UncertaintyFrom, rule_name_id};
 use crate::verdict::rules::{Prover, RuleName, percent};
 
 /// The fields that the header of the rule folds away.
@@ -35,7 +35,7 @@ pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
     let rule = Section {
         icon: Icon::Scales,
         name: "check-rule-section",
-        value: view.text(&name_id(worth(view).judging.rule)),
+        value: view.text(rule_name_id(worth(view).judging.rule)),
         is_wrong: is_wrong(view, &OF_RULE),
     };
     rule.show(ui, view, rule_ui);
@@ -54,16 +54,11 @@ const fn worth<'a>(view: &View<'a>) -> &'a RuleFields {
     &view.session.check().asked.worth
 }
 
-/// The name of a rule in the locale files.
-fn name_id(rule: RuleName) -> String {
-    format!("rule-name-{}", rule.word())
-}
-
 fn rule_ui(ui: &mut Ui, view: &mut View<'_>) {
     let judging = worth(view).judging;
     let name = quiet(ui, view.text("check-rule"));
     let width = ui.available_width();
-    let rules = RuleName::ALL.map(|rule| (rule, view.text(&name_id(rule))));
+    let rules = RuleName::ALL.map(|rule| (rule, view.text(rule_name_id(rule))));
     let (rule, list) = one_of_ui(ui, "rule-list", width - space(2.0), &judging.rule, rules);
     list.labelled_by(name.id);
     if let Some(rule) = rule {
@@ -131,6 +126,10 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
         space(20.0),
         &[(CheckField::Uncertainty, name, "µm"), (CheckField::Coverage, "coverage-factor", "")],
     );
+    let is_refused = view.session.error(CheckField::Uncertainty).is_some();
+    if let Some(awaited) = worth(view).awaits().filter(|_| !is_refused) {
+        quiet(ui, view.words.say(awaited));
+    }
 }
 
 /// Which values are accepted; nothing where the limits themselves decide.

@@ -95,7 +95,7 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
 /// What the verdict is computed anew by: what the record was judged by.
 fn judged_ui(ui: &mut Ui, view: &View<'_>, record: &Record, number: u64) {
     let said = message!("records-page-correction-rule").text("number", number);
-    let said = said.text("rule", view.words.told(&record.verdict.rule));
+    let said = said.text("rule", view.words.say(&record.verdict.rule.rounded_message()));
     let mut said = view.words.say(&said);
     if let Some(correction) = record.correction {
         let temperature = view.words.number(&correction.part.temperature.to_string());

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fitcheck_core::budget::{Evaluated, KindName, Law};
 use fitcheck_exchange::journal::Record;
 
-use super::{BudgetCommand, BudgetPage, BudgetView, GivenAs, KindChoice, UseOf, WrittenContribution};
+use super::{BudgetCommand, BudgetForce, BudgetPage, BudgetView, GivenAs, KindChoice, UseOf, WrittenContribution};
 use crate::Session;
 use crate::action::possible::has_history;
 use crate::action::row::{ActionRow, Actions, Sends, actions, on};
@@ -172,7 +172,8 @@ fn opening(text: &'static str, purpose: Purpose) -> ActionRow {
 /// Whether checks can use the budget on the page, and do not use it yet.
 fn can_use_budget(session: &Session) -> bool {
     let budget = session.budget();
-    budget.can_be_used() && budget.use_of(session.used_budget()) != UseOf::This
+    let is_in_use = budget.use_of(session.used_budget()) == UseOf::This;
+    budget.can_be_used() && !(is_in_use && session.budget_force() != BudgetForce::TypedCounts)
 }
 
 /// The check that is shown, where its contacts are known.

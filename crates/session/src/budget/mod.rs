@@ -44,7 +44,7 @@ pub use open::OpenBudget;
 pub use picture::{Bar, advice, bars};
 pub use readings::{BothSizes, Readings};
 pub use table::{BudgetView, GivenAs, KindChoice};
-pub use using::UseOf;
+pub use using::{BudgetForce, UseOf};
 
 use self::readings::Source;
 use super::document::OpenDocument;

@@ -8,6 +8,7 @@ use fitcheck_core::budget::{Basis, Budget, Validity};
 use fitcheck_core::message::{Message, Say as _, message};
 
 use super::{BudgetDocument, BudgetPage, OpenBudget, Readings};
+use crate::check::{RuleChoice, UncertaintyFrom};
 use crate::document::Document as _;
 use crate::shared::{News, Shared};
 
@@ -20,6 +21,28 @@ pub enum UseOf {
     This,
     /// Another one, or this one as it was before.
     Another,
+}
+
+/// What checks do with the budget in use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BudgetForce {
+    /// It gives the uncertainty of each value.
+    InForce,
+    /// The uncertainty that is typed on the check page counts.
+    TypedCounts,
+    /// The rule on the check page is made of no uncertainty.
+    RuleWithout,
+}
+
+impl BudgetForce {
+    /// By how the next value is judged.
+    pub(crate) fn of(judging: RuleChoice) -> Self {
+        match judging.from {
+            UncertaintyFrom::Budget if judging.rule.says_uncertainty() => Self::InForce,
+            UncertaintyFrom::Budget => Self::RuleWithout,
+            UncertaintyFrom::Standard | UncertaintyFrom::Expanded => Self::TypedCounts,
+        }
+    }
 }
 
 impl BudgetPage {
@@ -75,11 +98,14 @@ impl BudgetPage {
             details.push(Message::new(id));
         }
         details.extend(warning(&budget, budget.validity(self.today)));
+        if let Some(typed) = shared.worth.typed_uncertainty() {
+            details.push(message!("budget-page-used-before").message("uncertainty", typed.rounded_message()));
+        }
         // The page says which budget is in use; a notice only tells what is not seen there.
         shared.note_details(message!("budget-page-used").text("name", &budget.name), details);
         let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.document.is_unsaved());
         shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
-        shared.spread(News::Budget);
+        shared.spread(News::BudgetTaken);
     }
 
     /// The file is found again at the next start, if it holds what checks use.
@@ -103,7 +129,7 @@ impl BudgetPage {
         self.used_file = None;
         self.awaits_used = false;
         shared.budget = None;
-        shared.spread(News::Budget);
+        shared.spread(News::BudgetLeft);
     }
 
     /// The budget of the last time was read; it comes too late where another was chosen, or none.

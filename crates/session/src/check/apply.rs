@@ -68,7 +68,10 @@ impl PageState for CheckPage {
             }
             CheckCommand::UseRule(rule) => self.judge_by(RuleChoice { rule, ..self.judging }, &shared.sources),
             CheckCommand::LetProve(prover) => self.judge_by(RuleChoice { prover, ..self.judging }, &shared.sources),
-            CheckCommand::TellUncertainty(from) => self.judge_by(RuleChoice { from, ..self.judging }, &shared.sources),
+            CheckCommand::TellUncertainty(from) => {
+                self.before_budget = None;
+                self.judge_by(RuleChoice { from, ..self.judging }, &shared.sources);
+            }
             CheckCommand::ChooseExpansion(field, expansion) => {
                 self.type_text(field, shared.as_typed(&expansion.to_string()), &shared.sources);
             }
@@ -144,6 +147,20 @@ impl PageState for CheckPage {
             News::MeasureAgain { record, part, serial } => self.ask_again(record, part, serial, shared),
             // No verdict stays beside a budget that it was not made with.
             News::Budget if self.own_judging().from == UncertaintyFrom::Budget => self.edited(&shared.sources),
+            News::BudgetTaken => {
+                let from = self.own_judging().from;
+                if from != UncertaintyFrom::Budget {
+                    self.before_budget = Some(from);
+                }
+                self.tell_own(UncertaintyFrom::Budget, &shared.sources);
+            }
+            News::BudgetLeft => {
+                let own = self.own_judging().from;
+                let from = self.before_budget.take().filter(|_| own == UncertaintyFrom::Budget).unwrap_or(own);
+                if from == UncertaintyFrom::Budget || from != own {
+                    self.tell_own(from, &shared.sources);
+                }
+            }
             News::Opened(_)
             | News::OwnTables
             | News::OwnMask
@@ -240,6 +257,13 @@ impl CheckPage {
     fn judge_by(&mut self, judging: RuleChoice, sources: &Sources) {
         self.judging = judging;
         self.keep_rule();
+        self.edited(sources);
+    }
+
+    /// The uncertainty of the next part is told in another way. The rest is as the user has it, whatever a shown record lent.
+    fn tell_own(&mut self, from: UncertaintyFrom, sources: &Sources) {
+        self.take_back_own();
+        self.judging.from = from;
         self.edited(sources);
     }
 

@@ -180,7 +180,7 @@ fn judge_imported(
     if let Some(first) = imported.records.first() {
         let rule = first.verdict.rule;
         if !rule.is_plain() {
-            said.push(message!("import-judged-by").message("rule", rule.message()));
+            said.push(message!("import-judged-by").message("rule", rule.rounded_message()));
         }
         if worth.is_warm() {
             said.push(message!("import-not-corrected"));

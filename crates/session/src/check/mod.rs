@@ -47,7 +47,7 @@ pub use command::CheckCommand;
 pub use doubted::DoubtedText;
 pub use field::CheckField;
 pub use lot::Lot;
-pub use worth::RuleFields;
+pub use worth::{RuleFields, rule_name_id};
 
 use self::doubted::Meant;
 use self::inputs::Inputs;
@@ -90,6 +90,8 @@ pub struct CheckPage {
     judging: RuleChoice,
     /// How the user wants the next part to be judged, while a shown record's own stands in its place.
     own_judging: Option<RuleChoice>,
+    /// How the uncertainty was told before a budget took its place, until somebody chooses.
+    before_budget: Option<UncertaintyFrom>,
     /// What the fields mean.
     pub asked: CheckInputs,
     /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
@@ -139,6 +141,7 @@ impl CheckPage {
             feature: None,
             judging,
             own_judging: None,
+            before_budget: None,
             asked,
             shown: None,
             lent: None,

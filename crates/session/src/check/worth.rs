@@ -69,7 +69,11 @@ impl RuleFields {
         match worth.read_rule(texts) {
             Ok(given) => worth.given = given,
             Err((field, problem)) => {
-                refuse(field, problem.clone());
+                let is_typed = !texts.text(field).trim().is_empty();
+                // Nobody has typed it yet: that is no mistake before somebody judges.
+                if is_typed || field != CheckField::Uncertainty {
+                    refuse(field, problem.clone());
+                }
                 worth.no_rule = Some((field, problem));
             }
         }
@@ -149,6 +153,16 @@ impl RuleFields {
     /// Whether the process is given, and the risks cannot be told for want of one uncertainty of all values.
     pub const fn wants_uncertainty_for_risks(&self) -> bool {
         self.process.is_some() && self.risks.is_none()
+    }
+
+    /// What is still to be typed before the rule can judge.
+    pub fn awaits(&self) -> Option<&Message> {
+        self.no_rule.as_ref().filter(|(field, _)| *field == CheckField::Uncertainty).map(|(_, problem)| problem)
+    }
+
+    /// The uncertainty that was typed.
+    pub(crate) const fn typed_uncertainty(&self) -> Option<Uncertainty> {
+        self.given.uncertainty
     }
 
     /// How a length is brought to 20 °C; `None` where no temperature is given.
@@ -263,8 +277,28 @@ fn made(rule: RuleName, given: RuleInputs) -> Result<Rule, Refusal> {
             RuleError::NoFactor { .. } => CheckField::GuardFactor,
             RuleError::NoUncertainty { .. } | RuleError::NoProver { .. } => CheckField::Uncertainty,
         };
-        (field, error.message())
+        let problem = match error {
+            RuleError::NoUncertainty { .. } => {
+                message!("check-rule-no-uncertainty").message("rule", Message::new(rule_name_id(rule)))
+            }
+            other => other.message(),
+        };
+        (field, problem)
     })
+}
+
+/// The text that names a rule in the window.
+pub const fn rule_name_id(rule: RuleName) -> &'static str {
+    match rule {
+        RuleName::Simple => "rule-name-simple",
+        RuleName::Iso14253Of2017 => "rule-name-iso14253-2017",
+        RuleName::Iso14253Of1998 => "rule-name-iso14253-1998",
+        RuleName::IlacG8 => "rule-name-ilac-g8",
+        RuleName::AsmeSimple => "rule-name-asme-simple",
+        RuleName::AsmeStringent => "rule-name-asme-stringent",
+        RuleName::AsmeRelaxed => "rule-name-asme-relaxed",
+        RuleName::Fixed => "rule-name-fixed",
+    }
 }
 
 /// Part and scales, where the part's temperature is given.

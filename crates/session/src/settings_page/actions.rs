@@ -7,7 +7,7 @@ use super::{Section, SettingsCommand, SettingsField};
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, Sends, actions, everywhere, on};
 use crate::action::{ActionScope, Shortcut};
-use crate::check::{CheckCommand, UncertaintyFrom};
+use crate::check::{CheckCommand, UncertaintyFrom, rule_name_id};
 use crate::command::Command;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
@@ -146,7 +146,7 @@ impl SettingsAction {
     pub(super) fn listed_name(self, words: &Words) -> Option<String> {
         Some(match self {
             Self::UseLanguage(language) => language.name().to_owned(),
-            Self::UseRule(rule) => words.get(&format!("rule-name-{}", rule.word())),
+            Self::UseRule(rule) => words.get(rule_name_id(rule)),
             Self::UseMask(Some(language)) => language.name().to_owned(),
             _ => return None,
         })

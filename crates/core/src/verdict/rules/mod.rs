@@ -286,6 +286,11 @@ impl Rule {
         self.told(Message::new(self.name.declaration().text).message("u", uncertainty))
     }
 
+    /// Its sentence with its uncertainty as a person reads it.
+    pub fn rounded_message(&self) -> Message {
+        self.given.uncertainty.map_or_else(|| self.message(), |given| self.message_with(given.rounded_message()))
+    }
+
     /// The rest of what the sentence needs.
     fn told(&self, mut message: Message) -> Message {
         message = message.number("factor", thousandths(self.given.factor.unwrap_or(1000)));

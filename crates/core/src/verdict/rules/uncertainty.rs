@@ -117,6 +117,14 @@ impl Uncertainty {
     }
 }
 
+impl Uncertainty {
+    /// As a person reads it, with at most three decimals of a micrometre; what is computed with stays exact.
+    pub fn rounded_message(self) -> Message {
+        let [u, expanded] = [i128::from(self.pm) * 1_000, self.expanded_exactly()].map(rounded);
+        message!("uncertainty").number("u", u).number("expanded", expanded).number("k", self.k())
+    }
+}
+
 impl Say for Uncertainty {
     fn message(&self) -> Message {
         message!("uncertainty").number("u", self.um()).number("expanded", self.expanded_um()).number("k", self.k())
@@ -141,6 +149,12 @@ pub fn multiple(text: &str) -> Option<u32> {
 
 fn rounded_up(number: i128, divisor: i128) -> i64 {
     i64::try_from((number + divisor - 1) / divisor).unwrap_or(i64::MAX)
+}
+
+/// Picometres times a thousand as micrometres with at most three decimals. One that would be nothing stays as it is: it is above 0.
+fn rounded(number: i128) -> String {
+    let nanometres = (number + 500_000) / 1_000_000;
+    exact(if nanometres == 0 { number } else { nanometres * 1_000_000 })
 }
 
 /// Picometres times a thousand as micrometres.
