@@ -586,6 +586,53 @@ fn change(session: &mut Session, callout: &str) {
     send(session, PartsCommand::Plan(PlanCommand::Take(None)));
 }
 
+fn read_other_plan(session: &mut Session) {
+    let document = Document::read(PLAN.replace("Flange", "Cover").as_bytes()).unwrap();
+    let read = PlanCommand::Read { path: PathBuf::from("/plans/cover.toml"), result: Ok(Box::new(document)) };
+    send(session, PartsCommand::Plan(read));
+}
+
+#[test]
+fn another_plan_is_asked_about_while_a_part_is_not_finished_and_its_first_part_has_no_number_of_the_other() {
+    let mut session = walking();
+    take(&mut session, "12.03");
+    assert!(!session.parts().asks_which_plan());
+    read_other_plan(&mut session);
+    assert!(session.parts().asks_which_plan());
+    assert_eq!(session.parts().both_plans(), ["flange.toml", "cover.toml"]);
+    let told = session.notices().iter().map(|notice| said(&notice.message)).collect::<Vec<_>>();
+    assert!(told.iter().any(|told| told.starts_with("A part by flange.toml is not finished")), "{told:?}");
+    // What is missing of this part is said first.
+    act(&mut session, PartsAction::BeginByOpenPlan.into());
+    assert!(session.parts().walking.is_begun() && session.parts().walking.is_warned);
+    act(&mut session, PartsAction::BeginByOpenPlan.into());
+    assert!(!session.parts().walking.is_begun());
+    assert_eq!(session.text(WalkField::Serial), "");
+    act(&mut session, PartsAction::BeginPart.into());
+    assert_eq!(session.parts().walking.plan.as_ref().unwrap().head.part, "Cover");
+    assert!(!session.parts().asks_which_plan());
+}
+
+#[test]
+fn a_part_goes_on_by_its_own_plan_once_that_is_said() {
+    let mut session = walking();
+    read_other_plan(&mut session);
+    act(&mut session, PartsAction::KeepMeasuring.into());
+    assert!(!session.parts().asks_which_plan() && session.parts().is_other_open());
+    take(&mut session, "12.03");
+    assert_eq!(session.parts().walking.values(0).len(), 1);
+}
+
+#[test]
+fn a_number_that_was_counted_up_is_not_that_of_another_plans_first_part() {
+    let mut session = walking();
+    act(&mut session, PartsAction::NextPart.into());
+    act(&mut session, PartsAction::NextPart.into());
+    assert_eq!(session.text(WalkField::Serial), "A-0100");
+    read_other_plan(&mut session);
+    assert_eq!(session.text(WalkField::Serial), "");
+}
+
 #[test]
 fn a_folder_that_is_judged_by_an_older_plan_says_so() {
     let (mut session, _) = watching_alone();

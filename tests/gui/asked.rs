@@ -129,11 +129,14 @@ fn the_card_is_of_the_size_that_stands_beside_it() {
     assert!(verdict(&page).starts_with("SCRAP. BORE: 25.030 mm"), "{}", verdict(&page));
     page.get_by_label("1  BORE");
     assert!(page.query_by_label("2  PIN").is_none());
-    page.get_by_label("Next: PIN, 20 g6");
+    page.get_by_label("Next: 2 PIN, 20 g6");
+    // Heading, limits, field and verdict speak of one size: the field is empty and shows its value.
+    let field = page.get_by_role_and_label(Role::TextInput, "Measured value");
+    assert_eq!(field.accesskit_node().placeholder().unwrap_or_default(), "25.030");
     // Once that is begun, the page is about it alone.
     type_into(&mut page, "Measured value", "1");
     page.get_by_label("2  PIN");
-    assert!(page.query_by_label("Next: PIN, 20 g6").is_none() && page.query_by_label("1  BORE").is_none());
+    assert!(page.query_by_label("Next: 2 PIN, 20 g6").is_none() && page.query_by_label("1  BORE").is_none());
     assert!(!verdict(&page).contains("SCRAP") && verdict(&page).contains("PIN"), "{}", verdict(&page));
 }
 

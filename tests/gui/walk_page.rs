@@ -473,7 +473,14 @@ fn the_plan_is_named_where_another_one_is_open() {
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, FilesCommand::Open(Purpose::OpenPlan, other).into());
     page.run();
+    // Which plan counts is asked before another value is typed.
+    page.get_by_label("This part is measured by flange.csv");
+    page.get_by_label("Open now: other.csv");
+    page.get_by_role_and_label(Role::Button, "Begin a part by other.csv");
+    click(&mut page, Role::Button, "Measure this part on");
+    assert!(page.query_by_label("This part is measured by flange.csv").is_none());
     page.get_by_label("Measured by the plan flange.csv");
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
 }
 
 #[test]

@@ -94,6 +94,10 @@ actions! {
     LeaveSkip;
     /// Ends the part; the serial number of the next one is counted up.
     NextPart;
+    /// Ends the part in the same way; the next one is measured by the plan that is open now.
+    BeginByOpenPlan;
+    /// Goes on with the part, though another plan is open.
+    KeepMeasuring;
     /// Goes to another size.
     MoveSize(Step): Step::BLOCKS;
     /// Reads measurements into the part.
@@ -221,6 +225,8 @@ impl Actions for PartsAction {
             }
             Self::LeaveSkip => of_walk("walk-page-skip-not", WalkCommand::AskSkip(false)).when(is_skipping),
             Self::NextPart => of_walk("walk-page-next", WalkCommand::Next).key(Shortcut::plain(Key::Function(8))),
+            Self::BeginByOpenPlan => of_walk("walk-page-begin-by", WalkCommand::Next).when(asks_which_plan),
+            Self::KeepMeasuring => of_walk("walk-page-keep-on", WalkCommand::KeepOn).when(asks_which_plan),
             Self::MoveSize(step) => {
                 within(SIZES, "walk-page-move", WalkCommand::Move(step)).when(is_measured).key(keys(step))
             }
@@ -256,6 +262,10 @@ impl Actions for PartsAction {
                 let Rendering { title, is_for_people, .. } = *RENDERINGS.get(number)?;
                 let [people, programs] = [message!("walk-page-report-people"), message!("walk-page-report-programs")];
                 Some(words.say(&if is_for_people { people } else { programs }.text("format", title)))
+            }
+            Self::BeginByOpenPlan => {
+                let [_, open] = session.parts().both_plans();
+                Some(words.say(&Message::new(self.row().text).text("open", open)))
             }
             Self::TakeMeantCell => {
                 let meant = session.parts().meant_here().map_or_else(String::new, |meant| words.number(&meant));
@@ -328,6 +338,10 @@ fn is_walk(session: &Session) -> bool {
 
 fn is_measured(session: &Session) -> bool {
     is_walk(session) && session.parts().walking.is_begun()
+}
+
+fn asks_which_plan(session: &Session) -> bool {
+    is_walk(session) && session.parts().asks_which_plan()
 }
 
 fn is_asked(session: &Session) -> bool {

@@ -211,6 +211,12 @@ impl PartsPage {
         }
         self.sheet = Sheet::of(&self.document);
         self.shown = PlanPicture::default();
+        self.forget_suggested();
+        if self.is_other_open() {
+            let [own, _] = self.both_plans();
+            let unfinished = message!("walk-page-unfinished").text("own", own);
+            shared.note(unfinished, Vec::new());
+        }
         self.ask_for_keys();
     }
 

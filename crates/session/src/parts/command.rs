@@ -132,6 +132,8 @@ pub enum WalkCommand {
     Skip(String),
     /// Ends the part and counts up; where something is missing, that is said first and a second time ends it.
     Next,
+    /// The part that is measured goes on, though another plan is open.
+    KeepOn,
     /// A file of measurements was read, or not.
     Imported {
         /// The number of the part that it was read for.

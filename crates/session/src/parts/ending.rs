@@ -34,6 +34,8 @@ impl PartsPage {
             shared.tell(message!("walk-page-given-up").text("serial", waiting.serial));
         }
         self.walking.begin(&plan, path, serial, shared.recording.newest);
+        self.walking.opened = self.document.opened;
+        self.suggested = None;
         self.clear_value();
         self.errors.clear();
         self.watch_plan(&plan, shared);
@@ -68,14 +70,23 @@ impl PartsPage {
             self.ended.insert((plan.head.part.clone(), self.walking.serial().to_owned()));
         }
         self.say_left_out(shared);
-        let next = serials::next(self.walking.serial());
+        // The parts of another plan have numbers of their own.
+        let next = if self.is_other_open() { String::new() } else { serials::next(self.walking.serial()) };
         // An answer of the journal that comes now is of no part any more.
         self.give_up_resuming();
         self.walking.end();
         self.errors.clear();
+        self.suggested = Some(next.clone());
         self.set_serial(next);
         self.clear_value();
         vec![Effect::Focus(WalkField::Serial.into())]
+    }
+
+    /// Another plan is open: the number that was counted up for the parts of the one before is not that of its first part.
+    pub(super) fn forget_suggested(&mut self) {
+        if self.suggested.take().is_some_and(|serial| serial == self.texts.text(WalkField::Serial)) {
+            self.set_serial(String::new());
+        }
     }
 
     /// The sizes without a value and the reasons: no record has them.

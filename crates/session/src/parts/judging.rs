@@ -44,5 +44,5 @@ pub(super) fn judged_by(
 /// By which rule a check was judged, and whose it is.
 fn rule_said(size: &Size<'_>, record: &Record) -> Message {
     let id = if size.feature.has_own_rule { "walk-page-rule-plan" } else { "walk-page-rule-own" };
-    Message::new(id).message("rule", record.verdict.rule.message())
+    Message::new(id).message("rule", record.verdict.rule.rounded_message())
 }

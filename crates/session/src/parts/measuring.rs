@@ -70,6 +70,10 @@ impl PartsPage {
             }
             WalkCommand::Skip(reason) => return self.skip(&reason),
             WalkCommand::Next => return self.next_part(shared),
+            WalkCommand::KeepOn => {
+                self.walking.kept_on = self.document.opened;
+                return vec![Effect::Focus(WalkField::Value.into())];
+            }
             WalkCommand::Imported { run, name, result } => self.imported(run, &name, result, shared),
             WalkCommand::Came { run, result } => self.came(run, result, shared),
             WalkCommand::Watch { folder, is_folder } => self.watch(folder, is_folder, shared),

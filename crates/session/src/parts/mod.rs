@@ -46,6 +46,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
+use fitcheck_core::part::Plan;
 
 pub use actions::{PLAN, PartsAction, SIZES};
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
@@ -99,6 +100,8 @@ pub struct PartsPage {
     ended: BTreeSet<(String, String)>,
     /// The serial number that is to be begun once more, after the question about it.
     again: Option<String>,
+    /// The serial number that was counted up from that of the last part.
+    suggested: Option<String>,
     resume: Resume,
     /// The folder that is watched, and what came from it.
     pub watched: Watched,
@@ -115,10 +118,24 @@ impl PartsPage {
         }
     }
 
-    /// The file of the plan by which the part is measured, where another plan is open.
-    pub fn other_plan(&self) -> Option<String> {
-        let path = self.walking.path.as_deref().filter(|_| self.walking.is_begun())?;
-        (Some(path) != self.document.path()).then(|| name_of(path))
+    /// Whether another document is open than the plan by which the part is measured.
+    pub fn is_other_open(&self) -> bool {
+        let own = self.walking.path.as_deref();
+        let is_same = self.walking.opened == self.document.opened || own.is_some() && own == self.document.path();
+        self.walking.is_begun() && !is_same
+    }
+
+    /// Whether that has to be said before another value is typed.
+    pub fn asks_which_plan(&self) -> bool {
+        self.is_other_open() && self.walking.kept_on != self.document.opened
+    }
+
+    /// The names of the plan by which the part is measured and of the one that is open.
+    pub fn both_plans(&self) -> [String; 2] {
+        let part = |plan: Option<&Arc<Plan>>| plan.map_or_else(String::new, |plan| plan.head.part.clone());
+        let own = self.walking.path.as_deref().map(name_of).unwrap_or_else(|| part(self.walking.plan.as_ref()));
+        let open = if self.document.path().is_some() { String::new() } else { part(self.document.plan()) };
+        [own, if open.is_empty() { self.document.name() } else { open }]
     }
 
     /// The file of the plan by which the watched folder is judged, where another plan is open.

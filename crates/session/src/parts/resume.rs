@@ -106,6 +106,7 @@ impl PartsPage {
         }
         let Some(saved) = self.resume.saved.take() else { return };
         self.walking.begin(&plan, saved.plan.clone(), saved.serial.clone(), saved.since);
+        self.walking.opened = self.document.opened;
         let is_other_plan = self.walking.planned.sizes != saved.sizes;
         let is_open = shared.recording.keeping == Keeping::Open;
         if is_other_plan && is_open {

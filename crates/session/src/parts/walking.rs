@@ -52,6 +52,10 @@ pub struct Walking {
     pub plan: Option<Arc<Plan>>,
     /// Its file, where it has one.
     pub(super) path: Option<PathBuf>,
+    /// How many plans had been opened when its own was open.
+    pub(super) opened: u64,
+    /// The same when somebody last said to go on with this part.
+    pub(super) kept_on: u64,
     /// What was measured so far.
     pub walk: Walk,
     values: Vec<Vec<Value>>,

@@ -1,6 +1,6 @@
 //! Left: before a part its plan and serial number, then the size that is asked for and the field of its value.
 
-use eframe::egui::{Button, Color32, Key, RichText, Ui, vec2};
+use eframe::egui::{Align, Button, Color32, Frame, Key, Label, Layout, Margin, RichText, Sense, Ui, vec2};
 
 use super::asked_text;
 use super::sizes_list::numbered;
@@ -9,8 +9,8 @@ use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::over_page::just_opened;
 use crate::gui::room::{is_low, is_tiny};
-use crate::gui::theme::{self, Icon, control, sizes, space};
-use crate::gui::view::{View, heading, problem, quiet, steady};
+use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
+use crate::gui::view::{Digits, View, heading, problem, quiet, steady};
 use crate::message::message;
 use crate::part::{Plan, Size};
 use crate::session::help::Sample;
@@ -23,6 +23,9 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = &session.parts().walking;
     let Some(plan) = walking.plan.as_ref() else { return begin_ui(ui, view) };
+    if session.parts().asks_which_plan() {
+        other_plan_ui(ui, view);
+    }
     part_ui(ui, view, plan);
     ui.separator();
     // Nothing else is asked until that is answered: the buttons come back in their places.
@@ -31,7 +34,8 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         return skip_ui(ui, view);
     }
     if let (Some(asked), Some(faced)) = (walking.asked(), walking.faced_size()) {
-        size_ui(ui, view, &asked, &faced);
+        size_ui(ui, view, &faced);
+        value_ui(ui, view, &faced, &asked);
         steady(ui, "walk-actions", |ui| {
             ui.horizontal_wrapped(|ui| {
                 for action in [PartsAction::SizeAgain, PartsAction::SimulateValue] {
@@ -118,6 +122,22 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
+/// Another plan was opened while this part is not finished: nobody types a value of the one into the other.
+fn other_plan_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let palette = palette(ui.ctx());
+    let [own, open] = view.session.parts().both_plans();
+    let frame = Frame::new().fill(palette.tint.0).corner_radius(12.0).inner_margin(Margin::same(12));
+    frame.show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        heading(ui, view.words.say(&message!("walk-page-part-of").text("own", own)));
+        ui.label(view.words.say(&message!("walk-page-open-is").text("open", open)));
+        ui.horizontal_wrapped(|ui| {
+            view.field_button(ui, PartsAction::BeginByOpenPlan);
+            view.field_button(ui, PartsAction::KeepMeasuring);
+        });
+    });
+}
+
 fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
     let walking = &view.session.parts().walking;
     let part = &plan.head.part;
@@ -128,16 +148,20 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
         (false, false) => message!("walk-page-part").text("part", part).text("serial", walking.serial()),
     };
     heading(ui, view.words.say(&message));
-    if view.session.parts().has_other_plan() {
+    let parts = view.session.parts();
+    if parts.is_other_open() {
+        // Until it is answered which plan comes next, that stands above.
+        if !parts.asks_which_plan() {
+            let [own, _] = parts.both_plans();
+            quiet(ui, view.words.say(&message!("walk-page-by-plan").text("name", own)));
+        }
+    } else if parts.has_other_plan() {
         quiet(ui, view.text("walk-page-other-plan"));
-    }
-    if let Some(name) = view.session.parts().other_plan() {
-        quiet(ui, view.words.say(&message!("walk-page-by-plan").text("name", name)));
     }
 }
 
-/// The size that the page is about, readable from afar, and the field of the value that is asked for.
-fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) {
+/// The size that the page is about, readable from afar.
+fn size_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>) {
     let feature = size.feature;
     name_ui(ui, view, size);
     limits_ui(ui, view, size.limits);
@@ -152,7 +176,6 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) 
     if !feature.remark.is_empty() {
         ui.label(&feature.remark);
     }
-    value_ui(ui, view, asked);
 }
 
 /// Which size is asked for and by which callout, readable from afar; beside each other where both have room.
@@ -193,12 +216,9 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.set_min_height(lines * space(5.0));
         error_ui(ui, view, WalkField::Value);
-        // The verdict stays with its size; the next value is of this one.
-        if let Some(next) = walking.asked().filter(|_| walking.faced() != walking.at) {
-            let said = message!("walk-page-next-size").text("name", next.name());
-            ui.label(view.words.say(&said.text("asked", asked_text(view.words, &next))));
-        }
-        let Some(at) = walking.at.filter(|_| view.session.error(WalkField::Value).is_none()) else { return };
+        // While the verdict of another size stands beside it, nothing is said here of the next one.
+        let is_of_it = |at: &usize| walking.faced() == Some(*at) && view.session.error(WalkField::Value).is_none();
+        let Some(at) = walking.at.filter(is_of_it) else { return };
         let count = walking.values(at).len();
         if 0 < count {
             quiet(ui, view.words.say(&message!("walk-page-measured-before").count("count", count)));
@@ -210,7 +230,39 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
     });
 }
 
-fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
+/// The size that the next value is of, while the page is still about the one before. Its line is there in any case.
+fn next_size_ui(ui: &mut Ui, view: &View<'_>, asked: &Size<'_>) {
+    let walking = &view.session.parts().walking;
+    let size = sizes().limits;
+    let font = theme::bold(size);
+    let height = ui.painter().layout_no_wrap("0".to_owned(), font.clone(), Color32::PLACEHOLDER).size().y;
+    let row = vec2(ui.available_width(), height);
+    ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_size(row);
+        if walking.faced() == walking.at {
+            return;
+        }
+        let palette = palette(ui.ctx());
+        let (rect, _) = ui.allocate_exact_size(vec2(size, height), Sense::hover());
+        Icon::ArrowRight.paint(ui.painter(), rect.center(), Weight::Bold, size, palette.accent.0);
+        let number = &asked.feature.number;
+        let name = if number.is_empty() { asked.name() } else { format!("{number} {}", asked.name()) };
+        let said = message!("walk-page-next-size").text("name", name).text("asked", asked_text(view.words, asked));
+        ui.add(Label::new(RichText::new(view.words.say(&said)).font(font)).truncate());
+    });
+}
+
+/// The value that was judged last, as the field shows it until the next one is typed: heading, field and verdict are of one size.
+fn judged_text(view: &View<'_>) -> String {
+    let walking = &view.session.parts().walking;
+    let judged = walking.faced_value().filter(|(at, _)| walking.at != Some(*at));
+    judged.map_or_else(String::new, |(_, value)| {
+        let record = &value.record;
+        Digits::of(record).mm(view.words, record.measured(), 3)
+    })
+}
+
+fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>, asked: &Size<'_>) {
     let row = ui.horizontal_wrapped(|ui| {
         let name = heading(ui, view.text("walk-page-value"));
         // What is asked for stands above, which is out of sight where there is no room.
@@ -223,11 +275,15 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
     let keypad = space(5.0) + 2.0 * ui.spacing().button_padding.x;
     let width = ui.available_width() - keypad.max(control(ui)) - ui.spacing().item_spacing.x;
     ui.horizontal(|ui| {
-        field_ui(ui, view, WalkField::Value, name.id, FieldStyle::large(width - space(12.0)));
+        let style = FieldStyle::large(width - space(12.0));
+        let judged = judged_text(view);
+        let hint = RichText::new(judged).color(palette(ui.ctx()).quiet.0);
+        field_ui(ui, view, WalkField::Value, name.id, FieldStyle { hint, ..style });
         quiet(ui, "mm");
         ui.add_space((width - ui.min_rect().width()).max(0.0));
         view.icon_toggle(ui, WindowAction::Keypad, Icon::Numpad);
     });
+    next_size_ui(ui, view, asked);
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
         ui.horizontal(|ui| {
