@@ -719,3 +719,37 @@ fn a_thousand_features_cost_little_for_each_change_that_can_be_taken_back() {
     act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Name)[500], "H500");
 }
+
+#[test]
+fn hole_bore_and_shaft_are_diameters_where_the_callout_is_of_that_side() {
+    let session = opened(
+        "name;kind;callout\nA;hole;25 H7\nB;Bore;8 H9\nC;shaft;20 g6\nD;as;12 h6\nE;boring;10 ±0.05\nF;shaft;10 ±0.05\n",
+    );
+    assert_eq!(session.parts().document.findings(), []);
+    let features = &session.parts().document.plan().unwrap().features;
+    let sides: Vec<_> = features.iter().map(|feature| feature.limits[0].feature.word()).collect();
+    assert_eq!(sides, ["hole", "hole", "shaft", "shaft", "hole", "shaft"]);
+    assert!(features.iter().all(|feature| feature.kind.word() == "diameter"));
+}
+
+#[test]
+fn a_kind_that_contradicts_the_callout_or_the_side_is_a_fault_that_says_so() {
+    let session = opened("name;kind;callout;feature\nA;hole;20 g6;\nB;shaft;10 ±0.05;hole\n");
+    let told: Vec<_> = session.parts().document.findings().iter().map(|finding| finding.what.to_string()).collect();
+    assert_eq!(
+        told,
+        [
+            "kind hole contradicts the callout 20 g6, which is that of a shaft: correct one of them, or write diameter",
+            "kind shaft contradicts the feature hole, which is that of a hole: correct one of them, or write diameter",
+        ]
+    );
+}
+
+#[test]
+fn a_word_that_is_no_kind_leaves_every_kind_to_choose_from() {
+    let mut session = opened("name;kind;callout\nA;;25 H7\n");
+    go(&mut session, 0, Column::Kind);
+    plan(&mut session, PlanCommand::Edit(Some("drilling".to_owned())));
+    assert_eq!(session.parts().choices(), session.parts().words_here());
+    assert_eq!(session.parts().words_here().len(), 6);
+}

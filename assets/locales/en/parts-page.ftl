@@ -40,6 +40,7 @@ parts-page-new-row = new
 parts-page-limits = Limits
 parts-page-editing = { $column } of row { $row }
 parts-page-head = Part
+parts-page-words = One of: { $words }
 parts-page-no-fault = No faults in the plan
 parts-page-blank = Type the first feature, or paste rows from a spreadsheet
 parts-page-faults = { $count ->

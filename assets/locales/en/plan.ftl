@@ -16,6 +16,10 @@ plan-same-name = name { $name } occurs twice{ $line ->
    *[other] , first on line { $line }: file names on a control ignore case
 }
 plan-unknown = { $column } { $given } is not known: expected { $known }
+plan-other-side = kind { $given } contradicts the { $column } { $text }, which is that of a { $side ->
+    [hole] hole
+   *[shaft] shaft
+    }: correct one of them, or write diameter
 plan-not-of = a { $kind } has no { $column }
 plan-direction = axis { $given } is not a direction: expected { $known }, or three numbers such as 0.5 0 -1, from -10 to 10 with at most 9 decimals and not all 0
 plan-no-band = { $text } is not a tolerance band for a point, such as ±0.05 or +0.1/-0.05: { $error }

@@ -14,6 +14,16 @@ const WIDTH_AXES: [&str; 2] = ["X", "Y"];
 /// The directions of a face, and those of a point along an axis.
 const DIRECTIONS: [&str; 6] = ["+X", "-X", "+Y", "-Y", "+Z", "-Z"];
 
+/// Words that say diameter, and of which side: those of the drawing and of the languages of the window.
+const DIAMETERS: [(&str, Feature); 6] = [
+    ("hole", Feature::Hole),
+    ("bore", Feature::Hole),
+    ("boring", Feature::Hole),
+    ("gat", Feature::Hole),
+    ("shaft", Feature::Shaft),
+    ("as", Feature::Shaft),
+];
+
 /// The most characters of a cell that an error repeats.
 const LONGEST: usize = 80;
 
@@ -31,6 +41,11 @@ pub struct KindCells<'a> {
     pub callout: &'a str,
     /// The same for the side of a pocket or boss along Y; if not given, that along X.
     pub second: Option<&'a str>,
+}
+
+/// Hole or shaft, where the word for the kind says it.
+pub(super) fn side_of(word: &str) -> Option<Feature> {
+    DIAMETERS.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word)).map(|(_, side)| side)
 }
 
 impl KindCells<'_> {
@@ -52,6 +67,18 @@ impl KindCells<'_> {
         let mut faults = Vec::new();
         if let Some(word) = FeatureKind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
             return (self.of_kind(word, &mut faults), faults);
+        }
+        if let Some(side) = side_of(word) {
+            let kind = self.of_kind("diameter", &mut faults);
+            if let Some(FeatureKind::Diameter(callout)) = kind
+                && let Some(other) = callout.feature().filter(|other| *other != side)
+            {
+                let given = word.to_owned();
+                let text = callout.to_string();
+                let fault = PlanFault::OtherSide { given, column: "callout", text, side: other.word() };
+                faults.push((Column::Kind, fault));
+            }
+            return (kind, faults);
         }
         faults.push((Column::Kind, unknown("kind", word, &FeatureKind::WORDS)));
         self.of_no_kind(&mut faults);

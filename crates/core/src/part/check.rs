@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use super::cells::{KindCells, check_kind};
+use super::cells::{KindCells, check_kind, side_of};
 use super::column::{Column, HeadField};
 use super::draft::{Draft, DraftFeature};
 use super::fault::PlanFault;
@@ -177,6 +177,7 @@ impl Reader<'_> {
         self.within_travel(place, clearance_height);
         let side = self.side();
         let kind = self.kind(place, angle);
+        let side = self.side_of_kind(kind.as_ref(), side);
         let sides = kind.as_ref().map_or(&[""][..], FeatureKind::sides);
         for (column, what) in names.take(self.row.place.line, &number, &name, sides) {
             self.fault(column, what);
@@ -273,6 +274,20 @@ impl Reader<'_> {
         let found = [Feature::Hole, Feature::Shaft].into_iter().find(|side| side.word().eq_ignore_ascii_case(text));
         let unknown = || PlanFault::Unknown { column: "feature", given: beginning(text), known: words.join(", ") };
         self.take(Column::Feature, found.ok_or_else(unknown))
+    }
+
+    /// The same where the word for the kind says it.
+    fn side_of_kind(&mut self, kind: Option<&FeatureKind>, side: Option<Feature>) -> Option<Feature> {
+        let Some(word) = self.row.text(Column::Kind) else { return side };
+        let Some(of_kind) = side_of(word).filter(|_| kind.is_some()) else { return side };
+        if let Some(other) = side.filter(|side| *side != of_kind) {
+            let (given, text) = (beginning(word), other.word().to_owned());
+            let what = PlanFault::OtherSide { given, column: "feature", text, side: other.word() };
+            self.fault(Column::Kind, what);
+        }
+        // The letters of a callout that says the other one have their fault already.
+        let letters = kind.and_then(|kind| kind.callouts().first()?.feature());
+        side.or(letters.is_none().then_some(of_kind))
     }
 
     fn kind(&mut self, place: [Option<Length>; 3], angle: Angle) -> Option<FeatureKind> {

@@ -123,6 +123,17 @@ pub enum PlanFault {
         /// What is known.
         known: String,
     },
+    /// A word for a hole or a shaft beside a column that says the other one.
+    OtherSide {
+        /// The word.
+        given: String,
+        /// The other column.
+        column: &'static str,
+        /// What it has.
+        text: String,
+        /// Of what that is.
+        side: &'static str,
+    },
     /// A column that a kind of feature does not have.
     NotOf {
         /// The column.

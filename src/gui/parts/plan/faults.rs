@@ -18,7 +18,7 @@ pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
     0 < document.faults()
 }
 
-/// What is wrong with the cell at which the keys are, in a line that is always there.
+/// What is wrong with the cell at which the keys are, else what it may hold where only a few words are possible, in a line that is always there.
 pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &mut View<'_>) {
     let parts = view.session.parts();
     let (row, column) = parts.sheet.at();
@@ -30,6 +30,11 @@ pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &mut View<'_>) {
             if finding.what.meant().is_some() && view.session.can(PartsAction::TakeMeantCell) {
                 view.field_button(ui, PartsAction::TakeMeantCell);
             }
+            return;
+        }
+        let words = parts.words_here();
+        if !words.is_empty() {
+            quiet(ui, view.words.say(&message!("parts-page-words").text("words", words.join(", "))));
         }
     });
 }
