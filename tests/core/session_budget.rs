@@ -238,6 +238,22 @@ fn with_used() -> Session {
 }
 
 #[test]
+fn name_and_maker_are_fields_that_write_into_the_text_and_say_what_is_wrong_with_them() {
+    let mut session = with("station3.toml");
+    assert_eq!(session.text(BudgetField::HeadName), "Station 3, probe 1");
+    let before = session.budget().document.text.clone();
+    give(&mut session, BudgetField::HeadName, "Bore gauge \"40\"");
+    assert_eq!(session.budget().document.text, before.replacen("Station 3, probe 1", "Bore gauge \\\"40\\\"", 1));
+    assert_eq!(session.budget().found().unwrap().budget.name, "Bore gauge \"40\"");
+    give(&mut session, BudgetField::HeadName, "");
+    assert!(session.error(BudgetField::HeadName).is_some(), "{:?}", session.budget().read);
+    assert!(!session.budget().is_stale(), "it can be typed again");
+    give(&mut session, BudgetField::HeadBy, "JJ");
+    give(&mut session, BudgetField::HeadName, "Station 3, probe 1");
+    assert_eq!(session.budget().found().unwrap().budget.by, "JJ");
+}
+
+#[test]
 fn an_expired_budget_is_used_and_said() {
     let mut session = with("station3.toml");
     edit(&mut session, "valid_until = 2999-01-14", "valid_until = 2020-01-14");

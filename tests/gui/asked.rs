@@ -214,14 +214,21 @@ fn a_budget_of_the_template_is_used_by_no_check() {
     page.run();
     page.key_press_modifiers(Modifiers::COMMAND, Key::N);
     page.run();
-    page.get_by_label_contains("It still has entries from the template: the name, who created it, all figures");
+    page.get_by_label_contains(
+        "still those of the template: its name (“Station 1, probe 1”), who made it (“Who made it”), the figures",
+    );
     assert!(!page.state().session().can(BudgetAction::UseBudget));
     let ctx = page.ctx.clone();
-    let toml = page.state().session().budget().document.text.clone();
-    let named = toml.replace("Station 1, probe 1", "Mill 3").replace("Who made it", "JJ");
-    page.state_mut().send(&ctx, BudgetCommand::Edit(named.clone()).into());
+    type_into(&mut page, "Name of the budget", "Mill 3");
+    type_into(&mut page, "Made by", "JJ");
+    let named = page.state().session().budget().document.text.clone();
+    assert!(named.contains("name = \"Mill 3\"") && named.contains("by = \"JJ\""), "{named}");
+    page.get_by_label_contains("still those of the template: the figures of all contributions.");
+    // Another name of a contribution is no other figure.
+    let renamed = named.replace("name = \"Display\"", "name = \"Dial\"");
+    page.state_mut().send(&ctx, BudgetCommand::Edit(renamed).into());
     page.run();
-    page.get_by_label_contains("It still has entries from the template: all figures.");
+    page.get_by_label_contains("still those of the template: the figures of all contributions.");
     page.state_mut().send(&ctx, BudgetCommand::Edit(named.replace("standard_um = 0.5", "standard_um = 0.7")).into());
     page.run();
     assert!(page.state().session().can(BudgetAction::UseBudget));

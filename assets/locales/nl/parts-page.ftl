@@ -1,4 +1,4 @@
-page-parts = Delen
+page-parts = Onderdelen
 parts-page-walk = Meten
 parts-page-plan = Plan
 parts-page-new = Nieuw plan
@@ -40,6 +40,7 @@ parts-page-new-row = nieuw
 parts-page-limits = Grensmaten
 parts-page-editing = { $column } van rij { $row }
 parts-page-head = Onderdeel
+parts-page-words = Een van: { $words }
 parts-page-no-fault = Geen fouten in het plan
 parts-page-blank = Typ het eerste element, of plak rijen uit een spreadsheet
 parts-page-faults = { $count ->

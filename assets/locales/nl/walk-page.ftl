@@ -1,4 +1,4 @@
-# De gang door een onderdeel, en de bewaakte map, op de pagina Delen.
+# De gang door een onderdeel, en de bewaakte map, op de pagina Onderdelen.
 
 walk-page-begin = Onderdeel beginnen
 walk-page-count-up = Volgend nummer

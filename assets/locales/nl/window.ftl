@@ -97,7 +97,7 @@ band-empty = De grensband verschijnt met de grensmaten
 band-describe = Afwijking van de nominale maat in micrometer: tolerantieveld van { $lower } tot { $upper }, { $left } daaronder, { $right } daarboven.
 band-describe-measured = Gemeten { $deviation }, { $above } boven het minimum, { $below } onder het maximum.
 side-rework = nabewerking
-side-scrap = afkeur
+side-scrap = afgekeurd
 
 last-values = Laatste waarden
 last-values-empty = Hier verschijnen de laatste waarden bij deze grensmaten

@@ -143,6 +143,8 @@ rows! {
     Touches, "budget-page-touches", AT_TIMES, "number-of-contacts";
     Step, "budget-page-step", AT_TIMES, "step";
     Day, "budget-page-day", PAGE, "day";
+    HeadName, "budget-head-name", AT_TIMES, "name-of-the-budget";
+    HeadBy, "budget-head-by", AT_TIMES, "who-made-the-budget";
     RowName, "budget-row-name", AT_TIMES, "name-of-a-contribution";
     RowValue, "budget-row-half-width", AT_TIMES, "figure-of-a-contribution";
     RowCoverage, "budget-row-k", AT_TIMES, "coverage-factor-of-a-contribution";

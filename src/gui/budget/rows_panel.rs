@@ -38,6 +38,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.text("budget-page-none"));
         return;
     }
+    ui.add_enabled_ui(!budget.is_stale(), |ui| head_ui(ui, view));
     if matches!(budget.read, Some(Ok(Budget { basis: Basis::Calibrated(_), .. }))) {
         quiet(ui, view.text("budget-table-calibrated"));
         return;
@@ -57,6 +58,16 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     ui.add_space(space(1.0));
     view.field_button(ui, BudgetAction::AddContribution);
+}
+
+/// Of what the budget is and who made it: checks use no budget that nobody has put a name to.
+fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
+    for (field, name) in [(BudgetField::HeadName, "budget-head-name"), (BudgetField::HeadBy, "budget-head-by")] {
+        let name = quiet(ui, view.text(name));
+        field_ui(ui, view, field, name.id, FieldStyle::text(ui.available_width()));
+        error_ui(ui, view, field);
+    }
+    ui.add_space(space(1.0));
 }
 
 fn row_ui(ui: &mut Ui, view: &mut View<'_>, number: usize, row: &WrittenContribution) {
@@ -128,6 +139,9 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, row: &WrittenContribution) {
         Some(GivenAs::Expanded) => "budget-given-expanded",
         None => "budget-row-half-width",
     };
+    // Who has n readings of a type A types n − 1.
+    let is_counted = BudgetPage::evaluated(row) == Some(Evaluated::A);
+    let freedom = if is_counted { "budget-row-freedom-a" } else { "budget-row-freedom" };
     let all = [
         (BudgetField::RowValue, value, unit(row)),
         (BudgetField::RowCoverage, "budget-row-k", ""),
@@ -136,7 +150,7 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, row: &WrittenContribution) {
         (BudgetField::RowTouches, "budget-row-touches", ""),
         (BudgetField::RowStep, "budget-row-step", "°"),
         (BudgetField::RowSensitivity, "budget-row-sensitivity", ""),
-        (BudgetField::RowFreedom, "budget-row-freedom", ""),
+        (BudgetField::RowFreedom, freedom, ""),
     ];
     let has = |field: &BudgetField| BudgetPage::key_of(*field, row).is_some();
     let fields: Vec<(Field, String, &str)> = all

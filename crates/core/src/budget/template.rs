@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use jiff::civil::Date;
 
-use super::{Basis, Budget};
+use super::{Basis, Budget, Contribution};
 
 const TEXT: &str = include_str!("../../../../assets/budget.toml");
 
@@ -32,7 +32,13 @@ impl Budget {
     pub fn placeholders(&self) -> Vec<Placeholder> {
         let Some(template) = &*TEMPLATE else { return Vec::new() };
         let has_its_figures = match (&self.basis, &template.basis) {
-            (Basis::Contributions(own), Basis::Contributions(all)) => own.iter().all(|own| all.contains(own)),
+            (Basis::Contributions(own), Basis::Contributions(all)) => {
+                // Another name is no other figure.
+                let is_same = |own: &Contribution, of: &Contribution| {
+                    *of == Contribution { name: of.name.clone(), ..own.clone() }
+                };
+                own.iter().all(|own| all.iter().any(|of| is_same(own, of)))
+            }
             _ => false,
         };
         let all = [

@@ -37,6 +37,7 @@ impl PageState for BudgetPage {
             BudgetCommand::Type(field, text) if BudgetField::OF_ROW.contains(&field) => {
                 self.type_in_row(field, text, shared);
             }
+            BudgetCommand::Type(field, text) if field.head_key().is_some() => self.type_in_head(field, text),
             BudgetCommand::Type(field, text) => self.type_text(field, text),
             BudgetCommand::Edit(text) => {
                 self.document.text = text;

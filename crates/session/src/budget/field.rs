@@ -14,6 +14,10 @@ kept_fields! {
     Step: "budget-step", "";
     /// The day on which the budget must be valid; empty is today.
     Day: "budget-day", "";
+    /// The name of the budget.
+    HeadName: "budget-head-name", "";
+    /// Who made it.
+    HeadBy: "budget-head-by", "";
     /// The name of the contribution that is open in the table.
     RowName: "budget-row-name", "";
     /// The figure of its uncertainty, in the unit of its kind.
@@ -35,6 +39,14 @@ kept_fields! {
 }
 
 impl BudgetField {
+    /// The fields of the budget as a whole, which write into its text, each with its key.
+    pub const OF_HEAD: [(Self, &str); 2] = [(Self::HeadName, "name"), (Self::HeadBy, "by")];
+
+    /// The key of the budget as a whole that it writes.
+    pub(super) fn head_key(self) -> Option<&'static str> {
+        Self::OF_HEAD.into_iter().find(|(field, _)| *field == self).map(|(_, key)| key)
+    }
+
     /// The fields of the contribution that is open in the table.
     pub const OF_ROW: [Self; 9] = [
         Self::RowName,

@@ -32,6 +32,22 @@ impl WrittenContribution {
     }
 }
 
+/// What stands above every table: the name of the budget, its days and who made it.
+pub fn head(text: &str) -> WrittenContribution {
+    let mut head = WrittenContribution { lines: 0..0, keys: Vec::new() };
+    for (number, line) in text.lines().enumerate() {
+        let said = line.trim();
+        if said.starts_with('[') {
+            break;
+        }
+        if let Some((key, value)) = said.split_once('=').filter(|_| !said.starts_with('#')) {
+            head.keys.push((key.trim().to_owned(), number, unquoted(before_comment(value).trim())));
+            head.lines.end = number + 1;
+        }
+    }
+    head
+}
+
 /// The contributions of a text; `None` where it writes them in another way than one key a line.
 pub fn read(text: &str) -> Option<Vec<WrittenContribution>> {
     let mut all: Vec<WrittenContribution> = Vec::new();

@@ -56,7 +56,15 @@ impl BudgetPage {
 
     /// Whether the table shows what the text does not say any more.
     pub fn is_stale(&self) -> bool {
-        self.is_other || matches!(&self.read, Some(Err(error)) if self.row_at(error.place.line).is_none())
+        let is_elsewhere = |line| self.row_at(line).is_none() && self.head_field_at(line).is_none();
+        self.is_other || matches!(&self.read, Some(Err(error)) if is_elsewhere(error.place.line))
+    }
+
+    /// The field of the budget as a whole in whose line something is, by the line from 1.
+    fn head_field_at(&self, line: Option<usize>) -> Option<BudgetField> {
+        let line = line?.checked_sub(1)?;
+        let head = lines::head(&self.document.text);
+        BudgetField::OF_HEAD.into_iter().find(|(_, key)| head.line(key) == Some(line)).map(|(field, _)| field)
     }
 
     /// The contribution in whose lines something is, by the line from 1.
@@ -121,7 +129,12 @@ impl BudgetPage {
             BudgetField::RowStep => of_kind("step_deg"),
             BudgetField::RowSensitivity => Some("sensitivity"),
             BudgetField::RowFreedom => Some("degrees_of_freedom"),
-            BudgetField::Size | BudgetField::Touches | BudgetField::Step | BudgetField::Day => None,
+            BudgetField::Size
+            | BudgetField::Touches
+            | BudgetField::Step
+            | BudgetField::Day
+            | BudgetField::HeadName
+            | BudgetField::HeadBy => None,
         }
     }
 
@@ -143,6 +156,12 @@ impl BudgetPage {
 
     /// The fields of the open contribution get what the text says; one that says the same in other words stays.
     fn fill_fields(&mut self) {
+        let head = lines::head(&self.document.text);
+        for (field, key) in BudgetField::OF_HEAD {
+            if self.texts.text(field).trim() != head.value(key) {
+                self.texts.set(field, head.value(key));
+            }
+        }
         let Some(row) = self.open_row().cloned() else { return };
         for field in BudgetField::OF_ROW {
             let value = Self::key_of(field, &row).map_or("", |key| row.value(key));
@@ -155,6 +174,10 @@ impl BudgetPage {
     /// What is wrong in the lines of the open contribution stands beside its field.
     pub(super) fn refuse_row(&mut self) {
         let Some(Err(error)) = &self.read else { return };
+        if let Some(field) = self.head_field_at(error.place.line) {
+            self.errors.insert(field, error.what.message());
+            return;
+        }
         let Some(row) = self.open_row() else { return };
         let Some(line) = error.place.line.and_then(|line| line.checked_sub(1)) else { return };
         let is_at = |field: &BudgetField| Self::key_of(*field, row).and_then(|key| row.line(key)) == Some(line);
@@ -183,6 +206,18 @@ impl BudgetPage {
         }
     }
 
+    /// What is typed in a field of the budget as a whole stands in its text.
+    pub(super) fn type_in_head(&mut self, field: BudgetField, text: String) {
+        let Some(key) = field.head_key() else { return };
+        let is_same = text == self.texts.text(field);
+        let value = literal(field, &text);
+        self.texts.set(field, text);
+        if !is_same && !self.is_stale() && !self.document.text.is_empty() {
+            let text = lines::with_value(&self.document.text, &lines::head(&self.document.text), key, &value);
+            self.write(text);
+        }
+    }
+
     pub(super) fn type_in_row(&mut self, field: BudgetField, text: String, shared: &mut Shared) {
         let value = literal(field, &text);
         let is_same = text == self.texts.text(field);
@@ -192,7 +227,7 @@ impl BudgetPage {
         if value.is_empty() { self.drop_keys(&[key], shared) } else { self.put(key, &value) }
     }
 
-    /// Removes keys of the open contribution, and says which comments go with them.
+    /// Removes keys of the open contribution, and says that comments went with them.
     fn drop_keys(&mut self, keys: &[&str], shared: &mut Shared) {
         let mut lost = Vec::new();
         for key in keys {
@@ -201,7 +236,7 @@ impl BudgetPage {
             lost.extend(comments);
             self.write(text);
         }
-        tell_lost(lost, shared);
+        tell_lost(&lost, shared);
     }
 
     /// Adds a contribution and opens it.
@@ -215,15 +250,14 @@ impl BudgetPage {
         self.choose(Some(row));
     }
 
-    /// Removes the open contribution, and says which comments go with it.
+    /// Removes the open contribution with the comments that are about it.
     pub(super) fn remove_row(&mut self, shared: &mut Shared) {
         let Some(row) = self.open_row().filter(|_| !self.is_stale()) else { return };
         let name = row.value("name").to_owned();
-        let (text, lost) = lines::without_row(&self.document.text, row);
+        let (text, _comments) = lines::without_row(&self.document.text, row);
         self.chosen = None;
         self.write(text);
-        let details = lost.into_iter().map(|comment| message!("budget-page-named").text("name", comment)).collect();
-        shared.note_details(message!("budget-row-removed").text("name", name), details);
+        shared.note(message!("budget-row-removed").text("name", name), Vec::new());
     }
 
     /// Another kind: the figure keeps its number under the key of that kind, and what the kind needs is there.
@@ -295,7 +329,7 @@ impl BudgetPage {
 fn literal(field: BudgetField, text: &str) -> String {
     let text = text.trim();
     match field {
-        BudgetField::RowName => lines::quoted(text),
+        BudgetField::RowName | BudgetField::HeadName | BudgetField::HeadBy => lines::quoted(text),
         _ if text.is_empty() => String::new(),
         _ => {
             let number = text.replace(',', ".").replace('\u{2212}', "-");
@@ -304,9 +338,8 @@ fn literal(field: BudgetField, text: &str) -> String {
     }
 }
 
-fn tell_lost(lost: Vec<String>, shared: &mut Shared) {
+fn tell_lost(lost: &[String], shared: &mut Shared) {
     if !lost.is_empty() {
-        let details = lost.into_iter().map(|comment| message!("budget-page-named").text("name", comment)).collect();
-        shared.note_details(message!("budget-row-comments-removed"), details);
+        shared.note(message!("budget-row-comments-removed"), Vec::new());
     }
 }

@@ -68,12 +68,10 @@ impl BudgetPage {
     /// What of the template still stands in the budget: nobody has said it of this station.
     pub fn placeholders(&self) -> Vec<Message> {
         let Some(Ok(budget)) = &self.read else { return Vec::new() };
-        let message = |what| {
-            Message::new(match what {
-                Placeholder::Name => "budget-page-placeholder-name",
-                Placeholder::By => "budget-page-placeholder-by",
-                Placeholder::Figures => "budget-page-placeholder-figures",
-            })
+        let message = |what| match what {
+            Placeholder::Name => message!("budget-page-placeholder-name").text("name", &budget.name),
+            Placeholder::By => message!("budget-page-placeholder-by").text("by", &budget.by),
+            Placeholder::Figures => message!("budget-page-placeholder-figures"),
         };
         budget.placeholders().into_iter().map(message).collect()
     }
