@@ -635,3 +635,78 @@ fn records_are_sent_to_the_server_that_is_named_and_its_password_is_not_kept() {
     assert_eq!((session.recording().server(), session.recording().unsent()), (None, None));
     assert_eq!(session.saved().records.server, None);
 }
+
+/// What the newest notice says.
+fn told(session: &Session) -> String {
+    let words = fitcheck::words::Words::new(session.language());
+    session.notices().last().map_or_else(String::new, |notice| words.say(&notice.message))
+}
+
+/// The records that entries withdraw, with the reason and who.
+fn withdrawn(entries: &[Entry]) -> Vec<(u64, &str, &str)> {
+    let of = |entry: &Entry| assert!(matches!(entry.content, Content::Withdrawal(_)), "{entry:?}");
+    entries.iter().for_each(of);
+    let corrects = entries.iter().filter_map(Entry::corrects);
+    corrects.map(|Correction { target, reason, by }| (target.number, reason.as_str(), by.as_str())).collect()
+}
+
+#[test]
+fn undo_withdraws_the_record_of_the_check_that_it_takes_back() {
+    let mut session = recording();
+    send(&mut session, RecordsCommand::UseName("Anna".to_owned()));
+    typed(&mut session, CheckField::Part, "Flange");
+    let (run, _) = kept(&measure(&mut session, "25 H7", "24.998"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(88)]) });
+    let (run, entries) = kept(&send(&mut session, CheckCommand::Undo));
+    assert_eq!(withdrawn(&entries), [(88, "undone", "Anna")]);
+    assert_eq!((entries[0].about.part.as_str(), entries[0].corrects().unwrap().target), ("Flange", head(88)));
+    assert_eq!(session.history().len(), 0);
+    assert_eq!(told(&session), "", "the journal has not answered");
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(89)]) });
+    assert_eq!(told(&session), "1 check taken back; record 88 is withdrawn");
+    assert!(!session.would_lose());
+}
+
+#[test]
+fn a_record_that_undo_takes_back_while_it_is_written_is_withdrawn_once_it_has_its_number() {
+    let mut session = recording();
+    let (run, _) = kept(&measure(&mut session, "25 H7", "24.998"));
+    assert_eq!(send(&mut session, CheckCommand::Undo), []);
+    let (run, entries) = kept(&send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(7)]) }));
+    assert_eq!(withdrawn(&entries), [(7, "undone", "")]);
+    // Not withdrawn: it is told, and tried again.
+    let why = Message::new("records-page-no-thread");
+    send(&mut session, RecordsCommand::Kept { run, result: Err(why) });
+    assert!(told(&session).starts_with("Record 7 still counts and could not be withdrawn: "), "{}", told(&session));
+    let again = kept(&send(&mut session, RecordsCommand::TryAgain));
+    assert_eq!(again, (run, entries));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(8)]) });
+    assert_eq!(told(&session), "1 check taken back; record 7 is withdrawn");
+}
+
+#[test]
+fn a_check_that_could_not_be_written_is_not_written_after_undo() {
+    let mut session = recording();
+    let (run, _) = kept(&measure(&mut session, "25 H7", "24.998"));
+    send(&mut session, RecordsCommand::Kept { run, result: Err(Message::new("records-page-no-thread")) });
+    assert_eq!(send(&mut session, CheckCommand::Undo), []);
+    assert_eq!(told(&session), "1 check taken back; it was not recorded yet and will not be");
+    assert_eq!(send(&mut session, RecordsCommand::TryAgain), []);
+    assert!(!session.would_lose());
+}
+
+#[test]
+fn undo_of_a_long_import_withdraws_its_records_as_one_batch() {
+    let mut session = recording();
+    let rows: String = (0..600).map(|at| format!("B{at},25 H7,25.01\n")).collect();
+    let rows = format!("id,callout,measured\n{rows}");
+    let result = Ok(Box::new(fitcheck::exchange::import("lot.csv", rows.as_bytes(), session.sources(), now())));
+    let (run, entries) = kept(&send(&mut session, CheckCommand::Imported { name: "lot.csv".to_owned(), result }));
+    let heads = |from: u64| (from..from + 600).map(head).collect();
+    assert_eq!(entries.len(), 600);
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(heads(2)) });
+    let (run, entries) = kept(&send(&mut session, CheckCommand::Undo));
+    assert_eq!(withdrawn(&entries).iter().map(|(number, ..)| *number).collect::<Vec<_>>(), (2..602).collect::<Vec<_>>());
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(heads(602)) });
+    assert_eq!(told(&session), "600 checks taken back; records 2 … 601 are withdrawn");
+}

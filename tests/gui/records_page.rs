@@ -96,7 +96,7 @@ fn a_check_has_its_number_once_it_is_on_disk_and_is_there_after_a_restart() {
 }
 
 #[test]
-fn a_shown_check_tells_its_record_and_clearing_tells_that_records_stay() {
+fn clearing_tells_that_records_stay_and_undo_of_a_check_withdraws_its_record_for_good() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = at(folder.path()).open();
     three(&mut window);
@@ -110,9 +110,14 @@ fn a_shown_check_tells_its_record_and_clearing_tells_that_records_stay() {
     send(&mut window, CheckCommand::Undo);
     check(&mut window, "25 H7", "25.010");
     send(&mut window, CheckCommand::Undo);
-    window.get_by_label("Records stay in the journal");
+    window.get_by_label("1 check taken back; record 5 is withdrawn");
     send(&mut window, Command::OpenPage(Page::Records));
-    assert_eq!(rows(&window).len(), 4);
+    let listed = rows(&window);
+    assert_eq!(listed.len(), 5, "both entries stay");
+    assert!(listed[0].contains("Withdraws 5") && listed[1].contains("Void, see 6"), "{listed:?}");
+    drop(window);
+    let again = at(folder.path()).open();
+    assert_eq!(rows(&again).len(), 3, "what was taken back does not come back");
 }
 
 #[test]

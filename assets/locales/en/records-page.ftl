@@ -166,6 +166,22 @@ records-page-withdraw-neither = Record { $number }, which this one corrects, doe
 records-page-send-correction = Record the correction
 records-page-leave-correction = Cancel
 records-page-undo-void = Not undone: the record was withdrawn after the correction
+records-page-undone-reason = undone
+records-page-taken-back = { $checks ->
+    [one] 1 check taken back
+   *[other] { $checks } checks taken back
+}; { $records ->
+    [one] record { $numbers } is withdrawn
+   *[other] records { $numbers } are withdrawn
+}
+records-page-taken-back-unwritten = { $checks ->
+    [one] 1 check taken back; it was not recorded yet and will not be
+   *[other] { $checks } checks taken back; they were not recorded yet and will not be
+}
+records-page-not-withdrawn = { $records ->
+    [one] Record { $numbers } still counts and could not be withdrawn: { $why }
+   *[other] Records { $numbers } still count and could not be withdrawn: { $why }
+}
 records-page-undone = Correction undone
 records-page-no-reason = A correction needs a reason
 records-page-nothing-changed = Nothing is different: change a field, or withdraw the record

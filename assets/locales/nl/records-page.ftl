@@ -166,6 +166,22 @@ records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, te
 records-page-send-correction = De correctie vastleggen
 records-page-leave-correction = Annuleren
 records-page-undo-void = Niet ongedaan gemaakt: de vastlegging is na de correctie ingetrokken
+records-page-undone-reason = ongedaan gemaakt
+records-page-taken-back = { $checks ->
+    [one] 1 controle teruggenomen
+   *[other] { $checks } controles teruggenomen
+}; { $records ->
+    [one] vastlegging { $numbers } is ingetrokken
+   *[other] vastleggingen { $numbers } zijn ingetrokken
+}
+records-page-taken-back-unwritten = { $checks ->
+    [one] 1 controle teruggenomen; die was nog niet vastgelegd en wordt dat ook niet
+   *[other] { $checks } controles teruggenomen; die waren nog niet vastgelegd en worden dat ook niet
+}
+records-page-not-withdrawn = { $records ->
+    [one] Vastlegging { $numbers } telt nog mee en kon niet worden ingetrokken: { $why }
+   *[other] Vastleggingen { $numbers } tellen nog mee en konden niet worden ingetrokken: { $why }
+}
 records-page-undone = Correctie ongedaan gemaakt
 records-page-no-reason = Een correctie heeft een reden nodig
 records-page-nothing-changed = Er is niets anders: wijzig een veld, of trek de vastlegging in

@@ -3,7 +3,7 @@
 //!
 //! A page changes its own state and this, never another page. It announces what others have to know as [`News`].
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -27,7 +27,7 @@ use super::history::History;
 use super::notice::{Notice, Notices};
 use super::page::Page;
 use super::purpose::Purpose;
-use super::recording::Recording;
+use super::recording::{Recorded, Recording};
 use super::saved::SavedRecords;
 use super::settings::{DecimalSign, Density, RowHeight, Theme};
 use super::tools::OpenTools;
@@ -115,6 +115,12 @@ pub(super) enum News {
         number: u64,
         /// The number of what stands in its place, and what it tells.
         by: Option<Box<(u64, Entry)>>,
+    },
+    /// Undo took checks of the history back, with what stood in their place.
+    Undone {
+        ids: BTreeSet<RecordId>,
+        /// Those of their records that have a number.
+        numbers: BTreeSet<u64>,
     },
     /// A record is being corrected.
     Correcting,
@@ -330,6 +336,27 @@ impl Shared {
     /// Tells the user what was done.
     pub fn note(&mut self, message: Message, details: Vec<Message>) {
         self.notices.push(Notice { details, ..Notice::of(message, false) });
+    }
+
+    /// Undo took checks back: the records of those that stand are withdrawn. Returns whether there are any.
+    pub fn withdraw(&mut self, taken: BTreeSet<RecordId>, standing: &[RecordId]) -> bool {
+        let number = |id: &RecordId| match self.recording.of_check(*id) {
+            Some(Recorded::Kept(number)) => Some(number),
+            _ => None,
+        };
+        let numbers = standing.iter().filter_map(number).collect();
+        let reason = self.words().get("records-page-undone-reason");
+        let has_any = self.recording.take_back(&taken, standing, reason);
+        self.go_on_undoing();
+        self.spread(News::Undone { ids: taken, numbers });
+        has_any
+    }
+
+    /// Withdraws what undo took back and what is written by now.
+    pub fn go_on_undoing(&mut self) {
+        for told in self.recording.go_on_undoing() {
+            self.note(told, Vec::new());
+        }
     }
 
     /// Tells the user what was done, where there are details.

@@ -175,6 +175,7 @@ impl PageState for CheckPage {
             | News::Correcting
             | News::UndoCorrection(_)
             | News::Kept(..)
+            | News::Undone { .. }
             | News::Budget => {}
         }
     }
@@ -231,12 +232,14 @@ impl CheckPage {
             return shared.spread(News::UndoCorrection(new));
         }
         let change = shared.history.last_change();
-        let stay = shared.recording.has_any(&shared.history.taken_by_undo()).then(|| message!("records-page-stay"));
+        let taken = shared.history.taken_by_undo();
+        let standing: Vec<RecordId> = taken.iter().filter_map(|id| shared.history.standing(*id)).collect();
         let Some(undone) = shared.history.take_back() else { return };
         self.clear(&shared.sources);
         shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
-        if shared.page != Page::Check || stay.is_some() {
-            shared.note(message!("undone").message("what", undone), stay.into_iter().collect());
+        // Where records are withdrawn, the journal's answer says what was undone.
+        if !shared.withdraw(taken, &standing) && shared.page != Page::Check {
+            shared.note(message!("undone").message("what", undone), Vec::new());
         }
     }
 

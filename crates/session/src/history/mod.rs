@@ -190,6 +190,15 @@ impl History {
         }
     }
 
+    /// What stands in the place of a check, or the check itself; `None` where it was taken back.
+    pub(super) fn standing(&self, id: RecordId) -> Option<RecordId> {
+        let mut standing = id;
+        while let Some(new) = self.successors.get(&standing) {
+            standing = *new;
+        }
+        self.replaced_by(standing).is_none().then_some(standing)
+    }
+
     /// The numbers of all checks.
     pub(super) fn ids(&self) -> BTreeSet<RecordId> {
         self.records.ids().collect()

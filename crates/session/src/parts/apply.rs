@@ -84,6 +84,7 @@ impl PageState for PartsPage {
             // Notes are in the language of the window, and prints are read through the user's own mask.
             News::Columns | News::StatusWindow | News::Temperature => self.watch_anew(shared),
             News::OwnMask => self.begin_watch(shared),
+            News::Undone { ids, numbers } => self.undone(ids, numbers),
             News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),
             News::Journal => {
                 self.begin_watch(shared);

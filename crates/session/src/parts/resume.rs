@@ -8,6 +8,7 @@ use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::Plan;
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::{Checked, Entry};
+use fitcheck_exchange::journal::query::RecordId;
 
 use super::PartsPage;
 use super::planned::{Away, Planned, Sizes};
@@ -249,6 +250,17 @@ fn tell_gone(gone: BTreeSet<String>, shared: &mut Shared) {
 }
 
 impl PartsPage {
+    /// Undo took checks back: they are no values of this part any more.
+    pub(super) fn undone(&mut self, ids: &BTreeSet<RecordId>, numbers: &BTreeSet<u64>) {
+        let is_undone = |value: &Value| {
+            value.id.is_some_and(|id| ids.contains(&id)) || value.number.is_some_and(|number| numbers.contains(&number))
+        };
+        if self.walking.has(is_undone) {
+            self.walking.remove(is_undone);
+            self.stay_open();
+        }
+    }
+
     /// A value of this part was corrected or withdrawn in the journal: it counts no more, and what stands in its place does.
     pub(super) fn taken_back(&mut self, number: u64, by: Option<&(u64, Entry)>, shared: &mut Shared) {
         let is_it = |value: &Value| {

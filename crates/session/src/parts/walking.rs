@@ -296,10 +296,22 @@ impl Walking {
             Some(place) => _ = all.splice(place..=place, by),
             None => all.extend(by),
         }
+        self.stand_anew(all);
+        at.map(|at| self.name(at).to_owned())
+    }
+
+    /// Takes values out.
+    pub(super) fn remove(&mut self, is_it: impl Fn(&Value) -> bool) {
+        let mut all = self.all();
+        all.retain(|(_, value)| !is_it(value));
+        self.stand_anew(all);
+    }
+
+    /// Takes what is left of the values; what is shown has some.
+    fn stand_anew(&mut self, all: Vec<(usize, Value)>) {
         self.take_anew(all);
         self.shown = self.shown.filter(|at| !self.values(*at).is_empty());
         self.resting = self.resting.filter(|at| self.shown == Some(*at));
-        at.map(|at| self.name(at).to_owned())
     }
 
     /// All values, size by size, in the order in which those of a size came.

@@ -27,6 +27,12 @@ pub struct Named {
 }
 
 impl Named {
+    /// What an entry is named.
+    pub(crate) fn of_entry(about: &About) -> Self {
+        let About { part, serial, feature, who, remark, .. } = about.clone();
+        Self { part, serial, feature, who, remark }
+    }
+
     /// The same for a value that is called `id`, with what its file says of it: as the command line records it.
     fn of_file(self, labels: Option<&Labels>, id: &str) -> Self {
         let given = |text: &String, usual: String| if text.is_empty() { usual } else { text.clone() };
@@ -101,7 +107,8 @@ impl Recording {
             let entry = self.entry(&named, Content::Check(Box::new(check)));
             match body::write(&entry) {
                 Ok(_) => {
-                    known.push((id, named));
+                    // Somebody else may measure when it is withdrawn.
+                    known.push((id, Named { who: entry.about.who.clone(), ..named }));
                     entries.push(entry);
                 }
                 Err(error) => refused.push((id, named, error.message())),
@@ -156,7 +163,7 @@ impl Recording {
         Correction { by: self.who().to_owned(), ..correction }
     }
 
-    fn entry(&self, named: &Named, content: Content) -> Entry {
+    pub(super) fn entry(&self, named: &Named, content: Content) -> Entry {
         let about = About {
             station: self.station.clone(),
             time: unstamped(),

@@ -9,10 +9,12 @@
 //! | `making` | from a check to an entry |
 //! | `people` | who is measuring |
 //! | `server` | the server of the shop |
+//! | `undoing` | undo withdraws what it takes back |
 
 mod making;
 mod people;
 mod server;
+mod undoing;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -27,6 +29,7 @@ pub use people::MOST_NAMES;
 use server::Server;
 
 use self::people::People;
+use self::undoing::{Undone, Withdrawing};
 use super::effect::Effect;
 use super::saved::SavedRecords;
 
@@ -80,8 +83,7 @@ struct Batch {
 #[derive(Debug)]
 enum RecordingState {
     Waiting,
-    /// The number of the first one.
-    Kept(u64),
+    Kept(Vec<Head>),
     Failed(Message),
     /// It can never be written, whatever the disk does.
     Refused(Message),
@@ -127,6 +129,10 @@ pub struct Recording {
     /// The file that was read last, with SHA-256 of its bytes.
     measured: Option<(String, Hash)>,
     server: Server,
+    /// Steps that undo took back, until all of their records are written.
+    undone: Vec<Undone>,
+    /// Batches of withdrawals that undo asked for.
+    withdrawing: BTreeMap<u64, Withdrawing>,
     errands: Vec<Effect>,
 }
 
@@ -204,7 +210,7 @@ impl Recording {
                     journal.head = *head;
                 }
                 self.newest = heads.last().map_or(self.newest, |head| self.newest.max(head.number));
-                batch.fate = RecordingState::Kept(heads.first().map_or(0, |head| head.number));
+                batch.fate = RecordingState::Kept(heads);
                 batch.entries = Vec::new();
                 self.wake_sender();
                 false
@@ -282,9 +288,29 @@ impl Recording {
     pub fn of_slip(&self, (run, at): (u64, u64)) -> Option<Recorded<'_>> {
         Some(match &self.batches.get(&run)?.fate {
             RecordingState::Waiting => Recorded::Waiting,
-            RecordingState::Kept(first) => Recorded::Kept(first.saturating_add(at)),
+            RecordingState::Kept(heads) => {
+                Recorded::Kept(heads.first().map_or(0, |head| head.number).saturating_add(at))
+            }
             RecordingState::Failed(problem) | RecordingState::Refused(problem) => Recorded::Failed(problem),
         })
+    }
+
+    /// The entry on disk of something that was sent.
+    pub(super) fn head_of_slip(&self, (run, at): Slip) -> Option<Head> {
+        match &self.batches.get(&run)?.fate {
+            RecordingState::Kept(heads) => heads.get(usize::try_from(at).ok()?).copied(),
+            _ => None,
+        }
+    }
+
+    /// The entry on disk of a check that was sent.
+    pub(super) fn head_of(&self, id: RecordId) -> Option<Head> {
+        self.head_of_slip(self.checks.get(&id)?.slip)
+    }
+
+    /// A correction put a check into the history: the entry of this batch.
+    pub(super) fn know_correction(&mut self, id: RecordId, run: u64, named: Named) {
+        self.checks.insert(id, Known { slip: (run, 0), named });
     }
 
     /// What has become of a check of the history; `None` where it was not sent.

@@ -194,13 +194,39 @@ impl RecordsPage {
     fn kept(&mut self, run: u64, result: Result<Vec<Head>, Message>, shared: &mut Shared) {
         let problem = result.as_ref().err().cloned();
         shared.spread(News::Kept(run, problem.is_none()));
-        if shared.recording.kept(run, result) {
-            let count = shared.recording.failed();
+        let is_failure = shared.recording.kept(run, result);
+        shared.go_on_undoing();
+        let count = shared.recording.failed();
+        if is_failure && 0 < count {
             let why = problem.unwrap_or_else(|| message!("records-page-not-kept-why"));
-            let told = message!("records-page-not-kept").count("count", count).message("why", why);
-            shared.tell_of_records(told);
+            let told = match shared.recording.not_withdrawn(run) {
+                Some((records, numbers)) => {
+                    message!("records-page-not-withdrawn").count("records", records).text("numbers", numbers)
+                }
+                None => message!("records-page-not-kept").count("count", count),
+            };
+            shared.tell_of_records(told.message("why", why));
+        }
+        if let Some((told, numbers)) = shared.recording.withdrawn(run) {
+            shared.note(told, Vec::new());
+            self.withdrawn(&numbers, shared);
         }
         self.correction_kept(run, shared);
+    }
+
+    /// Undo has withdrawn records: what is listed and open shows it.
+    fn withdrawn(&mut self, numbers: &[u64], shared: &Shared) {
+        for number in numbers {
+            self.listing.forget(*number);
+            self.chosen.remove(number);
+        }
+        if let Some(open) = self.open.as_ref().map(|open| open.number).filter(|open| numbers.contains(open)) {
+            let effects = self.open(open);
+            self.errands.extend(effects);
+        }
+        if shared.page == Page::Records {
+            self.ask(shared, false);
+        }
     }
 
     fn found(&mut self, run: u64, result: Result<super::FoundNumbers, Message>) {

@@ -17,7 +17,7 @@ use super::{RecordRow, RecordsField, RecordsPage};
 use crate::check::CheckField;
 use crate::effect::Effect;
 use crate::page::Page;
-use crate::recording::{Recorded, correcting};
+use crate::recording::{Named, Recorded, correcting};
 use crate::shared::{News, Shared};
 use crate::state::PageState as _;
 use crate::texts::Range;
@@ -270,9 +270,7 @@ impl RecordsPage {
                 |record: &Arc<Record>| if record.id.is_empty() { record.called(part) } else { Arc::clone(record) };
             let new = shared.history.replace(id, number, size(&entry).map(named));
             if let Some(new) = new {
-                shared.recording.know([(new, number)]);
-                let head = shared.recording.journal.as_ref().map(|journal| journal.head);
-                self.heads.extend(head.map(|head| (new, head)));
+                shared.recording.know_correction(new, run, Named::of_entry(&entry.about));
                 if let (false, Ok(before)) = (is_undo, &old.entry) {
                     shared.history.can_undo_correction(new);
                     self.before.insert(new, before.clone());
@@ -290,7 +288,7 @@ impl RecordsPage {
     pub(super) fn undo_correction(&mut self, new: RecordId, shared: &mut Shared) {
         let Some(entry) = self.before.remove(&new) else { return };
         let Content::Check(check) = entry.content.clone() else { return };
-        let Some(corrected) = self.standing(new, shared) else {
+        let Some(corrected) = Self::standing(new, shared) else {
             return shared.tell(message!("records-page-undo-void"));
         };
         let reason = Words::new(shared.language).get("records-page-undone");
@@ -304,12 +302,12 @@ impl RecordsPage {
     }
 
     /// What stands now in the place of a corrected check: it may have been corrected again. `None` where it was taken back.
-    fn standing(&self, id: RecordId, shared: &Shared) -> Option<Head> {
+    fn standing(id: RecordId, shared: &Shared) -> Option<Head> {
         let mut standing = id;
         while let Some(number) = shared.history.replaced_by(standing) {
             standing = shared.recording.check_of(number)?;
         }
-        self.heads.get(&standing).copied()
+        shared.recording.head_of(standing)
     }
 }
 

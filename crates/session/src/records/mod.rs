@@ -136,8 +136,6 @@ pub struct RecordsPage {
     replacing: BTreeMap<u64, Replacing>,
     /// What stood before a correction of the history.
     before: BTreeMap<RecordId, Entry>,
-    /// The entries of corrections in the history.
-    heads: BTreeMap<RecordId, Head>,
     /// The number of the walk that goes on.
     walks: u64,
     /// The walk along the chain.
