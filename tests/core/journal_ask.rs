@@ -52,6 +52,21 @@ fn every_word_asks_for_what_it_says() {
 }
 
 #[test]
+fn the_word_of_a_verdict_asks_for_it_unless_it_is_quoted() {
+    let verdicts = |text: &str| (read(text).verdicts, read(text).words);
+    assert_eq!(verdicts("Good burr"), (vec![Status::Good], vec!["burr".to_owned()]));
+    assert_eq!(verdicts("scrap rework scrap").0, [Status::Scrap, Status::Rework], "any of them");
+    assert_eq!(verdicts("re-measure").0, [Status::ReMeasure]);
+    assert_eq!(verdicts("verdict:good scrap").0, [Status::Good, Status::Scrap]);
+    assert_eq!(verdicts("\"good\" scrapped"), (vec![], vec!["good".to_owned(), "scrapped".to_owned()]));
+    // As the window calls them, also in two words.
+    let named = [("GOED".to_owned(), Status::Good), ("OPNIEUW METEN".to_owned(), Status::ReMeasure)];
+    let named = |text: &str| Question::read_named(text, &here(), &named).unwrap();
+    assert_eq!(named("opnieuw meten goed").verdicts, [Status::ReMeasure, Status::Good]);
+    assert_eq!(named("opnieuw \"meten\"").words, ["opnieuw", "meten"]);
+}
+
+#[test]
 fn days_are_those_of_the_place() {
     let today = Question {
         from_ms: Some(ms("2026-11-22T23:00:00Z")),
@@ -131,7 +146,7 @@ fn what_is_no_question_is_refused_with_its_place_and_what_is_allowed() {
 fn any_text() -> impl Strategy<Value = String> {
     prop_oneof![
         "\\PC{0,8}",
-        select(["a b", "\"", "part:x", "today", "12:30", "", "ÄB", "17*", ":", "\"\""].as_slice())
+        select(["a b", "\"", "part:x", "today", "good", "Scrap", "12:30", "", "ÄB", "17*", ":", "\"\""].as_slice())
             .prop_map(str::to_owned)
     ]
 }

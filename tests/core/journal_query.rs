@@ -243,5 +243,9 @@ fn what_is_replaced_stays_in_the_list_and_does_not_count() {
     assert_eq!(memory.standing().map(|(id, _)| id.0).collect::<Vec<_>>(), [0]);
     assert_eq!((all.iter().sum::<usize>(), memory.counts().iter().sum::<usize>()), (2, 1));
     memory.ask(Query { only_bad: true, ..Query::default() });
-    assert_eq!((memory.count(), memory.counts().iter().sum::<usize>()), (1, 0));
+    assert_eq!((memory.count(), memory.counts().iter().sum::<usize>()), (0, 0), "what is void is not bad");
+    memory.add(vec![record((0, 0, 0, -8, 0))]);
+    assert_eq!(memory.count(), 1);
+    memory.replace(RecordId(2), 10);
+    assert_eq!(memory.count(), 0);
 }

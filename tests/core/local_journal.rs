@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use fitcheck::journal::Record;
-use fitcheck::journal::ask::Question;
+use fitcheck::journal::ask::{LocalNow, Question};
 use fitcheck::journal::body;
 use fitcheck::journal::chain::Head;
 use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Kept, Moment};
@@ -616,12 +616,13 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
             Some(Checked::Size(record)) => record.callout.unwrap().to_string(),
             _ => String::new(),
         };
-        let words =
-            format!("{} {} {} {} {}", about.part, about.serial, about.feature, about.who, about.remark).to_lowercase();
+        let names = format!("{} {} {} {} {}", about.part, about.serial, about.feature, about.who, about.remark);
+        let words = format!("{names} {callout} {}", callout.replace(' ', "")).to_lowercase();
         let has = |word: &String| {
-            words
-                .split(|c: char| !c.is_alphanumeric())
-                .any(|one| !one.is_empty() && one.starts_with(&word.to_lowercase()))
+            *word == number.to_string()
+                || words
+                    .split(|c: char| !c.is_alphanumeric())
+                    .any(|one| !one.is_empty() && one.starts_with(&word.to_lowercase()))
         };
         is(&question.part, &about.part)
             && is(&question.serial, &about.serial)
@@ -650,8 +651,31 @@ fn by_question(question: &Question, place: &Place) -> Vec<u64> {
     let found: Vec<_> =
         kept.iter().filter_map(|kept| Some((kept.head.number, body::found(&kept.body).unwrap()?))).collect();
     let is_corrected = |number| found.iter().any(|(_, found)| found.corrects == Some(number));
-    let finds = |(number, found): &&(u64, FoundEntry<'_>)| question.finds(found, is_corrected(*number));
+    let finds = |(number, found): &&(u64, FoundEntry<'_>)| question.finds(*number, found, is_corrected(*number));
     found.iter().rev().filter(finds).map(|(number, _)| *number).collect()
+}
+
+#[test]
+fn words_find_the_callout_with_and_without_its_blank_and_a_number_its_record() {
+    let mut bore = good("A");
+    bore.about.part = "Lever 4".to_owned();
+    let all: Vec<Entry> = (0..2_600).map(|_| bore.clone()).collect();
+    let place = Place::new();
+    let mut journal = place.open();
+    journal.append(&all).unwrap();
+    let reader = Reader::open(&place.path()).unwrap();
+    let asked = |text: &str| {
+        let here = LocalNow { now: jiff::Timestamp::UNIX_EPOCH, zone: jiff::tz::TimeZone::UTC };
+        reader.numbers(&Question::read(text, &here).unwrap(), None, 5_000).unwrap()
+    };
+    for text in ["25 H7", "25H7", "25h7", "h7"] {
+        assert_eq!(asked(text).len(), all.len(), "{text}");
+    }
+    // Near the end, and far behind the entries that are looked at first.
+    assert_eq!(asked("2600"), [2_600]);
+    assert_eq!(asked("88 lever"), [88]);
+    assert_eq!(asked("88 bush"), [0_u64; 0]);
+    assert_eq!(asked("4").len(), all.len(), "the part is called so");
 }
 
 fn maybe(texts: &'static [&'static str]) -> impl Strategy<Value = Option<String>> {
@@ -670,7 +694,9 @@ fn question() -> impl Strategy<Value = Question> {
     let verdicts = prop::collection::vec(prop::sample::select(&Status::ALL[..]), 0..3);
     let hours = prop::option::of(0..61_i64);
     let words = prop::collection::vec(
-        prop::sample::select(&["burr", "Deburr", "fla", "ø", "kafig", "S", "none", "ann"][..]),
+        prop::sample::select(
+            &["burr", "Deburr", "fla", "ø", "kafig", "S", "none", "ann", "25", "h7", "25H", "8h11", "7"][..],
+        ),
         0..3,
     );
     (names, verdicts, hours.clone(), hours, prop::option::weighted(0.3, any::<bool>()), any::<bool>(), words).prop_map(

@@ -69,7 +69,9 @@ A question narrows the list word by word:
   from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
-  burr                                             a word that begins with this, in any name or the remark";
+  good rework re-measure scrap                     with this verdict; with any of several
+  burr 25H7                                        a word that begins with this, in any name, callout or remark
+  88                                               the same, and the record of this number";
 
 /// Which checks are asked for.
 #[derive(Debug, Clone, clap::Args)]

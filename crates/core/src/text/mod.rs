@@ -23,6 +23,19 @@ pub fn windows_1252(bytes: &[u8]) -> String {
     encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned()
 }
 
+/// A whole number in groups of three digits, with spaces that do not break.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if 0 < at && (digits.len() - at).is_multiple_of(3) {
+            text.push('\u{a0}');
+        }
+        text.push(digit);
+    }
+    text
+}
+
 /// The beginning of a text, short enough for a message: at most 40 characters.
 pub fn beginning(text: &str) -> String {
     cut(text.trim(), 40)

@@ -68,19 +68,44 @@ impl FoundEntry<'_> {
         class.map_or_else(String::new, |class| class.to_string())
     }
 
-    /// The words of part, serial number, feature, name and remark.
+    /// The words of part, serial number, feature, name and remark, and of the callout with its blanks and without.
     pub fn words(&self) -> Vec<String> {
         let texts = [&self.part, &self.serial, &self.feature, &self.who, &self.remark];
-        texts.into_iter().flat_map(|text| words_of(text)).collect()
+        let callout = self.callout();
+        let joined: String = callout.split_whitespace().collect();
+        let of_callout = [callout.as_ref(), joined.as_str()].into_iter().flat_map(words_of).collect::<Vec<_>>();
+        texts.into_iter().flat_map(|text| words_of(text)).chain(of_callout).collect()
     }
 
-    /// Whether for each of some words it has one that begins so.
-    pub fn has_words(&self, wanted: &[String]) -> bool {
+    /// Whether for each of some words it has one that begins so, or has the number that the word is.
+    pub fn has_words(&self, number: u64, wanted: &[WantedWord]) -> bool {
         if wanted.is_empty() {
             return true;
         }
         let words = self.words();
-        wanted.iter().all(|wanted| words.iter().any(|word| word.starts_with(wanted.as_str())))
+        let has = |wanted: &WantedWord| {
+            wanted.number == Some(number) || words.iter().any(|word| word.starts_with(wanted.text.as_str()))
+        };
+        wanted.iter().all(has)
+    }
+}
+
+/// A word that an entry must have.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct WantedWord {
+    /// In small letters and without accents; what an entry has may go on behind it.
+    pub text: String,
+    /// The entry that it is the number of, where it is a plain number.
+    pub number: Option<u64>,
+}
+
+impl WantedWord {
+    /// The words of a text that is looked for.
+    pub fn all_of(text: &str) -> Vec<Self> {
+        let text = text.trim();
+        let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+        let number = if is_number { text.parse().ok() } else { None };
+        words_of(text).into_iter().map(|text| Self { text, number }).collect()
     }
 }
 

@@ -35,6 +35,13 @@ struct SearchableRecord {
     replaced_by: Option<u64>,
 }
 
+impl SearchableRecord {
+    /// Whether a query finds it. One that stands no longer is not bad: nobody has to do anything about it.
+    fn is_found(&self, query: &Query) -> bool {
+        query.finds(&self.record, &self.texts) && !(query.only_bad && self.replaced_by.is_some())
+    }
+}
+
 /// Records that were taken out, and can be put back.
 #[derive(Debug)]
 pub struct Removed(Vec<SearchableRecord>);
@@ -79,7 +86,7 @@ impl Memory {
         {
             row.replaced_by = Some(by);
         }
-        self.count_statuses();
+        if self.query.only_bad { self.arrange() } else { self.count_statuses() }
     }
 
     pub fn add(&mut self, records: Vec<Arc<Record>>) {
@@ -142,7 +149,7 @@ impl Memory {
     fn arrange(&mut self) {
         let Self { rows, query, order, .. } = self;
         order.clear();
-        order.extend((0..).zip(&*rows).filter(|(_, row)| query.finds(&row.record, &row.texts)).map(|(place, _)| place));
+        order.extend((0..).zip(&*rows).filter(|(_, row)| row.is_found(query)).map(|(place, _)| place));
         // Without a column the order is that of the numbers already.
         if query.sort.is_some() {
             order.sort_by_cached_key(|place| rows.get(*place).map(|row| query.key(row.id, &row.record)));
@@ -152,7 +159,7 @@ impl Memory {
 
     /// Puts a new row in its place.
     fn insert(&mut self, place: usize) {
-        let Some(row) = self.rows.get(place).filter(|row| self.query.finds(&row.record, &row.texts)) else { return };
+        let Some(row) = self.rows.get(place).filter(|row| row.is_found(&self.query)) else { return };
         if let Some(count) = self.counts.get_mut(number_of(row)) {
             *count += 1;
         }

@@ -98,7 +98,7 @@ impl Waiting {
         let below = self.0.iter().filter(move |(number, _)| integer(*number) < before);
         below.filter_map(move |(number, body)| {
             let found = body::found(body).ok()??;
-            question.finds(&found, corrections.contains_key(number)).then_some(*number)
+            question.finds(*number, &found, corrections.contains_key(number)).then_some(*number)
         })
     }
 }

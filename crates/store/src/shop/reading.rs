@@ -4,7 +4,7 @@ use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
 use fitcheck_exchange::journal::entry::Kept;
-use fitcheck_exchange::journal::found::words_of;
+use fitcheck_exchange::journal::found::{WantedWord, words_of};
 
 use super::access::Access;
 use super::error::{ShopError, chain_of, hash_of};
@@ -82,8 +82,11 @@ impl ShopReader {
                 page.next = Some(row.place);
                 let found = body::found(&row.kept.body);
                 let is_unread = found.is_err();
-                let is_wanted =
-                    found.ok().flatten().is_some_and(|found| question.finds(&found, row.corrected_by.is_some()));
+                let number = row.kept.head.number;
+                let is_wanted = found
+                    .ok()
+                    .flatten()
+                    .is_some_and(|found| question.finds(number, &found, row.corrected_by.is_some()));
                 page.unread = page.unread.saturating_add(u64::from(is_unread));
                 if is_wanted {
                     page.rows.push(row.read());
@@ -150,9 +153,16 @@ impl Fetched {
 }
 
 /// Words in small letters that stand in every body of ASCII that a question asks for. Bodies and words with other letters are left to
-/// [`Question::finds`]: servers differ in what their small ones are, and accents do not count.
+/// [`Question::finds`]: servers differ in what their small ones are, and accents do not count. So is a plain number, which may be that of the
+/// record; and of a callout without its blank, only the figures before it stand in the body.
 fn surely(question: &Question) -> Vec<String> {
     let Question { part, feature, who, station, serial, words, .. } = question;
-    let names = [part, feature, who, station, serial].into_iter().flatten().chain(words);
-    names.flat_map(|text| words_of(text)).filter(|word| word.is_ascii()).collect()
+    let names = [part, feature, who, station, serial].into_iter().flatten().flat_map(|text| words_of(text));
+    let figures = |word: String| {
+        let figures: String = word.chars().take_while(char::is_ascii_digit).collect();
+        if figures.is_empty() { word } else { figures }
+    };
+    let wanted = words.iter().flat_map(|text| WantedWord::all_of(text)).filter(|word| word.number.is_none());
+    let wanted = wanted.map(|word| word.text).filter(|word| word.is_ascii()).map(figures);
+    names.filter(|word| word.is_ascii()).chain(wanted).collect()
 }

@@ -1,11 +1,11 @@
 //! Whether a question asks for an entry.
 
 use super::Question;
-use crate::journal::found::{FoundEntry, FoundEntryKind, folded, words_of};
+use crate::journal::found::{FoundEntry, FoundEntryKind, WantedWord, folded};
 
 impl Question {
-    /// Whether it asks for an entry; `is_corrected` where another one stands in its place or takes it back.
-    pub fn finds(&self, found: &FoundEntry<'_>, is_corrected: bool) -> bool {
+    /// Whether it asks for the entry of a number; `is_corrected` where another one stands in its place or takes it back.
+    pub fn finds(&self, number: u64, found: &FoundEntry<'_>, is_corrected: bool) -> bool {
         let names = [
             (&self.part, &found.part),
             (&self.feature, &found.feature),
@@ -24,12 +24,12 @@ impl Question {
             && self.before_ms.is_none_or(|before| found.at_ms < before)
             && self.simulated.is_none_or(|simulated| simulated == found.is_simulated)
             && (!self.standing || (found.kind == FoundEntryKind::Check && !is_corrected))
-            && self.wanted_words().is_some_and(|words| found.has_words(&words))
+            && self.wanted_words().is_some_and(|words| found.has_words(number, &words))
     }
 
     /// The words that an entry must have; `None` where only signs are asked for, which are in no word.
-    pub fn wanted_words(&self) -> Option<Vec<String>> {
-        let words: Vec<String> = self.words.iter().flat_map(|text| words_of(text)).collect();
+    pub fn wanted_words(&self) -> Option<Vec<WantedWord>> {
+        let words: Vec<WantedWord> = self.words.iter().flat_map(|text| WantedWord::all_of(text)).collect();
         let is_only_signs = words.is_empty() && self.words.iter().any(|text| !text.trim().is_empty());
         (!is_only_signs).then_some(words)
     }

@@ -12,9 +12,11 @@
 //! | `today` `week` | recorded today; in this week, which begins on Monday |
 //! | `simulated` `measured` | only simulated ones, only measured ones |
 //! | `standing` | that no other one corrects and that were not withdrawn |
-//! | anything else | with a word that begins so, in part, serial number, feature, name or remark |
+//! | `good` `rework` `re-measure` `scrap` | with this verdict, or with any of several; also in the words of who asks |
+//! | anything else | with a word that begins so, in part, serial number, feature, callout, name or remark; a plain number is also that of the record |
 //!
-//! What has blanks or a colon goes in quotation marks, `""` within them is one; a word in quotation marks is never one of those above.
+//! What has blanks or a colon goes in quotation marks, `""` within them is one; a word in quotation marks is never one of those above the
+//! last.
 //!
 //! | file | what |
 //! |---|---|
@@ -45,7 +47,7 @@ use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 pub use printing::asking;
-pub use reading::{KEYS, SWITCHES};
+pub use reading::{KEYS, SWITCHES, verdict_of};
 
 /// When and where somebody asks: what `today` is, and when a day begins.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -90,6 +92,7 @@ pub struct Question {
     pub simulated: Option<bool>,
     /// Only checks that stand: none that another one corrects or that was taken back.
     pub standing: bool,
-    /// Words that the part, serial number, feature, name or remark has, or begins a word with: all of them.
+    /// Words that the part, serial number, feature, callout, name or remark has, or begins a word with: all of them. A plain number is also
+    /// the number of the record.
     pub words: Vec<String>,
 }

@@ -2,7 +2,7 @@
 
 use jiff::Timestamp;
 
-use super::reading::{SWITCHES, begin_of};
+use super::reading::{SWITCHES, begin_of, verdict_of};
 use super::{LocalNow, Question};
 
 impl Question {
@@ -65,7 +65,7 @@ fn value(text: &str) -> String {
 /// A word, in quotation marks where it would be something else without them.
 fn word(text: &str) -> String {
     let is_switch = SWITCHES.contains(&text.to_lowercase().as_str());
-    if is_switch || text.contains(':') { quoted(text) } else { value(text) }
+    if is_switch || verdict_of(text, &[]).is_some() || text.contains(':') { quoted(text) } else { value(text) }
 }
 
 fn quoted(text: &str) -> String {

@@ -41,19 +41,43 @@ impl Question {
     /// # Errors
     /// [`AskError`] with the place of what is wrong, and what is allowed.
     pub fn read(text: &str, here: &LocalNow) -> Result<Self, AskError> {
+        Self::read_named(text, here, &[])
+    }
+
+    /// Reads a question of somebody who calls verdicts by these names, too.
+    ///
+    /// # Errors
+    /// As for [`Self::read`].
+    pub fn read_named(text: &str, here: &LocalNow, named: &[(String, Status)]) -> Result<Self, AskError> {
         if LONGEST < text.len() {
             let kind = AskErrorKind::TooLong { bytes: text.len(), most: LONGEST };
             return Err(AskError { kind, span: 0..text.chars().count() });
         }
         let mut question = Self::default();
-        for word in words(text)? {
+        // Verdicts that stand alone: any of them is asked for.
+        let mut alone = Vec::new();
+        let words = words(text)?;
+        let mut at = 0;
+        while let Some(word) = words.get(at) {
+            let rest = words.get(at..).unwrap_or(&[]);
+            if let Some((status, count)) = verdict_at(rest, named) {
+                alone.push(status);
+                at += count;
+                continue;
+            }
+            at += 1;
             let span = word.span.clone();
             match &word.key {
-                Some(key) => question.take(key, &word, here)?,
-                None => question.take_word(&word, here)?,
+                Some(key) => question.take(key, word, here)?,
+                None => question.take_word(word, here)?,
             }
             if question.from_ms.zip(question.before_ms).is_some_and(|(from, before)| before <= from) {
                 return Err(AskError { kind: AskErrorKind::Order, span });
+            }
+        }
+        for status in alone {
+            if !question.verdicts.contains(&status) {
+                question.verdicts.push(status);
             }
         }
         Ok(question)
@@ -182,6 +206,21 @@ fn moment(text: &str, here: &LocalNow, is_end: bool) -> Option<i64> {
     let local = text.bytes().all(|byte| byte.is_ascii_digit() || b"-:.T".contains(&byte));
     let time: DateTime = local.then(|| text.parse().ok()).flatten()?;
     time.to_zoned(here.zone.clone()).ok().map(|time| time.timestamp().as_millisecond())
+}
+
+/// The verdict of a word that stands alone, as it is called in English or by one of these names.
+pub fn verdict_of(word: &str, named: &[(String, Status)]) -> Option<Status> {
+    let word = word.trim().to_lowercase();
+    let english = Status::ALL.into_iter().find(|status| status.word().to_lowercase() == word);
+    english.or_else(|| named.iter().find(|(name, _)| name.to_lowercase() == word).map(|(_, status)| *status))
+}
+
+/// The verdict that words begin with, and of how many of them its name is.
+fn verdict_at(words: &[Word], named: &[(String, Status)]) -> Option<(Status, usize)> {
+    let longest = named.iter().map(|(name, _)| name.split_whitespace().count()).max().unwrap_or(1).max(1);
+    let plain = words.iter().take(longest).take_while(|word| word.key.is_none() && !word.is_quoted);
+    let plain: Vec<&str> = plain.map(|word| word.value.as_str()).collect();
+    (1..=plain.len()).rev().find_map(|count| Some((verdict_of(&plain.get(..count)?.join(" "), named)?, count)))
 }
 
 /// Verdicts with commas between them, each once.
