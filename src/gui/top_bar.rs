@@ -8,6 +8,7 @@ use eframe::egui::{Align2, Frame, Id, Margin, Panel, Rect, RichText, Sense, Stro
 use super::check::grouped;
 use super::key_names::told;
 use super::pages::page_of;
+use super::records;
 use super::segments::segments_ui;
 use super::shapes::times;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
@@ -15,7 +16,7 @@ use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, FilesCommand, Session, Theme};
+use crate::session::{Action, Command, Density, FilesCommand, Page, Session, Theme};
 use crate::session::{CheckAction, WindowAction, row_forms};
 use crate::text::long;
 use crate::tolerance::Base;
@@ -175,7 +176,10 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
             if action != WindowAction::Import.into() {
                 view.menu_item(ui, WindowAction::Import);
             }
-            ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
+            ui.menu_button(view.text("export"), |ui| match view.session.page() {
+                Page::Records => records::export_ui(ui, view),
+                _ => export_ui(ui, view),
+            });
             ui.separator();
             menu_ui(ui, view);
         });
@@ -199,7 +203,8 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, has_words: bool) {
     let is_recorded = recording.is_on() && !is_bad;
     let said = match recording.newest {
         _ if !is_recorded => view.text("top-not-recorded"),
-        0 => view.text("top-recording"),
+        // The first entry of a journal is its beginning, and no record.
+        0 | 1 => view.text("top-recording"),
         _ if 0 < recording.unwritten() => view.text("top-recording"),
         newest => view.words.say(&message!("top-recorded").text("number", grouped(newest))),
     };

@@ -301,6 +301,33 @@ fn buttons_write_their_word_into_the_question_and_take_it_out() {
     assert_eq!(session.text(RecordsField::Question), "part:\"today  works\"");
 }
 
+#[test]
+fn not_good_asks_for_nothing_that_is_void() {
+    let mut session = recording();
+    send(&mut session, Command::OpenPage(Page::Records));
+    let asked = send(&mut session, RecordsCommand::Toggle(Shorthand::NotGood));
+    assert_eq!(session.text(RecordsField::Question), "verdict:rework,re-measure,scrap standing");
+    let [Effect::AskRecords { question, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    assert!(question.standing && session.records().has(Shorthand::NotGood));
+    send(&mut session, RecordsCommand::Toggle(Shorthand::NotGood));
+    assert_eq!(session.text(RecordsField::Question), "");
+}
+
+#[test]
+fn a_verdict_is_filtered_by_as_the_window_calls_it() {
+    let mut session = recording();
+    send(&mut session, Command::SetLanguage(Language::Nl));
+    send(&mut session, Command::OpenPage(Page::Records));
+    send(&mut session, RecordsCommand::FilterBy("verdict"));
+    typed(&mut session, RecordsField::Filter, "goed");
+    send(&mut session, RecordsCommand::AddFilter);
+    assert_eq!(session.text(RecordsField::Question), "verdict:good");
+    let asked = typed(&mut session, RecordsField::Question, "afgekeurd");
+    let [Effect::AskRecords { question, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    assert_eq!(question.verdicts, [fitcheck::verdict::Status::Scrap]);
+    assert_eq!(session.records().filters[0].key, "verdict");
+}
+
 /// A page over so many records, all of which are listed.
 fn listed(count: u64) -> Session {
     let mut session = recording();
@@ -348,6 +375,35 @@ fn of_a_million_records_pages_in_sight_and_the_next_one_are_read_and_few_are_kep
 }
 
 #[test]
+fn a_report_of_all_that_is_listed_reads_it_first_and_then_asks_for_a_file() {
+    let mut session = listed(450);
+    let words = fitcheck::words::Words::new(Language::En);
+    let report = fitcheck::session::Action::from(RecordsAction::ReportRecords(0));
+    assert_eq!(report.text(&session, &words), "Report of 450…");
+    let effects = send(&mut session, RecordsCommand::Report(0));
+    assert!(session.dialog().is_none(), "nothing is read yet");
+    assert_eq!(read(&mut session, effects), 3);
+    assert_eq!(session.dialog().map(|dialog| dialog.purpose), Some(fitcheck::session::Purpose::ReportRecords(0)));
+    assert_eq!((session.records().reported(), session.records().chosen_count()), (450, 0));
+    send(&mut session, Command::Close);
+    // Ctrl+A chooses all of them.
+    let effects = send(&mut session, RecordsCommand::ChooseAll);
+    read(&mut session, effects);
+    assert_eq!(session.records().chosen_count(), 450);
+    send(&mut session, RecordsCommand::ChooseNone);
+}
+
+#[test]
+fn a_report_of_too_many_records_is_refused_with_what_to_do() {
+    let mut session = listed(10_001);
+    assert_eq!(send(&mut session, RecordsCommand::Report(0)), []);
+    assert!(told(&session).contains("10\u{a0}001 records are listed") && told(&session).contains("narrow the list"));
+    assert!(session.dialog().is_none());
+    assert_eq!(send(&mut session, RecordsCommand::ChooseAll), []);
+    assert_eq!(session.records().chosen_count(), 0);
+}
+
+#[test]
 fn rows_that_cannot_be_read_are_said_and_not_asked_for_again_and_again() {
     let mut session = listed(1_000);
     let effects = send(&mut session, RecordsCommand::See(0..20));
@@ -382,12 +438,15 @@ fn open(session: &mut Session, rows: Vec<RecordRow>) {
 fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
     let mut session = opened(vec![check_row(8, -3, None)]);
     send(&mut session, RecordsCommand::Correct(true));
-    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), []);
+    // What is typed next is the reason.
+    let focus = |field: RecordsField| vec![Effect::Focus(field.into())];
+    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), focus(RecordsField::Reason));
     assert!(session.error(RecordsField::Reason).is_some());
     typed(&mut session, RecordsField::Reason, " typed wrongly ");
-    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), [], "nothing is different");
+    let effects = send(&mut session, RecordsCommand::SendCorrection);
+    assert_eq!(effects, focus(RecordsField::Reason), "nothing is different");
     typed(&mut session, RecordsField::Measured, "25.0O3");
-    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), []);
+    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), focus(RecordsField::Measured));
     assert!(session.error(RecordsField::Measured).is_some());
     typed(&mut session, RecordsField::Measured, "25,003");
     typed(&mut session, RecordsField::Measurer, "Bert");
@@ -706,7 +765,10 @@ fn undo_of_a_long_import_withdraws_its_records_as_one_batch() {
     assert_eq!(entries.len(), 600);
     send(&mut session, RecordsCommand::Kept { run, result: Ok(heads(2)) });
     let (run, entries) = kept(&send(&mut session, CheckCommand::Undo));
-    assert_eq!(withdrawn(&entries).iter().map(|(number, ..)| *number).collect::<Vec<_>>(), (2..602).collect::<Vec<_>>());
+    assert_eq!(
+        withdrawn(&entries).iter().map(|(number, ..)| *number).collect::<Vec<_>>(),
+        (2..602).collect::<Vec<_>>()
+    );
     send(&mut session, RecordsCommand::Kept { run, result: Ok(heads(602)) });
     assert_eq!(told(&session), "600 checks taken back; records 2 … 601 are withdrawn");
 }

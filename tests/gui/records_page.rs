@@ -133,7 +133,7 @@ fn a_question_is_typed_and_its_words_have_buttons() {
     click(&mut window, Role::Button, "Filter");
     click(&mut window, Role::Button, "Not good");
     let field = window.get_by_role_and_label(Role::TextInput, "Find").accesskit_node().value();
-    assert_eq!(field.as_deref(), Some("flange verdict:rework,re-measure,scrap"));
+    assert_eq!(field.as_deref(), Some("flange verdict:rework,re-measure,scrap standing"));
     assert_eq!(rows(&window).len(), 1);
     click(&mut window, Role::Button, "Not good");
     click(&mut window, Role::Button, "Today");
@@ -141,11 +141,62 @@ fn a_question_is_typed_and_its_words_have_buttons() {
     type_into(&mut window, "Find", "verdict:bent");
     assert!(window.state().session().error(RecordsField::Question).is_some());
     assert_eq!(rows(&window).len(), 2, "the rows of the question before");
+    for (asked, count) in [("25 H7", 2), ("25H7", 2), ("scrap", 1), ("\"scrap\"", 0), ("3", 2)] {
+        type_into(&mut window, "Find", asked);
+        // By its number, and by its name: Pin 3.
+        assert_eq!(rows(&window).len(), count, "{asked}");
+    }
     type_into(&mut window, "Find", "serial:nothing");
     assert_eq!(rows(&window), [""; 0]);
     window.get_by_label("No record matches");
     press(&mut window, Key::Escape);
     assert_eq!(rows(&window).len(), 3, "Escape empties the question");
+}
+
+#[test]
+fn the_bar_has_no_number_before_the_first_record_and_a_choice_moves_no_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    window.get_by_label("Recording");
+    three(&mut window);
+    window.get_by_label("Recorded, 4");
+    press_ctrl(&mut window, Key::Num3);
+    window.get_by_role_and_label(Role::Button, "Report of 3…");
+    let first = rows(&window)[0].clone();
+    let place = |window: &Harness<'_, App>, name: &str| window.get_by_label_contains(name).rect();
+    let before = place(&window, &first);
+    click(&mut window, Role::CheckBox, "Choose record 4 for a report");
+    window.get_by_role_and_label(Role::Button, "Report of 1…");
+    let chosen = window.get_by_label("1 chosen").rect();
+    assert_eq!(place(&window, &first).top(), before.top());
+    assert!(before.bottom() < chosen.top());
+    click(&mut window, Role::CheckBox, "Choose record 4 for a report");
+    window.get_by_role(Role::Grid).focus();
+    window.run();
+    press_ctrl(&mut window, Key::A);
+    window.get_by_label("3 chosen");
+}
+
+#[test]
+fn a_value_of_a_file_is_imported_and_its_distance_beyond_the_limit_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    send(&mut window, RecordsCommand::UseName("Anna".to_owned()));
+    let file = folder.path().join("lot.csv");
+    std::fs::write(&file, "id,callout,measured\nB1,18 \u{b1}0.02,18.0226\nB2,18 \u{b1}0.02,18.001\n").unwrap();
+    send(&mut window, FilesCommand::Open(Purpose::Import, file));
+    press_ctrl(&mut window, Key::Num3);
+    send(&mut window, RecordsCommand::Open(2));
+    window.get_by_label("Imported by");
+    assert!(window.query_by_label("2.6 µm above maximum").is_some());
+    // The form for filters has verdicts.
+    send(&mut window, RecordsCommand::CloseRecord);
+    click(&mut window, Role::Button, "Filter");
+    click(&mut window, Role::ComboBox, "Filter by");
+    click(&mut window, Role::Button, "Status");
+    click(&mut window, Role::Button, "GOOD");
+    let asked = window.state().session().text(RecordsField::Question).to_owned();
+    assert_eq!((asked.as_str(), rows(&window).len()), ("verdict:good", 1));
 }
 
 #[test]
@@ -239,6 +290,9 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
     click(&mut window, Role::Button, "Correct…");
     click(&mut window, Role::Button, "Record the correction");
     window.get_by_label("A correction needs a reason");
+    click(&mut window, Role::Button, "wrong part");
+    let reason = window.get_by_role_and_label(Role::TextInput, "Reason").accesskit_node().value();
+    assert_eq!(reason.as_deref(), Some("wrong part"));
     type_into(&mut window, "Reason", "read from the wrong part");
     click(&mut window, Role::Button, "Record the correction");
     window.get_by_label("Nothing is different: change a field, or withdraw the record");
@@ -257,12 +311,18 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
     assert!(listed[3].contains("Record 2") && listed[3].contains("Void, see 5"), "{listed:?}");
     click(&mut window, Role::Button, "In place of record 2");
     window.get_by_role_and_label(Role::Button, "Corrected or withdrawn by record 5");
+    window.get_by_label("Void because");
+    window.get_by_label("read from the wrong part");
+    window.get_by_label("25 H7, hole");
+    window.get_by_label("12 µm above minimum, 9 µm below maximum");
     assert!(window.query_by_role_and_label(Role::Button, "Correct…").unwrap().accesskit_node().is_disabled());
     // A record is taken back, too.
     window.get_by_label(&listed[1]).click();
     window.run();
     click(&mut window, Role::Button, "Correct…");
     click(&mut window, Role::CheckBox, "Withdraw the record");
+    window.get_by_role_and_label(Role::Button, "Withdraw the record");
+    assert!(window.query_by_label_contains("A new record takes the place").is_none());
     type_into(&mut window, "Reason", "was a test");
     press(&mut window, Key::Enter);
     let listed = rows(&window);

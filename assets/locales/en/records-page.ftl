@@ -48,7 +48,7 @@ records-page-take-name = Use this name
 
 ## The question
 records-page-question = Find
-records-page-help = Words, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Words, good rework scrap, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
 records-page-more-actions = More
 records-page-today = Today
 records-page-this-week = This week
@@ -89,6 +89,12 @@ records-page-chosen = { $count ->
    *[other] { $count } chosen
 }
 records-page-copy = Copy
+records-page-report-of = Report of { $count }…
+records-page-reports-listed = A report is of all { $count } listed records
+records-page-reports-chosen = A report is of the { $count } chosen records
+records-page-too-many = { $count } records are listed. A report or a choice takes { $most } at most: narrow the list, for example by part or date
+records-page-still-looking = The list is not complete yet. Try again when its count is shown
+records-page-nothing-to-report = No listed record can be reported: they are void, simulated or of cycles
 records-page-report = Report…
 records-page-with-simulated = With simulated checks
 records-page-with-simulated-hint = Simulated checks are not evidence; the report says that it contains some
@@ -131,6 +137,11 @@ records-page-correct-hint = Adds a record in place of this one; both stay
 records-page-simulated = Simulated: nobody measured this
 records-page-corrected-by = Corrected or withdrawn by record { $number }
 records-page-corrects = In place of record { $number }
+records-page-callout = { $callout }, { $feature }
+records-page-distance = From the limits
+records-page-importer = Imported by
+records-page-void-why = Void because
+records-page-void-by = Corrected or withdrawn by
 records-page-decided = Decision
 records-page-limits = Limits
 records-page-source = Limits from
@@ -160,6 +171,10 @@ records-page-correction-rest = Part, serial number, name
 records-page-correction-hint = A new record takes the place of this one. Both stay in the journal.
 records-page-corrector = Corrected by
 records-page-reason = Reason
+records-page-reason-mistyped = mistyped
+records-page-reason-wrong-part = wrong part
+records-page-reason-trial = trial
+records-page-withdrawal-hint = The record no longer counts, and nothing takes its place. Both entries stay in the journal.
 records-page-withdraw = Withdraw the record
 records-page-withdraw-hint = Nothing takes its place
 records-page-withdraw-neither = Record { $number }, which this one corrects, does not count again

@@ -48,7 +48,7 @@ records-page-take-name = Deze naam gebruiken
 
 ## De vraag
 records-page-question = Zoeken
-records-page-help = Woorden, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Woorden, goed nabewerking afgekeurd, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
 records-page-more-actions = Meer
 records-page-today = Vandaag
 records-page-this-week = Deze week
@@ -89,6 +89,12 @@ records-page-chosen = { $count ->
    *[other] { $count } gekozen
 }
 records-page-copy = Kopiëren
+records-page-report-of = Rapport van { $count }…
+records-page-reports-listed = Een rapport is van alle { $count } getoonde vastleggingen
+records-page-reports-chosen = Een rapport is van de { $count } gekozen vastleggingen
+records-page-too-many = Er staan { $count } vastleggingen in de lijst. Een rapport of keuze kan er hoogstens { $most } bevatten: beperk de lijst, bijvoorbeeld op onderdeel of datum
+records-page-still-looking = De lijst is nog niet volledig. Probeer het opnieuw als het aantal er staat
+records-page-nothing-to-report = Geen vastlegging in de lijst kan in een rapport: ze zijn vervallen, gesimuleerd of van cycli
 records-page-report = Rapport…
 records-page-with-simulated = Met gesimuleerde controles
 records-page-with-simulated-hint = Gesimuleerde controles zijn geen bewijs; het rapport zegt dat het er bevat
@@ -131,6 +137,11 @@ records-page-correct-hint = Voegt een vastlegging toe in plaats van deze; beide 
 records-page-simulated = Gesimuleerd: niemand heeft dit gemeten
 records-page-corrected-by = Gecorrigeerd of ingetrokken door vastlegging { $number }
 records-page-corrects = In plaats van vastlegging { $number }
+records-page-callout = { $callout }, { $feature }
+records-page-distance = Van de grenzen
+records-page-importer = Geïmporteerd door
+records-page-void-why = Vervallen omdat
+records-page-void-by = Gecorrigeerd of ingetrokken door
 records-page-decided = Beslissing
 records-page-limits = Grensmaten
 records-page-source = Grensmaten uit
@@ -160,6 +171,10 @@ records-page-correction-rest = Onderdeel, serienummer, naam
 records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het logboek.
 records-page-corrector = Gecorrigeerd door
 records-page-reason = Reden
+records-page-reason-mistyped = verkeerd getypt
+records-page-reason-wrong-part = verkeerd onderdeel
+records-page-reason-trial = proef
+records-page-withdrawal-hint = De vastlegging telt niet meer mee, en er komt niets voor in de plaats. Beide blijven in het logboek.
 records-page-withdraw = De vastlegging intrekken
 records-page-withdraw-hint = Er komt niets in haar plaats
 records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet weer

@@ -388,6 +388,9 @@ impl Session {
         self.shared.welcomes &= self.shared.history.len() <= checks;
         self.shared.take_worth(self.check.own_worth());
         let errands = self.spread_news();
+        if let Some(format) = self.records.report_soon.take() {
+            self.open_dialog(Purpose::ReportRecords(format), now);
+        }
         let shared = &mut self.shared;
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));

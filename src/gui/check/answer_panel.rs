@@ -186,16 +186,26 @@ pub(super) fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     ui.add_space(space(1.0));
 }
 
+/// How far the value of a record is from the minimum and from the maximum.
+pub(in crate::gui) fn distances(words: &Words, record: &Record) -> [String; 2] {
+    let size = &record.verdict.size;
+    let digits = Digits::of(record);
+    let distances = [
+        (("above-minimum", "below-minimum"), size.above_minimum),
+        (("below-maximum", "above-maximum"), size.below_maximum),
+    ];
+    distances.map(|(id, distance)| {
+        let id = if distance < Length::ZERO { id.1 } else { id.0 };
+        words.say(&Message::new(id).text("um", digits.um(words, distance.abs())))
+    })
+}
+
 /// The card of a record (of a diameter where it `is_round`): the word, the value, what to remove, the distances, the position.
 pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Card {
     let size = &record.verdict.size;
     let digits = Digits::of(record);
     let status = record.verdict.status();
     let mut lines = Vec::new();
-    let distance = |id: (&'static str, &'static str), distance: Length| {
-        let id = if distance < Length::ZERO { id.1 } else { id.0 };
-        words.say(&Message::new(id).text("um", digits.um(words, distance.abs())))
-    };
     let um = |length: Length| digits.um(words, length);
     // A centre out of position cannot be machined back, whatever the size says.
     let removal = size.removal.filter(|_| status == size.status);
@@ -206,8 +216,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
             lines.push(words.say(&message!("remove-per-side").text("um", half)));
         }
     } else {
-        lines.push(distance(("above-minimum", "below-minimum"), size.above_minimum));
-        lines.push(distance(("below-maximum", "above-maximum"), size.below_maximum));
+        lines.extend(distances(words, record));
     }
     if let Some(position) = record.verdict.position.filter(PositionVerdict::is_monitored) {
         lines.push(words.get(if position.is_out() { "position-out" } else { "position-in" }));

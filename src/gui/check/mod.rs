@@ -28,15 +28,15 @@ mod rule_panel;
 mod status_panel;
 mod worth_lines;
 
-pub(super) use answer_panel::card as check_card;
+pub(super) use answer_panel::{card as check_card, distances};
 pub(super) use band_plot::band_of_ui;
 use std::ops::RangeInclusive;
 
+pub(super) use crate::text::grouped;
 use eframe::egui::{Align, Frame, Layout, Panel, Ui, vec2};
 #[cfg(test)]
 pub(super) use history_list::COLUMNS as HISTORY;
 pub(super) use record_panel::recorded_ui;
-pub(super) use row_texts::grouped;
 #[cfg(test)]
 pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use status_panel::mask_chooser_ui;

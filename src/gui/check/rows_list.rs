@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use eframe::egui::{Id, Ui};
 
-use super::row_texts::{fate_text, grouped};
+use super::grouped;
+use super::row_texts::fate_text;
 use crate::exchange::batch::Picked;
 use crate::gui::key_names::part_id;
 use crate::gui::table::{Cell, Column, Row, Table, joined};

@@ -7,7 +7,8 @@ use eframe::egui::{
     UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
 };
 
-use super::row_texts::{fate_text, grouped};
+use super::grouped;
+use super::row_texts::fate_text;
 use super::rows_list::list_ui;
 use crate::exchange::batch::{FIRST, RowFate, RowNoteKind, Tally};
 use crate::gui::field::{FieldStyle, field_ui};

@@ -11,7 +11,7 @@ use crate::gui::view::{View, one_of_ui, problem, quiet};
 use crate::journal::ask::KEYS;
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
-use crate::session::records::{Filter, LeftOut, Shorthand};
+use crate::session::records::{Filter, LeftOut, NOT_GOOD, Shorthand};
 use crate::session::{Command, Field, RecordsCommand, RecordsField};
 use crate::session::{RecordsAction, WindowAction};
 use crate::text::long;
@@ -40,7 +40,6 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.records().is_filtering {
         filter_ui(ui, view);
     }
-    chosen_ui(ui, view);
 }
 
 /// The words of the question that have names; a press on one takes it out.
@@ -64,7 +63,8 @@ fn chips_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The name of a filter and what it asks for, in the language of the window.
 fn named(view: &View<'_>, filter: &Filter) -> (String, String) {
     let text = view.text(key_id(filter.key));
-    if filter.word == Shorthand::NotGood.word() {
+    let is_not_good = filter.word == NOT_GOOD && view.session.records().has(Shorthand::NotGood);
+    if is_not_good {
         return (view.text("records-page-not-good"), String::new());
     }
     let status = |word: &str| {
@@ -107,12 +107,18 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     ui.horizontal_wrapped(|ui| {
         let name = quiet(ui, view.text("records-page-filter-by"));
-        let keys = KEYS.into_iter().filter(|key| *key != "verdict").map(|key| (key, view.text(key_id(key))));
+        let keys = KEYS.map(|key| (key, view.text(key_id(key))));
         let (key, list) = one_of_ui(ui, "records-filter-by", space(44.0), &view.session.records().filter_key(), keys);
         list.labelled_by(name.id);
         if let Some(key) = key {
             view.send(RecordsCommand::FilterBy(key));
-            view.send(Command::GoTo(RecordsField::Filter.into()));
+            // Verdicts are chosen by buttons.
+            if key != "verdict" {
+                view.send(Command::GoTo(RecordsField::Filter.into()));
+            }
+        }
+        if view.session.records().filter_key() == "verdict" {
+            return verdicts_ui(ui, view);
         }
         let name = quiet(ui, view.text("records-page-filter-value"));
         field_ui(ui, view, RecordsField::Filter, name.id, FieldStyle::text(space(44.0)));
@@ -120,6 +126,17 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let help = RichText::new(view.text("records-page-help")).size(sizes().small).color(palette(ui.ctx()).quiet.0);
     ui.add(Label::new(help).wrap());
+}
+
+/// Verdicts are chosen by their words.
+fn verdicts_ui(ui: &mut Ui, view: &mut View<'_>) {
+    for status in Status::ALL {
+        let word = view.words.told(&status);
+        if ui.add(Button::new(&word).min_size(vec2(0.0, control(ui)))).clicked() {
+            view.send(Field::from(RecordsField::Filter).typed(word));
+            view.send(RecordsCommand::AddFilter);
+        }
+    }
 }
 
 /// The field; Escape empties it and goes to the list.
@@ -146,10 +163,29 @@ fn more_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     for action in [
         RecordsAction::CopyRecords,
+        RecordsAction::ChooseAllRecords,
         RecordsAction::ChooseNoRecords,
         RecordsAction::VerifyRecords,
         RecordsAction::CancelVerify,
     ] {
+        view.menu_item(ui, action);
+    }
+}
+
+/// What is exported of the page: reports of what is chosen, or else of what is listed.
+pub(in crate::gui) fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
+    for number in 0..RENDERINGS.len() {
+        view.menu_item(ui, RecordsAction::ReportRecords(number));
+    }
+    view.checkbox(ui, RecordsAction::WithSimulated);
+    ui.separator();
+    let page = view.session.records();
+    let said = match page.chosen_count() {
+        0 => message!("records-page-reports-listed").text("count", grouped(long(page.listing.count()))),
+        chosen => message!("records-page-reports-chosen").text("count", grouped(long(chosen))),
+    };
+    quiet(ui, view.words.say(&said));
+    for action in [RecordsAction::ChooseAllRecords, RecordsAction::ChooseNoRecords, RecordsAction::CopyRecords] {
         view.menu_item(ui, action);
     }
 }
@@ -171,8 +207,8 @@ fn count_ui(ui: &mut Ui, view: &View<'_>) {
     }
 }
 
-/// The chosen records, and what a report of them leaves out.
-fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// The chosen records, and what a report of them leaves out: below the list, where it moves no row.
+pub(super) fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.records();
     let count = page.chosen_count();
     let simulated = page.chosen_simulated();

@@ -1,6 +1,6 @@
 //! The form of a correction, for the records page and the check page: what the record should say, and why. The old entry stays.
 
-use eframe::egui::{Label, RichText, Ui, vec2};
+use eframe::egui::{Button, Label, RichText, Ui, vec2};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{feature_id, source_ui};
@@ -9,16 +9,21 @@ use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::journal::Record;
 use crate::message::message;
-use crate::session::RecordsField;
 use crate::session::records::Correcting;
+use crate::session::{Field, RecordsField};
 use crate::session::{RecordsAction, RecordsCommand, WindowAction};
 use crate::tolerance::Feature;
+
+/// Reasons that most corrections have.
+const REASONS: [&str; 3] =
+    ["records-page-reason-mistyped", "records-page-reason-wrong-part", "records-page-reason-trial"];
 
 pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     let page = view.session.records();
     let number = page.open.as_ref().map_or(0, |open| open.number);
     heading(ui, view.words.say(&message!("records-page-correction").text("number", number)));
-    quiet(ui, view.text("records-page-correction-hint"));
+    let hint = if form.withdraws { "records-page-withdrawal-hint" } else { "records-page-correction-hint" };
+    quiet(ui, view.text(hint));
     if !form.withdraws {
         if page.typed_value().is_some() {
             value_ui(ui, view);
@@ -32,6 +37,14 @@ pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Cor
     let width = ui.available_width();
     field_ui(ui, view, RecordsField::Reason, reason.id, FieldStyle::text(width));
     error_ui(ui, view, RecordsField::Reason);
+    ui.horizontal_wrapped(|ui| {
+        for reason in REASONS {
+            let text = view.text(reason);
+            if ui.add(Button::new(&text).min_size(vec2(0.0, control(ui)))).clicked() {
+                view.send(Field::from(RecordsField::Reason).typed(text));
+            }
+        }
+    });
     if let Some(why) = &form.problem {
         problem(ui, view.words.say(why));
     }

@@ -1,8 +1,9 @@
-//! Below: where records are kept, how many there are, what is wrong; and the walk along the chain.
+//! Below: the chosen records, where records are kept, how many there are, what is wrong; and the walk along the chain.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{ProgressBar, Ui, WidgetInfo};
 
+use super::asking_panel::chosen_ui;
 use crate::gui::check::grouped;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::room::is_tiny;
@@ -16,6 +17,9 @@ use crate::session::{RecordsAction, WindowAction};
 
 /// The foot of the page.
 pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if !is_tiny(ui) {
+        chosen_ui(ui, view);
+    }
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
         // Each stands in the place of the other.

@@ -20,6 +20,7 @@ mod record_panel;
 use eframe::egui::{Id, Ui};
 
 use crate::gui::page::{Group, PageView};
+pub(super) use asking_panel::export_ui;
 pub(super) use correction_panel::correction_ui;
 #[cfg(test)]
 pub(super) use list::COLUMNS;
@@ -29,12 +30,15 @@ use super::over_page::just_opened;
 use super::split::{Split, split_ui};
 use super::theme::Icon;
 use super::view::{View, heading, quiet};
-use crate::session::Keeping;
+use crate::session::{Keeping, RecordsAction};
 
 /// From this width on the open record stands beside the list.
 const BESIDE: f32 = 230.0;
 
-pub(super) const PAGE: PageView = PageView::of(Group::Results, Icon::ListChecks, records_ui);
+pub(super) const PAGE: PageView = PageView {
+    action: |_| RecordsAction::ReportRecords(0).into(),
+    ..PageView::of(Group::Results, Icon::ListChecks, records_ui)
+};
 
 /// The page.
 fn records_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -1,10 +1,13 @@
 //! Everything that a record says, line by line.
 
-use crate::gui::check::{worth_lines, worth_reasons};
+use crate::gui::check::{distances, worth_lines, worth_reasons};
+use crate::gui::limits::feature_id;
 use crate::gui::view::{Digits, View, doubt_text};
 use crate::journal::Record;
-use crate::journal::entry::{Checked, CycleCheck, CycleOrigin, Entry, UsedFile};
+use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, UsedFile};
+use crate::length::Length;
 use crate::message::{Message, Say as _, message};
+use crate::probing::Origin;
 use crate::session::RecordRow;
 use crate::session::records::local_time;
 
@@ -15,12 +18,13 @@ pub(super) enum Line {
     Sentence(String),
 }
 
-pub(super) fn lines(view: &View<'_>, row: &RecordRow) -> Vec<Line> {
+pub(super) fn lines(view: &View<'_>, row: &RecordRow, by: Option<&RecordRow>) -> Vec<Line> {
     let entry = match &row.entry {
         Ok(entry) => entry,
         Err(why) => return vec![Line::Sentence(view.words.say(why))],
     };
-    let mut lines = about(view, entry, row.went_back);
+    let mut lines = void(view, by);
+    lines.extend(about(view, entry, row.went_back));
     if let Some(check) = entry.check() {
         lines.push(Line::Heading(view.text("records-page-decided")));
         match &check.what {
@@ -38,6 +42,15 @@ pub(super) fn lines(view: &View<'_>, row: &RecordRow) -> Vec<Line> {
     lines
 }
 
+/// Why a record stands no longer, and who said so.
+fn void(view: &View<'_>, by: Option<&RecordRow>) -> Vec<Line> {
+    let correction = by.and_then(|by| by.entry.as_ref().ok()).and_then(Entry::corrects);
+    let Some(Correction { reason, by, .. }) = correction else { return Vec::new() };
+    let texts = [("records-page-void-why", reason), ("records-page-void-by", by)];
+    let told = texts.into_iter().filter(|(_, text)| !text.is_empty());
+    told.map(|(id, text)| Line::Named(view.text(id), text.clone())).collect()
+}
+
 /// Who, where, when.
 fn about(view: &View<'_>, entry: &Entry, went_back: bool) -> Vec<Line> {
     let about = &entry.about;
@@ -51,12 +64,21 @@ fn about(view: &View<'_>, entry: &Entry, went_back: bool) -> Vec<Line> {
             lines.push(Line::Named(view.text("records-page-corrector"), correction.by.clone()));
         }
     }
+    // Who reads a file in did not measure what it holds.
+    let is_of_file = entry.check().is_some_and(|check| match &check.what {
+        Checked::Size(record) => matches!(
+            record.measurement.origin,
+            Origin::Imported { .. } | Origin::Contacts { .. } | Origin::ImportedSimulation { .. }
+        ),
+        Checked::Cycle(_) => false,
+    });
+    let who = if is_of_file { "records-page-importer" } else { "records-page-who" };
     let texts = [
         ("head-time", view.words.say(&offset)),
         ("head-part", about.part.clone()),
         ("records-page-serial", about.serial.clone()),
         ("records-page-feature", about.feature.clone()),
-        ("records-page-who", about.who.clone()),
+        (who, about.who.clone()),
         ("records-page-station", about.station.clone()),
         ("records-page-remark", about.remark.clone()),
     ];
@@ -80,10 +102,20 @@ fn size(view: &View<'_>, record: &Record, lines: &mut Vec<Line>) {
     let named = |id: &str, text: String| Line::Named(view.text(id), text);
     let bounds = record.limits.bounds();
     let limits = format!("{} … {} mm", words.mm(bounds.minimum(), 3), words.mm(bounds.maximum(), 3));
-    lines.push(named("head-callout", crate::journal::query::callout(record)));
+    let callout = message!("records-page-callout").text("callout", crate::journal::query::callout(record));
+    let feature = view.text(feature_id(record.limits.feature)).to_lowercase();
+    lines.push(named("head-callout", words.say(&callout.text("feature", feature))));
     lines.push(named("records-page-limits", limits));
     lines.push(named("records-page-source", words.told(&record.limits.source)));
     lines.push(named("head-measured", format!("{} mm", Digits::Exact.mm(words, record.measurement.diameter, 3))));
+    let size = &record.verdict.size;
+    let [of_minimum, of_maximum] = distances(words, record);
+    let distance = match (size.above_minimum < Length::ZERO, size.below_maximum < Length::ZERO) {
+        (true, _) => of_minimum,
+        (_, true) => of_maximum,
+        _ => format!("{of_minimum}, {of_maximum}"),
+    };
+    lines.push(named("records-page-distance", distance));
     lines.push(named("head-from", words.told(&record.measurement.origin)));
     let contacts = record.measurement.contacts.len();
     if 0 < contacts {

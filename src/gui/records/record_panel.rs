@@ -44,7 +44,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         verdict_ui(ui, view.words, row);
         links_ui(ui, view, row);
-        for line in lines(view, row) {
+        for line in lines(view, row, open.by.as_deref()) {
             line_ui(ui, &line);
         }
     });

@@ -29,7 +29,7 @@ pub(super) fn question(query: &str, session: &Session) -> Option<Question> {
         Err(_no_callout) => query.to_owned(),
     };
     // What is no question finds no record, and may still find everything else.
-    session.records().read_question(&question).ok()
+    session.records().read_question(&question, &Words::new(session.language())).ok()
 }
 
 /// Shows a record on its page.

@@ -72,9 +72,10 @@ impl Recording {
         let runs: BTreeSet<u64> = undone.records.iter().map(|known| known.slip.0).collect();
         for run in runs {
             let of_run = undone.records.iter().filter(|known| known.slip.0 == run).count();
-            let is_lost = self.batches.get(&run).is_some_and(|batch| {
-                matches!(batch.fate, RecordingState::Failed(_)) && batch.entries.len() == of_run
-            });
+            let is_lost = self
+                .batches
+                .get(&run)
+                .is_some_and(|batch| matches!(batch.fate, RecordingState::Failed(_)) && batch.entries.len() == of_run);
             if is_lost {
                 self.batches.remove(&run);
                 undone.records.retain(|known| known.slip.0 != run);

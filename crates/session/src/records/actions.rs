@@ -1,5 +1,7 @@
 //! What can be done on the records page.
 
+use fitcheck_core::message::message;
+use fitcheck_core::text::{grouped, long};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::report::RENDERINGS;
 
@@ -11,7 +13,6 @@ use crate::action::{ActionScope, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
-use crate::purpose::Purpose;
 use crate::step::Step;
 
 /// The list of records.
@@ -34,13 +35,15 @@ actions! {
     OpenRecord;
     /// Chooses the record for the report, or not.
     ChooseRecord;
+    /// Chooses all that are listed.
+    ChooseAllRecords;
     /// Chooses none.
     ChooseNoRecords;
     /// Takes simulated checks into the report, or leaves them out.
     WithSimulated;
     /// Puts the chosen records, or the one at which the keys are, on the clipboard.
     CopyRecords;
-    /// Writes the chosen records in a format of the report's list, by its number there.
+    /// Writes the chosen records, or all that are listed, in a format of the report's list, by its number there.
     ReportRecords(usize): 0..RENDERINGS.len();
     /// Goes back to the list.
     CloseRecord;
@@ -116,6 +119,9 @@ impl Actions for RecordsAction {
             )
             .key(Shortcut::plain(Key::Space))
             .when(has_cursor),
+            Self::ChooseAllRecords => {
+                within(RECORDS, "choose-all", RecordsCommand::ChooseAll).key(Shortcut::ctrl('A')).when(has_records)
+            }
             Self::ChooseNoRecords => on(Page::Records, "choose-none", RecordsCommand::ChooseNone).when(has_chosen),
             Self::WithSimulated => ActionRow::new(
                 ActionScope::Page(Page::Records),
@@ -127,8 +133,8 @@ impl Actions for RecordsAction {
                 .key(Shortcut::ctrl('C'))
                 .when(|session| has_chosen(session) || has_cursor(session) || session.records().opened_row().is_some()),
             Self::ReportRecords(number) => {
-                let row = on(Page::Records, "export", Command::OpenDialog(Purpose::ReportRecords(number)))
-                    .when(|session| 0 < session.records().reported());
+                let row = on(Page::Records, "export", RecordsCommand::Report(number))
+                    .when(|session| 0 < session.records().reported() || (has_records(session) && !has_chosen(session)));
                 if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
             }
             Self::CloseRecord => on(Page::Records, "records-page-close", RecordsCommand::CloseRecord)
@@ -175,9 +181,16 @@ impl Actions for RecordsAction {
         }
     }
 
-    fn name(&self, _session: &Session, words: &Words) -> Option<String> {
+    fn name(&self, session: &Session, words: &Words) -> Option<String> {
         match *self {
+            Self::ReportRecords(0) => Some(words.say(&match session.records().to_report() {
+                0 => message!("records-page-report"),
+                count => message!("records-page-report-of").text("count", grouped(long(count))),
+            })),
             Self::ReportRecords(number) => report_name(number, words),
+            Self::SendCorrection if session.records().correcting.as_ref().is_some_and(|form| form.withdraws) => {
+                Some(words.get("records-page-withdraw"))
+            }
             _ => None,
         }
     }

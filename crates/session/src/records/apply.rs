@@ -72,7 +72,7 @@ impl PageState for RecordsPage {
             }
             RecordsCommand::FilterBy(key) => self.filter_key = Some(key),
             RecordsCommand::AddFilter => {
-                self.add_filter();
+                self.add_filter(shared);
                 self.ask(shared, false);
             }
             RecordsCommand::AskAgain => self.ask(shared, false),
@@ -82,8 +82,10 @@ impl PageState for RecordsPage {
             }
             RecordsCommand::Found { run, result } => self.found(run, result),
             RecordsCommand::Read { numbers, result } => {
+                let gathered = self.gather_read(&numbers, &result, shared);
                 self.read(numbers, result);
                 self.correct_now(shared);
+                return gathered;
             }
             RecordsCommand::Move(step) => self.step(step),
             RecordsCommand::Open(number) => return self.open(number),
@@ -92,6 +94,8 @@ impl PageState for RecordsPage {
                 self.correcting = None;
             }
             RecordsCommand::Choose(number, is_chosen) => self.choose(number, is_chosen),
+            RecordsCommand::ChooseAll => return self.gather(None, shared),
+            RecordsCommand::Report(format) => return self.report_now(format, shared),
             RecordsCommand::ChooseNone => self.chosen.clear(),
             RecordsCommand::WithSimulated(with) => self.with_simulated = with,
             RecordsCommand::Copy => return self.copied(shared.language).map(Effect::Copy).into_iter().collect(),
@@ -250,6 +254,7 @@ impl RecordsPage {
                 Err(problem) => Some(Err(problem.clone())),
             };
         }
+        self.read_corrector(result.iter().flatten());
         let corrected: Vec<u64> = {
             let entries = result.iter().flatten().filter_map(|row| row.entry.as_ref().ok());
             entries.filter_map(|entry| entry.corrects()).map(|correction| correction.target.number).collect()
@@ -286,10 +291,23 @@ impl RecordsPage {
         let effects = if row.is_none() { vec![Effect::ReadRecords(vec![number])] } else { Vec::new() };
         self.cursor = Some(number);
         self.look += 1;
-        self.open = Some(OpenRecord { number, row });
+        self.open = Some(OpenRecord { number, row, by: None, asks_by: false });
         self.correcting = None;
         self.corrects_soon = false;
+        self.read_corrector(std::iter::empty());
         effects
+    }
+
+    /// Why a record stands no longer is said by the entry that takes it back: it is read with it.
+    fn read_corrector<'a>(&mut self, mut rows: impl Iterator<Item = &'a Arc<RecordRow>>) {
+        let Some(by) = self.opened_row().and_then(|row| row.corrected_by) else { return };
+        let read = rows.find(|row| row.head.number == by).or_else(|| self.listing.row(by)).map(Arc::clone);
+        let Some(open) = self.open.as_mut().filter(|open| open.by.is_none()) else { return };
+        match read {
+            Some(row) => open.by = Some(row),
+            None if !std::mem::replace(&mut open.asks_by, true) => self.errands.push(Effect::ReadRecords(vec![by])),
+            None => {}
+        }
     }
 
     /// Whether the open record asked for a size that can be measured again.

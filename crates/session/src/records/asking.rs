@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use fitcheck_core::message::Say as _;
-use fitcheck_exchange::journal::ask::{AskError, KEYS, LocalNow, Question, SWITCHES, asking};
+use fitcheck_core::verdict::Status;
+use fitcheck_core::words::Words;
+use fitcheck_exchange::journal::ask::{AskError, KEYS, LocalNow, Question, SWITCHES, asking, verdict_of};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
@@ -30,15 +32,25 @@ pub enum Shorthand {
 impl Shorthand {
     pub const ALL: [Self; 5] = [Self::Today, Self::ThisWeek, Self::NotGood, Self::Measured, Self::Standing];
 
-    pub const fn word(self) -> &'static str {
+    /// The words of the question that it stands for. What was corrected or withdrawn is not good either, and nobody has to do anything
+    /// about it.
+    pub const fn words(self) -> &'static [&'static str] {
         match self {
-            Self::Today => "today",
-            Self::ThisWeek => "week",
-            Self::NotGood => "verdict:rework,re-measure,scrap",
-            Self::Measured => "measured",
-            Self::Standing => "standing",
+            Self::Today => &["today"],
+            Self::ThisWeek => &["week"],
+            Self::NotGood => &[NOT_GOOD, "standing"],
+            Self::Measured => &["measured"],
+            Self::Standing => &["standing"],
         }
     }
+}
+
+/// Every verdict that asks for something to be done.
+pub const NOT_GOOD: &str = "verdict:rework,re-measure,scrap";
+
+/// The verdicts as the window calls them.
+fn named(words: &Words) -> Vec<(String, Status)> {
+    Status::ALL.map(|status| (words.told(&status), status)).to_vec()
 }
 
 /// A word of the question that has a name: it stands beside the question, where it can be taken out.
@@ -54,10 +66,13 @@ pub struct Filter {
 
 impl Filter {
     /// Nothing of a word that is searched for, and of one that is still being typed.
-    fn of(word: &str) -> Option<Self> {
+    fn of(word: &str, named: &[(String, Status)]) -> Option<Self> {
         let is = |of: &&str| of.eq_ignore_ascii_case(word);
         if let Some(key) = SWITCHES.into_iter().find(|switch| is(switch)) {
             return Some(Self { key, value: String::new(), word: word.to_owned() });
+        }
+        if let Some(status) = verdict_of(word, named) {
+            return Some(Self { key: "verdict", value: status.word().to_lowercase(), word: word.to_owned() });
         }
         let (given, value) = word.split_once(':')?;
         let key = KEYS.into_iter().find(|key| key.eq_ignore_ascii_case(given))?;
@@ -90,7 +105,8 @@ fn words(text: &str) -> Vec<(Range<usize>, &str)> {
 impl RecordsPage {
     /// Whether the question has a word.
     pub fn has(&self, shorthand: Shorthand) -> bool {
-        words(self.text(RecordsField::Question)).iter().any(|(_, word)| *word == shorthand.word())
+        let asked = words(self.text(RecordsField::Question));
+        shorthand.words().iter().all(|wanted| asked.iter().any(|(_, word)| word == wanted))
     }
 
     /// Takes a word out of the question.
@@ -108,11 +124,16 @@ impl RecordsPage {
     }
 
     /// Puts the filter of the form into the question, in the place of one about the same.
-    pub(super) fn add_filter(&mut self) {
+    pub(super) fn add_filter(&mut self, shared: &Shared) {
         let key = self.filter_key();
-        let added = asking(key, self.text(RecordsField::Filter).trim());
+        let named = named(&shared.words());
+        let value = self.text(RecordsField::Filter).trim();
+        // A verdict as the window calls it is asked for in the language of questions.
+        let verdict = Some(value).filter(|_| key == "verdict").and_then(|value| verdict_of(value, &named));
+        let value = verdict.map_or_else(|| value.to_owned(), |status| status.word().to_lowercase());
+        let added = asking(key, &value);
         let text = self.text(RecordsField::Question);
-        let is_of = |word: &str| Filter::of(word).is_some_and(|filter| filter.key == key);
+        let is_of = |word: &str| Filter::of(word, &named).is_some_and(|filter| filter.key == key);
         let others = words(text).into_iter().map(|(_, word)| word).filter(|word| !is_of(word));
         let text = others.chain([added.as_str()]).collect::<Vec<_>>().join(" ");
         self.texts.insert(RecordsField::Question, text);
@@ -122,9 +143,9 @@ impl RecordsPage {
     /// Puts a word into the question, or takes it out.
     pub(super) fn toggle(&mut self, shorthand: Shorthand) {
         let text = self.text(RecordsField::Question);
-        let others = words(text).into_iter().map(|(_, word)| word).filter(|word| *word != shorthand.word());
-        let added = (!self.has(shorthand)).then_some(shorthand.word());
-        let text = others.chain(added).collect::<Vec<_>>().join(" ");
+        let others = words(text).into_iter().map(|(_, word)| word).filter(|word| !shorthand.words().contains(word));
+        let added = if self.has(shorthand) { &[] } else { shorthand.words() };
+        let text = others.chain(added.iter().copied()).collect::<Vec<_>>().join(" ");
         self.texts.insert(RecordsField::Question, text);
     }
 
@@ -132,22 +153,26 @@ impl RecordsPage {
     ///
     /// # Errors
     /// Which part of it is no question.
-    pub(crate) fn read_question(&self, text: &str) -> Result<Question, AskError> {
+    pub(crate) fn read_question(&self, text: &str, words: &Words) -> Result<Question, AskError> {
         let zone = self.zone.clone().unwrap_or(TimeZone::UTC);
         let now = self.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
-        Question::read(text, &LocalNow { now, zone })
+        Question::read_named(text, &LocalNow { now, zone }, &named(words))
     }
 
     /// Asks the question. `rests` waits until nobody types.
     pub(super) fn ask(&mut self, shared: &Shared, rests: bool) {
         self.errors.remove(&RecordsField::Question);
         self.culprit = None;
-        self.filters =
-            words(self.text(RecordsField::Question)).iter().filter_map(|(_, word)| Filter::of(word)).collect();
+        // What is read for a report is another list.
+        self.gathering = None;
+        let of_window = shared.words();
+        let named = named(&of_window);
+        let asked = words(self.text(RecordsField::Question));
+        self.filters = asked.iter().filter_map(|(_, word)| Filter::of(word, &named)).collect();
         if !shared.recording.is_on() {
             return;
         }
-        match self.read_question(self.text(RecordsField::Question)) {
+        match self.read_question(self.text(RecordsField::Question), &of_window) {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;

@@ -1,9 +1,11 @@
 //! The chosen records, as a report and on the clipboard. Only checks of a size that stand are reported; simulated ones only where
 //! the user asks for them. What is left out is said.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
+use fitcheck_core::text::{grouped, long};
 use fitcheck_core::words::{Language, Words};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
@@ -12,8 +14,10 @@ use fitcheck_exchange::report::Report;
 use fitcheck_exchange::report::csv::harmless;
 use jiff::civil::DateTime;
 
-use super::{RecordRow, RecordsPage};
+use super::{PAGE, RecordRow, RecordsPage};
+use crate::effect::Effect;
 use crate::history::status_text;
+use crate::shared::Shared;
 
 /// How many of the chosen records a report leaves out, and why.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -52,7 +56,107 @@ fn use_of(row: &RecordRow) -> Use {
     }
 }
 
+/// The most records that are chosen or reported at once: more of them are narrowed by a question first.
+pub const MOST_REPORTED: usize = 10_000;
+
+/// What is listed is being read, all of it.
+#[derive(Debug)]
+pub(super) struct Gathering {
+    rows: BTreeMap<u64, Arc<RecordRow>>,
+    missing: BTreeSet<u64>,
+    /// The format of the report that it is for; `None` to choose it.
+    report: Option<usize>,
+}
+
 impl RecordsPage {
+    /// Reads all that is listed: for a report in a format, or to choose it.
+    pub(super) fn gather(&mut self, report: Option<usize>, shared: &mut Shared) -> Vec<Effect> {
+        let count = self.listing.count();
+        if MOST_REPORTED < count {
+            let most = message!("records-page-too-many").text("count", grouped(long(count)));
+            shared.tell(most.text("most", grouped(long(MOST_REPORTED))));
+            return Vec::new();
+        }
+        if self.listing.is_stale || !self.listing.is_whole {
+            shared.tell(message!("records-page-still-looking"));
+            return Vec::new();
+        }
+        let mut gathering = Gathering { rows: BTreeMap::new(), missing: BTreeSet::new(), report };
+        for number in (0..count).filter_map(|place| self.listing.at(place)) {
+            match self.listing.row(number) {
+                Some(row) => _ = gathering.rows.insert(number, Arc::clone(row)),
+                None => _ = gathering.missing.insert(number),
+            }
+        }
+        let missing: Vec<u64> = gathering.missing.iter().rev().copied().collect();
+        self.gathering = Some(gathering);
+        self.use_gathered(shared);
+        missing.chunks(PAGE).map(|numbers| Effect::ReadRecords(numbers.to_vec())).collect()
+    }
+
+    /// Takes what was read of what is listed. What was asked for and did not come is asked for again.
+    pub(super) fn gather_read(
+        &mut self,
+        numbers: &[u64],
+        result: &Result<Vec<Arc<RecordRow>>, Message>,
+        shared: &mut Shared,
+    ) -> Vec<Effect> {
+        let Some(gathering) = &mut self.gathering else { return Vec::new() };
+        let rows = match result {
+            Ok(rows) => rows,
+            Err(problem) => {
+                self.gathering = None;
+                shared.tell(message!("records-page-unread").message("why", problem.clone()));
+                return Vec::new();
+            }
+        };
+        for row in rows {
+            if gathering.missing.remove(&row.head.number) {
+                gathering.rows.insert(row.head.number, Arc::clone(row));
+            }
+        }
+        let again: Vec<u64> = numbers.iter().filter(|number| gathering.missing.contains(number)).copied().collect();
+        self.use_gathered(shared);
+        if again.is_empty() { Vec::new() } else { vec![Effect::ReadRecords(again)] }
+    }
+
+    /// Once all is read it is chosen, or its report is asked for.
+    fn use_gathered(&mut self, shared: &mut Shared) {
+        let Some(Gathering { rows, report, .. }) = self.gathering.take_if(|gathering| gathering.missing.is_empty())
+        else {
+            return;
+        };
+        let Some(format) = report else {
+            self.chosen.extend(rows);
+            return;
+        };
+        self.gathered = rows;
+        if self.reported() == 0 {
+            shared.tell(message!("records-page-nothing-to-report"));
+        } else {
+            self.report_soon = Some(format);
+        }
+    }
+
+    /// Reports what is chosen, or else what is listed.
+    pub(super) fn report_now(&mut self, format: usize, shared: &mut Shared) -> Vec<Effect> {
+        if self.chosen.is_empty() {
+            return self.gather(Some(format), shared);
+        }
+        self.report_soon = Some(format);
+        Vec::new()
+    }
+
+    /// How many records a report would be of, as far as that is known before they are read.
+    pub fn to_report(&self) -> usize {
+        if self.chosen.is_empty() { self.listing.count() } else { self.reported() }
+    }
+
+    /// What a report is of.
+    fn for_use(&self) -> &BTreeMap<u64, Arc<RecordRow>> {
+        if self.chosen.is_empty() { &self.gathered } else { &self.chosen }
+    }
+
     /// Chooses a record, or not; one that was not read cannot be chosen.
     pub(super) fn choose(&mut self, number: u64, is_chosen: bool) {
         match self.listing.row(number).filter(|_| is_chosen) {
@@ -69,7 +173,7 @@ impl RecordsPage {
     /// How many of them a report leaves out.
     pub fn left_out(&self) -> LeftOut {
         let mut out = LeftOut::default();
-        for row in self.chosen.values() {
+        for row in self.for_use().values() {
             match use_of(row) {
                 Use::Simulated(_) if !self.with_simulated => out.simulated += 1,
                 Use::Reported(_) | Use::Simulated(_) => {}
@@ -83,18 +187,18 @@ impl RecordsPage {
 
     /// How many of the chosen ones are simulated.
     pub fn chosen_simulated(&self) -> usize {
-        self.chosen.values().filter(|row| matches!(use_of(row), Use::Simulated(_))).count()
+        self.for_use().values().filter(|row| matches!(use_of(row), Use::Simulated(_))).count()
     }
 
     /// How many records a report has.
     pub fn reported(&self) -> usize {
         let LeftOut { simulated, replaced, cycles, unread } = self.left_out();
-        self.chosen.len().saturating_sub(simulated + replaced + cycles + unread)
+        self.for_use().len().saturating_sub(simulated + replaced + cycles + unread)
     }
 
     /// The records of a report, the oldest first.
     pub(crate) fn for_report(&self) -> Vec<Arc<Record>> {
-        let used = self.chosen.values().filter_map(|row| match use_of(row) {
+        let used = self.for_use().values().filter_map(|row| match use_of(row) {
             Use::Reported(record) => Some(record),
             Use::Simulated(record) if self.with_simulated => Some(record),
             _ => None,
@@ -119,8 +223,8 @@ impl RecordsPage {
             }
         }
         if let Some((chain, head)) = journal {
-            let numbers: Vec<String> = self.chosen.keys().take(20).map(u64::to_string).collect();
-            let more = if numbers.len() < self.chosen.len() { ", …" } else { "" };
+            let numbers: Vec<String> = self.for_use().keys().take(20).map(u64::to_string).collect();
+            let more = if numbers.len() < self.for_use().len() { ", …" } else { "" };
             let said = message!("records-page-report-from").text("numbers", numbers.join(", ") + more);
             let said = said.text("chain", chain).text("number", head.number).text("hash", head.hash.short());
             report.notes.push(said);

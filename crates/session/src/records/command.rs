@@ -104,9 +104,13 @@ pub enum RecordsCommand {
     CloseRecord,
     /// Chooses a record for the report, or not.
     Choose(u64, bool),
+    /// Chooses all that are listed.
+    ChooseAll,
     ChooseNone,
     /// Takes simulated checks into the report, or leaves them out.
     WithSimulated(bool),
+    /// Reports the chosen records, or all that are listed, in a format of the report's list, by its number there.
+    Report(usize),
     /// Puts the chosen records on the clipboard, or the one at which the keys are.
     Copy,
     /// Goes to the check page with what the open record asked for.

@@ -177,7 +177,11 @@ impl RecordsPage {
                 let (run, problem) = (sent.as_ref().ok().copied(), sent.err());
                 self.correcting = Some(Correcting { run, problem, ..form });
             }
-            Err((field, problem)) => _ = self.errors.insert(field, problem),
+            Err((field, problem)) => {
+                self.errors.insert(field, problem);
+                // What is typed next is what was missing.
+                self.errands.push(Effect::Focus(field.into()));
+            }
         }
     }
 

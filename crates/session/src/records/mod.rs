@@ -29,7 +29,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 pub use actions::{RECORDS, RecordsAction};
-pub use asking::{Filter, Shorthand};
+pub use asking::{Filter, NOT_GOOD, Shorthand};
 pub use choosing::{LeftOut, RowTexts};
 pub use command::RecordsCommand;
 pub use correcting::Correcting;
@@ -43,6 +43,7 @@ use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use listing::{FoundNumbers, Listing, Numbers, PAGE};
 
+use self::choosing::Gathering;
 use self::correcting::Replacing;
 use super::effect::Effect;
 
@@ -98,6 +99,10 @@ pub struct OpenRecord {
     pub number: u64,
     /// The record, once it is read; or why it cannot be.
     pub row: Option<Result<Arc<RecordRow>, Message>>,
+    /// The record that corrects it or takes it back, once that is read.
+    pub by: Option<Arc<RecordRow>>,
+    /// Whether that is asked for.
+    asks_by: bool,
 }
 
 /// The state of the records page.
@@ -125,6 +130,12 @@ pub struct RecordsPage {
     /// Goes up whenever the cursor has to come into sight.
     look: u64,
     chosen: BTreeMap<u64, Arc<RecordRow>>,
+    /// What was listed when a report of all of it was asked for.
+    gathered: BTreeMap<u64, Arc<RecordRow>>,
+    /// What is being read of it.
+    gathering: Option<Gathering>,
+    /// The format of a report whose records are read: its dialog is opened.
+    pub(super) report_soon: Option<usize>,
     /// Whether simulated checks are taken into the report.
     pub with_simulated: bool,
     pub open: Option<OpenRecord>,
