@@ -51,7 +51,7 @@ settings-page-decimal-of-language = From the language
 settings-page-decimal-point = 25.012
 settings-page-decimal-comma = 25,012
 settings-page-rows = Rows of lists
-settings-page-rows-about = Usual 32 px, close 26 px. By touch always 48 px.
+settings-page-rows-about = Height of the rows of tables: usual is 32 px, close is 26 px. By touch always 48 px.
 settings-page-rows-usual = Usual
 settings-page-rows-close = Close
 
@@ -138,4 +138,4 @@ settings-page-nowhere = not kept
 settings-page-changed = { $name } was changed
 settings-page-several-changed = { $count } settings were changed
 settings-page-take-back = Undo the last change of a setting
-settings-page-preview = So it looks, with an example
+settings-page-preview = Example with these settings

@@ -51,7 +51,7 @@ settings-page-decimal-of-language = Volgens de taal
 settings-page-decimal-point = 25.012
 settings-page-decimal-comma = 25,012
 settings-page-rows = Rijen van lijsten
-settings-page-rows-about = Gewoon 32 px, dicht 26 px. Bij aanraking altijd 48 px.
+settings-page-rows-about = Hoogte van de rijen in tabellen: gewoon is 32 px, dicht is 26 px. Bij aanraking altijd 48 px.
 settings-page-rows-usual = Gewoon
 settings-page-rows-close = Dicht
 
@@ -138,4 +138,4 @@ settings-page-nowhere = wordt niet bewaard
 settings-page-changed = { $name } is gewijzigd
 settings-page-several-changed = { $count } instellingen zijn gewijzigd
 settings-page-take-back = Laatste wijziging van een instelling ongedaan maken
-settings-page-preview = Zo ziet het eruit, met een voorbeeld
+settings-page-preview = Voorbeeld met deze instellingen
