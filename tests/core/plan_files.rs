@@ -219,6 +219,10 @@ clearance_height = 61
 kind = "point"
 axis = "-Z"
 callout = "±20"
+
+[[feature]]
+kind = "bore"
+callout = "20 g6"
 "#;
 
 /// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
@@ -243,6 +247,7 @@ fn of_cell(fault: &PlanFault) -> Option<&'static str> {
         PlanFault::Callout { .. } => Some("Callout"),
         PlanFault::Fit { .. } => Some("Fit"),
         PlanFault::Unknown { .. } => Some("Unknown"),
+        PlanFault::OtherSide { .. } => Some("OtherSide"),
         PlanFault::NotOf { .. } => Some("NotOf"),
         PlanFault::Direction { .. } => Some("Direction"),
         PlanFault::NoBand { .. } => Some("NoBand"),

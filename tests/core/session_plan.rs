@@ -726,7 +726,7 @@ fn hole_bore_and_shaft_are_diameters_where_the_callout_is_of_that_side() {
         "name;kind;callout\nA;hole;25 H7\nB;Bore;8 H9\nC;shaft;20 g6\nD;as;12 h6\nE;boring;10 ±0.05\nF;shaft;10 ±0.05\n",
     );
     assert_eq!(session.parts().document.findings(), []);
-    let features = &session.parts().document.plan().unwrap().features;
+    let features = &session.parts().document.plan().unwrap().features();
     let sides: Vec<_> = features.iter().map(|feature| feature.limits[0].feature.word()).collect();
     assert_eq!(sides, ["hole", "hole", "shaft", "shaft", "hole", "shaft"]);
     assert!(features.iter().all(|feature| feature.kind.word() == "diameter"));
