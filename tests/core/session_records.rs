@@ -491,9 +491,10 @@ fn corrections_are_undone_one_after_another_and_always_in_the_place_of_what_stan
         send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number)]) });
         assert_eq!(stand(&session), [value]);
     }
-    // Then the check itself; the journal keeps everything.
+    // Then the check itself: what stands in its place now is withdrawn.
     let undo = WindowAction::Undo.command(&session).unwrap();
-    assert_eq!(send(&mut session, undo), []);
+    let (_, sent) = kept(&send(&mut session, undo));
+    assert_eq!(withdrawn(&sent), [(6, "undone", "")]);
     assert!(session.history().is_empty() && WindowAction::Undo.command(&session).is_none());
 }
 

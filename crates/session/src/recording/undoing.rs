@@ -104,8 +104,10 @@ impl Recording {
 
     /// The journal has answered about a batch of withdrawals: what is to be said, and the numbers of the records that no longer count.
     pub(crate) fn withdrawn(&mut self, run: u64) -> Option<(Message, Vec<u64>)> {
-        let is_kept = matches!(self.batches.get(&run)?.fate, RecordingState::Kept(_));
-        let Withdrawing { checks, numbers } = self.withdrawing.remove(&run).filter(|_| is_kept)?;
+        if !matches!(self.batches.get(&run)?.fate, RecordingState::Kept(_)) {
+            return None;
+        }
+        let Withdrawing { checks, numbers } = self.withdrawing.remove(&run)?;
         let said = message!("records-page-taken-back").count("checks", checks).count("records", numbers.len());
         Some((said.text("numbers", ranges(&numbers)), numbers))
     }
