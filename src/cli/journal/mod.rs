@@ -70,7 +70,7 @@ A question narrows the list word by word:
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
   good rework re-measure scrap                     with this verdict; with any of several
-  burr 25H7                                        a word that begins with this, in any name, callout or remark
+  burr 25H7                                        begins a word of a name, callout or remark
   88                                               the same, and the record of this number";
 
 /// Which checks are asked for.
