@@ -1,4 +1,5 @@
 //! Help for the field that has the focus: a sign at its corner, and its paragraph of the manual beside it. Nothing moves when they come.
+//! F1 opens what the manual says of the field, or of the part of the page that one is in.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -9,11 +10,12 @@ use super::cycles::picture::{parameter_picture, parameter_range};
 use super::field_id;
 use super::help::blocks_ui;
 use super::keypad;
+use super::section;
 use super::theme::{Icon, Weight, control, palette, space};
 use super::view::{View, heading, quiet};
 use crate::message::message;
 use crate::session::help::{HelpTopic, ManualPage};
-use crate::session::{Field, HelpCommand, WindowAction};
+use crate::session::{Field, HelpCommand, Session, WindowAction};
 use crate::words::Language;
 
 /// The diameter of the sign, and how wide and high the place is that a finger presses.
@@ -32,9 +34,13 @@ pub(super) fn follow_ui(ui: &Ui, view: &mut View<'_>) {
     }
     let focused = ui.memory(Memory::focused);
     let field = keypad::aimed(ui).filter(|field| focused == Some(field_id::id(*field)));
-    let at = field.map(|field| (field, view.session.help_of(field)));
+    let at = field.map(|field| (field, view.session.treated_in(field)));
     if at != view.session.help().at {
         view.send(HelpCommand::At(at));
+    }
+    let within = section::entered(ui, view.session.page()).and_then(|name| Session::fold_treated_in(&name));
+    if within != view.session.help().within {
+        view.send(HelpCommand::Within(within));
     }
 }
 

@@ -2,11 +2,14 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Align2, Color32, Context, Id, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Align2, Color32, Context, Id, Memory, Popup, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
 
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::View;
 use crate::message::message;
+use crate::session::Page;
 
 /// The row of a part that is folded away.
 pub(super) struct Section<'a> {
@@ -32,6 +35,42 @@ pub(super) fn unfold(ctx: &Context, name: &str) -> bool {
     was_closed
 }
 
+/// The part that one is in: something of it has the focus or was pressed last.
+#[derive(Debug, Clone)]
+struct Entered {
+    name: String,
+    page: Page,
+    frame: u64,
+}
+
+fn entered_id() -> Id {
+    Id::unique("section-entered")
+}
+
+/// Remembers a part that one is in.
+fn enter(ui: &Ui, name: &str, rect: Rect, page: Page) {
+    let pressed = ui.input(|input| input.pointer.interact_pos().filter(|_| input.pointer.any_pressed()));
+    let is_pressed = pressed.is_some_and(|at| rect.contains(at)) && ui.rect_contains_pointer(rect);
+    let focused = ui.memory(Memory::focused).and_then(|id| ui.ctx().read_response(id));
+    let has_focus = focused.is_some_and(|it| it.layer_id == ui.layer_id() && rect.contains(it.rect.center()));
+    if is_pressed || has_focus {
+        let entered = Entered { name: name.to_owned(), page, frame: ui.ctx().cumulative_frame_nr() };
+        ui.data_mut(|data| data.insert_temp(entered_id(), entered));
+    }
+}
+
+/// The name of the part that one is in on a page. A press or the focus elsewhere leaves it; a list that it has opened does not.
+pub(super) fn entered(ui: &Ui, page: Page) -> Option<String> {
+    let entered: Entered = ui.data(|data| data.get_temp(entered_id()))?;
+    let is_now = ui.ctx().cumulative_frame_nr() <= entered.frame + 1;
+    let is_elsewhere = ui.input(|input| input.pointer.any_pressed()) || ui.memory(|memory| memory.focused().is_some());
+    if entered.page != page || !is_now && is_elsewhere && !Popup::is_any_open(ui.ctx()) {
+        ui.data_mut(|data| data.remove::<Entered>(entered_id()));
+        return None;
+    }
+    Some(entered.name)
+}
+
 impl Section<'_> {
     /// The row, and below it the part where it is open.
     pub fn show(&self, ui: &mut Ui, view: &mut View<'_>, content: impl FnOnce(&mut Ui, &mut View<'_>)) {
@@ -44,6 +83,7 @@ impl Section<'_> {
             "" => name.clone(),
             value => view.words.say(&message!("section-said").text("name", &name).text("value", value)),
         };
+        let top = ui.cursor().top();
         if self.row_ui(ui, (&name, &said), state.is_open()) {
             state.toggle(ui);
         }
@@ -53,6 +93,9 @@ impl Section<'_> {
             ui.add_space(space(2.0));
         });
         state.store(ui.ctx());
+        let left = ui.max_rect().x_range();
+        let rect = Rect::from_x_y_ranges(left, top..=ui.min_rect().bottom());
+        enter(ui, self.name, rect, view.session.page());
     }
 
     /// The row alone, of a name and what a screen reader says. Returns whether it was pressed.

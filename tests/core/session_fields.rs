@@ -6,8 +6,8 @@ use fitcheck::probing::cycle::Key;
 use fitcheck::probing::cycles::CYCLES;
 use fitcheck::session::help::{Block, HelpPlace, HelpTopic, ManualPage};
 use fitcheck::session::{
-    CheckField, Command, CycleField, CyclesCommand, Field, FieldPlace, HelpCommand, Page, ProgramField, Session,
-    WindowAction,
+    CheckField, Command, CycleField, CyclesCommand, Field, FieldPlace, HelpCommand, Page, ProgramField, RecordsField,
+    Session, WindowAction,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;
@@ -126,6 +126,56 @@ fn f1_opens_the_paragraph_of_the_field_and_returns_to_it() {
     send(&mut session, HelpCommand::At(None));
     send(&mut session, HelpCommand::ForPage);
     assert_eq!(session.help().shown, HelpPlace::of(HelpTopic::Manual(Page::Check.manual())));
+}
+
+#[test]
+fn f1_opens_a_heading_about_the_field() {
+    let mut session = Session::new(Language::En);
+    for cycle in CYCLES {
+        send(&mut session, CyclesCommand::Choose(cycle.number));
+        for field in session.fields() {
+            let place = session.treated_in(field);
+            let HelpTopic::Manual(file) = place.topic else { panic!("{field:?}: {place:?}") };
+            let anchor = place.anchor.as_deref().unwrap_or_else(|| panic!("{field:?} has no heading"));
+            assert!(ManualPage::of(file).is_some_and(|page| page.has(anchor)), "{field:?}: {place:?}");
+            // A page that is not that of all fields belongs to the field's page or to its part of it.
+            let own =
+                [field.page().manual(), "fields.md", "rules.md", "temperature.md", "records.md", "shop-server.md"];
+            assert!(own.contains(&file), "{field:?}: {place:?}");
+        }
+    }
+    for (field, file, anchor) in [
+        (Field::from(CheckField::Uncertainty), "rules.md", "the-uncertainty-of-the-value"),
+        (CheckField::GuardWidth.into(), "rules.md", "fixed-guard-band"),
+        (CheckField::PartTemperature.into(), "temperature.md", "temperature-on-the-check-page"),
+        (CheckField::Serial.into(), "records.md", "what-is-recorded"),
+        (RecordsField::Who.into(), "records.md", "what-is-recorded"),
+    ] {
+        assert_eq!(session.treated_in(field), HelpPlace::at(file, anchor), "{field:?}");
+    }
+}
+
+#[test]
+fn f1_in_a_part_that_folds_away_opens_what_is_said_of_it() {
+    let mut session = Session::new(Language::En);
+    let folds: BTreeSet<&str> = session
+        .fields()
+        .into_iter()
+        .filter(|field| field.page() == Page::Check)
+        .filter_map(|field| match session.place_of(field) {
+            FieldPlace::Fold(name) => Some(name),
+            _ => None,
+        })
+        .collect();
+    assert!(4 < folds.len(), "{folds:?}");
+    for name in folds {
+        let place = Session::fold_treated_in(name).unwrap_or_else(|| panic!("{name}"));
+        let HelpTopic::Manual(file) = place.topic else { panic!("{place:?}") };
+        assert!(ManualPage::of(file).unwrap().has(place.anchor.as_deref().unwrap()), "{place:?}");
+    }
+    send(&mut session, HelpCommand::Within(Session::fold_treated_in("check-rule-section")));
+    send(&mut session, HelpCommand::ForPage);
+    assert_eq!(session.help().shown, HelpPlace::at("rules.md", "choose-a-rule"));
 }
 
 #[test]

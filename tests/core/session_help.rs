@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use fitcheck::session::action::Action;
-use fitcheck::session::help::{Block, CONTENTS, HelpTopic, ManualPage, Sample, key_groups, manual, topics};
+use fitcheck::session::help::{Block, CONTENTS, HelpTopic, LinePart, ManualPage, Sample, key_groups, manual, topics};
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
     Command, Effect, Field, HelpAction, HelpCommand, HelpField, Page, PaletteCommand, PartsCommand, Purpose, Session,
@@ -115,7 +115,7 @@ fn a_page_is_read_as_headings_paragraphs_lists_tables_and_code() {
     };
     assert_eq!(kinds("parts.md"), BTreeSet::from(["heading", "paragraph", "item", "code"]));
     assert!(kinds("window.md").contains("table"));
-    // A picture is not part of the program, and leaves no empty paragraph.
+    // A picture is not part of the program, and leaves no empty paragraph and no table of what stands above pictures.
     for page in manual() {
         for block in &page.blocks {
             let text: String = block.spans().iter().map(|span| span.text.as_str()).collect();
@@ -144,13 +144,21 @@ fn f1_opens_the_page_about_the_open_page_and_goes_back() {
     assert_eq!(session.page(), Page::Check, "the page of the start");
 }
 
+/// The hits of a query, each with the line that it was found in: what was searched for is in brackets.
+fn lines(query: &str) -> Vec<String> {
+    let mut session = on(Page::Help);
+    send(&mut session, Field::from(HelpField::Search).typed(query.to_owned()));
+    let part = |part: &LinePart| if part.is_found { format!("[{}]", part.text) } else { part.text.clone() };
+    session.help().found.iter().map(|found| found.line.iter().map(part).collect()).collect()
+}
+
 #[test]
 fn the_best_match_comes_first() {
     assert_eq!(found("watch")[0], "Watch a folder");
     assert_eq!(found("WATCH folder")[0], "Watch a folder");
     assert_eq!(found("shortcut")[0], "Keyboard shortcuts");
     assert_eq!(found("sneltoets")[0], "Keyboard shortcuts");
-    // In a heading, then in a text.
+    // A heading that is the word, whatever stands before it.
     assert_eq!(found("palette")[0], "The window > The palette");
     assert!(found("aqdef").contains(&"Whole parts".to_owned()), "{:?}", found("aqdef"));
     assert_eq!(found("xyzzy"), [""; 0]);
@@ -159,15 +167,185 @@ fn the_best_match_comes_first() {
 }
 
 #[test]
-fn enter_opens_the_best_match_at_its_heading() {
+fn a_term_is_found_at_its_explanation() {
+    for (query, heading) in [
+        ("rework", "Rework"),
+        ("guard band", "Guard band"),
+        ("Guard bands", "Guard band"),
+        ("scrap", "Scrap"),
+        ("hole", "Hole"),
+        ("decision rule", "Decision rule"),
+        ("expanded uncertainty", "Expanded uncertainty U and k"),
+        ("supplier", "Supplier"),
+        ("records", "Record"),
+        ("journal", "Journal"),
+        ("criterion", "Criterion"),
+        ("type b", "Type B"),
+    ] {
+        assert_eq!(found(query)[0], format!("Terms > {heading}"), "{query}: {:?}", found(query));
+    }
+}
+
+#[test]
+fn a_hit_shows_the_line_that_it_was_found_in_with_the_words_marked() {
+    let all = lines("guard band");
+    assert!(all[0].starts_with("A strip along a limit"), "{}", all[0]);
+    assert!(all.iter().skip(1).all(|line| line.is_empty() || line.to_lowercase().contains('[')), "{all:?}");
+    assert!(all.iter().any(|line| line.contains("[guard] [bands]")), "{all:?}");
+    // A line far in begins a little before the words, at a word.
+    let far = lines("capability study").swap_remove(0);
+    assert!(far.starts_with('…') && far.contains("[capability] [study]"), "{far}");
+}
+
+#[test]
+fn what_only_lists_pages_comes_last() {
+    for query in ["uncertainty", "rework", "guard band"] {
+        let all = found(query);
+        let contents = all.iter().position(|found| found.starts_with("The manual"));
+        let last = all.iter().rposition(|found| found.starts_with("Terms") || found.starts_with("Decision rules"));
+        assert!(contents.is_none_or(|contents| last < Some(contents)), "{query}: {all:?}");
+    }
+}
+
+#[test]
+fn a_word_is_found_where_a_word_begins() {
+    assert!(found("uler").is_empty(), "{:?}", found("uler"));
+    assert!(!found("rule").is_empty());
+}
+
+#[test]
+fn enter_opens_the_best_match_at_its_line() {
     let mut session = on(Page::Help);
-    send(&mut session, Field::from(HelpField::Search).typed("palette".to_owned()));
+    send(&mut session, Field::from(HelpField::Search).typed("guard band".to_owned()));
     assert_eq!(shown(&session), (CONTENTS, None), "nothing is opened while something is typed");
     send(&mut session, Command::Enter(HelpField::Search.into()));
-    assert_eq!(shown(&session), ("window.md", Some("the-palette")));
+    assert_eq!(shown(&session), ("terms.md", Some("guard-band")));
+    let mark = session.help().shown.mark.clone().unwrap();
+    let page = ManualPage::of("terms.md").unwrap();
+    let text: String = page.blocks[mark.block].spans().iter().map(|span| span.text.as_str()).collect();
+    assert!(text.starts_with("A strip along a limit"), "{text}");
+    // Another hit of the same page is another place.
+    send(&mut session, HelpCommand::Select(1));
+    assert_eq!(session.help().selected(), Some(1));
+    act(&mut session, HelpAction::BackInHelp);
     act(&mut session, HelpAction::BackInHelp);
     assert_eq!(shown(&session), (CONTENTS, None));
     assert!(!session.can(HelpAction::BackInHelp));
+}
+
+/// Each of these words stands in the window.
+#[test]
+fn the_terms_explain_the_words_of_the_window() {
+    let page = ManualPage::of("terms.md").unwrap();
+    for term in [
+        "verdict",
+        "good",
+        "rework",
+        "scrap",
+        "re-measure",
+        "out-of-limits",
+        "hole",
+        "shaft",
+        "callout",
+        "nominal-size",
+        "tolerance-class",
+        "limits",
+        "deviation",
+        "middle-of-the-zone",
+        "guard-band",
+        "decision-rule",
+        "expanded-uncertainty-u-and-k",
+        "conformity",
+        "proven",
+        "supplier",
+        "customer",
+        "simulated",
+        "record",
+        "void",
+        "corrected",
+        "withdrawn",
+        "standing",
+        "journal",
+        "chain",
+        "lot",
+        "plan",
+        "feature",
+        "serial-number",
+        "clearance-fit",
+        "interference-fit",
+        "transition-fit",
+        "contact",
+        "criterion",
+        "status-window",
+        "mask",
+        "budget",
+        "contribution",
+        "type-a",
+        "type-b",
+    ] {
+        let first = page.below(term).first();
+        assert!(matches!(first, Some(Block::Paragraph(spans)) if !spans.is_empty()), "{term} is not explained");
+    }
+    // In the list of topics it stands after the page of the window.
+    let order: Vec<&str> = manual().iter().map(|page| page.file).collect();
+    let at = |file: &str| order.iter().position(|known| *known == file).unwrap();
+    assert_eq!(at("terms.md"), at("window.md") + 1);
+}
+
+/// What belongs to a picture that the window does not show is left out.
+#[test]
+fn no_heading_and_no_colon_stands_alone() {
+    for page in manual() {
+        for (number, block) in page.blocks.iter().enumerate() {
+            let next = page.blocks.get(number + 1);
+            let text: String = block.spans().iter().map(|span| span.text.as_str()).collect();
+            match block {
+                Block::Heading { level, .. } => {
+                    let is_followed = match next {
+                        Some(Block::Heading { level: below, .. }) => level < below,
+                        other => other.is_some(),
+                    };
+                    assert!(is_followed, "{}: nothing stands below {text}", page.file);
+                }
+                Block::Paragraph(_) if text.trim_end().ends_with(':') => {
+                    let is_followed = matches!(next, Some(Block::Item { .. } | Block::Table { .. } | Block::Code(_)));
+                    assert!(is_followed, "{}: nothing follows: {text}", page.file);
+                }
+                Block::Table { rows, .. } => assert!(!rows.is_empty(), "{}: {block:?}", page.file),
+                _ => {}
+            }
+        }
+    }
+}
+
+/// What one does in the window comes first.
+#[test]
+fn the_command_line_is_the_last_heading_of_a_page_of_the_window() {
+    for file in [
+        "check.md",
+        "records.md",
+        "rules.md",
+        "parts.md",
+        "uncertainty.md",
+        "temperature.md",
+        "pairs.md",
+        "fits.md",
+        "cycles.md",
+        "programs.md",
+        "tables.md",
+        "reports.md",
+    ] {
+        let page = ManualPage::of(file).unwrap();
+        let place = page.blocks.iter().position(
+            |block| matches!(block, Block::Heading { anchor, level: 2, .. } if anchor == "from-the-command-line"),
+        );
+        let place = place.unwrap_or_else(|| panic!("{file} has no such heading"));
+        let (before, after) = page.blocks.split_at(place + 1);
+        assert!(!after.iter().any(|block| matches!(block, Block::Heading { .. })), "{file}");
+        let calls = |block: &Block| matches!(block, Block::Code(code) if code.contains("fitcheck "));
+        assert!(!before.iter().any(calls), "{file} has commands before that");
+        assert!(after.iter().any(calls), "{file}");
+    }
 }
 
 #[test]

@@ -93,10 +93,12 @@ impl Pair {
         self.check_same(&format!("{shortcut} on {page:?} for {heard:?}"));
     }
 
-    /// The session hears which field of the window has the focus.
+    /// The session hears which field of the window has the focus, and in which part of the page one is.
     fn follow(&mut self) {
-        let at = self.window.state().session().help().at.clone();
+        let help = self.window.state().session().help();
+        let (at, within) = (help.at.clone(), help.within.clone());
         self.apply(HelpCommand::At(at).into());
+        self.apply(HelpCommand::Within(within).into());
     }
 
     /// Gives the focus to the part of the page; on pages without one, nothing has it.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, ViewportId, vec2};
+use eframe::egui::{Key, Modifiers, Rect, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::{App, Store};
@@ -28,6 +28,12 @@ fn help() -> Harness<'static, App> {
     let mut window = Window::default().open();
     send(&mut window, Command::OpenPage(Page::Help));
     window
+}
+
+/// Where a paragraph stands.
+fn text(window: &Harness<'_, App>, part: &str) -> Rect {
+    let mut all = window.get_all_by_label_contains(part);
+    all.find(|node| node.accesskit_node().role() == Role::Label).unwrap().rect()
 }
 
 #[test]
@@ -142,11 +148,54 @@ fn words_are_typed_and_enter_opens_the_best_match() {
     let mut window = help();
     // The field has the focus.
     scan(&mut window, "guard band");
-    assert!(rows(&window).iter().any(|row| row.starts_with("Decision rules")), "{:?}", rows(&window));
+    let hits = rows(&window);
+    assert!(hits[0].starts_with("Terms, Guard band: A strip along a limit"), "{hits:?}");
+    assert!(hits.iter().any(|row| row.starts_with("Decision rules, ")), "{hits:?}");
     scan(&mut window, "⏎");
-    assert_eq!(cursor(&window), rows(&window)[0]);
+    assert_eq!(cursor(&window), hits[0]);
+    let found = text(&window, "A strip along a limit in which");
+    assert!(0.0 < found.top() && found.bottom() < 800.0, "it is in sight: {found:?}");
     type_into(&mut window, "Search the manual", "xyzzy");
     window.get_by_label("No page of the manual has these words.");
+}
+
+#[test]
+fn a_hit_far_below_comes_into_sight() {
+    let mut window = help();
+    scan(&mut window, "three contacts in steps of 60⏎");
+    settle(&mut window);
+    let found = text(&window, "Three contacts in");
+    assert!(0.0 < found.top() && found.bottom() < 800.0, "{found:?}");
+}
+
+#[test]
+fn a_link_stands_in_its_line_and_is_as_high() {
+    let mut window = help();
+    send(&mut window, HelpCommand::Open(HelpPlace::of(HelpTopic::Manual("reports.md"))));
+    let text = window.get_by_label_contains("say what a report adds for them").rect();
+    let link = window.get_by_role_and_label(Role::Link, "Decision rules").rect();
+    assert!(text.contains_rect(link.shrink(0.5)), "{link:?} in {text:?}");
+    assert!(15.0 < link.height(), "{link:?}");
+}
+
+#[test]
+fn no_line_of_code_is_cut() {
+    let mut window = Window { size: vec2(900.0, 700.0), ..Window::default() }.open();
+    send(&mut window, Command::OpenPage(Page::Help));
+    send(&mut window, HelpCommand::Open(HelpPlace::at("records.md", "from-the-command-line")));
+    let code = window.get_by_label_contains("fitcheck check \"25 H7\" --measured 25.012 --record").rect();
+    assert!(code.right() <= 900.0, "{code:?}");
+}
+
+#[test]
+fn f1_in_the_decision_rule_opens_what_is_said_of_it() {
+    let mut window = Window::default().open();
+    click(&mut window, Role::Button, "Decision rule: the limits decide");
+    window.get_by_role_and_label(Role::ComboBox, "Rule").focus();
+    settle(&mut window);
+    press(&mut window, Key::F1);
+    let heading = window.get_by_role_and_label(Role::Heading, "Choose a rule").rect();
+    assert!(0.0 < heading.top() && heading.bottom() < 800.0, "{heading:?}");
 }
 
 #[test]
@@ -190,7 +239,7 @@ fn page_keys_scroll_the_text_and_another_page_begins_at_its_top() {
 #[test]
 fn a_link_to_a_heading_brings_it_into_sight() {
     let mut window = help();
-    let place = HelpPlace { topic: HelpTopic::Manual("window.md"), anchor: Some("settings".to_owned()) };
+    let place = HelpPlace::at("window.md", "settings");
     send(&mut window, HelpCommand::Open(place));
     let rect = window.get_by_role_and_label(Role::Heading, "Settings").rect();
     assert!(0.0 < rect.top() && rect.bottom() < 800.0, "{rect:?}");

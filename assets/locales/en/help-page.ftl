@@ -14,6 +14,7 @@ help-page-nothing = No page of the manual has these words.
 help-page-topics = Contents
 help-page-list = Pages of the manual
 help-page-found = { $title }, { $heading }
+help-page-found-line = { $place }: { $line }
 help-page-move = Go to another page of the manual
 help-page-read = Show the page
 help-page-scroll = Scroll the text

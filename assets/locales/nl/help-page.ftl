@@ -14,6 +14,7 @@ help-page-nothing = Geen pagina van de handleiding bevat deze woorden.
 help-page-topics = Inhoud
 help-page-list = Pagina's van de handleiding
 help-page-found = { $title }, { $heading }
+help-page-found-line = { $place }: { $line }
 help-page-move = Naar een andere pagina van de handleiding
 help-page-read = Pagina tonen
 help-page-scroll = Tekst verschuiven

@@ -10,7 +10,7 @@ use super::check::CheckField;
 use super::cycles::{Axis, CycleField, WorkpieceField};
 use super::field::Field;
 use super::fit::FitField;
-use super::help::{HelpField, HelpPlace, HelpTopic};
+use super::help::{HelpField, HelpPlace};
 use super::page::Page;
 use super::pairing::PairingField;
 use super::parts::{PartsField, PlanField, WalkField};
@@ -384,6 +384,6 @@ impl Field {
             Self::Program(ProgramField::Tool(_)) => "tool-to-be-monitored",
             field => field.row().map_or("cell-of-the-plan", |row| row.paragraph),
         };
-        HelpPlace { topic: HelpTopic::Manual(MANUAL), anchor: Some(paragraph.to_owned()) }
+        HelpPlace::at(MANUAL, paragraph)
     }
 }

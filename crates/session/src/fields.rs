@@ -15,6 +15,7 @@ use super::field_table::{AT_TIMES, FieldPlace, PAGE, Rows, all};
 use super::help::HelpPlace;
 use super::program::{Input, ProgramField};
 use super::records::RecordsField;
+use super::treated;
 
 /// The drawing of a field: a parameter of a cycle that means the same.
 pub type FieldDrawing = (&'static Cycle, Key);
@@ -53,6 +54,16 @@ impl Session {
     /// The paragraph of the manual about a field.
     pub fn help_of(&self, field: Field) -> HelpPlace {
         field.help(self.cycles.cycle)
+    }
+
+    /// What F1 opens in a field: the heading of the manual that treats it.
+    pub fn treated_in(&self, field: Field) -> HelpPlace {
+        treated::of_field(field).unwrap_or_else(|| self.help_of(field))
+    }
+
+    /// What F1 opens in a part of a page that folds away, by its name.
+    pub fn fold_treated_in(name: &str) -> Option<HelpPlace> {
+        treated::of_fold(name)
     }
 
     /// What a field is called, in the words of a language.

@@ -27,6 +27,7 @@
 //! | `page`, `state` | the list of the pages; what every page is |
 //! | `command`, `effect` | every command, and what it asks of the outside world |
 //! | `field`, `field_table`, `fields` | every text field; its name, its place, its paragraph of the manual; finding them |
+//! | `treated` | what F1 opens in a field or in a part that folds away |
 //! | `texts`, `typing` | the texts in fields, and what typing does |
 //! | `purpose`, `settings`, `zoom`, `step` | what files are for; how the window looks; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
@@ -93,6 +94,7 @@ mod step;
 pub mod tables;
 mod texts;
 mod tools;
+mod treated;
 mod typing;
 mod workpiece;
 mod zoom;

@@ -1,15 +1,15 @@
 //! Right: what is read.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::scroll_area::ScrollBarVisibility;
-use eframe::egui::{Align, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, WidgetInfo, vec2};
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{Align, Frame, Id, Label, Margin, Rect, RichText, ScrollArea, Shape, Ui, WidgetInfo, vec2};
 
 use super::grid::table_ui;
 use super::sheet::sheet_ui;
-use super::text::spans_ui;
+use super::text::{append, spans_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet, remembered};
-use crate::session::help::{Block, CONTENTS, HelpTopic, ManualPage, Marker, Sample};
+use crate::session::help::{Block, CONTENTS, HelpMark, HelpTopic, HelpWords, ManualPage, Marker, Sample, Span};
 use crate::session::{HelpAction, Step, WindowAction};
 use crate::words::Language;
 
@@ -31,7 +31,8 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
     ui.separator();
     let look = is_new(ui, "help-look", view.session.help().look);
     let mut area = ScrollArea::vertical().id_salt("help-article").auto_shrink(false);
-    if look && view.session.help().shown.anchor.is_none() {
+    let mark = view.session.help().shown.mark.clone();
+    if look && view.session.help().shown.anchor.is_none() && mark.is_none() {
         area = area.vertical_scroll_offset(0.0);
     }
     let height = ui.available_height();
@@ -47,7 +48,8 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
                 }
                 let blocks = ManualPage::of(file).map(|page| page.blocks.as_slice());
                 for (number, block) in blocks.into_iter().flatten().enumerate() {
-                    block_ui(ui, view, (number, block), look);
+                    let mark = mark.as_ref().filter(|mark| mark.block == number);
+                    block_ui(ui, view, block, (look, mark));
                 }
             }
         }
@@ -56,8 +58,8 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
 
 /// A part of a page of the manual, in another place.
 pub(in crate::gui) fn blocks_ui(ui: &mut Ui, view: &mut View<'_>, blocks: &[Block]) {
-    for (number, block) in blocks.iter().enumerate() {
-        block_ui(ui, view, (number, block), false);
+    for block in blocks {
+        block_ui(ui, view, block, (false, None));
     }
 }
 
@@ -91,62 +93,88 @@ fn scroll(ui: &Ui, view: &View<'_>, height: f32) {
     }
 }
 
-fn block_ui(ui: &mut Ui, view: &mut View<'_>, (number, block): (usize, &Block), look: bool) {
-    match block {
+/// A block. A marked one stands out and comes into sight when it was just opened; without a mark, the heading does.
+fn block_ui(ui: &mut Ui, view: &mut View<'_>, block: &Block, (look, mark): (bool, Option<&HelpMark>)) {
+    let words = mark.map(|mark| &mark.words);
+    let ground = ui.painter().add(Shape::Noop);
+    let drawn = match block {
         Block::Heading { level, anchor, spans } => {
-            ui.add_space(space(if *level == 1 { 0.0 } else { 2.0 }));
-            let size = if *level == 1 { sizes().value } else { sizes().heading };
-            let text: String = spans.iter().map(|span| span.text.as_str()).collect();
-            let drawn = ui.add(Label::new(RichText::new(&text).font(theme::bold(size))).wrap());
-            drawn.widget_info(|| WidgetInfo::labeled(Role::Heading, true, &text));
-            ui.ctx().accesskit_node_builder(drawn.id, |node| node.set_level(*level));
-            if look && view.session.help().shown.anchor.as_ref() == Some(anchor) {
-                drawn.scroll_to_me(Some(Align::TOP));
-            }
+            heading_ui(ui, view, (*level, anchor), spans, look);
+            None
         }
-        Block::Paragraph(spans) => spans_ui(ui, view, spans),
-        Block::Item { depth, marker, spans } => item_ui(ui, view, (*depth, *marker), |ui, view| {
-            spans_ui(ui, view, spans);
-        }),
-        Block::Table { head, rows } => table_ui(ui, view, head, rows),
-        Block::Code(text) => code_ui(ui, number, text),
+        Block::Paragraph(spans) => Some(spans_ui(ui, view, spans, words)),
+        Block::Item { depth, marker, spans } => {
+            Some(item_ui(ui, (*depth, *marker), |ui| _ = spans_ui(ui, view, spans, words)))
+        }
+        Block::Table { head, rows } => {
+            let row = table_ui(ui, view, (head, rows), mark);
+            if look && let Some(row) = row {
+                ui.scroll_to_rect(row, Some(Align::Center));
+            }
+            None
+        }
+        Block::Code(text) => Some(code_ui(ui, text, words)),
+    };
+    if let (Some(rect), Some(_)) = (drawn, mark) {
+        ui.painter().set(ground, mark_shape(ui, rect));
+        if look {
+            ui.scroll_to_rect(rect, Some(Align::Center));
+        }
+    }
+}
+
+/// The ground of what was found.
+pub(super) fn mark_shape(ui: &Ui, rect: Rect) -> Shape {
+    Shape::rect_filled(rect.expand2(vec2(space(1.5), space(0.5))), 4.0, palette(ui.ctx()).tint.0)
+}
+
+fn heading_ui(ui: &mut Ui, view: &View<'_>, (level, anchor): (usize, &str), spans: &[Span], look: bool) {
+    ui.add_space(space(if level == 1 { 0.0 } else { 2.0 }));
+    let size = match level {
+        1 => sizes().value,
+        2 => sizes().heading,
+        _ => sizes().body,
+    };
+    let text: String = spans.iter().map(|span| span.text.as_str()).collect();
+    let drawn = ui.add(Label::new(RichText::new(&text).font(theme::bold(size))).wrap());
+    drawn.widget_info(|| WidgetInfo::labeled(Role::Heading, true, &text));
+    ui.ctx().accesskit_node_builder(drawn.id, |node| node.set_level(level));
+    let shown = &view.session.help().shown;
+    if look && shown.mark.is_none() && shown.anchor.as_deref() == Some(anchor) {
+        drawn.scroll_to_me(Some(Align::TOP));
     }
 }
 
 /// An entry of a list: its mark, and its text beside it.
-fn item_ui(
-    ui: &mut Ui,
-    view: &mut View<'_>,
-    (depth, marker): (usize, Marker),
-    content: impl FnOnce(&mut Ui, &mut View<'_>),
-) {
+fn item_ui(ui: &mut Ui, (depth, marker): (usize, Marker), content: impl FnOnce(&mut Ui)) -> Rect {
     let mark = match marker {
         Marker::Bullet => "•".to_owned(),
         Marker::Number(number) => format!("{number}."),
         Marker::Nothing => String::new(),
     };
     let left = (1..depth).fold(0.0, |left, _| left + space(6.0));
-    ui.horizontal_top(|ui| {
+    let item = ui.horizontal_top(|ui| {
         ui.spacing_mut().interact_size.y = 0.0;
         ui.add_space(left);
         ui.allocate_ui(vec2(space(5.0), 0.0), |ui| {
             ui.set_width(space(5.0));
             ui.label(mark);
         });
-        ui.vertical(|ui| content(ui, view));
+        ui.vertical(content);
     });
+    item.response.rect
 }
 
-/// Lines as they are typed: long ones are scrolled to.
-fn code_ui(ui: &mut Ui, number: usize, text: &str) {
+/// Lines as they are typed. A line that is longer than the room goes on in the next one: nothing is cut.
+fn code_ui(ui: &mut Ui, text: &str, words: Option<&HelpWords>) -> Rect {
     let colour = palette(ui.ctx()).text.0;
-    let frame = Frame::new().fill(palette(ui.ctx()).sunken.0).corner_radius(6.0).inner_margin(Margin::same(8));
-    frame.show(ui, |ui| {
+    let ground = if words.is_some() { palette(ui.ctx()).tint.0 } else { palette(ui.ctx()).sunken.0 };
+    let frame = Frame::new().fill(ground).corner_radius(6.0).inner_margin(Margin::same(8));
+    let drawn = frame.show(ui, |ui| {
         ui.set_min_width(ui.available_width());
-        let area = ScrollArea::horizontal().id_salt(("help-code", number));
-        area.scroll_bar_visibility(ScrollBarVisibility::VisibleWhenNeeded).show(ui, |ui| {
-            let text = RichText::new(text).font(theme::mono(sizes().mono)).color(colour);
-            ui.add(Label::new(text).extend().selectable(true));
-        });
+        let mut job = LayoutJob::default();
+        append(&mut job, text, &TextFormat::simple(theme::mono(sizes().mono), colour), words);
+        ui.add(Label::new(job).wrap().selectable(true));
     });
+    drawn.response.rect
 }

@@ -1,4 +1,4 @@
-//! Left: the search field, and the topics that it finds.
+//! Left: the search field, and the topics that it finds, each with the line that it was found in.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use eframe::egui::{Id, Ui};
 use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::key_names::part_id;
 use crate::gui::over_page::just_opened;
-use crate::gui::table::{Cell, Column, Row, Table};
+use crate::gui::table::{Cell, Column, Row, Table, found_height};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
 use crate::session::focused::TOPICS;
@@ -28,7 +28,11 @@ pub(super) fn topics_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
     field_ui(ui, view, HelpField::Search, name.id, FieldStyle::large(width));
     let columns = [Column::text(60.0)];
     let help = view.session.help();
+    // Hits have the line that they were found in.
+    let has_lines = help.found.iter().any(|found| !found.line.is_empty());
+    let height = has_lines.then(|| found_height(ui));
     let table = Table {
+        height,
         count: help.found.len(),
         look: (help.look, help.selected()),
         empty: view.text("help-page-nothing"),
@@ -52,7 +56,14 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<usize>> {
             None => title,
         };
         let is_selected = selected == Some(number);
-        let row = Row::new(number, vec![Cell::Text(text.clone())], text);
+        let line: String = found.line.iter().map(|part| part.text.as_str()).collect();
+        let row = if line.is_empty() {
+            Row::new(number, vec![Cell::Text(text.clone())], text)
+        } else {
+            let said = view.words.say(&message!("help-page-found-line").text("place", &text).text("line", line));
+            let line = found.line.iter().map(|part| (part.text.clone(), part.is_found)).collect();
+            Row::new(number, vec![Cell::Found { name: text, line }], said)
+        };
         Some(Row { is_cursor: is_selected, is_open: is_selected, ..row })
     };
     places.map_while(row).collect()

@@ -4,7 +4,7 @@ use eframe::egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
 
 use super::Table;
 use crate::gui::shapes::{self, lines_of, part_of, times};
-use crate::gui::theme::{palette, row, space};
+use crate::gui::theme::{palette, space};
 use crate::gui::view::remembered;
 
 /// The first place in sight, and how many points of it are above.
@@ -42,7 +42,7 @@ impl Top {
 /// Where the list stands after the wheel, a finger, the bar, or a cursor that has to come into sight.
 pub(super) fn scrolled(ui: &Ui, table: &Table<'_>, rect: Rect, bar: f32) -> Top {
     let id = table.id;
-    let height = row(ui);
+    let height = table.row(ui);
     let key = id.with("top");
     let (mut top, looked): (Top, u64) = remembered(ui, key);
     let fit = lines_of((rect.height() / height).floor());

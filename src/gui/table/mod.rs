@@ -25,7 +25,7 @@ pub(super) use columns::Column;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Id, Rect, Sense, Ui, UiBuilder, WidgetInfo, vec2};
 use long_list::scrolled;
-pub(super) use rows::{Cell, PAD, Row, joined, text_ui};
+pub(super) use rows::{Cell, PAD, Row, found_height, joined, text_ui};
 pub(super) use zone::Zoned;
 
 use super::shapes::{focus_ring, lines_of, times};
@@ -43,6 +43,8 @@ pub(super) struct Table<'a> {
     /// The name of the text that names it.
     pub name: &'a str,
     pub columns: &'a [Column],
+    /// The height of its rows where it is not the usual one.
+    pub height: Option<f32>,
     /// How many times its declared width a column becomes where nothing else takes what is left over.
     pub stretch: f32,
     /// The head that sorts now, and whether the smallest is first.
@@ -73,7 +75,14 @@ impl<'a> Table<'a> {
         let sorted = None;
         let count = 0;
         let look = (0, None);
-        Self { id, name, columns, stretch: f32::INFINITY, sorted, count, look, empty: String::new(), keeps_focus: true }
+        let stretch = f32::INFINITY;
+        let empty = String::new();
+        Self { id, name, columns, height: None, stretch, sorted, count, look, empty, keeps_focus: true }
+    }
+
+    /// The height of a row.
+    fn row(&self, ui: &Ui) -> f32 {
+        self.height.unwrap_or_else(|| row(ui))
     }
 
     /// Draws it in the room that is left, with the rows of the places in sight.
@@ -98,7 +107,7 @@ impl<'a> Table<'a> {
         let list = ui.interact(rect, self.id, Sense::focusable_noninteractive());
         list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text(self.name)));
         let top = scrolled(ui, self, rect, bar);
-        let fit = lines_of((rect.height() / row(ui)).ceil()) + 1;
+        let fit = lines_of((rect.height() / self.row(ui)).ceil()) + 1;
         seen.places = top.place..(top.place + fit).min(self.count);
         ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt((self.id, "body")), |ui| {
             ui.set_clip_rect(rect.intersect(ui.clip_rect()));
@@ -107,9 +116,9 @@ impl<'a> Table<'a> {
             }
             let from = rect.min - vec2(0.0, top.hidden);
             // Where all rows are in sight there is no bar.
-            let is_long = rect.height() < times(row(ui), self.count);
+            let is_long = rect.height() < times(self.row(ui), self.count);
             let width = if is_long { rect.width() - bar } else { rect.width() };
-            let first = Rect::from_min_size(from, vec2(width, row(ui)));
+            let first = Rect::from_min_size(from, vec2(width, self.row(ui)));
             let rows = rows(view, seen.places.clone());
             rows::rows_ui(ui, view, (self, &across), first, rows, &mut seen);
         });

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::hash::Hash;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::text::{LayoutJob, TextWrapping};
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Color32, FontId, Painter, Rangef, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
 use super::columns::{Across, Kind};
@@ -47,6 +47,11 @@ impl<K> Row<K> {
 #[derive(Debug)]
 pub(in crate::gui) enum Cell {
     Text(String),
+    /// A name, and below it two lines of text with some of it in bold letters.
+    Found {
+        name: String,
+        line: Vec<(String, bool)>,
+    },
     /// Where a value lies in its zone; nothing where there is none.
     Zone(Option<Zoned>),
     /// A verdict; a simulated one is pale and framed by dashes.
@@ -124,6 +129,9 @@ fn row_ui<K: Copy + Debug + Hash>(
             (Some(room), Cell::Text(text)) => {
                 is_cut |= text_in(ui.painter(), room.shrink2(vec2(PAD, 0.0)), text, look, (column.kind, Some(sign)));
             }
+            (Some(room), Cell::Found { name, line }) => {
+                found_ui(ui.painter(), room.shrink2(vec2(PAD, 0.0)), name, line)
+            }
             (Some(room), Cell::Verdict { status, is_simulated, word, beside }) => {
                 let colours = colours(palette, *status, *is_simulated);
                 let word = (column.kind == Kind::Verdict).then_some(word.as_str());
@@ -187,6 +195,35 @@ fn two_lines(painter: &Painter, rect: Rect, text: &str, (font, colour): (&FontId
     let is_cut = galley.elided;
     painter.galley(pos2(rect.left(), rect.center().y - galley.size().y / 2.0), galley, colour);
     is_cut
+}
+
+/// The height of a row with a name and two lines.
+pub(in crate::gui) fn found_height(ui: &Ui) -> f32 {
+    let height = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::font(size)));
+    (height(sizes().body) + 2.0 * height(sizes().small) + 2.0 * space(2.0)).ceil()
+}
+
+/// A name, and below it two lines with some of their words in bold letters.
+fn found_ui(painter: &Painter, rect: Rect, name: &str, line: &[(String, bool)]) {
+    let palette = palette(painter.ctx());
+    let mut job = LayoutJob::simple_singleline(name.to_owned(), theme::font(sizes().body), palette.text.0);
+    job.wrap = TextWrapping::truncate_at_width(rect.width().max(0.0));
+    let name = painter.layout_job(job);
+    let mut job = LayoutJob::default();
+    for (text, is_bold) in line {
+        let format = if *is_bold {
+            TextFormat::simple(theme::bold(sizes().small), palette.text.0)
+        } else {
+            TextFormat::simple(theme::font(sizes().small), palette.quiet.0)
+        };
+        job.append(text, 0.0, format);
+    }
+    job.wrap = TextWrapping { max_rows: 2, ..TextWrapping::wrap_at_width(rect.width().max(0.0)) };
+    let line = painter.layout_job(job);
+    let at = rect.left_top() + vec2(0.0, space(2.0));
+    let below = at + vec2(0.0, name.size().y);
+    painter.galley(at, name, palette.text.0);
+    painter.galley(below, line, palette.quiet.0);
 }
 
 /// A text in one line, at its place in a column of a kind; returns whether it was cut.

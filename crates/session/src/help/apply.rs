@@ -31,6 +31,7 @@ impl PageState for HelpPage {
             lists_topics: false,
             from: shared.page,
             at: None,
+            within: None,
             explains: false,
             from_field: None,
             is_walking: false,
@@ -52,13 +53,15 @@ impl PageState for HelpPage {
                 let at = self.at.take();
                 self.from_field = at.as_ref().map(|(field, _)| *field);
                 let page = || HelpPlace::of(HelpTopic::Manual(shared.page.manual()));
-                self.go_to(at.map_or_else(page, |(_, place)| place));
+                let place = at.map(|(_, place)| place).or_else(|| self.within.take());
+                self.go_to(place.unwrap_or_else(page));
                 shared.open(Page::Help);
             }
             HelpCommand::At(at) => {
                 self.explains &= self.at.as_ref().map(|(field, _)| field) == at.as_ref().map(|(field, _)| field);
                 self.at = at;
             }
+            HelpCommand::Within(place) => self.within = place,
             HelpCommand::Explain(explains) => self.explains = explains && self.at.is_some(),
             HelpCommand::Open(place) => {
                 self.go_to(place);

@@ -1,6 +1,7 @@
 //! How a page of the manual is read: Markdown to the few kinds of blocks that the window draws.
 //!
-//! Pictures are left out: they are not part of the program. So are links to files beside the manual; their text stays.
+//! Pictures are left out with the tables that hold them: they are not part of the program. So are links to files beside the manual; their
+//! text stays.
 
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 
@@ -38,18 +39,6 @@ impl Block {
             Self::Heading { spans, .. } | Self::Paragraph(spans) | Self::Item { spans, .. } => spans.iter().collect(),
             Self::Table { head, rows } => head.iter().chain(rows.iter().flatten()).flatten().collect(),
             Self::Code(_) => Vec::new(),
-        }
-    }
-
-    /// What is searched in it.
-    pub(super) fn text(&self) -> String {
-        match self {
-            Self::Code(text) => text.clone(),
-            Self::Table { head, rows } => {
-                let cells = head.iter().chain(rows.iter().flatten()).map(|cell| plain(cell));
-                cells.collect::<Vec<_>>().join(" ")
-            }
-            Self::Heading { spans, .. } | Self::Paragraph(spans) | Self::Item { spans, .. } => plain(spans),
         }
     }
 }
@@ -106,6 +95,8 @@ struct Reader {
     rows: Vec<Vec<Vec<Span>>>,
     code: Option<String>,
     is_in_picture: bool,
+    /// Whether the table has pictures: its other cells are what stands above them.
+    has_pictures: bool,
 }
 
 impl Reader {
@@ -150,7 +141,11 @@ impl Reader {
             Tag::Strong => self.look.is_bold = true,
             Tag::Emphasis => self.look.is_italic = true,
             Tag::Link { dest_url, .. } => self.look.link = self.place(&dest_url),
-            Tag::Image { .. } => self.is_in_picture = true,
+            Tag::Table(_) => self.has_pictures = false,
+            Tag::Image { .. } => {
+                self.is_in_picture = true;
+                self.has_pictures = true;
+            }
             _ => {}
         }
     }
@@ -168,8 +163,11 @@ impl Reader {
             TagEnd::TableHead => self.head = std::mem::take(&mut self.cells),
             TagEnd::TableRow => self.rows.push(std::mem::take(&mut self.cells)),
             TagEnd::Table => {
-                let table = Block::Table { head: std::mem::take(&mut self.head), rows: std::mem::take(&mut self.rows) };
-                self.blocks.push(table);
+                let head = std::mem::take(&mut self.head);
+                let rows = std::mem::take(&mut self.rows);
+                if !std::mem::take(&mut self.has_pictures) {
+                    self.blocks.push(Block::Table { head, rows });
+                }
             }
             TagEnd::CodeBlock => {
                 let code = self.code.take();
@@ -201,7 +199,7 @@ impl Reader {
     fn place(&self, to: &str) -> Option<HelpPlace> {
         let (file, anchor) = to.split_once('#').map_or((to, None), |(file, anchor)| (file, Some(anchor.to_owned())));
         let file = if file.is_empty() { self.file } else { self.files.iter().find(|known| **known == file)? };
-        Some(HelpPlace { topic: HelpTopic::Manual(file), anchor })
+        Some(HelpPlace { topic: HelpTopic::Manual(file), anchor, mark: None })
     }
 }
 

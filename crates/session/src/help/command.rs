@@ -9,11 +9,13 @@ use crate::step::Step;
 pub enum HelpCommand {
     /// Replaces the text of a field.
     Type(HelpField, String),
-    /// Opens the manual at the paragraph about the field that has the focus, or else at its page about the open page; on the help page goes
-    /// back to where one was.
+    /// Opens the manual at what treats the field that has the focus, or else the part of the page that one is in, or else at its page about
+    /// the open page; on the help page goes back to where one was.
     ForPage,
-    /// The focus has gone to another field, whose paragraph is there; or to none.
+    /// The focus has gone to another field, which is treated there; or to none.
     At(Option<(Field, HelpPlace)>),
+    /// One is in another part of the page, which is treated there; or in none.
+    Within(Option<HelpPlace>),
     /// Shows the paragraph about the field that has the focus beside it, or hides it.
     Explain(bool),
     /// Opens the help page at a place.

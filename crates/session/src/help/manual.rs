@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use fitcheck_shipped as shipped;
 
-use super::blocks::{Block, plain, read};
+use super::blocks::{Block, Span, plain, read};
 use super::{HelpPlace, HelpTopic};
 
 /// The page that lists the others.
@@ -25,9 +25,20 @@ pub struct ManualPage {
 pub(super) struct Section {
     pub heading: String,
     pub anchor: String,
-    /// The heading, and all of the section with it, in small letters.
-    pub small_heading: String,
-    pub small_text: String,
+    pub lines: Vec<Line>,
+}
+
+/// A paragraph, an entry of a list, a row of a table or a line of code.
+#[derive(Debug)]
+pub(super) struct Line {
+    /// The number of its block in the page, and its number within that, from 0: of a row below the head of a table, or of a line.
+    pub block: usize,
+    pub row: Option<usize>,
+    pub text: String,
+    /// What it explains: it begins with that in bold letters, or that is the first cell of its row.
+    pub term: Option<String>,
+    /// Whether it is a row that leads to another page.
+    pub is_contents: bool,
 }
 
 static MANUAL: LazyLock<Vec<ManualPage>> = LazyLock::new(|| {
@@ -85,16 +96,38 @@ impl ManualPage {
 
 fn sections(blocks: &[Block]) -> Vec<Section> {
     let mut sections: Vec<Section> = Vec::new();
-    for block in blocks {
-        if let Block::Heading { anchor, spans, .. } = block {
-            let heading = plain(spans);
-            let small_heading = heading.to_lowercase();
-            let anchor = anchor.clone();
-            sections.push(Section { heading, anchor, small_text: small_heading.clone(), small_heading });
+    for (block, content) in blocks.iter().enumerate() {
+        if let Block::Heading { anchor, spans, .. } = content {
+            sections.push(Section { heading: plain(spans), anchor: anchor.clone(), lines: Vec::new() });
         } else if let Some(section) = sections.last_mut() {
-            section.small_text.push('\n');
-            section.small_text.push_str(&block.text().to_lowercase());
+            section.lines.extend(lines(block, content));
         }
     }
     sections
+}
+
+/// The lines of a block.
+fn lines(block: usize, content: &Block) -> Vec<Line> {
+    let line = |row, text, term| Line { block, row, text, term, is_contents: false };
+    match content {
+        Block::Heading { .. } => Vec::new(),
+        Block::Paragraph(spans) | Block::Item { spans, .. } => {
+            let term = spans.first().filter(|span| span.is_bold).map(|span| span.text.clone());
+            vec![line(None, plain(spans), term)]
+        }
+        Block::Table { rows, .. } => {
+            let row = |(number, cells): (usize, &Vec<Vec<Span>>)| {
+                let texts: Vec<String> = cells.iter().map(|cell| plain(cell)).collect();
+                let is_contents = cells.iter().flatten().any(|span| span.link.is_some());
+                Line { is_contents, ..line(Some(number), texts.join(" · "), texts.first().cloned()) }
+            };
+            rows.iter().enumerate().map(row).collect()
+        }
+        Block::Code(text) => text
+            .lines()
+            .enumerate()
+            .filter(|(_, text)| !text.trim().is_empty())
+            .map(|(number, text)| line(Some(number), text.trim().to_owned(), None))
+            .collect(),
+    }
 }

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | here | the state |
 //! | `manual`, `blocks` | the pages of the manual; how one is read |
-//! | `search` | which pages a query finds, the best first |
+//! | `query`, `search` | the words of a query; the places that it finds, the best first |
 //! | `sheet` | the keys of all actions |
 //! | `samples` | built-in files to try the program with |
 //! | `field`, `command`, `apply`, `actions` | the search field; what can be done, how, and by which keys |
@@ -17,6 +17,7 @@ mod blocks;
 mod command;
 mod field;
 mod manual;
+mod query;
 mod samples;
 mod search;
 mod sheet;
@@ -28,8 +29,9 @@ pub use blocks::{Block, Marker, Span};
 pub use command::HelpCommand;
 pub use field::HelpField;
 pub use manual::{CONTENTS, ManualPage, manual};
+pub use query::HelpWords;
 pub use samples::Sample;
-pub use search::HelpFound;
+pub use search::{HelpFound, LinePart};
 pub use sheet::{KeyGroup, KeyRow, key_groups};
 
 use super::field::Field;
@@ -67,12 +69,30 @@ pub struct HelpPlace {
     pub topic: HelpTopic,
     /// The anchor of the heading; `None` for the beginning.
     pub anchor: Option<String>,
+    /// What is marked there.
+    pub mark: Option<HelpMark>,
+}
+
+/// A line of a page of the manual that a search has found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HelpMark {
+    /// The number of its block in the page, from 0.
+    pub block: usize,
+    /// Its row of a table or its line of code, from 0.
+    pub row: Option<usize>,
+    /// What was searched for.
+    pub words: HelpWords,
 }
 
 impl HelpPlace {
     /// The beginning of a topic.
     pub const fn of(topic: HelpTopic) -> Self {
-        Self { topic, anchor: None }
+        Self { topic, anchor: None, mark: None }
+    }
+
+    /// A heading of a page of the manual.
+    pub fn at(file: &'static str, anchor: &str) -> Self {
+        Self { topic: HelpTopic::Manual(file), anchor: Some(anchor.to_owned()), mark: None }
     }
 }
 
@@ -95,8 +115,10 @@ pub struct HelpPage {
     pub lists_topics: bool,
     /// The page from which the help was opened.
     pub from: Page,
-    /// The field that has the focus, and its paragraph.
+    /// The field that has the focus, and where it is treated.
     pub at: Option<(Field, HelpPlace)>,
+    /// Where the part of the page is treated that one is in.
+    pub within: Option<HelpPlace>,
     /// Whether the paragraph is shown beside the field.
     pub explains: bool,
     /// The field from which the help was opened.
@@ -109,6 +131,11 @@ impl HelpPage {
     /// The place of what is shown among what was found.
     pub fn selected(&self) -> Option<usize> {
         let topic = self.shown.topic;
-        self.found.iter().position(|found| found.place.topic == topic)
+        let is_searched = !self.query.trim().is_empty();
+        self.found.iter().position(
+            |found| {
+                if is_searched { found.place == self.shown } else { found.place.topic == topic }
+            },
+        )
     }
 }
