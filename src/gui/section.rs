@@ -51,7 +51,9 @@ fn entered_id() -> Id {
 fn enter(ui: &Ui, name: &str, rect: Rect, page: Page) {
     let pressed = ui.input(|input| input.pointer.interact_pos().filter(|_| input.pointer.any_pressed()));
     let is_pressed = pressed.is_some_and(|at| rect.contains(at)) && ui.rect_contains_pointer(rect);
-    let focused = ui.memory(Memory::focused).and_then(|id| ui.ctx().read_response(id));
+    // Where it stood in the last frame: to ask for its response would take the focus from it when something else is pressed.
+    let focused = ui.memory(Memory::focused);
+    let focused = focused.and_then(|id| ui.ctx().viewport(|window| window.prev_pass.widgets.get(id).copied()));
     let has_focus = focused.is_some_and(|it| it.layer_id == ui.layer_id() && rect.contains(it.rect.center()));
     if is_pressed || has_focus {
         let entered = Entered { name: name.to_owned(), page, frame: ui.ctx().cumulative_frame_nr() };
