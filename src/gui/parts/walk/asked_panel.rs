@@ -230,26 +230,41 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
     });
 }
 
-/// The size that the next value is of, while the page is still about the one before. Its line is there in any case.
+/// The size that the next value is of, while the page is still about the one before. Before that the room of its lines is there already:
+/// nothing moves when the verdict comes.
 fn next_size_ui(ui: &mut Ui, view: &View<'_>, asked: &Size<'_>) {
     let walking = &view.session.parts().walking;
+    let is_shown = walking.faced() != walking.at;
     let size = sizes().limits;
-    let font = theme::bold(size);
-    let height = ui.painter().layout_no_wrap("0".to_owned(), font.clone(), Color32::PLACEHOLDER).size().y;
+    let palette = palette(ui.ctx());
+    let left = size + ui.spacing().item_spacing.x;
+    let width = ui.available_width() - left;
+    let galley = |text| ui.painter().layout(text, theme::bold(size), palette.text.0, width);
+    let line = galley("0".to_owned()).size().y;
+    let text = if is_shown {
+        next_text(view, asked)
+    } else {
+        let next = walking.at.and_then(|at| walking.walk.next(at + 1));
+        next.and_then(|at| walking.with_row(at, |row| next_text(view, row.size))).unwrap_or_else(String::new)
+    };
+    let height = galley(text.clone()).size().y.max(line);
     let row = vec2(ui.available_width(), height);
-    ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+    ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Min), |ui| {
         ui.set_min_size(row);
-        if walking.faced() == walking.at {
-            return;
+        if is_shown {
+            let (rect, _) = ui.allocate_exact_size(vec2(size, line), Sense::hover());
+            Icon::ArrowRight.paint(ui.painter(), rect.center(), Weight::Bold, size, palette.accent.0);
+            ui.add(Label::new(RichText::new(text).font(theme::bold(size))).wrap());
         }
-        let palette = palette(ui.ctx());
-        let (rect, _) = ui.allocate_exact_size(vec2(size, height), Sense::hover());
-        Icon::ArrowRight.paint(ui.painter(), rect.center(), Weight::Bold, size, palette.accent.0);
-        let number = &asked.feature.number;
-        let name = if number.is_empty() { asked.name() } else { format!("{number} {}", asked.name()) };
-        let said = message!("walk-page-next-size").text("name", name).text("asked", asked_text(view.words, asked));
-        ui.add(Label::new(RichText::new(view.words.say(&said)).font(font)).truncate());
     });
+}
+
+/// Number, name and callout of the size that comes next.
+fn next_text(view: &View<'_>, size: &Size<'_>) -> String {
+    let number = &size.feature.number;
+    let name = if number.is_empty() { size.name() } else { format!("{number} {}", size.name()) };
+    let said = message!("walk-page-next-size").text("name", name);
+    view.words.say(&said.text("asked", asked_text(view.words, size)))
 }
 
 /// The value that was judged last, as the field shows it until the next one is typed: heading, field and verdict are of one size.
