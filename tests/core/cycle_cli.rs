@@ -151,6 +151,26 @@ fn recorded_contacts_are_measured_in_their_order() {
 }
 
 #[test]
+fn recorded_contacts_out_of_the_reach_of_the_probe_are_refused_and_not_judged() {
+    let flange = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/examples/flange_fit.csv")).unwrap();
+    let at = |x: &str, y: &str| {
+        let place = [format!("Q273={x}"), format!("Q274={y}")];
+        let args = ["421", "--contacts", "-", "--set", &place[0], &place[1], "Q262=40", "Q247=120", "Q423=3"];
+        fitcheck(&[&args[..], &["Q275=40.025", "Q276=40"]].concat(), &flange)
+    };
+    // The flange lies about 0/0: where it is probed it is judged.
+    assert_eq!(at("0", "0").code, Some(14), "judged, and three contacts are left");
+    let refused = at("50", "30");
+    assert_eq!((refused.code, refused.out.as_str()), (Some(1), ""));
+    assert_eq!(
+        refused.err,
+        "fitcheck: cycle 421: contact 1 lies 57.17 mm from where its probing begins, and the ball travels at most 52 mm \
+         (DIST or K, plus SET_UP of the touch-probe table): check that these contacts are of this feature, in this order, \
+         and counted from this zero\n"
+    );
+}
+
+#[test]
 fn the_probe_table_is_read_and_used() {
     let table = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/samples/tables/tchprobe.tp");
     let args = [&["427", "--probe-table", table, "--probe", "2", "--set"][..], &BLOCK_427].concat();

@@ -15,6 +15,7 @@ caveat-short-arc = contacts cover only { $arc }°: scatter is magnified in diame
 caveat-two-point = the diameter across contacts { $one } and { $other } is { $size } mm, beyond the limit of { $limit } mm, which the mean circle does not exceed: by default, a size applies between any two opposite points
 caveat-form = the contacts' radii differ by { $form } mm, so diameters across them may differ by more than the zone of { $zone } mm: two opposite points may lie outside the limits
 caveat-heights = the contacts' heights differ by { $spread } mm: on a cone or a tilted axis that changes the diameter
+contact-beyond-travel = contact { $number } lies { $distance } mm from where its probing begins, and the ball travels at most { $allowed } mm (DIST or K, plus SET_UP of the touch-probe table): check that these contacts are of this feature, in this order, and counted from this zero
 contact-missed = contact { $number }: the probe met nothing on the probing path
 contact-no-height = contact { $number } has no height: add a column z to the file
 contact-used-up = contact { $number }: the file has only { $available ->

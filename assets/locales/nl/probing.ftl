@@ -14,6 +14,7 @@ caveat-short-arc = de meetpunten beslaan maar { $arc }°: spreiding werkt verste
 caveat-two-point = de diameter over de meetpunten { $one } en { $other } is { $size } mm, voorbij de grens van { $limit } mm, die de gemiddelde cirkel niet overschrijdt: een maat geldt standaard tussen elke twee punten tegenover elkaar
 caveat-form = de radii van de meetpunten verschillen { $form } mm, dus de diameters daarover kunnen meer verschillen dan het tolerantieveld van { $zone } mm: twee punten tegenover elkaar kunnen buiten de grenzen liggen
 caveat-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
+contact-beyond-travel = meetpunt { $number } ligt { $distance } mm van waar het tasten ervan begint, en de kogel gaat hoogstens { $allowed } mm ver (DIST of K, plus SET_UP van de tastertabel): controleer of deze meetpunten van dit element zijn, in deze volgorde, en vanaf dit nulpunt
 contact-missed = meetpunt { $number }: de taster heeft op de tastweg niets geraakt
 contact-no-height = meetpunt { $number } heeft geen hoogte: voeg aan het bestand een kolom z toe
 contact-used-up = meetpunt { $number }: het bestand heeft maar { $available ->

@@ -82,6 +82,15 @@ pub enum NoContact {
         /// The other feature's name.
         other: String,
     },
+    /// A recorded contact is where the ball could not come to from where its probing begins.
+    BeyondTravel {
+        /// Which contact of the cycle, from 1.
+        number: usize,
+        /// How far it is from there, to a hundredth of a millimetre.
+        distance: Length,
+        /// The longest probing path and the set-up clearance of the touch-probe table.
+        allowed: Length,
+    },
     /// A recorded contact has no height, and the height is measured.
     NoHeight {
         /// Which contact of the cycle, from 1.
@@ -108,6 +117,11 @@ pub trait Prober {
     /// they are points of the surface.
     fn ball_radius(&self) -> f64 {
         0.0
+    }
+
+    /// Whether its contacts were recorded: then nothing but their places says of which feature they are.
+    fn is_recorded(&self) -> bool {
+        false
     }
 
     /// Whether the height of its contacts is known. Where it is not, they have the height 0 and nothing may depend on it.
@@ -152,6 +166,10 @@ impl Prober for Recorded {
         let contact = self.contacts.get(self.next).copied();
         self.next += 1;
         contact.ok_or(NoContact::UsedUp { number: self.next, available: self.contacts.len() })
+    }
+
+    fn is_recorded(&self) -> bool {
+        true
     }
 
     fn has_heights(&self) -> bool {

@@ -74,6 +74,10 @@ impl<P: Prober> Prober for Placed<'_, P> {
         self.prober.ball_radius()
     }
 
+    fn is_recorded(&self) -> bool {
+        self.prober.is_recorded()
+    }
+
     fn has_heights(&self) -> bool {
         self.prober.has_heights()
     }

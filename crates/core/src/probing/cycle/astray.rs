@@ -2,7 +2,7 @@
 
 use super::remark::Remark;
 use crate::length::Length;
-use crate::probing::contact::{Contact, Touch};
+use crate::probing::contact::{Contact, NoContact, Touch};
 use crate::probing::vector::{along, dot, norm};
 
 /// A contact further from the probing movement than this is told, mm. Ours: a centre that is off by a millimetre is seldom meant,
@@ -33,10 +33,33 @@ impl Astray {
     /// What is worth knowing about it.
     pub(super) fn remark(&self) -> Option<Remark> {
         let Self { count, farthest, number } = *self;
-        // To a hundredth, which is more than enough to find it.
-        let distance = Length::from_mm_f64((farthest * 100.0).round() / 100.0).unwrap_or(Length::MAX);
-        (0 < count).then_some(Remark::ContactAstray { count, contact: number, distance })
+        (0 < count).then_some(Remark::ContactAstray { count, contact: number, distance: to_a_hundredth(farthest) })
     }
+}
+
+/// To a hundredth of a millimetre, which is more than enough to find a contact.
+fn to_a_hundredth(distance: f64) -> Length {
+    Length::from_mm_f64((distance * 100.0).round() / 100.0).unwrap_or(Length::MAX)
+}
+
+/// Why a recorded contact cannot be of a probing: it is farther from where that begins than the ball travels. The set-up clearance of
+/// the table is added, because it may be another one than that of the probe that made the contact.
+pub(super) fn beyond(
+    number: usize,
+    touch: &Touch,
+    contact: &Contact,
+    (has_height, set_up): (bool, Length),
+) -> Option<NoContact> {
+    let [from_x, from_y, from_z] = touch.from;
+    let [x, y, z] = contact.place();
+    let height = if has_height { z - from_z } else { 0.0 };
+    let distance = norm([x - from_x, y - from_y, height]);
+    let allowed = touch.longest + set_up.to_mm_f64();
+    (allowed < distance).then(|| NoContact::BeyondTravel {
+        number,
+        distance: to_a_hundredth(distance),
+        allowed: to_a_hundredth(allowed),
+    })
 }
 
 /// How far a contact is from the probing movement, mm; seen from above where its height is not known.

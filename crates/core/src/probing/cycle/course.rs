@@ -2,7 +2,7 @@
 //!
 //! All places are those of the ball's centre in workpiece coordinates, millimetres.
 
-use super::astray::Astray;
+use super::astray::{Astray, beyond};
 use super::error::CycleError;
 use super::remark::Remark;
 use crate::length::Length;
@@ -59,11 +59,13 @@ pub struct Course<'a> {
     at: Option<[f64; 3]>,
     touches: usize,
     astray: Astray,
+    /// The set-up clearance of the touch-probe table; `None` where it is not known from where the ball comes.
+    set_up: Option<Length>,
 }
 
 impl<'a> Course<'a> {
-    pub(super) fn new(prober: &'a mut dyn Prober, position: Option<[f64; 3]>) -> Self {
-        Self { prober, moves: Vec::new(), at: position, touches: 0, astray: Astray::default() }
+    pub(super) fn new(prober: &'a mut dyn Prober, position: Option<[f64; 3]>, set_up: Length) -> Self {
+        Self { prober, moves: Vec::new(), at: position, touches: 0, astray: Astray::default(), set_up: Some(set_up) }
     }
 
     /// The ball's radius, mm; zero where contacts are already points of the surface.
@@ -80,6 +82,11 @@ impl<'a> Course<'a> {
     /// The path, and what is worth knowing about where the contacts lie.
     pub(super) fn into_parts(self) -> (Vec<Move>, Option<Remark>) {
         (self.moves, self.astray.remark())
+    }
+
+    /// The probings begin where the ball is, and that is not known: the contacts may be anywhere.
+    pub(in crate::probing) const fn begin_anywhere(&mut self) {
+        self.set_up = None;
     }
 
     /// Moves in a straight line on the way to the next contact.
@@ -110,6 +117,12 @@ impl<'a> Course<'a> {
             Ok(contact) => {
                 let met = contact.place();
                 let has_height = self.prober.has_heights();
+                if self.prober.is_recorded()
+                    && let Some(set_up) = self.set_up
+                    && let Some(error) = beyond(self.touches, touch, &contact, (has_height, set_up))
+                {
+                    return Err(error.into());
+                }
                 self.astray.look(self.touches, touch, &contact, has_height);
                 self.at = Some(touch.from);
                 self.go(Phase::Approach, met, None);

@@ -197,7 +197,7 @@ impl Cycle {
             Ok(inputs) => inputs,
             Err(error) => return (Vec::new(), Err(error)),
         };
-        let mut course = Course::new(prober, inputs.position);
+        let mut course = Course::new(prober, inputs.position, inputs.probe().set_up);
         let measured = (self.run)(&inputs, &mut course);
         let (path, astray) = course.into_parts();
         let result = measured.map(|measured| {

@@ -170,6 +170,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         course.needs_heights()?;
     }
     let [first, second] = centre(inputs);
+    if inputs.position().is_none() && inputs.value(START_DIAMETER).is_none() {
+        course.begin_anywhere();
+    }
     let mut contacts = Vec::new();
     for touch in touches(inputs) {
         let [_, _, height] = plane.within(touch.from);
