@@ -117,7 +117,7 @@ fn the_history_is_exported_as_csv_json_and_report() {
         ("History as CSV…", "history.csv", "25 H7,hole,25,25.000,25.021,24.998"),
         ("History as JSON…", "history.json", "\"status\": \"REWORK\""),
         ("Inspection report (HTML)…", "report.html", "<svg"),
-        ("Status window as text…", "status.txt", "MEASURED DIAMETER:  24.9980"),
+        ("Status window of Check as text…", "status.txt", "MEASURED DIAMETER:  24.9980"),
     ] {
         choose(&mut window, "Export", entry);
         let path = folder.path().join(name);

@@ -8,6 +8,7 @@
 //! | here | what is asked of an action: its name, whether it is possible, its command |
 //! | `row` | what is to be known of an action, and how a list of actions is written |
 //! | `window`, `workpiece` | the actions of every page, and of the pages that measure a workpiece |
+//! | `status` | the status window that is written as text |
 //! | `possible` | conditions that several pages share |
 //! | `place` | where an action applies |
 //! | `shortcut` | keys, without a window |
@@ -28,6 +29,7 @@ mod place;
 pub(crate) mod possible;
 pub(crate) mod row;
 mod shortcut;
+mod status;
 pub(crate) mod window;
 mod workpiece;
 

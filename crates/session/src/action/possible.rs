@@ -58,5 +58,5 @@ pub(crate) fn has_bad(session: &Session) -> bool {
 }
 
 pub(crate) fn has_status(session: &Session) -> bool {
-    session.check().status_text().is_some()
+    session.status_to_export().is_some()
 }

@@ -150,7 +150,7 @@ impl Actions for WindowAction {
                 let row = everywhere("export", open(Purpose::Export(number))).when(can_export);
                 if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
             }
-            Self::ExportStatus => everywhere("export-status", open(Purpose::ExportStatus)).when(has_status),
+            Self::ExportStatus => everywhere("export-status-check", open(Purpose::ExportStatus)).when(has_status),
             Self::UseTheme(theme) => {
                 let text = match theme {
                     Theme::System => "theme-system",
@@ -226,6 +226,7 @@ impl Actions for WindowAction {
                 words.say(&message!("rows-export-programs").text("format", RENDERINGS.get(number)?.title))
             }
             Self::Export(number) => report_name(number, words)?,
+            Self::ExportStatus => words.say(&session.status_named()),
             Self::Undo => words.say(&message!("undo-what").message("what", session.history().undoes()?)),
             Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),
             _ => return None,

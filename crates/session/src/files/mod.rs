@@ -39,6 +39,7 @@ pub use content::Content;
 pub use dialog::{Dialog, DialogId};
 pub use folder_list::FolderList;
 pub use kinds::{HEAD, OpenError};
+pub(super) use names::of_record;
 pub(super) use places::Places;
 pub use places::RecentFile;
 pub use working::Working;
@@ -121,8 +122,8 @@ impl Session {
                 names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, purpose.ending())
             }),
             Purpose::ExportStatus => {
-                let part = self.check.shown.as_ref().map_or_else(String::new, |shown| names::of_record(&shown.record));
-                names::dated(&names::allowed(&format!("{part}-status")), now, purpose.ending())
+                let name = self.status_to_export().map_or_else(String::new, |status| status.name);
+                names::dated(&names::allowed(&name), now, purpose.ending())
             }
             // A control knows a table and a log by these names.
             Purpose::SaveTable(format) => self.tables.file_name(format),
@@ -238,8 +239,13 @@ impl Session {
                 log.bytes.clone().into()
             }
             Purpose::ExportStatus => {
-                let text = self.check.status_text().ok_or_else(|| message!("dialog-no-status"))?;
-                text.as_bytes().to_vec().into()
+                let status = self.status_to_export().ok_or_else(|| message!("dialog-no-status"))?;
+                status.text.as_bytes().to_vec().into()
+            }
+            Purpose::CreateSet => {
+                let set = self.program.creating.set().cloned();
+                let set = set.ok_or_else(|| message!("program-page-create-nothing"))?;
+                return Ok(Effect::SaveSet { folder: path, set, replaces: false });
             }
             Purpose::SavePairs(format) => self.pairing.content(format)?,
             Purpose::OpenParts(feature) => {

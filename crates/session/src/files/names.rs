@@ -21,7 +21,7 @@ pub(super) fn of_records<'a>(
 }
 
 /// `A12-25H7`: what a record's part is called, and its callout.
-pub(super) fn of_record(record: &Record) -> String {
+pub(crate) fn of_record(record: &Record) -> String {
     let callout = record.callout.as_ref().map(|callout| in_name(&callout.to_string()));
     let parts: Vec<_> = [Some(record.id.clone()), callout].into_iter().flatten().map(|part| allowed(&part)).collect();
     allowed(&parts.join("-"))
