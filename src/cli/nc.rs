@@ -9,9 +9,9 @@ use super::io::{not_dash, unless_forced, write_new};
 use super::plan::{is_plan_file, read_named, whole};
 use super::{CliError, CliRemark, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::files;
-use crate::nc::sets::{Control, ControlFolder, FeatureError, FeatureFault, NcSet, SetError, Target};
-use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Document, Draft, DraftFeature, Plan};
-use crate::tolerance::{Callout, Sources, Tolerance};
+use crate::nc::sets::{Control, ControlFolder, FeatureError, NcSet, SetError, SingleFault, Target, single};
+use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Plan};
+use crate::tolerance::Sources;
 use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
@@ -182,9 +182,13 @@ impl Args {
             let (name, plan) = read_named(Path::new(&self.what), sources, io)?;
             return Ok((Some(name), plan));
         }
-        self.position.refuse_without_class(&self.what)?;
-        let draft = Draft::of(vec![self.position.row(&self.what)?]);
-        Ok((None, whole(&Document::of(draft), None, sources, io)?))
+        let document = single(&self.what, &self.position.cells()).or_else(|fault| match fault {
+            SingleFault::Callout(error) => Err(error).about(&self.what),
+            SingleFault::Feature(error) => Err(error).said(),
+            // Every coordinate is an option of its column's name.
+            SingleFault::NoCoordinate { column } => Err(CliError::OptionMissing { option: column }),
+        })?;
+        Ok((None, whole(&document, None, sources, io)?))
     }
 
     fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
@@ -250,26 +254,8 @@ impl Position {
         self.all().into_iter().find(|(.., given)| given.is_some()).map(|(option, ..)| option)
     }
 
-    /// A single callout without a class is refused as what it is: no option says hole or shaft.
-    fn refuse_without_class(&self, callout: &str) -> Result<(), CliError> {
-        let is_point = self.kind.as_ref().is_some_and(|kind| kind.eq_ignore_ascii_case("point"));
-        match callout.parse::<Callout>() {
-            Ok(callout) if !is_point && !matches!(callout.tolerance(), Tolerance::Class(_) | Tolerance::Fit { .. }) => {
-                Err(FeatureFault::NoClass { callout }).said()
-            }
-            Err(error) if !is_point => Err(error).about(callout),
-            _ => Ok(()),
-        }
-    }
-
-    /// The feature as a row of a plan. A program moves to its place, so that is needed.
-    fn row(&self, callout: &str) -> Result<DraftFeature, CliError> {
-        let place = [Column::X, Column::Y, Column::Z];
-        let missing = self.all().into_iter().find(|(_, column, given)| place.contains(column) && given.is_none());
-        if let Some((option, ..)) = missing {
-            return Err(CliError::OptionMissing { option });
-        }
-        let given = self.all().into_iter().filter_map(|(_, column, text)| Some((column, text?.clone())));
-        Ok(DraftFeature::of(given.chain([(Column::Callout, callout.to_owned())])))
+    /// What was given, as cells of a plan.
+    fn cells(&self) -> Vec<(Column, String)> {
+        self.all().into_iter().filter_map(|(_, column, text)| Some((column, text?.clone()))).collect()
     }
 }

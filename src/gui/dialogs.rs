@@ -182,7 +182,9 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 /// Asks whether a file may be replaced. Enter keeps it.
 fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-    let question = view.words.say(&message!("dialog-exists").text("name", name));
+    let is_set = view.session.dialog().is_some_and(|dialog| dialog.purpose.is_folder());
+    let question = if is_set { message!("dialog-exists-set") } else { message!("dialog-exists") };
+    let question = view.words.say(&question.text("name", name));
     problem(ui, question);
     let keep = view.wide_button(ui, FilesAction::KeepFile);
     if just_opened(ui, Id::unique("replace")) {

@@ -295,6 +295,12 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         }
         Effect::Save(path, content) => save(&(with.begins)(&path, true), path, &content, false),
         Effect::Replace(path, content) => save(&(with.begins)(&path, true), path, &content, true),
+        Effect::SaveSet { folder, set, replaces } => {
+            let set: Vec<(&str, &[u8])> =
+                set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
+            let result = files::write_folder(&folder, &set, replaces);
+            vec![FilesCommand::SetWritten { folder, result }.into()]
+        }
         Effect::Launch(path, how) => {
             let result = match errands {
                 Errands::OnThread => launch(&path, how),

@@ -21,3 +21,4 @@ nc-features = { $first } (and { $more } more)
 nc-moved-nominal = { $name }: the nominal size of { $callout } is outside the limits, which a TNC7 refuses: { $parameter } is { $value } mm, and { $deviation } refers to that
 nc-no-place = { $name } needs x, y and z: the program moves there
 nc-own-cycle = { $name } has its own cycle or parameters, which the called programs do not support
+nc-no-coordinate = { $column } is not given: the program moves there

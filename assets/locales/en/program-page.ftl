@@ -131,3 +131,39 @@ program-page-unlisted = { $count ->
   }
 program-page-at-block = block { $number }: { $what }
 program-page-at-line = line { $line }: { $what }
+
+program-page-create = Create for a control…
+program-page-create-hint = NC programs, tables and mask with which a control measures for itself
+program-page-create-also = write NC programs files set
+program-page-create-head = Create for a control
+program-page-create-control = Control
+program-page-create-language = Dialogue language
+program-page-create-from = From
+program-page-create-callout = { $callout } from Check, at X { $x } Y { $y } Z { $z }
+program-page-create-no-callout = The callout on Check
+program-page-create-plan = Plan { $name }, { $count ->
+    [one] { $count } feature
+   *[other] { $count } features
+  }
+program-page-create-nothing = Enter a callout on Check, or open a plan on Parts
+program-page-create-plan-wrong = { $name } has mistakes: open the plan on Parts and correct them
+program-page-create-folder = Folder on the control: { $folder }
+program-page-create-proven-callout = Read back and run: { $callout } gets exactly Fitcheck’s limits
+program-page-create-proven-plan = Read back and run: every feature gets the plan’s limits
+program-page-create-clearance-height = The clearance height is { $height } mm; in a plan, a column sets it
+program-page-create-files-none = Create files…
+program-page-create-files = Create { $count ->
+    [one] { $count } file…
+   *[other] { $count } files…
+  }
+program-page-dialog-create = Create files for a control: choose or name a folder
+program-page-create-written = { $count ->
+    [one] { $count } file was
+   *[other] { $count } files were
+  } written to { $folder }: { $names }
+program-page-create-no-folder = { $name } is a file: name a folder
+program-page-contacts-left = The contacts from { $name } belong to the program before: this one measures a perfect workpiece
+program-page-unfinished = Not compared: the program did not come to its end
+program-page-unknown = { $fault }. To run on without it, switch on Options → Skip unknown blocks
+program-page-not-written = { $path } would be written on the control. Its text stands under Files; on the command line, fitcheck run --output-folder writes it
+program-page-no-verdict = No limits, no verdict

@@ -21,3 +21,4 @@ nc-features = { $first } (en nog { $more })
 nc-moved-nominal = { $name }: de nominale maat van { $callout } ligt buiten de grensmaten, en dat weigert een TNC7: { $parameter } is { $value } mm, en { $deviation } telt vanaf daar
 nc-no-place = { $name } heeft x, y en z nodig: een programma gaat erheen
 nc-own-cycle = { $name } heeft een eigen cyclus of parameters, en de aangeroepen programma’s ondersteunen dat niet
+nc-no-coordinate = { $column } ontbreekt: een programma gaat erheen

@@ -131,3 +131,39 @@ program-page-unlisted = { $count ->
   }
 program-page-at-block = regel { $number }: { $what }
 program-page-at-line = tekstregel { $line }: { $what }
+
+program-page-create = Maken voor een besturing…
+program-page-create-hint = NC-programma’s, tabellen en masker waarmee een besturing zelf meet
+program-page-create-also = schrijven NC programma bestanden set
+program-page-create-head = Maken voor een besturing
+program-page-create-control = Besturing
+program-page-create-language = Dialoogtaal
+program-page-create-from = Uit
+program-page-create-callout = { $callout } van Controle, op X { $x } Y { $y } Z { $z }
+program-page-create-no-callout = De passing op Controle
+program-page-create-plan = Plan { $name }, { $count ->
+    [one] { $count } element
+   *[other] { $count } elementen
+  }
+program-page-create-nothing = Vul op Controle een passing in, of open een plan op Delen
+program-page-create-plan-wrong = { $name } heeft fouten: open het plan op Delen en verbeter ze
+program-page-create-folder = Map op de besturing: { $folder }
+program-page-create-proven-callout = Teruggelezen en uitgevoerd: { $callout } krijgt precies de grensmaten van Fitcheck
+program-page-create-proven-plan = Teruggelezen en uitgevoerd: elk element krijgt de grensmaten van het plan
+program-page-create-clearance-height = De veilige hoogte is { $height } mm; in een plan staat die in een kolom
+program-page-create-files-none = Bestanden maken…
+program-page-create-files = { $count ->
+    [one] { $count } bestand
+   *[other] { $count } bestanden
+  } maken…
+program-page-dialog-create = Bestanden voor een besturing maken: kies of noem een map
+program-page-create-written = { $count ->
+    [one] { $count } bestand is
+   *[other] { $count } bestanden zijn
+  } geschreven in { $folder }: { $names }
+program-page-create-no-folder = { $name } is een bestand: noem een map
+program-page-contacts-left = De meetpunten uit { $name } horen bij het vorige programma: dit meet een perfect werkstuk
+program-page-unfinished = Niet vergeleken: het programma is niet tot zijn einde gekomen
+program-page-unknown = { $fault }. Zet Opties → Onbekende regels overslaan aan om zonder verder te gaan
+program-page-not-written = { $path } zou op de besturing worden geschreven. De tekst staat onder Bestanden; op de opdrachtregel schrijft fitcheck run --output-folder het
+program-page-no-verdict = Geen grensmaten, geen oordeel

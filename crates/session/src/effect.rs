@@ -9,6 +9,7 @@ use fitcheck_exchange::exchange::batch::{ListedRows, Part, Sifting};
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_exchange::report::pairing::PairingRequest;
+use fitcheck_nc::sets::NcSet;
 
 use super::field::Field;
 use super::files::{Content, DialogId, Launch};
@@ -48,6 +49,13 @@ pub enum Effect {
     Save(PathBuf, Content),
     /// Write a file over another one and send `Command::Saved`.
     Replace(PathBuf, Content),
+    /// Write the files of a set into a folder, all or none, and send `FilesCommand::SetWritten`.
+    SaveSet {
+        folder: PathBuf,
+        set: Arc<NcSet>,
+        /// Whether files of their names are replaced.
+        replaces: bool,
+    },
     /// Stop reading or writing the file that is at work, if there is one.
     StopWorking,
     /// Start the program for a file and send `FilesCommand::Launched`.

@@ -393,6 +393,11 @@ impl Session {
         if let Some(format) = self.records.report_soon.take() {
             self.open_dialog(Purpose::ReportRecords(format), now);
         }
+        if self.shared.page == Page::Program {
+            let (callout, position) = self.check.for_set();
+            let given = program::ForSet { callout, position, plan: self.parts.for_set() };
+            self.program.make_set(given, &self.shared);
+        }
         let shared = &mut self.shared;
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));

@@ -84,6 +84,8 @@ pub enum Purpose {
     SavePairs(usize),
     /// Writing the chosen records in a format of the report's list, by its number there.
     ReportRecords(usize),
+    /// Writing the files for a control into a folder.
+    CreateSet,
     /// Writing the part that is being measured in a format of the report's list, by its number there.
     ReportPart(usize),
 }
@@ -106,6 +108,7 @@ enum Way {
     Read,
     ReadFolder,
     Write,
+    WriteFolder,
 }
 
 /// The endings of files, in lower case and without the point; the first one is what a name without an ending gets.
@@ -254,18 +257,22 @@ impl Purpose {
             Self::OpenParts(Feature::Shaft) => {
                 reads("shafts", "pairing-page-dialog-shafts", Measurements, &[Page::Pairing])
             }
+            Self::CreateSet => PurposeRow {
+                way: Way::WriteFolder,
+                ..writes("set", "program-page-dialog-create", Listed(&["h", "tab", "a", "txt"]))
+            },
             Self::SavePairs(format) => writes("pairs", "pairing-page-dialog-save", Pairs(format)),
         }
     }
 
     /// Whether a folder is asked for, and no file.
     pub fn is_folder(self) -> bool {
-        self.row().way == Way::ReadFolder
+        matches!(self.row().way, Way::ReadFolder | Way::WriteFolder)
     }
 
     /// Whether something is read; otherwise a file is written.
     pub fn is_reading(self) -> bool {
-        self.row().way != Way::Write
+        matches!(self.row().way, Way::Read | Way::ReadFolder)
     }
 
     /// The id of what a dialog asks for.

@@ -9,11 +9,13 @@
 //! | `part_panel` | left: the features of a simulated part |
 //! | `tools_panel` | left: the tool table and the tools of Q330; right: what a run has changed in it |
 //! | `answer_panel` | right: windows, files, what was measured |
+//! | `create_panel` | right: the files with which a control measures for itself |
 //! | `watch_panel` | right, below: parameters |
 //! | `path_panel` | below the listing: the path of the probe |
 //! | `notes_panel` | below the listing, beside the path: errors, warnings and remarks, each a link to its block |
 
 mod answer_panel;
+mod create_panel;
 mod form_panel;
 mod listing;
 mod notes_panel;
@@ -82,6 +84,8 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
                 column_ui(ui, "program-side", |ui| {
                     inputs(ui, view);
                     ui.separator();
+                    create_panel::section_ui(ui, view);
+                    ui.separator();
                     answer_panel::answer_ui(ui, view);
                     ui.separator();
                     of_height(ui, space(80.0), |ui| watch_panel::watch_ui(ui, view));
@@ -99,10 +103,18 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
         let sizes = (side, space(66.0)..=(size.x * 0.4).max(space(66.0)));
         area_ui(ui, view, Side::Right, "program-answer", sizes, |ui, view| {
             answer_panel::verdict_ui(ui, view);
+            let has_card = create_panel::CARD <= size.y;
+            if has_card {
+                bar_ui(ui, view, Side::Bottom, "program-create", create_panel::card_ui);
+            }
             // The parameters keep a share of the height whatever is above them.
             let height = ui.available_height();
             let sizes = ((height * 0.4).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
             panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
+            // On the parameters, so that it stays where it is whatever a run finds.
+            if !has_card {
+                bar_ui(ui, view, Side::Bottom, "program-create", create_panel::folded_ui);
+            }
             rest_ui(ui, view, |ui, view| {
                 column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));
             });

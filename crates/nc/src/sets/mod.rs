@@ -12,6 +12,7 @@
 //! | `readme` | the page that says where each file goes |
 //! | `proof` | runs the set before it is handed over |
 //! | `archive` | all of it as one zip file |
+//! | `single` | a plan of one feature, of a callout and a place |
 //! | `error` | why a plan or a set is impossible |
 //!
 //! Everything is made in memory; the caller decides where it goes. The differences between generations are in
@@ -27,12 +28,14 @@ mod names;
 mod programs;
 mod proof;
 mod readme;
+mod single;
 mod tables;
 
 use std::collections::BTreeMap;
 
 pub use error::{FeatureError, FeatureFault, ProofFault, SetError, SetRemark};
 pub use names::{Control, ControlFolder};
+pub use single::{SingleFault, single};
 
 use super::program::Program;
 use crate::control::mask::{Mask, MaskWarning, MaskWarningKind};

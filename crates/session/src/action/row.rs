@@ -75,6 +75,8 @@ pub(crate) struct ActionRow {
     pub text: &'static str,
     /// The id of a further explanation.
     pub hint: Option<&'static str>,
+    /// The id of other words that it is found by.
+    pub also: Option<&'static str>,
     pub place: ActionScope,
     pub keys: [Option<Shortcut>; 2],
     pub possible: fn(&Session) -> bool,
@@ -102,7 +104,7 @@ impl Sends {
 
 impl ActionRow {
     pub fn new(place: ActionScope, text: &'static str, sends: Sends) -> Self {
-        Self { text, hint: None, place, keys: [None; 2], possible: |_| true, sends }
+        Self { text, hint: None, also: None, place, keys: [None; 2], possible: |_| true, sends }
     }
 
     pub fn when(self, possible: fn(&Session) -> bool) -> Self {
@@ -111,6 +113,10 @@ impl ActionRow {
 
     pub fn hint(self, hint: &'static str) -> Self {
         Self { hint: Some(hint), ..self }
+    }
+
+    pub fn also(self, also: &'static str) -> Self {
+        Self { also: Some(also), ..self }
     }
 
     pub fn key(self, key: Shortcut) -> Self {

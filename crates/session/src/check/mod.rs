@@ -33,6 +33,7 @@ use std::sync::Arc;
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Message;
+use fitcheck_core::part::Column;
 use fitcheck_core::tolerance::{Callout, Feature, Sources};
 use fitcheck_core::verdict::Doubt;
 use fitcheck_core::verdict::rules::RuleName;
@@ -184,6 +185,25 @@ impl CheckPage {
         };
         let [part, serial, remark] = [CheckField::Part, CheckField::Serial, CheckField::Remark].map(own);
         Named { part, serial, remark, ..Named::default() }
+    }
+
+    /// What a control could measure: the callout, and where it is, as cells of a plan.
+    pub(super) fn for_set(&self) -> (String, Vec<(Column, String)>) {
+        let typed = || self.text(CheckField::Callout).trim().to_owned();
+        let callout = self.part_callout().map_or_else(typed, |callout| callout.to_string());
+        let cell = |(column, field): (Column, CheckField)| {
+            // What cannot be read is said as it was typed.
+            let typed = || self.text(field).trim().to_owned();
+            (column, self.asked.length(field).map_or_else(typed, |length| length.to_string()))
+        };
+        let cells = [
+            (Column::X, CheckField::CentreX),
+            (Column::Y, CheckField::CentreY),
+            (Column::Z, CheckField::Height),
+            (Column::Angle, CheckField::FirstAngle),
+            (Column::Clearance, CheckField::Clearance),
+        ];
+        (callout, cells.map(cell).to_vec())
     }
 
     /// How the next part is judged, for the state file.

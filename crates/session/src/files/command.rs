@@ -55,6 +55,12 @@ pub enum FilesCommand {
     Launch(Launch),
     /// A program was started, or not.
     Launched(Result<(), Message>),
+    /// The files of a set were written into a folder, or none of them.
+    SetWritten {
+        folder: PathBuf,
+        /// The files, the main program first.
+        result: Result<Vec<PathBuf>, FileError>,
+    },
     /// How far the file is that is being read or written; nothing once it is done.
     Working(Option<Box<Working>>),
     /// Stops reading or writing it.

@@ -164,7 +164,7 @@ impl Dialog {
             return None;
         }
         // What follows the point of `bore 12.5H7` is no ending.
-        let has_ending = self.purpose.is_reading() || Purpose::knows_ending(&path);
+        let has_ending = self.purpose.is_reading() || self.wants_folder() || Purpose::knows_ending(&path);
         if let Some(mut name) = path.file_name().filter(|_| !has_ending).map(OsStr::to_owned) {
             name.push(format!(".{}", self.purpose.ending()));
             path.set_file_name(name);
@@ -172,11 +172,14 @@ impl Dialog {
         Some(path)
     }
 
-    /// Whether what is typed for a file that is written can only be a folder: its last part is no name, or is ended.
+    /// Whether what is typed for a file that is written can only be a folder: its last part is no name, or is ended. A folder is asked
+    /// for by whatever name.
     fn names_folder(&self) -> bool {
         let typed = self.path.trim();
         let last = typed.rsplit(std::path::is_separator).next();
-        !self.purpose.is_reading() && (matches!(last, None | Some("" | "." | "..")) || typed == "~")
+        !self.purpose.is_reading()
+            && !self.wants_folder()
+            && (matches!(last, None | Some("" | "." | "..")) || typed == "~")
     }
 
     fn wants_folder(&self) -> bool {

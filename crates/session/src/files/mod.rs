@@ -49,6 +49,7 @@ use super::effect::Effect;
 use super::help::Sample;
 use super::notice::Notice;
 use super::page::Page;
+use super::program;
 use super::purpose::Purpose;
 use super::shared::{MaskChoice, News, OwnMask};
 
@@ -80,6 +81,7 @@ impl Session {
                     dialog.apply(FilesCommand::IsFolder(path), None);
                 }
             }
+            FilesCommand::SetWritten { folder, result } => self.set_written(&folder, result),
             FilesCommand::Take(number) => {
                 if let Some(dialog) = &mut self.shared.dialog {
                     dialog.list.select(number);
@@ -166,7 +168,13 @@ impl Session {
 
     /// The user was asked and writes over the file.
     fn replace(&mut self, now: DateTime) -> Vec<Effect> {
-        let path = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
+        let dialog = self.shared.dialog.as_mut();
+        let path = dialog.and_then(|dialog| Some((dialog.purpose, dialog.exists.take()?)));
+        // Of a set, the question names one of its files.
+        let path = path.map(|(purpose, path)| match path.parent() {
+            Some(folder) if purpose.is_folder() => folder.to_owned(),
+            _ => path,
+        });
         path.map_or_else(Vec::new, |path| self.send(path, true, now))
     }
 
@@ -181,6 +189,7 @@ impl Session {
                 }
                 let effect = match effect {
                     Effect::Save(path, bytes) if replaces => Effect::Replace(path, bytes),
+                    Effect::SaveSet { folder, set, .. } => Effect::SaveSet { folder, set, replaces },
                     effect => effect,
                 };
                 vec![Effect::ForDialog(number, Box::new(effect))]
@@ -344,6 +353,21 @@ impl Session {
         let sources = self.shared.sources.as_ref().clone().with_own(own).with_absent(None);
         self.shared.use_sources(sources);
         self.shared.spread(News::OwnTables);
+    }
+
+    /// The files of a set were written, or none of them.
+    fn set_written(&mut self, folder: &Path, result: Result<Vec<PathBuf>, FileError>) {
+        let dialog = self.shared.answered_dialog().filter(|dialog| dialog.busy);
+        let result = match (result, dialog) {
+            (Err(FileError::Exists { path }), Some(dialog)) if path != folder => return dialog.ask(path),
+            (result, _) => {
+                result.map_err(|error| program::no_folder(&error, folder).unwrap_or_else(|| error.message()))
+            }
+        };
+        if let Some(files) = self.shared.file_answered(result) {
+            self.shared.places.used(Purpose::CreateSet, &folder.join("set"));
+            self.shared.notices.push(program::written(&files, folder));
+        }
     }
 
     pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {

@@ -212,9 +212,14 @@ fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -
         let name = action.text(session, words);
         if opened.is_some() { format!("{also} {name}") } else { format!("{name} {also}") }.to_lowercase()
     });
+    let words = action.row().also.into_iter();
+    let words = words.flat_map(|id| {
+        let name = move |words: &Words| format!("{} {}", action.text(session, words), words.get(id)).to_lowercase();
+        std::iter::once(own).chain(others).map(name)
+    });
     PaletteEntry {
         group,
-        names: names.chain(also).collect(),
+        names: names.chain(also).chain(words).collect(),
         note: on_page(own),
         keys: action.shortcut_on(page.unwrap_or(session.page())),
         is_possible: session.can(action),

@@ -63,6 +63,7 @@ use self::resume::Resume;
 use super::asking::Asking;
 use super::document::OpenDocument;
 use super::effect::Effect;
+use super::program::PlanForSet;
 use crate::texts::Texts;
 
 /// The views of the page.
@@ -110,6 +111,16 @@ pub struct PartsPage {
 }
 
 impl PartsPage {
+    /// The plan that a control could measure; `None` where none is open.
+    pub(super) fn for_set(&self) -> Option<PlanForSet> {
+        let document = &self.document;
+        if document.is_empty() || document.is_blank() {
+            return None;
+        }
+        let features = document.draft().rows.len();
+        Some(PlanForSet { name: document.name(), features, plan: document.plan().cloned() })
+    }
+
     /// Whether the plan was changed since the part was begun.
     pub fn has_other_plan(&self) -> bool {
         match (self.walking.plan.as_ref(), self.document.plan()) {

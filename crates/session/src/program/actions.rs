@@ -42,6 +42,10 @@ actions! {
 }
 
 impl Actions for ProgramAction {
+    /// Shows the files with which a control measures for itself.
+    CreateForControl;
+    /// Writes them into a folder.
+    CreateFiles;
     fn row(&self) -> ActionRow {
         match *self {
             Self::OpenProgram => on(Page::Program, "program-page-open", Command::OpenDialog(Purpose::OpenProgram))
@@ -81,9 +85,22 @@ impl Actions for ProgramAction {
         }
     }
 
+            Self::CreateForControl => of_page("program-page-create", ProgramCommand::ShowCreating)
+                .hint("program-page-create-hint")
+                .also("program-page-create-also"),
+            Self::CreateFiles => {
+                on(Page::Program, "program-page-create-files-none", Command::OpenDialog(Purpose::CreateSet))
+                    .when(|session| session.program().creating.set().is_some())
+            }
     fn is_on(&self, session: &Session) -> Option<bool> {
         match *self {
             Self::Switch(switch) => Some(session.program().is_on(switch)),
+    fn name(&self, session: &Session, words: &Words) -> Option<String> {
+        let Self::CreateFiles = self else { return None };
+        let set = session.program().creating.set()?;
+        Some(words.say(&message!("program-page-create-files").count("count", set.files.len())))
+    }
+
             _ => None,
         }
     }

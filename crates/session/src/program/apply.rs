@@ -56,6 +56,15 @@ impl PageState for ProgramPage {
         }
         self.keep_new(shared);
         Vec::new()
+            ProgramCommand::ShowCreating => {
+                if shared.page != Page::Program {
+                    shared.open(Page::Program);
+                }
+                self.creating.come_into_sight();
+            }
+            ProgramCommand::CreateFor(control) => self.creating.control = control,
+            ProgramCommand::CreateIn(language) => self.creating.choose_language(language),
+            ProgramCommand::CreateFrom(from) => self.creating.choose_source(from),
     }
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {

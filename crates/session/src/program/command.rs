@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use fitcheck_core::message::Message;
+use fitcheck_core::words::Dialogue;
 use fitcheck_nc::control::variables::Parameter;
 use fitcheck_nc::machine::{BlockPlace, NcPath};
 use fitcheck_nc::program::ProgramWarning;
+use fitcheck_nc::sets::Control;
 
 use super::run::Speed;
-use super::{Document, ProgramField};
+use super::{Document, ProgramField, SetFrom};
 use crate::Step;
 
 /// What can be done on the program page.
@@ -59,6 +61,14 @@ pub enum ProgramCommand {
     SetValue,
     /// Removes such a value.
     DropValue(Parameter),
+    /// Opens the page at the files for a control.
+    ShowCreating,
+    /// Makes them for a control.
+    CreateFor(Control),
+    /// Makes them in a language of its dialogue.
+    CreateIn(Dialogue),
+    /// Makes them of the callout, or of the plan.
+    CreateFrom(SetFrom),
 }
 
 /// What can be switched on or off for a run.
@@ -89,7 +99,7 @@ pub enum WorkpieceFrom {
     Given,
     /// The simulated workpiece, the same as on the cycles page.
     Simulated,
-    /// Recorded contacts, the same as on the cycles page.
+    /// Contacts that were recorded and opened on this page.
     Recorded,
     /// A simulated part of several features.
     Part,

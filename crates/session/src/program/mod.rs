@@ -15,6 +15,7 @@
 //! | `opening` | programs from files, and what is typed |
 //! | `workpiece` | what is measured |
 //! | `tools` | the tools of Q330: fixed ones, and parameters that a tool is given to |
+//! | `creating` | the files with which a control measures for itself |
 //! | `notes` | errors, warnings and remarks, block by block |
 //!
 //! A run belongs to its inputs: any change of an input clears it. Nothing is written; what a program prints to files is
@@ -23,6 +24,7 @@
 mod actions;
 mod apply;
 mod command;
+mod creating;
 mod document;
 mod field;
 mod input;
@@ -51,6 +53,8 @@ pub use command::{Origin, ProgramCommand, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use field::ProgramField;
 pub use input::Input;
+pub use creating::{Creating, SetFrom};
+pub(crate) use creating::{ForSet, PlanForSet, no_folder, written};
 pub use inputs::Agreement;
 pub use named_tools::ToolOf;
 pub use notes::{Note, NoteKind};
@@ -90,6 +94,8 @@ pub struct ProgramPage {
     /// Counts how often a line had to come into sight.
     looks: u64,
     /// The line that has to come into sight.
+    /// The files for a control.
+    pub creating: Creating,
     look: usize,
 }
 

@@ -1,0 +1,141 @@
+//! Right: the files with which a control measures for itself. A card where there is room, else folded away.
+
+use eframe::egui::{Id, Label, RichText, ScrollArea, Ui, vec2};
+
+use crate::gui::section::{self, Section};
+use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
+use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
+use crate::message::message;
+use crate::nc::sets::Control;
+use crate::session::program::SetFrom;
+use crate::session::{ProgramAction, ProgramCommand};
+use crate::words::Dialogue;
+
+/// The text that names it.
+const NAME: &str = "program-page-create-head";
+
+/// From this height of the page on it is a card of its own.
+pub(super) const CARD: f32 = 860.0;
+
+/// As a card.
+pub(super) fn card_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text(NAME));
+    create_ui(ui, view);
+}
+
+/// Folded away in a row that says for which control it is, and of what. Who asks for it finds it open and in sight.
+pub(super) fn section_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let is_asked = is_asked(ui, view);
+    if is_asked {
+        section::unfold(ui.ctx(), NAME);
+    }
+    let creating = &view.session.program().creating;
+    let value = creating.control.name().to_owned();
+    let row = Section { icon: Icon::FileCode, name: NAME, value, is_wrong: false };
+    let top = ui.cursor().min;
+    row.show(ui, view, create_ui);
+    if is_asked {
+        ui.scroll_to_rect(ui.min_rect().with_min_y(top.y), None);
+    }
+}
+
+/// The same as a card of its own, which leaves room for what a run finds.
+pub(super) fn folded_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let most = ui.available_height() * 0.75;
+    let area = ScrollArea::vertical().id_salt("program-create").max_height(most).auto_shrink([false, true]);
+    area.show(ui, |ui| {
+        ui.set_max_width(ui.available_width() - space(2.5));
+        section_ui(ui, view);
+    });
+}
+
+/// Whether it was asked for since the last frame.
+fn is_asked(ui: &Ui, view: &View<'_>) -> bool {
+    let looks = view.session.program().creating.looks();
+    let key = Id::unique("program-create-looks");
+    ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<u64>(key), looks)) != looks
+}
+
+fn create_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.spacing_mut().item_spacing.y = space(1.0);
+    target_ui(ui, view);
+    source_ui(ui, view);
+    let creating = &view.session.program().creating;
+    match creating.made() {
+        None => _ = quiet(ui, view.text("program-page-create-nothing")),
+        Some(Err(reasons)) => {
+            for reason in reasons {
+                problem(ui, view.words.say(reason));
+            }
+        }
+        Some(Ok(set)) => {
+            ui.horizontal_wrapped(|ui| {
+                ui.spacing_mut().item_spacing = vec2(space(2.0), space(1.0));
+                for file in &set.files {
+                    let name = RichText::new(&file.name).font(theme::mono(sizes().small));
+                    ui.add(Label::new(name.background_color(palette(ui.ctx()).sunken.0)));
+                }
+            });
+            if let Some(folder) = creating.folder() {
+                quiet(ui, view.words.say(&message!("program-page-create-folder").text("folder", folder)));
+            }
+            let mut said = creating.said().into_iter();
+            if let Some(proven) = said.next() {
+                ui.horizontal_wrapped(|ui| {
+                    ui.label(Icon::CheckCircle.text(Weight::Regular, space(4.5)));
+                    quiet(ui, view.words.say(&proven));
+                });
+            }
+            for remark in said {
+                quiet(ui, view.words.say(&remark));
+            }
+        }
+    }
+    let width = ui.available_width() - space(2.0);
+    view.sized_button(ui, ProgramAction::CreateFiles, vec2(width, control(ui)));
+}
+
+/// For which control, and in which language of its dialogue.
+fn target_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let creating = &view.session.program().creating;
+    let (now, language) = (creating.control, creating.language());
+    let column = (ui.available_width() - space(4.0)) / 2.0;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space(2.0);
+        ui.vertical(|ui| {
+            ui.set_width(column);
+            let name = quiet(ui, view.text("program-page-create-control"));
+            let all = Control::ALL.map(|control| (control, control.name().to_owned()));
+            let (chosen, list) = one_of_ui(ui, "program-create-control", column, &now, all);
+            list.labelled_by(name.id);
+            if let Some(control) = chosen {
+                view.send(ProgramCommand::CreateFor(control));
+            }
+        });
+        ui.vertical(|ui| {
+            ui.set_width(column);
+            let name = quiet(ui, view.text("program-page-create-language"));
+            let all = Dialogue::ALL.map(|dialogue| (Some(dialogue), dialogue.name().to_owned()));
+            let (chosen, list) = one_of_ui(ui, "program-create-language", column, &language, all);
+            list.labelled_by(name.id);
+            if let Some(language) = chosen.flatten() {
+                view.send(ProgramCommand::CreateIn(language));
+            }
+        });
+    });
+}
+
+/// What it is made of.
+fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let creating = &view.session.program().creating;
+    let now = creating.from();
+    let all: Vec<(Option<SetFrom>, String)> =
+        creating.sources().into_iter().map(|(from, said)| (Some(from), view.words.say(&said))).collect();
+    let name = quiet(ui, view.text("program-page-create-from"));
+    let width = ui.available_width() - space(2.0);
+    let (chosen, list) = one_of_ui(ui, "program-create-from", width, &now, all);
+    list.labelled_by(name.id);
+    if let Some(from) = chosen.flatten() {
+        view.send(ProgramCommand::CreateFrom(from));
+    }
+}
