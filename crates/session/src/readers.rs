@@ -123,7 +123,7 @@ impl Session {
         self.shared.workpiece.is_open
     }
 
-    /// The recorded contacts that both pages measure.
+    /// The recorded contacts that were read last, on whichever page.
     pub fn recorded(&self) -> Option<&RecordedContacts> {
         self.shared.workpiece.recorded.as_deref()
     }

@@ -152,7 +152,7 @@ fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn recorded_ui(ui: &mut Ui, view: &mut View<'_>) {
     view.button(ui, WorkpieceAction::OpenContacts);
-    match view.session.recorded() {
+    match &view.session.cycles().recorded {
         Some(recorded) => {
             let said = message!("cycles-contacts-of").count("count", recorded.contacts.len());
             quiet_cut(ui, view.words.say(&said.text("file", &recorded.name)));

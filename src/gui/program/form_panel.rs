@@ -175,7 +175,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         WorkpieceFrom::Part => part_ui(ui, view),
         WorkpieceFrom::Recorded => {
-            if let Some(recorded) = view.session.recorded() {
+            if let Some(recorded) = &view.session.program().recorded {
                 let message = message!("program-page-recorded").text("name", &recorded.name);
                 quiet(ui, view.words.say(&message.count("count", recorded.contacts.len())));
             }

@@ -9,6 +9,7 @@ use super::{ContactsFrom, CycleField, CyclesAction, CyclesCommand, CyclesPage};
 use crate::action::Action;
 use crate::command::Command;
 use crate::effect::Effect;
+use crate::page::Page;
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
 use crate::state::PageState;
@@ -80,13 +81,17 @@ impl PageState for CyclesPage {
         Vec::new()
     }
 
-    fn follow(&mut self, news: &News, _shared: &mut Shared) {
+    fn follow(&mut self, news: &News, shared: &mut Shared) {
         match news {
             // Other sources do not use the workpiece.
-            News::Workpiece if self.from == ContactsFrom::Simulated => self.changed(),
-            News::WorkpieceTaken => self.take_from(ContactsFrom::Simulated),
+            // What another page has opened is chosen there alone: a cycle never measures it by itself.
+            News::WorkpieceTaken if shared.page != Page::Program => self.take_from(ContactsFrom::Simulated),
+            News::Workpiece | News::WorkpieceTaken if self.from == ContactsFrom::Simulated => self.changed(),
             News::Tools => self.changed(),
-            News::ContactsTaken => self.take_from(ContactsFrom::Recorded),
+            News::ContactsTaken if shared.page != Page::Program => {
+                self.recorded.clone_from(&shared.workpiece.recorded);
+                self.take_from(ContactsFrom::Recorded);
+            }
             _ => {}
         }
     }

@@ -25,6 +25,7 @@ mod workpiece;
 mod workpiece_field;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::probing::TouchProbe;
@@ -33,6 +34,7 @@ use fitcheck_core::probing::cycles::CYCLES;
 use fitcheck_nc::control::probe_table::ProbeTable;
 
 use crate::state::PageState as _;
+use crate::workpiece::RecordedContacts;
 
 pub use actions::CyclesAction;
 pub use command::CyclesCommand;
@@ -86,6 +88,8 @@ pub struct CyclesPage {
     pub inputs: Inputs,
     /// Where contacts come from.
     pub from: ContactsFrom,
+    /// The contacts that were opened here: the program page has its own.
+    pub recorded: Option<Arc<RecordedContacts>>,
     probes: Option<(String, ProbeTable)>,
     probe: Option<u32>,
     /// The NC block that is being typed, where its field is open.
@@ -110,6 +114,7 @@ impl Default for CyclesPage {
             errors: BTreeMap::new(),
             inputs: Inputs::new(),
             from: ContactsFrom::default(),
+            recorded: None,
             probes: None,
             probe: None,
             block: None,

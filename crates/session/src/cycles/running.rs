@@ -157,7 +157,7 @@ impl CyclesPage {
 
     /// Sends what the cycle says to the journal, where it judged something.
     fn keep(&self, run: &CycleRun, shared: &mut Shared) -> Option<u64> {
-        let recorded = shared.workpiece.recorded.as_deref().filter(|_| self.from == ContactsFrom::Recorded);
+        let recorded = self.recorded.as_deref().filter(|_| self.from == ContactsFrom::Recorded);
         let origin = match (self.from, recorded) {
             (ContactsFrom::Recorded, recorded) => {
                 CycleOrigin::Contacts { file: recorded.map_or("", |recorded| recorded.name.as_str()).into() }
@@ -209,7 +209,7 @@ impl CyclesPage {
     }
 
     /// The source of the contacts, and the message that names it.
-    fn source<'a>(&self, shared: &'a Shared) -> Result<(Source<'a>, Message), Message> {
+    fn source<'a>(&'a self, shared: &'a Shared) -> Result<(Source<'a>, Message), Message> {
         match self.from {
             ContactsFrom::Perfect => Ok((Source::Perfect, message!("cycles-from-perfect"))),
             ContactsFrom::Simulated => {
@@ -219,7 +219,7 @@ impl CyclesPage {
                 Ok((Source::Simulated(bench), said))
             }
             ContactsFrom::Recorded => {
-                let recorded = shared.workpiece.recorded.as_ref();
+                let recorded = self.recorded.as_ref();
                 let recorded = recorded.ok_or_else(|| message!("cycles-no-contacts"))?;
                 let said = message!("cycles-from-recorded").text("file", &recorded.name);
                 let source = Source::Recorded { contacts: &recorded.contacts, has_heights: recorded.has_heights };

@@ -71,7 +71,7 @@ impl PageState for ProgramPage {
         match news {
             News::Opened(Page::Program) => self.opened(shared),
             News::Workpiece | News::WorkpieceTaken => self.workpiece_changed(WorkpieceFrom::Simulated, shared),
-            News::ContactsTaken => self.workpiece_changed(WorkpieceFrom::Recorded, shared),
+            News::ContactsTaken => self.contacts_taken(shared),
             News::PartTaken => self.workpiece_changed(WorkpieceFrom::Part, shared),
             News::Tools => self.reset(),
             // These two are made by the limits.

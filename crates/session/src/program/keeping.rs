@@ -39,7 +39,7 @@ impl ProgramPage {
         let workpiece = &shared.workpiece;
         match self.workpiece {
             WorkpieceFrom::Recorded => {
-                let file = workpiece.recorded.as_deref().map_or("", |recorded| recorded.name.as_str());
+                let file = self.recorded.as_deref().map_or("", |recorded| recorded.name.as_str());
                 CycleOrigin::Contacts { file: file.into() }
             }
             WorkpieceFrom::Part => {
@@ -66,8 +66,7 @@ impl ProgramPage {
             WorkpieceFrom::Part => {
                 shared.workpiece.part.as_deref().and_then(|part| used(FileRole::Workpiece, &part.name, part.sha256))
             }
-            WorkpieceFrom::Recorded => shared
-                .workpiece
+            WorkpieceFrom::Recorded => self
                 .recorded
                 .as_deref()
                 .and_then(|contacts| used(FileRole::Measurements, &contacts.name, contacts.sha256)),

@@ -41,12 +41,15 @@ mod watching;
 mod workpiece;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_nc::control::variables::{Parameter, Value};
 use fitcheck_nc::machine::{BlockPlace, NcPath};
 use fitcheck_nc::program::ProgramWarning;
+
+use crate::workpiece::RecordedContacts;
 
 pub use actions::{LISTING, ProgramAction};
 pub use command::{Origin, ProgramCommand, Switch, WorkpieceFrom};
@@ -76,6 +79,8 @@ pub struct ProgramPage {
     errors: BTreeMap<ProgramField, Message>,
     /// What is measured.
     pub workpiece: WorkpieceFrom,
+    /// The contacts that were opened here: the cycles page has its own.
+    pub recorded: Option<Arc<RecordedContacts>>,
     /// What the user typed for parameters, in the form or under "Start with": the only place for both.
     typed: BTreeMap<Parameter, String>,
     /// The values of these texts, for the start of a run.

@@ -54,7 +54,7 @@ impl ProgramPage {
 
 impl ProgramPage {
     pub(super) fn choose_workpiece(&mut self, from: WorkpieceFrom, shared: &mut Shared) {
-        if from == WorkpieceFrom::Recorded && shared.workpiece.recorded.is_none() {
+        if from == WorkpieceFrom::Recorded && self.recorded.is_none() {
             return shared.open_cycle_file(CycleFile::Contacts);
         }
         if from == WorkpieceFrom::Part && shared.workpiece.part.is_none() {
@@ -89,7 +89,16 @@ impl ProgramPage {
         if shared.page == Page::Program {
             self.workpiece = from;
         }
-        if matches!(self.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded | WorkpieceFrom::Part) {
+        if matches!(self.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Part) {
+            self.reset();
+        }
+    }
+
+    /// Contacts were read: they are measured from now on where this page asked for them. What the cycles page measures is its own.
+    pub(super) fn contacts_taken(&mut self, shared: &Shared) {
+        if shared.page == Page::Program {
+            self.recorded.clone_from(&shared.workpiece.recorded);
+            self.workpiece = WorkpieceFrom::Recorded;
             self.reset();
         }
     }
@@ -123,7 +132,7 @@ impl ProgramPage {
                 Some(open) => Ok(Contacts::Workpiece(open.part.clone())),
                 None => Err(message!("program-page-refused-no-part")),
             },
-            WorkpieceFrom::Recorded => match &shared.workpiece.recorded {
+            WorkpieceFrom::Recorded => match &self.recorded {
                 Some(recorded) => Ok(Contacts::of_file(recorded.contacts.clone(), recorded.has_heights)),
                 None => Err(message!("program-page-refused-no-contacts")),
             },

@@ -72,6 +72,7 @@ pub(super) struct SimulatedWorkpiece {
     pub form: WorkpieceForm,
     /// Whether its dialog is open.
     pub is_open: bool,
+    /// The contacts that were read last, on whichever page.
     pub recorded: Option<Arc<RecordedContacts>>,
     /// A part of several features.
     pub part: Option<Arc<OpenPart>>,
