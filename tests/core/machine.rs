@@ -768,7 +768,8 @@ fn what_cycles_cannot_do_is_said() {
     assert_eq!(fault("TCH PROBE 427 X ~\nQ263=+35"), "cycle 427: Q264 1ST POINT 2ND AXIS is missing");
     assert_eq!(fault(&with("Q320= PREDEF")), "cycle 427: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF gives a value");
     let known: Vec<_> = cycles_of(Control::Milling).map(|cycle| cycle.code).collect();
-    let unknown = format!("unknown cycle 431: the cycles are {}", known.join(", "));
+    let unknown =
+        format!("Fitcheck does not follow cycle 431, even where the control has it: it follows {}", known.join(", "));
     assert_eq!(fault("TCH PROBE 431 MEASURE PLANE ~\nQ263=+35"), unknown);
     let mut machine = Machine::new(
         "a.h",

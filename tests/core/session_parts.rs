@@ -106,7 +106,16 @@ fn by_command(folder: &Path, program: &str, part: &str) -> Json {
         })
         .collect();
     let windows: Vec<Json> = list("windows").into_iter().map(|window| window["window"].clone()).collect();
-    let remarks: Vec<Json> = list("remarks").into_iter().map(|remark| remark["message"].clone()).collect();
+    // The window has no folder to write to, and says so in its own words.
+    let own = |remark: &Json| {
+        let text = remark["message"].as_str().unwrap();
+        let path = text.strip_suffix(" was not written: no output folder was chosen");
+        path.map_or_else(
+            || text.to_owned(),
+            |path| said(&fitcheck::message::Message::new("program-page-not-written").text("path", path)),
+        )
+    };
+    let remarks: Vec<Json> = list("remarks").iter().map(|remark| own(remark).into()).collect();
     let fault = list("faults").first().map(|fault| fault["message"].clone());
     serde_json::json!({"cycles": cycles, "windows": windows, "remarks": remarks, "fault": fault})
 }

@@ -452,7 +452,7 @@ fn the_workpiece_is_bent_saved_and_opened_again() {
 #[test]
 fn a_block_is_pasted_and_copied() {
     let mut window = page();
-    click(&mut window, Role::Button, "NC block…");
+    click(&mut window, Role::Button, "Paste NC block…");
     let block =
         "TCH PROBE 427 MISURAZ. COORDINATA ~ Q263=+35 ;1. PUNTO ~ Q264=+45 ~ Q261=+5 ~ Q272=+3 ~ Q267=-1 ~ Q9=+1";
     window.get_by(|node| node.role() == Role::MultilineTextInput).type_text(block);

@@ -33,7 +33,7 @@ machine-used-traffic = limit of { $most } bytes read and written reached
 machine-used-file-bytes = programs and changed tables exceed { $most } bytes together
 machine-text-too-long = the text has { $length } characters, a parameter holds at most { $most }
 machine-unknown-block = unknown block: Fitcheck runs only what it understands
-machine-unknown-cycle = unknown cycle { $cycle }: the cycles are { $known }
+machine-unknown-cycle = Fitcheck does not follow cycle { $cycle }, even where the control has it: it follows { $known }
 machine-broken = the program is broken: { $what } is missing
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is not a label

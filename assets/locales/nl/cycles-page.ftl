@@ -36,8 +36,9 @@ cycles-predef-missing = PREDEF: typ de waarde uit GLOBAL DEF
 cycles-without-effect = Toegestaan, zonder werking
 cycles-position = Plaats van de kogel
 cycles-ball-stands = Kogel staat op
-cycles-paste-block = NC-regel…
+cycles-paste-block = NC-regel plakken…
 cycles-copy-block = Als NC-regel kopiëren
+cycles-block-copied = De NC-regel is gekopieerd
 cycles-block = NC-regel
 cycles-block-hint = Plak een NC-regel zoals TCH PROBE 427 … Q263=+35 ;TEKST ~ of G785 R0 BR0 K2: die vervangt het formulier
 cycles-fill = Formulier invullen

@@ -33,7 +33,7 @@ machine-used-traffic = de grens van { $most } gelezen en geschreven bytes is ber
 machine-used-file-bytes = programma's en gewijzigde tabellen zijn samen groter dan { $most } bytes
 machine-text-too-long = de tekst heeft { $length } tekens, een parameter bevat er hoogstens { $most }
 machine-unknown-block = onbekende NC-regel: Fitcheck voert alleen uit wat het begrijpt
-machine-unknown-cycle = onbekende cyclus { $cycle }: de cycli zijn { $known }
+machine-unknown-cycle = Fitcheck volgt cyclus { $cycle } niet, ook waar de besturing die heeft: gevolgd worden { $known }
 machine-broken = het programma is beschadigd: { $what } ontbreekt
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label

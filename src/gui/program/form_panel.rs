@@ -117,6 +117,7 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
     let (shape, said) = match agreement {
         Agreement::Agrees => (Some(Status::Good), view.text("program-page-agrees")),
         Agreement::BothRefuse => (None, view.text("program-page-both-refuse")),
+        Agreement::Unfinished => (None, view.text("program-page-unfinished")),
         Agreement::OtherInputs => (None, view.text("program-page-other-inputs")),
         Agreement::Differs(differences) => {
             let differences: Vec<_> = differences.iter().map(|message| view.words.say(message)).collect();

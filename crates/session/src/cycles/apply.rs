@@ -69,7 +69,10 @@ impl PageState for CyclesPage {
             }
             CyclesCommand::TakeBlock => self.take_block(),
             CyclesCommand::CopyBlock => match self.written(shared.language.dialogue()) {
-                Ok(block) => return vec![Effect::Copy(block)],
+                Ok(block) => {
+                    shared.note(message!("cycles-block-copied"), Vec::new());
+                    return vec![Effect::Copy(block)];
+                }
                 Err(problem) => shared.tell(problem),
             },
             CyclesCommand::CopyResults => return self.results_text().map(Effect::Copy).into_iter().collect(),

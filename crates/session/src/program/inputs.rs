@@ -59,6 +59,8 @@ pub enum Agreement {
     BothRefuse,
     /// The program has set other inputs since: it measures more than one feature.
     OtherInputs,
+    /// The program did not come to its end: what it said until then differs in nothing.
+    Unfinished,
     /// They do not: what differs, one sentence each.
     Differs(Vec<Message>),
 }
@@ -196,7 +198,11 @@ impl ProgramPage {
             let difference = message!("program-page-differs-status");
             differences.push(difference.with("program", &status).with("own", &verdict.status));
         }
-        Some(if differences.is_empty() { Agreement::Agrees } else { Agreement::Differs(differences) })
+        Some(match (differences.is_empty(), &run.fault) {
+            (true, None) => Agreement::Agrees,
+            (true, Some(_)) => Agreement::Unfinished,
+            (false, _) => Agreement::Differs(differences),
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Notes about the program, block by block: warnings of the reader, remarks of the run, and the error that ended it.
 
 use fitcheck_core::message::{Message, Say as _, message};
-use fitcheck_nc::machine::BlockPlace;
+use fitcheck_nc::machine::{BlockPlace, Fault, FaultKind, Remark};
 
 use super::ProgramPage;
 
@@ -26,6 +26,24 @@ pub enum NoteKind {
     File,
 }
 
+/// An error, and what can be done about it in the window.
+fn fault_message(fault: &Fault) -> Message {
+    match *fault.kind {
+        FaultKind::UnknownCycle { .. } | FaultKind::UnknownBlock => {
+            message!("program-page-unknown").message("fault", fault.message())
+        }
+        _ => fault.message(),
+    }
+}
+
+/// A remark in the words of the window: it writes no files of a program.
+fn remark_message(remark: &Remark) -> Message {
+    match remark {
+        Remark::NotWritten { path } => message!("program-page-not-written").text("path", path),
+        remark => remark.message(),
+    }
+}
+
 impl ProgramPage {
     /// How many notes there are.
     pub fn note_count(&self) -> usize {
@@ -44,10 +62,10 @@ impl ProgramPage {
         let fault = run.and_then(|run| run.fault.as_ref());
         let Some(number) = number.checked_sub(usize::from(fault.is_some())) else {
             let fault = fault?;
-            return Some(Note { kind: NoteKind::Error, place: fault.place.clone(), message: fault.message() });
+            return Some(Note { kind: NoteKind::Error, place: fault.place.clone(), message: fault_message(fault) });
         };
         if let Some((place, remark)) = run.and_then(|run| run.remark(number)) {
-            return Some(self.remark_at(place, remark.message()));
+            return Some(self.remark_at(place, remark_message(remark)));
         }
         let number = number.checked_sub(run.map_or(0, super::Run::remark_count))?;
         let main = self.main()?;
