@@ -14,7 +14,7 @@ use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
-use crate::harness::{DESK, Window, type_into};
+use crate::harness::{DESK, Window, scan, type_into, unfold};
 use crate::pictures::can_paint;
 
 type Harnessed = Harness<'static, App>;
@@ -659,4 +659,208 @@ fn errors_are_shown_whole() {
         assert!(needed(note.width()).y <= note.height() + 1.0, "{size:?}: {said} is cut: {note:?}");
         assert!(note.right() <= size.x && note.bottom() <= size.y, "{size:?}: {note:?}");
     }
+}
+
+/// The names in a folder, sorted.
+fn names_in(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> = folder
+        .read_dir()
+        .map(|entries| entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect())
+        .unwrap_or_default();
+    names.sort();
+    names
+}
+
+/// Types a folder into the dialog and presses Enter.
+fn into_folder(page: &mut Harnessed, folder: &Path) {
+    type_into(page, "Folder", &folder.display().to_string());
+    press(page, Key::Enter);
+}
+
+#[test]
+fn a_set_for_a_control_is_created_from_the_callout_and_asks_before_it_replaces() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = Window::default().open();
+    type_into(&mut page, "Callout", "25 H7");
+    type_into(&mut page, "Centre X", "40,5");
+    // Whoever wonders how finds it by any of these words.
+    for words in ["create control", "nc write", "create for"] {
+        key(&mut page, Modifiers::COMMAND, Key::K);
+        scan(&mut page, words);
+        let found = &page.state().session().palette.as_ref().unwrap().found;
+        assert!(found.iter().any(|entry| entry.text == "Create for a control…"), "{words}");
+        press(&mut page, Key::Escape);
+    }
+    key(&mut page, Modifiers::COMMAND, Key::K);
+    scan(&mut page, "create for a control⏎");
+    assert_eq!(page.state().session().page(), Page::Program);
+    page.get_by(|node| {
+        node.role() == Role::ComboBox && node.value().is_some_and(|v| v == "25 H7 from Check, at X 40.5 Y 0 Z −5")
+    });
+    page.get_by_label("FIT_MAIN.H");
+    page.get_by_label_contains("25 H7 gets exactly");
+    let set = folder.path().join("set");
+    click(&mut page, Role::Button, "Create 6 files…");
+    into_folder(&mut page, &set);
+    let names = ["FIT_CHECK.H", "FIT_HOLE.TAB", "FIT_MAIN.H", "FIT_SHAFT.TAB", "FIT_STATUS.A", "README.TXT"];
+    assert_eq!(names_in(&set), names);
+    page.get_by_label_contains("6 files were written to");
+    let main = std::fs::read_to_string(set.join("FIT_MAIN.H")).unwrap();
+    assert!(main.contains("Q11 = 40.5"), "{main}");
+    // A second one asks, and nothing is replaced without leave.
+    put(&set.join("FIT_MAIN.H"), "mine");
+    click(&mut page, Role::Button, "Create 6 files…");
+    into_folder(&mut page, &set);
+    page.get_by_label_contains("already exists in this folder");
+    click(&mut page, Role::Button, "Keep");
+    assert_eq!(std::fs::read_to_string(set.join("FIT_MAIN.H")).unwrap(), "mine");
+    page.run();
+    into_folder(&mut page, &set);
+    click(&mut page, Role::Button, "Replace");
+    assert_eq!(std::fs::read_to_string(set.join("FIT_MAIN.H")).unwrap(), main);
+    // What was written runs.
+    open_file(&mut page, &set.join("FIT_MAIN.H"));
+    press(&mut page, Key::F5);
+    says(&page, "GOOD");
+}
+
+#[test]
+fn a_set_for_a_control_is_created_from_the_open_plan_or_says_what_is_wrong_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = folder.path().join("flange.csv");
+    put(&plan, "name;callout;x;y;z\nA1;25 H7;40;30;-8\nA2;20 g6;90;30;-8\n");
+    let files = vec![(fitcheck::session::Purpose::OpenPlan, plan)];
+    let mut page = open(Window { files, ..Window::default() });
+    unfold(&mut page, "Create for a control");
+    page.get_by(|node| {
+        node.role() == Role::ComboBox && node.value().is_some_and(|v| v == "Plan flange.csv, 2 features")
+    });
+    page.get_by_label_contains("every feature gets the plan");
+    // The control and the language decide what the files are called.
+    click(&mut page, Role::ComboBox, "Control");
+    click(&mut page, Role::Button, "iTNC 530");
+    click(&mut page, Role::ComboBox, "Dialogue language");
+    click(&mut page, Role::Button, "Deutsch");
+    page.get_by_label("82551_de.h");
+    page.get_by_label_contains(r"TNC:\8255\");
+    let set = folder.path().join("set");
+    click(&mut page, Role::Button, "Create 6 files…");
+    into_folder(&mut page, &set);
+    assert_eq!(names_in(&set).len(), 6, "{:?}", names_in(&set));
+    // Without a plan's features there is nothing to create.
+    click(&mut page, Role::ComboBox, "From");
+    click(&mut page, Role::Button, "The callout on Check");
+    page.get_by_label_contains("Enter a callout on Check");
+    assert!(page.get_by_role_and_label(Role::Button, "Create files…").accesskit_node().is_disabled());
+}
+
+/// Drops a file of this text on the page.
+fn drop_file(page: &mut Harnessed, folder: &Path, name: &str, text: &str) {
+    let path = folder.join(name);
+    put(&path, text);
+    page.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
+    page.run();
+}
+
+/// A bore about 40/30.
+const BORE: &str = "x,y,z\n52.505,30,-8\n40,42.505,-8\n27.495,30,-8\n40,17.495,-8\n";
+
+#[test]
+fn contacts_that_are_opened_for_a_program_are_not_measured_by_a_cycle() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    drop_file(&mut page, folder.path(), "bore.csv", BORE);
+    press(&mut page, Key::F5);
+    says(&page, "GOOD. 25.0100 mm");
+    key(&mut page, Modifiers::COMMAND, Key::Num7);
+    assert_eq!(page.state().session().cycles().from, fitcheck::session::ContactsFrom::Perfect);
+    assert!(page.state().session().cycles().recorded.is_none());
+    // And the other way round: the program keeps its own.
+    drop_file(&mut page, folder.path(), "other.csv", "x,y,z\n1,0,0\n");
+    key(&mut page, Modifiers::COMMAND, Key::Num8);
+    page.get_by_label("4 contacts from bore.csv");
+}
+
+#[test]
+fn another_program_begins_without_the_filter_and_the_contacts_of_the_one_before_and_is_walked_by_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    drop_file(&mut page, folder.path(), "bore.csv", BORE);
+    type_into(&mut page, "Filter", "total");
+    let path = program(folder.path(), "sum.h", "Q5 = 28.999999999999996\nQ6 = 40.00249999999999\nQ7 = 1 / 3");
+    open_file(&mut page, &path);
+    page.get_by_label("The contacts from bore.csv belong to the program before: this one measures a perfect workpiece");
+    // The listing has the focus: a breakpoint is set where one is.
+    press(&mut page, Key::ArrowDown);
+    press(&mut page, Key::F9);
+    page.get_by_label("Q5 = 28.999999999999996, breakpoint");
+    press(&mut page, Key::F9);
+    press(&mut page, Key::F5);
+    says(&page, "Ended after");
+    let parameters = parameters(&page);
+    let named = |name: &str| parameters.iter().any(|said| said.trim_end_matches(", changed") == name);
+    assert!(named("Q5  = 29") && named("Q6  = 40.0025") && named("Q7  = 0.333333"), "{parameters:?}");
+    // A single block after the end is the first one.
+    press(&mut page, Key::F10);
+    says(&page, "Single block");
+    assert_eq!(run(&page).blocks_run(), 1);
+}
+
+#[test]
+fn the_window_that_is_exported_is_that_of_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    let export = |page: &mut Harnessed| {
+        click(page, Role::Button, "Menu");
+        click(page, Role::Button, "Export");
+    };
+    export(&mut page);
+    assert!(page.get_by_role_and_label(Role::Button, "Window of the program as text…").accesskit_node().is_disabled());
+    press(&mut page, Key::Escape);
+    press(&mut page, Key::F5);
+    export(&mut page);
+    click(&mut page, Role::Button, "Window of the program as text…");
+    let path = folder.path().join("program.txt");
+    type_into(&mut page, "File", &path.display().to_string());
+    press(&mut page, Key::Enter);
+    assert!(std::fs::read_to_string(&path).unwrap().contains("CHECKED FIT: 25 H7"));
+    key(&mut page, Modifiers::COMMAND, Key::Num7);
+    export(&mut page);
+    page.get_by_role_and_label(Role::Button, "Status window of cycle 421 as text…");
+}
+
+#[test]
+fn what_a_program_would_write_and_what_fitcheck_does_not_follow_is_said_with_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    let log =
+        "TOOL CALL 1 Z\nTCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ261=-5 ~\nQ320=+2 ~\nQ260=+50 ~\nQ281=+1";
+    open_file(&mut page, &program(folder.path(), "log.h", log));
+    press(&mut page, Key::F5);
+    page.get_by_label_contains("TCHPR421.TXT would be written on the control");
+    let path = program(folder.path(), "plane.h", "TOOL CALL 1 Z\nTCH PROBE 431 MEASURE PLANE ~\nQ263=+35");
+    open_file(&mut page, &path);
+    press(&mut page, Key::F5);
+    page.get_by_label_contains("Fitcheck does not follow cycle 431, even where the control has it");
+    page.get_by_label_contains("To run on without it, switch on Options → Skip unknown blocks");
+}
+
+#[test]
+fn a_result_without_limits_has_no_verdict_and_a_broken_run_agrees_with_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let cycle = |limits: &str| {
+        format!(
+            "TOOL CALL 1 Z\nTCH PROBE 421 X ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ261=-5 ~\nQ320=+2 ~\nQ260=+50 ~\n{limits}"
+        )
+    };
+    let mut page = page();
+    open_file(&mut page, &program(folder.path(), "bare.h", &cycle("Q275=+0 ~\nQ276=+0")));
+    press(&mut page, Key::F5);
+    says(&page, "No limits, no verdict");
+    let body =
+        format!("Q1 = 25\nDECLARE STRING QS1 = \"H7\"\n{}\nFN 14: ERROR = 1000", cycle("Q275=+25.021 ~\nQ276=+25"));
+    open_file(&mut page, &program(folder.path(), "broken.h", &body));
+    press(&mut page, Key::F5);
+    says(&page, "Stopped with an error");
+    says(&page, "Not compared: the program did not come to its end");
 }

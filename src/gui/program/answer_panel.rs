@@ -1,6 +1,7 @@
 //! Right: the windows that the program opens, files that it would write, what was measured.
 
-use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, Sense, Ui, vec2};
+use eframe::egui::style::ScrollStyle;
+use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::tools_panel::changes_ui;
 use crate::gui::card::{self, MARGIN};
@@ -48,7 +49,11 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let run = view.session.program().run.as_ref();
     let status = run.and_then(Run::status);
     let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
-    let word = view.text(status_id(status));
+    // What was measured without limits is a result, and no verdict.
+    let word = match status {
+        None if measured.is_some() => view.text("program-page-no-verdict"),
+        status => view.text(status_id(status)),
+    };
     let is_simulated = run.is_some() && view.session.program().is_simulated();
     let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
     let simulated = (is_simulated && status.is_some()).then(|| view.text("simulated"));
@@ -114,7 +119,8 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     }
     for cycle in cycles.iter().rev().take(MOST).rev() {
         let status = cycle.result.verdict();
-        let mut text = format!("{}  {}  ", cycle.cycle.code, view.text(status_id(status)));
+        let word = if status.is_some() { status_id(status) } else { "program-page-no-verdict" };
+        let mut text = format!("{}  {}  ", cycle.cycle.code, view.text(word));
         if let Some(value) = main_value(view.words, cycle) {
             text.push_str(&value);
         }
@@ -138,7 +144,10 @@ fn outputs_ui(ui: &mut Ui, view: &View<'_>, run: &Run) {
         let title = output.path.to_string();
         CollapsingHeader::new(title).id_salt(("output", number)).show_unindented(ui, |ui| {
             let text = RichText::new(output.text.trim_end()).font(theme::mono(sizes().small));
-            ui.add(Label::new(text).extend().selectable(true));
+            // A log is wider than the column, and its figures stand at the right: the bar shows that there is more.
+            ui.spacing_mut().scroll = ScrollStyle::solid();
+            let area = ScrollArea::horizontal().id_salt(("output-text", number)).auto_shrink([false, true]);
+            area.show(ui, |ui| ui.add(Label::new(text).extend().selectable(true)));
         });
     }
 }

@@ -38,7 +38,7 @@ use super::field;
 use super::keypad::{self, keypad_ui};
 use super::over_page::just_opened;
 use super::theme::{Icon, space};
-use super::view::View;
+use super::view::{View, focus_soon, take_focus};
 use crate::gui::page::{Group, PageView, ending, open};
 use crate::session::Command;
 use crate::session::CycleFile;
@@ -123,7 +123,7 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
         if !low && path_panel::has_room(view) {
             // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
-            let height = ui.available_height() * 0.36;
+            let height = (ui.available_height() * 0.36).max(notes_panel::least(ui));
             let below = Panel::bottom("program-path").exact_size(height).show_separator_line(false);
             below.frame(Frame::new().inner_margin(Side::Bottom.gap())).show(ui, |ui| {
                 if 0 < view.session.program().note_count() {
@@ -152,6 +152,13 @@ fn focus_first(ui: &Ui, view: &View<'_>) {
         let input = view.session.program().inputs().next();
         let first = input.map_or_else(listing::id, |input| field::id(ProgramField::Input(input)));
         ui.memory_mut(|memory| memory.request_focus(first));
+    }
+    // Who opens a program reads it: arrows, breakpoints and single blocks are at hand. The dialog is still there in this frame.
+    take_focus(ui, listing::id());
+    let opened = view.session.program().opened_count();
+    let key = Id::unique("program-opened");
+    if ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<u64>(key), opened)) != opened {
+        focus_soon(ui, listing::id());
     }
 }
 

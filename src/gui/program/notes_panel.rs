@@ -9,12 +9,18 @@ use crate::session::ProgramCommand;
 use crate::session::program::{Note, NoteKind, Run};
 use crate::verdict::Status;
 
-/// How many lines are visible without scrolling.
+/// How many lines are visible without scrolling, and how many of them have room in any case.
 const LINES: f32 = 4.0;
+const LEAST_LINES: f32 = 3.0;
 
 /// Up to this many notes take as many lines as they need. Of more, each takes one, and the one about the selected block
 /// is shown whole above them.
 const MOST_WHOLE: usize = 100;
+
+/// The least height of the notes beside the path.
+pub(super) fn least(ui: &Ui) -> f32 {
+    control(ui) * (LEAST_LINES + 1.0) + space(4.0)
+}
 
 /// The height that the notes need where they are on their own; `None` where there are none.
 pub(super) fn height(ui: &Ui, view: &View<'_>) -> Option<f32> {
@@ -24,7 +30,7 @@ pub(super) fn height(ui: &Ui, view: &View<'_>) -> Option<f32> {
     let width = ui.available_width() - space(15.0);
     let notes = (0..count.min(MOST_WHOLE)).filter_map(|number| program.note(number));
     let lines: f32 = notes.map(|note| note_height(ui, view, &note, width).max(control(ui))).sum();
-    (0 < count).then(|| lines.min(control(ui) * LINES) + control(ui) + space(4.0))
+    (0 < count).then(|| lines.clamp(control(ui) * LEAST_LINES, control(ui) * LINES) + control(ui) + space(4.0))
 }
 
 fn note_height(ui: &Ui, view: &View<'_>, note: &Note, width: f32) -> f32 {
@@ -47,7 +53,11 @@ pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
             quiet(ui, view.words.say(&message!("program-page-unlisted").count("count", unlisted)));
         }
     });
-    let area = ScrollArea::vertical().id_salt("problems").auto_shrink(false).min_scrolled_height(0.0);
+    // Of another program they begin at the first one.
+    let area = ScrollArea::vertical()
+        .id_salt(("problems", program.opened_count()))
+        .auto_shrink(false)
+        .min_scrolled_height(0.0);
     if count <= MOST_WHOLE {
         area.show(ui, |ui| {
             ui.set_max_width(ui.available_width() - space(2.5));

@@ -61,7 +61,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     error_ui(ui, view, ProgramField::Name);
     error_ui(ui, view, ProgramField::Value);
-    let given: Vec<_> = view.session.program().given().map(|(parameter, value)| (parameter, shown(value))).collect();
+    let given: Vec<_> = view.session.program().given().map(|(parameter, value)| (parameter, figure(value))).collect();
     if given.is_empty() {
         return;
     }
@@ -78,6 +78,14 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
+/// A value as it is listed: a number at most to the sixth decimal, which is a nanometre. The run computes with all of them.
+fn figure(value: &Value) -> String {
+    let Value::Number(number) = value else { return shown(value) };
+    let text = format!("{number:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
 /// `▪ Q153  measured diameter  25.0105`, with a button that keeps it at the top.
 fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width() - space(2.5), height), Sense::hover());
@@ -89,7 +97,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, height: f32) 
     };
     let value = match watched.value {
         Some(value @ Value::Text(_)) => shown(value),
-        Some(value) => view.words.number(&shown(value)),
+        Some(value) => view.words.number(&figure(value)),
         None => view.text("program-page-undefined"),
     };
     if watched.is_changed {

@@ -1,6 +1,9 @@
 //! What can be done on the program page.
 
-use super::{ProgramCommand, ProgramField, Run, Switch};
+use fitcheck_core::message::message;
+use fitcheck_core::words::Words;
+
+use super::{ProgramCommand, ProgramField, Switch};
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, actions, keys, on, within};
 use crate::action::{Held, Key, Part, Shortcut};
@@ -39,13 +42,13 @@ actions! {
     MoveBlock(Step): Step::BLOCKS;
     /// Gives a parameter a value at the next start.
     GiveValue;
-}
-
-impl Actions for ProgramAction {
     /// Shows the files with which a control measures for itself.
     CreateForControl;
     /// Writes them into a folder.
     CreateFiles;
+}
+
+impl Actions for ProgramAction {
     fn row(&self) -> ActionRow {
         match *self {
             Self::OpenProgram => on(Page::Program, "program-page-open", Command::OpenDialog(Purpose::OpenProgram))
@@ -82,9 +85,6 @@ impl Actions for ProgramAction {
             }
             Self::MoveBlock(step) => within(LISTING, "program-page-move", ProgramCommand::Move(step)).key(keys(step)),
             Self::GiveValue => of_page("program-page-give", ProgramCommand::SetValue).hint("program-page-give-hint"),
-        }
-    }
-
             Self::CreateForControl => of_page("program-page-create", ProgramCommand::ShowCreating)
                 .hint("program-page-create-hint")
                 .also("program-page-create-also"),
@@ -92,15 +92,18 @@ impl Actions for ProgramAction {
                 on(Page::Program, "program-page-create-files-none", Command::OpenDialog(Purpose::CreateSet))
                     .when(|session| session.program().creating.set().is_some())
             }
-    fn is_on(&self, session: &Session) -> Option<bool> {
-        match *self {
-            Self::Switch(switch) => Some(session.program().is_on(switch)),
+        }
+    }
+
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         let Self::CreateFiles = self else { return None };
         let set = session.program().creating.set()?;
         Some(words.say(&message!("program-page-create-files").count("count", set.files.len())))
     }
 
+    fn is_on(&self, session: &Session) -> Option<bool> {
+        match *self {
+            Self::Switch(switch) => Some(session.program().is_on(switch)),
             _ => None,
         }
     }
@@ -119,8 +122,7 @@ fn of_page(text: &'static str, command: ProgramCommand) -> ActionRow {
     on(Page::Program, text, command)
 }
 
-/// Whether one more block can be run: the run, if there is one, waits.
+/// Whether a block can be run: the next one, or the first one after the end.
 fn can_step(session: &Session) -> bool {
-    let program = session.program();
-    !program.is_running() && !program.run.as_ref().is_some_and(Run::is_over)
+    !session.program().is_running()
 }

@@ -27,7 +27,10 @@ impl PageState for ProgramPage {
 
     fn apply(&mut self, command: ProgramCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
-            ProgramCommand::OpenShipped(name) => self.open_shipped(name, shared),
+            ProgramCommand::OpenShipped(name) => {
+                self.opened = self.opened.wrapping_add(1);
+                self.open_shipped(name, shared);
+            }
             ProgramCommand::Read { path, result } => self.program_read(path, result, shared),
             ProgramCommand::Type(field, text) => self.type_text(field, text),
             ProgramCommand::ChooseWorkpiece(from) => self.choose_workpiece(from, shared),
@@ -53,9 +56,6 @@ impl PageState for ProgramPage {
             ProgramCommand::Pin(parameter, false) => _ = self.pinned.remove(&parameter),
             ProgramCommand::SetValue => self.give_value(),
             ProgramCommand::DropValue(parameter) => self.drop_value(parameter),
-        }
-        self.keep_new(shared);
-        Vec::new()
             ProgramCommand::ShowCreating => {
                 if shared.page != Page::Program {
                     shared.open(Page::Program);
@@ -65,6 +65,9 @@ impl PageState for ProgramPage {
             ProgramCommand::CreateFor(control) => self.creating.control = control,
             ProgramCommand::CreateIn(language) => self.creating.choose_language(language),
             ProgramCommand::CreateFrom(from) => self.creating.choose_source(from),
+        }
+        self.keep_new(shared);
+        Vec::new()
     }
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {

@@ -53,11 +53,11 @@ use crate::workpiece::RecordedContacts;
 
 pub use actions::{LISTING, ProgramAction};
 pub use command::{Origin, ProgramCommand, Switch, WorkpieceFrom};
+pub use creating::{Creating, SetFrom};
+pub(crate) use creating::{ForSet, PlanForSet, no_folder, written};
 pub use document::{Document, Entry, EntryKind};
 pub use field::ProgramField;
 pub use input::Input;
-pub use creating::{Creating, SetFrom};
-pub(crate) use creating::{ForSet, PlanForSet, no_folder, written};
 pub use inputs::Agreement;
 pub use named_tools::ToolOf;
 pub use notes::{Note, NoteKind};
@@ -94,13 +94,15 @@ pub struct ProgramPage {
     pub run: Option<Run>,
     /// SHA-256 of the open program's file.
     sha256: Option<Hash>,
+    /// The files for a control.
+    pub creating: Creating,
     /// Why a run could not begin.
     refused: Option<Message>,
+    /// Counts how often a program was opened by the user.
+    opened: u64,
     /// Counts how often a line had to come into sight.
     looks: u64,
     /// The line that has to come into sight.
-    /// The files for a control.
-    pub creating: Creating,
     look: usize,
 }
 
@@ -134,6 +136,11 @@ impl ProgramPage {
     /// Whether nobody measured what a run measures: it is a workpiece that is simulated, given or perfect.
     pub fn is_simulated(&self) -> bool {
         self.workpiece != WorkpieceFrom::Recorded
+    }
+
+    /// A number that changes when the user has opened a program.
+    pub const fn opened_count(&self) -> u64 {
+        self.opened
     }
 
     /// A number that changes when a line has to come into sight, and that line of the shown program.

@@ -43,14 +43,19 @@ impl ProgramPage {
     ) {
         if let Some((document, warnings)) = shared.file_answered(result) {
             let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+            self.opened = self.opened.wrapping_add(1);
             self.open_program(Origin::File(path), *document, warnings, shared);
             self.sha256 = shared.recording.of_file(&name);
         }
     }
 
-    fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &Shared) {
+    fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &mut Shared) {
         let path = document.path.clone();
-        self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
+        if self.origin.as_ref() != Some(&origin) {
+            self.leave_contacts(shared);
+        }
+        // A filter of the program before would hide parameters of this one.
+        self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_) | ProgramField::Filter));
         for (parameter, text) in document.assigned() {
             let Some(input) = Input::of(*parameter) else { continue };
             let text = if input.unit().is_empty() { text.clone() } else { shared.as_typed(text) };
@@ -68,6 +73,15 @@ impl ProgramPage {
         self.look = 0;
         self.check_inputs();
         self.reset();
+    }
+
+    /// Contacts were recorded for one program: another one would judge what it has not probed.
+    fn leave_contacts(&mut self, shared: &mut Shared) {
+        let Some(recorded) = self.recorded.take() else { return };
+        if self.workpiece == WorkpieceFrom::Recorded {
+            self.workpiece = WorkpieceFrom::Perfect;
+            shared.note(message!("program-page-contacts-left").text("name", &recorded.name), Vec::new());
+        }
     }
 
     pub(super) fn type_text(&mut self, field: ProgramField, text: String) {

@@ -130,10 +130,11 @@ impl ProgramPage {
     }
 
     pub(super) fn step(&mut self, shared: &Shared, now: DateTime) {
-        let Some(run) = self.ready_run(shared, now) else { return };
-        if run.is_over() {
-            return;
+        // After the end it starts again, as a run does.
+        if self.run.as_ref().is_some_and(Run::is_over) {
+            self.run = None;
         }
+        let Some(run) = self.ready_run(shared, now) else { return };
         // A single block during a run pauses the run.
         run.pause("program-page-state-step");
         run.step();
