@@ -36,9 +36,14 @@ fn ran(unit: &str, blocks: &str, contacts: Contacts, table: &str, given: &[(Para
 
 /// Why a run stops.
 fn fault(unit: &str, blocks: &str) -> String {
+    fault_on(unit, blocks, Contacts::Perfect)
+}
+
+/// The same on contacts.
+fn fault_on(unit: &str, blocks: &str, contacts: Contacts) -> String {
     let settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
     let program = Arc::new(Program::read(main_program(unit, blocks).as_bytes()).unwrap().0);
-    let mut machine = Machine::new("main.h", program, InMemory::new(), Contacts::Perfect, settings);
+    let mut machine = Machine::new("main.h", program, InMemory::new(), contacts, settings);
     loop {
         match machine.run(u64::MAX) {
             Ok(Step::Ended) => panic!("it ended: {blocks}"),
@@ -84,9 +89,12 @@ fn contacts_of_another_bore_are_told() {
     let Contacts::Recorded(flat) = on_a_circle(0.5, 12.505, quarters, 0.0) else { panic!() };
     assert!(astray(Contacts::WithoutHeights(flat.clone())).is_empty());
     assert!(astray(Contacts::Recorded(flat))[0].starts_with("4 contacts lie apart"));
-    let found = astray(on_a_circle(100.0, 12.505, quarters, -8.0));
+    let found = astray(on_a_circle(20.0, 12.505, quarters, -8.0));
     let said = "4 contacts lie apart from where the cycle probes, contact";
     assert!(found[0].starts_with(said) && found[0].ends_with("perhaps they belong to another feature"), "{found:?}");
+    // Where the ball could not come to, nothing is judged.
+    let refused = fault_on("MM", &blocks, on_a_circle(100.0, 12.505, quarters, -8.0));
+    assert!(refused.contains("contact 1 lies 102.01 mm from where its probing begins"), "{refused}");
     // The first and the third in each other's place.
     let found = astray(on_a_circle(0.0, 12.505, [180.0, 90.0, 0.0, 270.0], -8.0));
     assert!(found[0].starts_with("2 contacts lie apart"), "{found:?}");

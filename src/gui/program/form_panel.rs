@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
+use super::create_panel::section_ui;
 use super::part_panel::part_ui;
 use super::tools_panel::tools_ui;
 use crate::gui::field::{Pairs, pairs_ui};
@@ -17,8 +18,8 @@ use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
 use crate::session::{Field, ProgramCommand, ProgramField};
 use crate::verdict::Status;
 
-/// The panel's content.
-pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// The panel's content, with the files for a control where they have no room elsewhere.
+pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>, has_set: bool) {
     // What a run changes comes last: nothing below it can move.
     let has_inputs = view.session.program().has_inputs();
     if has_inputs {
@@ -27,6 +28,10 @@ pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     workpiece_ui(ui, view);
     tools_ui(ui, view);
+    if has_set {
+        ui.separator();
+        section_ui(ui, view);
+    }
     if has_inputs {
         ui.separator();
         native_ui(ui, view);

@@ -66,15 +66,16 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     // Where the window is low, the path of the probe is below the inputs.
     let narrow = size.x < 1200.0;
     let low = size.y < 640.0;
+    let is_one = size.x < space(225.0);
     bar_ui(ui, view, Side::Top, "program-tools", tool_bar::tool_bar_ui);
     let inputs = |ui: &mut Ui, view: &mut View<'_>| {
-        form_panel::form_ui(ui, view);
+        form_panel::form_ui(ui, view, low || is_one);
         if low && path_panel::has_room(view) {
             ui.separator();
             path_panel::path_ui(ui, view);
         }
     };
-    if size.x < space(225.0) {
+    if is_one {
         // Beside the program everything else in one column, the verdict above it.
         let sizes = (size.x * 0.42, size.x * 0.3..=size.x * 0.7);
         area_ui(ui, view, Side::Left, "program-side", sizes, |ui, view| {
@@ -83,8 +84,6 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
                 keypad_ui(ui, view);
                 column_ui(ui, "program-side", |ui| {
                     inputs(ui, view);
-                    ui.separator();
-                    create_panel::section_ui(ui, view);
                     ui.separator();
                     answer_panel::answer_ui(ui, view);
                     ui.separator();
@@ -112,7 +111,7 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             let sizes = ((height * 0.4).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
             panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
             // On the parameters, so that it stays where it is whatever a run finds.
-            if !has_card {
+            if !has_card && !low {
                 bar_ui(ui, view, Side::Bottom, "program-create", create_panel::folded_ui);
             }
             rest_ui(ui, view, |ui, view| {
