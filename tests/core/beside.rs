@@ -380,10 +380,10 @@ mod runs {
 
     #[test]
     fn contacts_of_another_bore_are_looked_at_first() {
-        let two = program(&(bore(10, "+25.021") + &bore(60, "+25.13")));
+        let two = program(&(bore(10, "+25.021") + &bore(40, "+25.13")));
         let (a, b) = (
             "22.55,20,-5\n10,32.55,-5\n-2.55,20,-5\n10,7.45,-5\n",
-            "72.505,20,-5\n60,32.505,-5\n47.495,20,-5\n60,7.495,-5\n",
+            "52.505,20,-5\n40,32.505,-5\n27.495,20,-5\n40,7.495,-5\n",
         );
         for (order, code) in [(format!("x,y,z\n{a}{b}"), 11), (format!("x,y,z\n{b}{a}"), 14)] {
             let files = [("a.h", two.as_str()), ("c.csv", order.as_str())];
