@@ -55,6 +55,8 @@ pub(super) fn beyond(
     let height = if has_height { z - from_z } else { 0.0 };
     let distance = norm([x - from_x, y - from_y, height]);
     let allowed = touch.longest + set_up.to_mm_f64();
+    // What is too far away to be a length is refused by the cycle, with its own number.
+    Length::from_mm_f64(distance).ok()?;
     (allowed < distance).then(|| NoContact::BeyondTravel {
         number,
         distance: to_a_hundredth(distance),
