@@ -178,7 +178,10 @@ pub(super) fn pairs_ui(
 ) {
     for row in fields.chunks(2) {
         let grid = Grid::new(("fields", row.first().map(|(field, ..)| *field))).num_columns(2).min_row_height(0.0);
-        grid.min_col_width(pairs.column).spacing(vec2(space(2.0), space(0.5))).show(ui, |ui| {
+        // A long name has two lines: the fields stay beside each other.
+        let most = ((ui.available_width() - space(2.0)) / 2.0).max(pairs.column);
+        let grid = grid.min_col_width(pairs.column).max_col_width(most).spacing(vec2(space(2.0), space(0.5)));
+        grid.show(ui, |ui| {
             let names: Vec<_> = row.iter().map(|(_, name, _)| quiet(ui, name).id).collect();
             ui.end_row();
             for ((field, _, unit), name) in row.iter().zip(names) {

@@ -132,8 +132,13 @@ pub fn unfold(harness: &mut Harness<'_, App>, section: &str) {
         is_it && node.role() == Role::Button && node.toggled() == Some(Toggled::False)
     });
     if let Some(row) = row {
+        let focused = harness.ctx.memory(eframe::egui::Memory::focused);
         row.click_accesskit();
         harness.run();
+        // Tests go on where they were, and not behind the part.
+        if let Some(focused) = focused {
+            harness.ctx.memory_mut(|memory| memory.request_focus(focused));
+        }
     }
 }
 

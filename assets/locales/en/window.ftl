@@ -341,10 +341,10 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rows refused
 }
 import-counted = { $file }. { $counts }
-import-counts = { status-good } { $good }, { status-rework } { $rework }{ $again ->
+import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
-   *[other] , { status-re-measure } { $again }
-}, { status-scrap } { $scrap }
+   *[other] , { $is-again } { $again }
+}, { $is-scrap } { $scrap }
 notice-show = Show
 sample-not-recorded = A sample is not recorded.
 limits-own-first = First from own tables: { $names }

@@ -341,10 +341,10 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rijen geweigerd
 }
 import-counted = { $file }. { $counts }
-import-counts = { status-good } { $good }, { status-rework } { $rework }{ $again ->
+import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
-   *[other] , { status-re-measure } { $again }
-}, { status-scrap } { $scrap }
+   *[other] , { $is-again } { $again }
+}, { $is-scrap } { $scrap }
 notice-show = Tonen
 sample-not-recorded = Een voorbeeld wordt niet vastgelegd.
 limits-own-first = Eerst uit eigen tabellen: { $names }

@@ -126,7 +126,10 @@ fn counts(records: &[Record]) -> Option<Message> {
     let count = |status| records.iter().filter(|record| record.verdict.status() == status).count();
     let [good, rework, again, scrap] = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].map(count);
     let counts = message!("import-counts").count("good", good).count("rework", rework).count("again", again);
-    (1 < records.len()).then(|| counts.count("scrap", scrap))
+    let words = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].map(|status| status.message());
+    let [is_good, is_rework, is_again, is_scrap] = words;
+    let counts = counts.count("scrap", scrap).message("is-good", is_good).message("is-rework", is_rework);
+    (1 < records.len()).then(|| counts.message("is-again", is_again).message("is-scrap", is_scrap))
 }
 
 /// The notice about an imported file: how many checks, and every row that could not be used.
