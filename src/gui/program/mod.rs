@@ -106,9 +106,9 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             if has_card {
                 bar_ui(ui, view, Side::Bottom, "program-create", create_panel::card_ui);
             }
-            // The parameters keep a share of the height whatever is above them.
+            // The parameters keep a share of the height whatever is above them, before and after a result.
             let height = ui.available_height();
-            let sizes = ((height * 0.4).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
+            let sizes = ((size.y * 0.26).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
             panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
             // On the parameters, so that it stays where it is whatever a run finds.
             if !has_card && !low {
