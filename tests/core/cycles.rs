@@ -214,12 +214,12 @@ fn a_touch_that_meets_nothing_stops_the_cycle() {
         "contact 2: the probe met nothing on the probing path"
     );
     check(421, "", 19.0, "contact 1: the probing path begins inside the material");
-    let mut recorded = Recorded::new(vec![Contact { x: 0.0, y: 0.0, z: 0.0 }; 3]);
+    let mut recorded = Recorded::new(vec![Contact { x: 62.5, y: 20.0, z: -5.0 }; 3]);
     assert_eq!(run(hole(), "", &mut recorded).unwrap_err(), "contact 4: the file has only 3 contacts");
-    let mut same = Recorded::new(vec![Contact { x: 1.0, y: 2.0, z: 0.0 }; 4]);
+    let mut same = Recorded::new(vec![Contact { x: 62.5, y: 20.0, z: -5.0 }; 4]);
     assert_eq!(
         run(hole(), "", &mut same).unwrap_err(),
-        "contacts 1 and 2 coincide at x = 1, y = 2: a circle needs 3 different points"
+        "contacts 1 and 2 coincide at x = 62.5, y = 20: a circle needs 3 different points"
     );
 }
 

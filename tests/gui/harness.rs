@@ -138,6 +138,7 @@ pub fn unfold(harness: &mut Harness<'_, App>, section: &str) {
         // Tests go on where they were, and not behind the part.
         if let Some(focused) = focused {
             harness.ctx.memory_mut(|memory| memory.request_focus(focused));
+            harness.run();
         }
     }
 }

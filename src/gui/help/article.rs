@@ -6,7 +6,7 @@ use eframe::egui::{Align, Frame, Id, Label, Margin, Rect, RichText, ScrollArea, 
 
 use super::grid::table_ui;
 use super::sheet::sheet_ui;
-use super::text::{append, spans_ui};
+use super::text::{append, mark_shape, spans_ui};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet, remembered};
 use crate::session::help::{Block, CONTENTS, HelpMark, HelpTopic, HelpWords, ManualPage, Marker, Sample, Span};
@@ -121,11 +121,6 @@ fn block_ui(ui: &mut Ui, view: &mut View<'_>, block: &Block, (look, mark): (bool
             ui.scroll_to_rect(rect, Some(Align::Center));
         }
     }
-}
-
-/// The ground of what was found.
-pub(super) fn mark_shape(ui: &Ui, rect: Rect) -> Shape {
-    Shape::rect_filled(rect.expand2(vec2(space(1.5), space(0.5))), 4.0, palette(ui.ctx()).tint.0)
 }
 
 fn heading_ui(ui: &mut Ui, view: &View<'_>, (level, anchor): (usize, &str), spans: &[Span], look: bool) {

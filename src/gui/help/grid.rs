@@ -3,7 +3,7 @@
 
 use eframe::egui::{Layout, Rect, Shape, Ui, vec2};
 
-use super::article::mark_shape;
+use super::text::mark_shape;
 use super::text::{job, spans_ui};
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{CursorIcon, FontId, Galley, Label, Rect, Sense, Stroke, Ui, WidgetInfo, pos2};
+use eframe::egui::{CursorIcon, FontId, Galley, Label, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 
-use crate::gui::theme::{self, palette, sizes};
+use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::session::HelpCommand;
 use crate::session::help::{HelpPlace, HelpWords, Span};
@@ -124,4 +124,9 @@ fn font(span: &Span) -> FontId {
         Span { is_bold: true, .. } => theme::bold(sizes().body),
         _ => theme::font(sizes().body),
     }
+}
+
+/// The ground of what was found.
+pub(super) fn mark_shape(ui: &Ui, rect: Rect) -> Shape {
+    Shape::rect_filled(rect.expand2(vec2(space(1.5), space(0.5))), 4.0, palette(ui.ctx()).tint.0)
 }
