@@ -17,6 +17,7 @@ use super::room::is_low;
 use super::section;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet, remembered};
+use crate::session::{CheckField, WalkField};
 use crate::session::{Command, Field, FieldPlace, Session};
 
 /// How a field looks.
@@ -124,7 +125,21 @@ pub(super) fn field_ui(
         view.send(Command::Enter(field));
         response.request_focus();
     }
-    if entered || is_entered(ui, &response) {
+    // What stands there was judged or refused: a click replaces it as the first one does, until something is typed.
+    let edited = id.with("edited");
+    if response.changed() {
+        ui.data_mut(|data| data.insert_temp(edited, true));
+    } else if entered {
+        ui.data_mut(|data| data.insert_temp(edited, false));
+    }
+    let has_selection = || {
+        let range = TextEditState::load(ui.ctx(), id).and_then(|state| state.cursor.char_range());
+        range.is_some_and(|range| !range.is_empty())
+    };
+    let is_measured =
+        [CheckField::Callout.into(), CheckField::Measured.into(), WalkField::Value.into()].contains(&field);
+    let is_clicked_again = is_measured && response.clicked() && !remembered::<bool>(ui, edited) && !has_selection();
+    if entered || is_clicked_again || is_entered(ui, &response) {
         select_all(ui.ctx(), id, &text);
     }
     if let Some(error) = view.session.error(field) {

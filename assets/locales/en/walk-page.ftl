@@ -17,6 +17,10 @@ walk-page-watch = Watch a folder…
 walk-page-watch-hint = Files dropped into the folder are judged by the plan and recorded, each one once
 walk-page-watch-stop = Stop watching
 walk-page-dialog-watch = Watch a folder
+walk-page-begin-warned = { $count ->
+    [one] 1 size of this part has neither a value nor a reason. Press it again to end this part.
+   *[other] { $count } sizes of this part have neither a value nor a reason. Press it again to end this part.
+}
 walk-page-no-plan = No plan yet: open one, or create one in the Plan view.
 walk-page-plan-wrong = { $count ->
         [one] The plan has a fault: see the Plan view.

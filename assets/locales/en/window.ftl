@@ -435,6 +435,7 @@ tables-add-columns = Add to this table
 tables-up-to = Sizes up to
 tables-make = New table
 tables-order = upper deviation { $upper } µm is below lower deviation { $lower } µm
+tables-used-edited = { $name } gives the limits: checks use the change from now on
 tables-used = Limits are looked up in { $name } first, until the window is closed. To keep using it, save it in the folder of own tables.
 tables-read-with-warnings = { $name } was read with warnings
 tables-nothing-read = The file holds no table of deviations

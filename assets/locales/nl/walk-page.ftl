@@ -17,6 +17,10 @@ walk-page-watch = Map bewaken…
 walk-page-watch-hint = Bestanden die in de map worden gezet, worden met het plan beoordeeld en vastgelegd, elk één keer
 walk-page-watch-stop = Bewaken stoppen
 walk-page-dialog-watch = Map bewaken
+walk-page-begin-warned = { $count ->
+    [one] 1 maat van dit onderdeel heeft geen waarde en geen reden. Druk nog eens om dit onderdeel te beëindigen.
+   *[other] { $count } maten van dit onderdeel hebben geen waarde en geen reden. Druk nog eens om dit onderdeel te beëindigen.
+}
 walk-page-no-plan = Nog geen plan: open er een, of maak er een in de weergave Plan.
 walk-page-plan-wrong = { $count ->
         [one] Het plan heeft een fout: zie de weergave Plan.

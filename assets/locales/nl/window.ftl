@@ -435,6 +435,7 @@ tables-add-columns = Aan deze tabel toevoegen
 tables-up-to = Maten tot en met
 tables-make = Nieuwe tabel
 tables-order = bovenafwijking { $upper } µm ligt onder onderafwijking { $lower } µm
+tables-used-edited = { $name } geeft de grensmaten: controles gebruiken de wijziging vanaf nu
 tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt gesloten. Sla de tabel op in de map met eigen tabellen om die te blijven gebruiken.
 tables-read-with-warnings = { $name } is gelezen met waarschuwingen
 tables-nothing-read = Het bestand bevat geen tabel met afwijkingen

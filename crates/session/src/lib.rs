@@ -205,12 +205,14 @@ macro_rules! session {
             pub palette: Option<Palette>,
             /// How often it asked the journal.
             palette_runs: u64,
+            /// Whether what is done now was chosen in it.
+            by_palette: bool,
         }
 
         impl Session {
             /// Every page as it was left.
             fn with_pages(saved: &Saved, shared: Shared) -> Self {
-                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), palette: None, palette_runs: 0, shared }
+                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), palette: None, palette_runs: 0, by_palette: false, shared }
             }
 
             /// Adds what every page keeps.
@@ -439,8 +441,12 @@ impl Session {
             Command::Tools(command) => shared.apply_tools(command),
             Command::Palette(command) => {
                 let (commands, asked) = self.apply_palette(command);
-                let effects = commands.into_iter().flat_map(|command| self.apply(command, now));
-                return effects.chain(asked).collect();
+                // A setting that changes away from its page is told, with a way back.
+                self.by_palette = true;
+                let mut effects: Vec<_> = commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
+                self.by_palette = false;
+                effects.extend(asked);
+                return effects;
             }
             Command::OpenPage(page) => shared.open(page),
             Command::GoTo(field) => return vec![Effect::Focus(field)],

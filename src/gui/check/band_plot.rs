@@ -250,6 +250,7 @@ impl Drawing<'_> {
     /// A dimension line between two places with its number in the middle, on a ground; without arrows where there is no room.
     fn dimension(&self, from: f32, to: f32, y: f32, text: &str, ground: Color32) {
         let colour = self.palette.zone_edge.0;
+        let has_number = !text.is_empty();
         let stroke = Stroke::new(1.5, colour);
         let (left, right) = (from.min(to), from.max(to));
         self.painter.hline(left..=right, y, stroke);
@@ -262,8 +263,10 @@ impl Drawing<'_> {
         }
         let galley = self.painter.layout_no_wrap(text.to_owned(), theme::bold(sizes().small), colour);
         let rect = Align2::CENTER_CENTER.anchor_size(pos2(f32::midpoint(left, right), y), galley.size());
-        self.painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 2.0, ground);
-        self.painter.galley(rect.min, galley, colour);
+        if has_number {
+            self.painter.rect_filled(rect.expand2(vec2(4.0, 0.0)), 2.0, ground);
+            self.painter.galley(rect.min, galley, colour);
+        }
     }
 
     /// The guard bands: what lies between a limit and where the rule decides.
@@ -330,8 +333,10 @@ impl Drawing<'_> {
             None => None,
         };
         let ground = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), rect).expand2(vec2(6.0, 2.0));
-        // The word gives way to the marker and its distance.
-        let has_marker = marker.is_some_and(|x| rect.x_range().contains(x));
+        // The word gives way to the marker and to a distance that has no room beside it.
+        let zone = self.x(self.band.upper_um) - self.x(self.band.lower_um);
+        let is_near = |x: f32| (rect.distance_to_pos(pos2(x, rect.center().y)) < space(16.0)) && space(4.0) < zone;
+        let has_marker = marker.is_some_and(|x| rect.x_range().contains(x) || is_near(x));
         if galley.size().x + space(5.0) < rect.width() && !has_marker {
             self.painter.rect_filled(ground, 6.0, self.palette.surface.0);
             self.painter.galley(ground.center() - galley.size() / 2.0, galley, self.palette.text.0);
@@ -412,6 +417,8 @@ impl Drawing<'_> {
                 let at = pos2(end + if is_left { -space(3.0) } else { space(3.0) }, y);
                 let galley = self.painter.layout_no_wrap(text, theme::bold(sizes().small), self.palette.text.0);
                 let rect = anchor.anchor_size(at, galley.size());
+                // The line goes on to its number.
+                self.painter.hline(rect.x_range().expand(space(3.0)), y, Stroke::new(1.5, self.palette.zone_edge.0));
                 self.painter.rect_filled(rect.expand2(vec2(4.0, 1.0)), 4.0, self.palette.surface.0);
                 self.painter.galley(rect.min, galley, self.palette.text.0);
             }

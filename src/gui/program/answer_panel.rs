@@ -67,7 +67,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         if let Some(simulated) = &simulated {
             ui.label(RichText::new(simulated).font(theme::bold(sizes().limits)).color(colour));
         }
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(space(9.0), space(9.0)), Sense::hover());
             shapes::status(ui.painter(), rect, status, colour);
             ui.label(RichText::new(&word).font(theme::bold(size)).color(colour));

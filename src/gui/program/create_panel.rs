@@ -1,6 +1,6 @@
-//! Right: the files with which a control measures for itself. A card where there is room, else folded away.
+//! Right: the files with which a control measures for itself. A card where there is room, else a button that shows it over the page.
 
-use eframe::egui::{Id, Label, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Align2, Id, Key, Label, RichText, ScrollArea, Ui, Vec2, Window, vec2};
 
 use crate::gui::section::{self, Section};
 use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
@@ -39,14 +39,25 @@ pub(super) fn section_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// The same as a card of its own, which leaves room for what a run finds.
-pub(super) fn folded_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let most = ui.available_height() * 0.75;
-    let area = ScrollArea::vertical().id_salt("program-create").max_height(most).auto_shrink([false, true]);
-    area.show(ui, |ui| {
-        ui.set_max_width(ui.available_width() - space(2.5));
-        section_ui(ui, view);
+/// A button where there is no room for a card; who presses it, or asks for it by name, has the card over the page.
+pub(super) fn button_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let width = ui.available_width();
+    view.sized_button(ui, ProgramAction::CreateForControl, vec2(width, control(ui)));
+    let is_asked = is_asked(ui, view);
+    let key = Id::unique("program-create-open");
+    let mut is_open = is_asked || ui.data(|data| data.get_temp::<bool>(key)) == Some(true);
+    let size = ui.ctx().content_rect().size();
+    let window =
+        Window::new(view.text(NAME)).id(Id::unique("program-create-window")).collapsible(false).resizable(false);
+    window.anchor(Align2::CENTER_CENTER, Vec2::ZERO).open(&mut is_open).show(ui.ctx(), |ui| {
+        ui.set_width((size.x * 0.9).min(space(110.0)));
+        ScrollArea::vertical().max_height(size.y - space(50.0)).show(ui, |ui| create_ui(ui, view));
     });
+    let has_other = view.session.dialog().is_some() || view.session.palette.is_some();
+    if !is_asked && !has_other && ui.input(|input| input.key_pressed(Key::Escape)) {
+        is_open = false;
+    }
+    ui.data_mut(|data| data.insert_temp(key, is_open));
 }
 
 /// Whether it was asked for since the last frame.

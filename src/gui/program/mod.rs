@@ -112,7 +112,7 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
             // On the parameters, so that it stays where it is whatever a run finds.
             if !has_card && !low {
-                bar_ui(ui, view, Side::Bottom, "program-create", create_panel::folded_ui);
+                bar_ui(ui, view, Side::Bottom, "program-create", create_panel::button_ui);
             }
             rest_ui(ui, view, |ui, view| {
                 column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));

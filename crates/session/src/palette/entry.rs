@@ -11,6 +11,7 @@ use fitcheck_core::words::{Language, Words};
 
 use crate::Session;
 use crate::action::{Action, ActionScope, Shortcut, WindowAction};
+use crate::budget::BudgetAction;
 use crate::check::{CheckCommand, CheckField};
 use crate::command::Command;
 use crate::field::Field;
@@ -18,9 +19,11 @@ use crate::field_table::FieldPlace;
 use crate::files::FilesCommand;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic, topics};
 use crate::page::Page;
+use crate::parts::PartsAction;
 use crate::purpose::Purpose;
 use crate::records::RecordRow;
 use crate::settings_page::setting_of;
+use crate::tables::TablesAction;
 
 /// Under which head an entry stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -100,6 +103,19 @@ impl PaletteEntry {
     /// The action that it does, where it is one.
     pub const fn action(&self) -> Option<Action> {
         if let Subject::Action(action) = &self.subject { Some(*action) } else { None }
+    }
+
+    /// Whether it takes away what somebody has made.
+    pub(super) const fn removes(&self) -> bool {
+        matches!(
+            self.action(),
+            Some(
+                Action::Window(WindowAction::ClearHistory | WindowAction::ForgetRecent | WindowAction::NoOwnTables)
+                    | Action::Tables(TablesAction::RemoveColumn | TablesAction::EmptyCell)
+                    | Action::Parts(PartsAction::EmptyPlanCells | PartsAction::DeletePlanRows)
+                    | Action::Budget(BudgetAction::RemoveContribution)
+            )
+        )
     }
 
     /// The page that it belongs to; `None` where it is a file or belongs to every page.

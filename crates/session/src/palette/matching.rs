@@ -23,7 +23,8 @@ pub(super) fn found(query: &str, all: &[PaletteEntry]) -> Vec<PaletteEntry> {
     let rank_of = |entry: &PaletteEntry| entry.names.iter().filter_map(|name| rank(&query, &words, name)).min();
     let mut found: Vec<_> = all.iter().filter_map(|entry| Some((rank_of(entry)?, entry))).collect();
     // The order of the list decides between equals.
-    found.sort_by_key(|(rank, entry)| (!entry.is_possible, *rank));
+    // Enter never removes anything because its name was the best match.
+    found.sort_by_key(|(rank, entry)| (!entry.is_possible, entry.removes(), *rank));
     let best = |group| found.iter().position(|(_, entry)| entry.group == group).unwrap_or(usize::MAX);
     let mut ordered: Vec<_> = found.iter().map(|(_, entry)| *entry).collect();
     // The group of the best match comes first.

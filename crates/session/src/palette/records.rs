@@ -28,7 +28,8 @@ pub(super) fn question(query: &str, session: &Session) -> Option<Question> {
         Ok(callout) => format!("callout:\"{callout}\""),
         Err(_no_callout) => query.to_owned(),
     };
-    // What is no question finds no record, and may still find everything else.
+    // What is no question finds no record, and may still find everything else. What was corrected or withdrawn is found on its page.
+    let question = format!("{question} standing");
     session.records().read_question(&question, &Words::new(session.language())).ok()
 }
 

@@ -44,7 +44,7 @@ impl Session {
     /// Whether a command changes a setting on the settings page: what has changed is told, and can be taken back. A text that is being typed
     /// is not.
     pub(crate) const fn is_setting(&self, command: &Command) -> bool {
-        let is_here = matches!(self.page(), Page::Settings);
+        let is_here = matches!(self.page(), Page::Settings) || self.by_palette;
         is_here
             && matches!(
                 command,

@@ -26,51 +26,10 @@ impl PageState for TablesPage {
     }
 
     fn apply(&mut self, command: TablesCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
-        // What was typed into the cell is applied before another cell or table is shown. If it cannot be read, the cell
-        // stays selected and its field shows why. Other commands are about the cell itself, or come from a file.
-        let is_pending = self.cell_is_pending(shared);
-        match command {
-            TablesCommand::Type(..)
-            | TablesCommand::RevertCell
-            | TablesCommand::SetCell
-            | TablesCommand::EmptyCell
-            | TablesCommand::TakeStandard
-            | TablesCommand::Read { .. } => {}
-            // Undo discards what was typed last.
-            TablesCommand::Undo | TablesCommand::Redo if is_pending => {
-                self.fill_cell_fields(shared);
-                return Vec::new();
-            }
-            _ if !self.settle_cell(shared) => return Vec::new(),
-            _ => {}
-        }
-        match command {
-            TablesCommand::Type(field, text) => self.type_text(field, text, shared),
-            TablesCommand::Open(TableChoice::Document(number)) => self.show_document(number, shared),
-            TablesCommand::Open(TableChoice::Own(number)) => {
-                if let Some(table) = shared.sources.own().get(number).cloned() {
-                    self.open_table(table.as_ref().clone(), Origin::Own, shared);
-                }
-            }
-            TablesCommand::Read { name, result } => self.table_read(&name, result, shared),
-            TablesCommand::Select(class, range) => self.select(class, range, shared),
-            TablesCommand::Move(step) => self.move_by(step, shared),
-            TablesCommand::NextDifference => self.select_difference(true, shared),
-            TablesCommand::PreviousDifference => self.select_difference(false, shared),
-            TablesCommand::OnlyDifferences(only) => {
-                self.only_differences = only;
-                self.filter_changed(shared);
-            }
-            TablesCommand::SetCell => _ = self.settle_cell(shared),
-            TablesCommand::RevertCell => self.fill_cell_fields(shared),
-            TablesCommand::EmptyCell => self.put_into_cell(None, shared),
-            TablesCommand::TakeStandard => self.take_standard(shared),
-            TablesCommand::Undo => self.step_back(Document::undo, shared),
-            TablesCommand::Redo => self.step_back(Document::redo, shared),
-            TablesCommand::AddColumns => self.add_columns(shared),
-            TablesCommand::RemoveColumn => self.remove_column(shared),
-            TablesCommand::Make => self.make_table(shared),
-            TablesCommand::Use => self.use_shown(shared),
+        let used = self.is_used(&shared.sources);
+        self.obey(command, shared);
+        if used {
+            self.use_edited(shared);
         }
         Vec::new()
     }
@@ -129,5 +88,57 @@ impl TablesPage {
             document.keep_selection();
         }
         self.fill_cell_fields(shared);
+    }
+}
+
+impl TablesPage {
+    /// Does what a command says with the open tables.
+    fn obey(&mut self, command: TablesCommand, shared: &mut Shared) {
+        // What was typed into the cell is applied before another cell or table is shown. If it cannot be read, the cell
+        // stays selected and its field shows why. Other commands are about the cell itself, or come from a file.
+        let is_pending = self.cell_is_pending(shared);
+        match command {
+            TablesCommand::Type(..)
+            | TablesCommand::RevertCell
+            | TablesCommand::SetCell
+            | TablesCommand::EmptyCell
+            | TablesCommand::TakeStandard
+            | TablesCommand::Read { .. } => {}
+            // Undo discards what was typed last.
+            TablesCommand::Undo | TablesCommand::Redo if is_pending => {
+                self.fill_cell_fields(shared);
+                return;
+            }
+            _ if !self.settle_cell(shared) => return,
+            _ => {}
+        }
+        match command {
+            TablesCommand::Type(field, text) => self.type_text(field, text, shared),
+            TablesCommand::Open(TableChoice::Document(number)) => self.show_document(number, shared),
+            TablesCommand::Open(TableChoice::Own(number)) => {
+                if let Some(table) = shared.sources.own().get(number).cloned() {
+                    self.open_table(table.as_ref().clone(), Origin::Own, shared);
+                }
+            }
+            TablesCommand::Read { name, result } => self.table_read(&name, result, shared),
+            TablesCommand::Select(class, range) => self.select(class, range, shared),
+            TablesCommand::Move(step) => self.move_by(step, shared),
+            TablesCommand::NextDifference => self.select_difference(true, shared),
+            TablesCommand::PreviousDifference => self.select_difference(false, shared),
+            TablesCommand::OnlyDifferences(only) => {
+                self.only_differences = only;
+                self.filter_changed(shared);
+            }
+            TablesCommand::SetCell => _ = self.settle_cell(shared),
+            TablesCommand::RevertCell => self.fill_cell_fields(shared),
+            TablesCommand::EmptyCell => self.put_into_cell(None, shared),
+            TablesCommand::TakeStandard => self.take_standard(shared),
+            TablesCommand::Undo => self.step_back(Document::undo, shared),
+            TablesCommand::Redo => self.step_back(Document::redo, shared),
+            TablesCommand::AddColumns => self.add_columns(shared),
+            TablesCommand::RemoveColumn => self.remove_column(shared),
+            TablesCommand::Make => self.make_table(shared),
+            TablesCommand::Use => self.use_shown(shared),
+        }
     }
 }

@@ -7,6 +7,7 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::DeviationTable;
 use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
 
+use super::document::Document;
 use super::{Origin, TablesPage};
 use crate::shared::Shared;
 
@@ -61,15 +62,29 @@ impl TablesPage {
         }
     }
 
+    /// The table that limits come from was edited: they come from what it holds now, never from what it held under the same name.
+    pub(super) fn use_edited(&self, shared: &mut Shared) {
+        let Some(own) = shared.sources.own().first().cloned() else { return };
+        let edited = self.documents.iter().find(|document| document.is_titled(own.name()));
+        if let Some(document) = edited.filter(|document| !document.holds_what(&own)) {
+            Self::use_for_limits(document, "tables-used-edited", shared);
+        }
+    }
+
     /// The shown table becomes the first of the user's own.
     pub(super) fn use_shown(&self, shared: &mut Shared) {
-        let Some(document) = self.shown() else { return };
+        if let Some(document) = self.shown() {
+            Self::use_for_limits(document, "tables-used", shared);
+        }
+    }
+
+    fn use_for_limits(document: &Document, told: &'static str, shared: &mut Shared) {
         let title = document.title.clone();
         let table = Arc::new(renamed(document.table(), &title));
         let others = shared.sources.own().iter().filter(|own| !own.name().eq_ignore_ascii_case(&title)).cloned();
         let own = std::iter::once(table).chain(others).collect::<Vec<_>>();
         let sources = shared.sources.as_ref().clone().with_own(own);
         shared.use_sources(sources);
-        shared.note(message!("tables-used").text("name", title), Vec::new());
+        shared.note(Message::new(told).text("name", title), Vec::new());
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         next_ui(ui, view);
         view.field_button(ui, PartsAction::SizeAgain);
     }
-    if walking.is_warned {
+    if walking.is_warned && !session.parts().asks_which_plan() {
         let missing = walking.standing().missing;
         problem(ui, view.words.say(&message!("walk-page-next-warned").count("count", missing)));
     }
@@ -135,6 +135,11 @@ fn other_plan_ui(ui: &mut Ui, view: &mut View<'_>) {
             view.field_button(ui, PartsAction::BeginByOpenPlan);
             view.field_button(ui, PartsAction::KeepMeasuring);
         });
+        let walking = &view.session.parts().walking;
+        if walking.is_warned {
+            let missing = walking.standing().missing;
+            problem(ui, view.words.say(&message!("walk-page-begin-warned").count("count", missing)));
+        }
     });
 }
 
