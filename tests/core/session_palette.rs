@@ -125,3 +125,26 @@ fn a_recent_file_is_opened_again() {
     assert_eq!(texts(&session), ["lot 7.csv"]);
     assert_eq!(enter(&mut session), [Effect::Read(Purpose::Import, "/parts/lot 7.csv".into())]);
 }
+
+#[test]
+fn the_best_match_never_removes_anything() {
+    for query in ["H7", "remove", "clear", "delete", "empty"] {
+        let mut session = Session::new(Language::En);
+        session.apply(Command::OpenPage(Page::Tables), now());
+        session.apply(PaletteCommand::Show(true).into(), now());
+        session.apply(PaletteCommand::Type(query.to_owned()).into(), now());
+        let found = &session.palette.as_ref().unwrap().found;
+        let first = found.first().map(|entry| entry.text.clone()).unwrap();
+        assert!(!first.starts_with("Remove H7"), "{query}: {first}");
+    }
+}
+
+#[test]
+fn a_rule_that_is_chosen_in_the_palette_is_told_with_a_way_back() {
+    let mut session = searched("14253-1:1998");
+    let before = session.notices().len();
+    enter(&mut session);
+    assert_eq!(session.notices().len(), before + 1);
+    let notice = session.notices().last().unwrap();
+    assert!(notice.before.is_some(), "{notice:?}");
+}

@@ -494,3 +494,20 @@ fn closing_the_window_with_unsaved_changes_asks_first() {
     page.run();
     assert!(!close(&mut page).contains(&ViewportCommand::CancelClose), "asked once, answered once");
 }
+
+#[test]
+fn limits_follow_an_edit_of_the_table_that_gives_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = shop(folder.path());
+    more(&mut page);
+    press(&mut page, "Use this table for limits");
+    press(&mut page, "Close");
+    choose(&mut page, "JS7, over 18 up to 30 mm");
+    type_into(&mut page, "Upper", "12");
+    key(&mut page, Modifiers::NONE, Key::Enter);
+    page.get_by_label_contains("gives the limits: checks use the change from now on");
+    let session = page.state().session();
+    let limits = session.sources().limits(&"25 JS7".parse().unwrap(), None).unwrap();
+    assert_eq!(limits.maximum().to_string(), "25.012");
+    assert!(session.tables().is_used(session.sources()), "the table in sight is the one that limits come from");
+}

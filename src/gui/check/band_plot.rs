@@ -418,7 +418,7 @@ impl Drawing<'_> {
                 let galley = self.painter.layout_no_wrap(text, theme::bold(sizes().small), self.palette.text.0);
                 let rect = anchor.anchor_size(at, galley.size());
                 // The line goes on to its number.
-                self.painter.hline(rect.x_range().expand(space(3.0)), y, Stroke::new(1.5, self.palette.zone_edge.0));
+                self.painter.hline(end.min(at.x)..=end.max(at.x), y, Stroke::new(1.5, self.palette.zone_edge.0));
                 self.painter.rect_filled(rect.expand2(vec2(4.0, 1.0)), 4.0, self.palette.surface.0);
                 self.painter.galley(rect.min, galley, self.palette.text.0);
             }
