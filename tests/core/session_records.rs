@@ -758,8 +758,8 @@ fn a_check_that_could_not_be_written_is_not_written_after_undo() {
 #[test]
 fn undo_of_a_long_import_withdraws_its_records_as_one_batch() {
     let mut session = recording();
-    let rows: String = (0..600).map(|at| format!("B{at},25 H7,25.01\n")).collect();
-    let rows = format!("id,callout,measured\n{rows}");
+    let rows: Vec<_> = (0..600).map(|at| format!("B{at},25 H7,25.01")).collect();
+    let rows = format!("id,callout,measured\n{}\n", rows.join("\n"));
     let result = Ok(Box::new(fitcheck::exchange::import("lot.csv", rows.as_bytes(), session.sources(), now())));
     let (run, entries) = kept(&send(&mut session, CheckCommand::Imported { name: "lot.csv".to_owned(), result }));
     let heads = |from: u64| (from..from + 600).map(head).collect();

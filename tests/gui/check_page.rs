@@ -412,7 +412,7 @@ fn enter_in_the_callout_leads_to_the_value() {
 fn the_field_of_the_value_stands_still_whatever_the_callout_says() {
     let mut window = window();
     let top = |window: &Harness<'_, App>| {
-        window.get_by_role_and_label(Role::TextInput, "Measured value").rect().top().round()
+        format!("{:.0}", window.get_by_role_and_label(Role::TextInput, "Measured value").rect().top())
     };
     let first = top(&window);
     for callout in ["25 H7", "20 h6", "18 ±0.02", "25 Q99", ""] {

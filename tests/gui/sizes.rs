@@ -153,7 +153,8 @@ fn paint(window: &mut Harness<'_, App>, name: &str) {
     let Ok(folder) = std::env::var("PICTURES") else { return };
     let points = window.ctx.content_rect().size();
     let pixels = points * window.ctx.zoom_factor();
-    let is_usual = window.ctx.zoom_factor() == if pixels.x < 3000.0 { 1.0 } else { 2.0 };
+    let usual = if pixels.x < 3000.0 { 1.0 } else { 2.0 };
+    let is_usual = (window.ctx.zoom_factor() - usual).abs() < 0.01;
     let is_longest = window.state().session().language().code() == LONGEST;
     if !is_longest || !is_usual || !PICTURED.contains(&(pixels.x.round(), pixels.y.round())) {
         return;

@@ -102,7 +102,7 @@ mod zoom;
 use std::path::Path;
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, message};
+use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
 pub use action::{Action, WindowAction, WorkpieceAction};
@@ -494,14 +494,7 @@ impl Session {
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
             Command::SettingsRead { path, result } => return self.settings_read(&path, result, now),
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
-            Command::UseSource(base) => {
-                let sources = shared.sources.as_ref().clone().with_base(base, shipped_tables);
-                let names: Vec<_> = sources.own().iter().map(|table| table.name()).collect();
-                if !names.is_empty() {
-                    shared.note(message!("limits-own-stay").text("names", names.join(", ")), Vec::new());
-                }
-                shared.use_sources(sources);
-            }
+            Command::UseSource(base) => shared.use_base(base),
             Command::SetStandard(options) => {
                 let sources = shared.sources.as_ref().clone().with_options(options);
                 shared.use_sources(sources);

@@ -8,14 +8,15 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::tolerance::fit::materials::Materials;
-use fitcheck_core::tolerance::{Absent, Sources};
+use fitcheck_core::tolerance::{Absent, Base, Sources};
 use fitcheck_core::words::{Dialogue, Language, Words};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_exchange::journal::query::RecordId;
 use fitcheck_nc::control::mask::Mask;
+use fitcheck_nc::control::shipped_tables;
 use fitcheck_nc::machine::{NcPath, Store};
 
 use super::budget::OpenBudget;
@@ -317,6 +318,16 @@ impl Shared {
     }
 
     /// Looks limits up in other sources.
+    /// Another base is asked after the own tables; where there are some, that is said.
+    pub fn use_base(&mut self, base: Base) {
+        let sources = self.sources.as_ref().clone().with_base(base, shipped_tables);
+        let names: Vec<_> = sources.own().iter().map(|table| table.name()).collect();
+        if !names.is_empty() {
+            self.note(message!("limits-own-stay").text("names", names.join(", ")), Vec::new());
+        }
+        self.use_sources(sources);
+    }
+
     pub fn use_sources(&mut self, sources: Sources) {
         self.sources = Arc::new(sources);
         self.spread(News::Sources);

@@ -21,7 +21,7 @@ const TEMPERATURE: Place = ("temperature.md", "temperature-on-the-check-page");
 pub(super) fn of_field(field: Field) -> Option<HelpPlace> {
     let (file, heading) = match field {
         Field::Check(field) => of_check(field)?,
-        Field::Records(field) => of_records(field)?,
+        Field::Records(field) => of_records(field),
         Field::Parts(PartsField::Walk(_)) => ("parts.md", "measure-a-part-feature-by-feature"),
         Field::Parts(PartsField::Plan(PlanField::Head(field))) => match field {
             HeadField::Rule => RULE,
@@ -52,13 +52,13 @@ const fn of_check(field: CheckField) -> Option<Place> {
     })
 }
 
-const fn of_records(field: RecordsField) -> Option<Place> {
-    Some(match field {
+const fn of_records(field: RecordsField) -> Place {
+    match field {
         RecordsField::Question | RecordsField::Filter => ("records.md", "the-records-page"),
         RecordsField::Who => RECORDED,
         RecordsField::Server => ("shop-server.md", "add-stations-and-readers"),
         _ => CORRECTED,
-    })
+    }
 }
 
 /// The place about a part of a page that folds away, by its name.

@@ -130,7 +130,7 @@ fn row_ui<K: Copy + Debug + Hash>(
                 is_cut |= text_in(ui.painter(), room.shrink2(vec2(PAD, 0.0)), text, look, (column.kind, Some(sign)));
             }
             (Some(room), Cell::Found { name, line }) => {
-                found_ui(ui.painter(), room.shrink2(vec2(PAD, 0.0)), name, line)
+                found_ui(ui.painter(), room.shrink2(vec2(PAD, 0.0)), name, line);
             }
             (Some(room), Cell::Verdict { status, is_simulated, word, beside }) => {
                 let colours = colours(palette, *status, *is_simulated);

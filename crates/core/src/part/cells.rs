@@ -75,7 +75,7 @@ impl KindCells<'_> {
             {
                 let given = word.to_owned();
                 let text = callout.to_string();
-                let fault = PlanFault::OtherSide { given, column: "callout", text, side: other.word() };
+                let fault = PlanFault::OtherSide { given, column: "callout", text, side: other };
                 faults.push((Column::Kind, fault));
             }
             return (kind, faults);

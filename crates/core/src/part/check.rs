@@ -282,7 +282,7 @@ impl Reader<'_> {
         let Some(of_kind) = side_of(word).filter(|_| kind.is_some()) else { return side };
         if let Some(other) = side.filter(|side| *side != of_kind) {
             let (given, text) = (beginning(word), other.word().to_owned());
-            let what = PlanFault::OtherSide { given, column: "feature", text, side: other.word() };
+            let what = PlanFault::OtherSide { given, column: "feature", text, side: other };
             self.fault(Column::Kind, what);
         }
         // The letters of a callout that says the other one have their fault already.

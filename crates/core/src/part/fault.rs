@@ -5,7 +5,7 @@ use crate::message::{Located, Message, Say};
 use crate::probing::cycle::CycleError;
 use crate::tolerance::fit::materials::MaterialsError;
 use crate::tolerance::fit::thermal::ThermalError;
-use crate::tolerance::{Callout, CalloutError, CalloutErrorKind, LimitsError};
+use crate::tolerance::{Callout, CalloutError, CalloutErrorKind, Feature, LimitsError};
 use crate::verdict::rules::{RuleError, UncertaintyError};
 
 /// What is wrong with a plan, with the place in its file.
@@ -132,7 +132,7 @@ pub enum PlanFault {
         /// What it has.
         text: String,
         /// Of what that is.
-        side: &'static str,
+        side: Feature,
     },
     /// A column that a kind of feature does not have.
     NotOf {

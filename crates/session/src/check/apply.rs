@@ -111,16 +111,7 @@ impl PageState for CheckPage {
                 let copied = shared.history.apply(command, || Words::new(language).with_decimal_sign(sign));
                 return copied.map(Effect::Copy).into_iter().collect();
             }
-            CheckCommand::ClearHistory => {
-                let stay = shared.recording.has_any(&shared.history.ids()).then(|| message!("records-page-stay"));
-                let count = shared.history.clear();
-                if 0 < count {
-                    self.clear(&shared.sources);
-                    let message = message!("history-cleared").count("count", count);
-                    shared.note(message, stay.into_iter().collect());
-                    shared.note_change();
-                }
-            }
+            CheckCommand::ClearHistory => self.clear_history(shared),
             CheckCommand::Undo => self.undo(shared),
             CheckCommand::Imported { name, result } => self.imported(&name, result, shared, now),
             CheckCommand::Rows(command) => return self.apply_rows(command, shared, now),
@@ -219,6 +210,18 @@ impl CheckPage {
     /// Lists what the filter says in the language of the window.
     fn filter(&self, shared: &mut Shared) {
         shared.history.filter(self.text(CheckField::HistoryFilter), &shared.words());
+    }
+
+    /// Empties the history; what is recorded stays in the journal, and undo brings the checks back.
+    fn clear_history(&mut self, shared: &mut Shared) {
+        let stay = shared.recording.has_any(&shared.history.ids()).then(|| message!("records-page-stay"));
+        let count = shared.history.clear();
+        if 0 < count {
+            self.clear(&shared.sources);
+            let message = message!("history-cleared").count("count", count);
+            shared.note(message, stay.into_iter().collect());
+            shared.note_change();
+        }
     }
 
     /// Undoes the last change of the history, and closes the notice that tells of it. Where the list is not in sight, a

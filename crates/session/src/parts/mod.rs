@@ -144,7 +144,7 @@ impl PartsPage {
     /// The names of the plan by which the part is measured and of the one that is open.
     pub fn both_plans(&self) -> [String; 2] {
         let part = |plan: Option<&Arc<Plan>>| plan.map_or_else(String::new, |plan| plan.head.part.clone());
-        let own = self.walking.path.as_deref().map(name_of).unwrap_or_else(|| part(self.walking.plan.as_ref()));
+        let own = self.walking.path.as_deref().map_or_else(|| part(self.walking.plan.as_ref()), name_of);
         let open = if self.document.path().is_some() { String::new() } else { part(self.document.plan()) };
         [own, if open.is_empty() { self.document.name() } else { open }]
     }

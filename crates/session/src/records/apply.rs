@@ -1,6 +1,7 @@
 //! How commands and news change the records page, and what the journal answers.
 
 use std::ops::Range;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
@@ -32,11 +33,7 @@ impl PageState for RecordsPage {
             RecordsCommand::Type(field, text) => self.type_text(field, text, shared),
             RecordsCommand::Begin { usual, station, zone } => {
                 self.zone = Some(zone);
-                shared.recording.begin(usual, station);
-                if shared.recording.is_on() {
-                    shared.history.leave_room(RESTORED);
-                }
-                shared.spread(News::Journal);
+                begin(usual, station, shared);
             }
             RecordsCommand::Opened(result) => self.journal_opened(result, shared),
             RecordsCommand::Kept { run, result } => self.kept(run, result, shared),
@@ -339,4 +336,13 @@ fn standing(row: &RecordRow) -> Option<(u64, Arc<Record>)> {
         }
         Checked::Cycle(_) => None,
     }
+}
+
+/// Recording begins; the history keeps room for what is restored.
+fn begin(usual: Option<PathBuf>, station: String, shared: &mut Shared) {
+    shared.recording.begin(usual, station);
+    if shared.recording.is_on() {
+        shared.history.leave_room(RESTORED);
+    }
+    shared.spread(News::Journal);
 }

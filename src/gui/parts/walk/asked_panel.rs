@@ -250,7 +250,8 @@ fn next_size_ui(ui: &mut Ui, view: &View<'_>, asked: &Size<'_>) {
         next_text(view, asked)
     } else {
         let next = walking.at.and_then(|at| walking.walk.next(at + 1));
-        next.and_then(|at| walking.with_row(at, |row| next_text(view, row.size))).unwrap_or_else(String::new)
+        let text = next.and_then(|at| walking.with_row(at, |row| next_text(view, row.size)));
+        text.into_iter().collect()
     };
     let height = galley(text.clone()).size().y.max(line);
     let row = vec2(ui.available_width(), height);
