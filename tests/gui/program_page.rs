@@ -14,7 +14,7 @@ use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
-use crate::harness::{DESK, Window, scan, type_into, unfold};
+use crate::harness::{DESK, Window, scan, type_into};
 use crate::pictures::can_paint;
 
 type Harnessed = Harness<'static, App>;
@@ -731,7 +731,7 @@ fn a_set_for_a_control_is_created_from_the_open_plan_or_says_what_is_wrong_with_
     put(&plan, "name;callout;x;y;z\nA1;25 H7;40;30;-8\nA2;20 g6;90;30;-8\n");
     let files = vec![(fitcheck::session::Purpose::OpenPlan, plan)];
     let mut page = open(Window { files, ..Window::default() });
-    unfold(&mut page, "Create for a control");
+    click(&mut page, Role::Button, "Create for a control…");
     page.get_by(|node| {
         node.role() == Role::ComboBox && node.value().is_some_and(|v| v == "Plan flange.csv, 2 features")
     });
