@@ -235,7 +235,7 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
                 view.field_button(ui, PartsAction::NextPart);
             }
             view.more_ui(ui, |ui, view| {
-                for action in [PartsAction::ImportValuesColumns, PartsAction::WatchFolder, PartsAction::StopWatch] {
+                for action in [PartsAction::ImportValuesColumns, PartsAction::WatchFolder] {
                     view.menu_item(ui, action);
                 }
             });

@@ -113,7 +113,6 @@ pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
         least,
         answer: |ui, view| {
             answer_panel::answer_ui(ui, view);
-            ui.separator();
             watch_panel::watch_ui(ui, view);
         },
     };

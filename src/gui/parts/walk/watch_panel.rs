@@ -6,18 +6,23 @@ use crate::gui::theme::space;
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
-use crate::session::MaskChoice;
 use crate::session::parts::TakenFile;
+use crate::session::{MaskChoice, PartsAction};
 
 /// How many files are shown.
 const MOST: usize = 50;
 
-pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
+pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let watched = &session.parts().watched;
+    if watched.folder.is_none() && watched.count == 0 && watched.trouble.is_none() {
+        return;
+    }
+    ui.separator();
     heading(ui, view.text("walk-page-watched"));
     if let Some(folder) = watched.folder.as_deref() {
         ui.label(folder.display().to_string());
+        view.field_button(ui, PartsAction::StopWatch);
         if let Some(name) = session.parts().watched_plan() {
             quiet(ui, view.words.say(&message!("walk-page-judged-by-plan").text("name", name)));
         }
