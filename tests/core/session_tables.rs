@@ -328,7 +328,7 @@ fn a_table_saved_while_another_one_is_shown_is_the_one_that_was_saved() {
 }
 
 #[test]
-fn a_used_table_comes_first_and_its_later_edits_count_only_when_it_is_used_again() {
+fn a_used_table_comes_first_and_its_later_edits_count_at_once() {
     let mut session = session();
     type_text(&mut session, CheckField::Callout, "25 H7");
     made(&mut session, "H7", "30");
@@ -339,9 +339,10 @@ fn a_used_table_comes_first_and_its_later_edits_count_only_when_it_is_used_again
     assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.025", true));
     type_text(&mut session, TablesField::CellUpper, "26");
     send(&mut session, TablesCommand::SetCell);
-    assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.025", false));
-    send(&mut session, TablesCommand::Use);
-    assert_eq!((maximum(&session).as_str(), session.sources().own().len()), ("25.026", 1));
+    // A record would name the table: it must be the one that is in sight.
+    assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.026", true));
+    send(&mut session, TablesCommand::Undo);
+    assert_eq!((maximum(&session).as_str(), session.sources().own().len()), ("25.025", 1));
     session.apply(Command::NoOwnTables, now());
     assert_eq!((maximum(&session).as_str(), session.tables().is_used(session.sources())), ("25.021", false));
 }

@@ -15,7 +15,8 @@ const MOST: usize = 50;
 pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let watched = &session.parts().watched;
-    if watched.folder.is_none() && watched.count == 0 && watched.trouble.is_none() {
+    let has_mask = matches!(session.mask(), MaskChoice::Own { .. });
+    if watched.folder.is_none() && watched.count == 0 && watched.trouble.is_none() && !has_mask {
         return;
     }
     ui.separator();
