@@ -1,7 +1,6 @@
 //! Right: the windows that the program opens, files that it would write, what was measured.
 
-use eframe::egui::style::ScrollStyle;
-use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, Sense, Ui, vec2};
 
 use super::tools_panel::changes_ui;
 use crate::gui::card::{self, MARGIN};
@@ -144,10 +143,8 @@ fn outputs_ui(ui: &mut Ui, view: &View<'_>, run: &Run) {
         let title = output.path.to_string();
         CollapsingHeader::new(title).id_salt(("output", number)).show_unindented(ui, |ui| {
             let text = RichText::new(output.text.trim_end()).font(theme::mono(sizes().small));
-            // A log is wider than the column, and its figures stand at the right: the bar shows that there is more.
-            ui.spacing_mut().scroll = ScrollStyle::solid();
-            let area = ScrollArea::horizontal().id_salt(("output-text", number)).auto_shrink([false, true]);
-            area.show(ui, |ui| ui.add(Label::new(text).extend().selectable(true)));
+            // A log is wider than the column, and its figures stand at the right: they go to the next line, and are never out of sight.
+            ui.add(Label::new(text).wrap().selectable(true));
         });
     }
 }
