@@ -197,7 +197,9 @@ impl Cycle {
             Ok(inputs) => inputs,
             Err(error) => return (Vec::new(), Err(error)),
         };
-        let mut course = Course::new(prober, inputs.position, inputs.probe().set_up);
+        // The cycle begins so much farther away, and the contact is where it was.
+        let set_up = inputs.probe().set_up.saturating_sub(inputs.length(320).max(Length::ZERO).negated());
+        let mut course = Course::new(prober, inputs.position, set_up);
         let measured = (self.run)(&inputs, &mut course);
         let (path, astray) = course.into_parts();
         let result = measured.map(|measured| {
