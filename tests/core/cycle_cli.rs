@@ -165,7 +165,7 @@ fn recorded_contacts_out_of_the_reach_of_the_probe_are_refused_and_not_judged() 
     assert_eq!(
         refused.err,
         "fitcheck: cycle 421: contact 1 lies 57.17 mm from where its probing begins, and the ball travels at most 52 mm \
-         (DIST or K, plus SET_UP of the touch-probe table): check that these contacts are of this feature, in this order, \
+         (DIST or K, plus SET_UP of the touch-probe table and Q320): check that these contacts are of this feature, in this order, \
          and counted from this zero\n"
     );
 }
