@@ -60,7 +60,7 @@ fn every_missing_contact_has_its_words() {
     check(
         &NoContact::BeyondTravel { number: 1, distance: Length::from_micrometres(56_600), allowed: longest },
         "contact 1 lies 56.6 mm from where its probing begins, and the ball travels at most 2 mm (DIST or K, plus SET_UP of the \
-         touch-probe table): check that these contacts are of this feature, in this order, and counted from this zero",
+         touch-probe table and Q320): check that these contacts are of this feature, in this order, and counted from this zero",
     );
     check(&NoContact::UsedUp { number: 4, available: 3 }, "contact 4: the file has only 3 contacts");
 }

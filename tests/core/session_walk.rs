@@ -601,7 +601,7 @@ fn another_plan_is_asked_about_while_a_part_is_not_finished_and_its_first_part_h
     assert!(session.parts().asks_which_plan());
     assert_eq!(session.parts().both_plans(), ["flange.toml", "cover.toml"]);
     let told = session.notices().iter().map(|notice| said(&notice.message)).collect::<Vec<_>>();
-    assert!(told.iter().any(|told| told.starts_with("A part by flange.toml is not finished")), "{told:?}");
+    assert!(told.iter().any(|told| told.starts_with("A part measured by flange.toml is not finished")), "{told:?}");
     // What is missing of this part is said first.
     act(&mut session, PartsAction::BeginByOpenPlan.into());
     assert!(session.parts().walking.is_begun() && session.parts().walking.is_warned);
