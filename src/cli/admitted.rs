@@ -151,7 +151,8 @@ impl Admits for BudgetWarning {
             | Self::OtherExpansion { .. }
             | Self::OtherTemperature { .. }
             | Self::OfTemplate => true,
-            Self::FewReadings { .. }
+            Self::TemplateFigures { .. }
+            | Self::FewReadings { .. }
             | Self::BiasCorrected { .. }
             | Self::BiasNotCorrected { .. }
             | Self::Recorded { .. } => false,

@@ -108,8 +108,9 @@ impl Args {
         let readings = read.map(|read| read.measured);
         let day = self.date.unwrap_or_else(|| super::now().date());
         let found = Assessment::of(budget, &conditions, readings.as_deref(), day).about(&name)?;
+        beside.warnings.extend(found.budget.template_figures().iter().map(ToString::to_string));
         // Nothing is judged here.
-        for warning in found.warnings() {
+        for warning in found.warnings().into_iter().chain(found.budget.template_figures()) {
             io.tell(said::warning(&warning));
         }
         match self.format {

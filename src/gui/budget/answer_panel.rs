@@ -113,6 +113,10 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
     for warning in found.warnings() {
         problem(ui, view.words.told(&warning));
     }
+    // Figures that may well be true of the station are no problem.
+    if let Some(warning) = found.budget.template_figures() {
+        quiet(ui, view.words.told(&warning));
+    }
 }
 
 fn help_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use jiff::civil::Date;
 
-use super::{Basis, Budget, Contribution};
+use super::{Basis, Budget, BudgetWarning, Contribution};
 
 const TEXT: &str = include_str!("../../../../assets/budget.toml");
 
@@ -31,21 +31,40 @@ impl Budget {
     /// What of the template still stands in it.
     pub fn placeholders(&self) -> Vec<Placeholder> {
         let Some(template) = &*TEMPLATE else { return Vec::new() };
-        let has_its_figures = match (&self.basis, &template.basis) {
-            (Basis::Contributions(own), Basis::Contributions(all)) => {
-                // Another name is no other figure.
-                let is_same = |own: &Contribution, of: &Contribution| {
-                    *of == Contribution { name: of.name.clone(), ..own.clone() }
-                };
-                own.iter().all(|own| all.iter().any(|of| is_same(own, of)))
-            }
-            _ => false,
-        };
         let all = [
             (self.name == template.name, Placeholder::Name),
             (self.by == template.by, Placeholder::By),
-            (has_its_figures, Placeholder::Figures),
+            (self.has_template_figures_only(), Placeholder::Figures),
         ];
         all.into_iter().filter_map(|(stands, what)| stands.then_some(what)).collect()
+    }
+
+    fn has_template_figures_only(&self) -> bool {
+        match &self.basis {
+            Basis::Contributions(own) => self.contributions_of_template().len() == own.len(),
+            Basis::Calibrated(_) => false,
+        }
+    }
+
+    /// Its contributions that have the figures of the template, in their order. Another name is no other figure.
+    fn contributions_of_template(&self) -> Vec<&Contribution> {
+        let template = TEMPLATE.as_ref().map(|template| &template.basis);
+        let (Basis::Contributions(own), Some(Basis::Contributions(all))) = (&self.basis, template) else {
+            return Vec::new();
+        };
+        let is_same =
+            |own: &Contribution, of: &Contribution| *of == Contribution { name: of.name.clone(), ..own.clone() };
+        own.iter().filter(|own| all.iter().any(|of| is_same(own, of))).collect()
+    }
+
+    /// Which of its figures are those of the template, where others are its own: they may be true of the station, too, so
+    /// that nothing but the one who uses the budget can tell.
+    pub fn template_figures(&self) -> Option<BudgetWarning> {
+        let of_template = self.contributions_of_template();
+        if of_template.is_empty() || self.has_template_figures_only() {
+            return None;
+        }
+        let names: Vec<&str> = of_template.into_iter().map(|contribution| contribution.name.as_str()).collect();
+        Some(BudgetWarning::TemplateFigures { contributions: names.join(", ") })
     }
 }

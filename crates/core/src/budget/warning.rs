@@ -54,6 +54,11 @@ pub enum BudgetWarning {
     },
     /// Some of it is what the template says, not the station.
     OfTemplate,
+    /// Some of its figures are those of the template; they can be true of the station, too.
+    TemplateFigures {
+        /// The names of their contributions.
+        contributions: String,
+    },
     /// Fewer readings than ISO 15530-3 asks for.
     FewReadings {
         /// How many there are.
