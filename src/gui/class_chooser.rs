@@ -9,12 +9,12 @@ use crate::session::CheckCommand;
 use crate::tolerance::Feature;
 
 /// The chooser; `name` is what a screen reader says.
-pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id) {
+pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let chosen = view.session.check().asked.callout.and_then(|callout| callout.class());
     let shown = chosen.map_or_else(|| view.text("class-none"), |class| class.to_string());
     let response = ComboBox::from_id_salt("class-chooser")
         .selected_text(shown)
-        .width(space(20.0))
+        .width(width)
         .height(list_height(ui))
         .show_ui(ui, |ui| {
             ui.set_min_width(space(132.0));

@@ -7,7 +7,8 @@ use std::ops::RangeInclusive;
 use eframe::egui::accesskit::{Action, ActionRequest, TreeId};
 use eframe::egui::containers::panel::PanelState;
 use eframe::egui::{
-    AsIdSalt, CentralPanel, Event, EventFilter, Frame, Id, Key, Margin, Memory, Panel, Rect, ScrollArea, Ui, vec2,
+    AsIdSalt, CentralPanel, Event, EventFilter, Frame, Id, Key, Margin, Memory, Panel, Rect, ScrollArea, Sense, Ui,
+    UiBuilder, vec2,
 };
 
 use super::card::{page_card_ui, page_frame};
@@ -21,6 +22,9 @@ const LEAST_ASKED: f32 = 256.0;
 
 /// From this width on a page has three columns.
 pub(super) const THREE: f32 = 900.0;
+
+/// The room of the bar of what scrolls.
+const BAR: f32 = 2.5;
 
 /// Between two cards.
 pub(super) const GAP: i8 = 12;
@@ -348,12 +352,18 @@ pub(super) fn of_height(ui: &mut Ui, height: f32, content: impl FnOnce(&mut Ui))
 /// A column that scrolls where the window is low; the floating bar never covers its content, and the focus is always in
 /// sight.
 pub(super) fn column_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug, content: impl FnOnce(&mut Ui)) {
-    ScrollArea::vertical().id_salt(id).auto_shrink(false).show(ui, |ui| {
-        ui.set_max_width(ui.available_width() - space(2.5));
+    // What scrolls ends where everything else in the card does: its bar stands in the margin, as far as there is one.
+    let rect = ui.available_rect_before_wrap();
+    let beside = (ui.clip_rect().right() - rect.right()).clamp(0.0, space(BAR));
+    let outer = rect.with_max_x(rect.right() + beside);
+    let mut child = ui.new_child(UiBuilder::new().max_rect(outer));
+    ScrollArea::vertical().id_salt(id).auto_shrink(false).show(&mut child, |ui| {
+        ui.set_max_width(rect.width() + beside - space(BAR));
         ui.spacing_mut().item_spacing.y = space(1.0);
         content(ui);
         follow_focus(ui);
     });
+    ui.allocate_rect(rect, Sense::hover());
 }
 
 /// Scrolls to the widget that has just got the focus, if it was just drawn here.

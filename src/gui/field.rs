@@ -8,17 +8,20 @@ use std::ops::Range;
 
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
-use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, Stroke, TextBuffer, TextEdit, Ui, vec2};
+use eframe::egui::{
+    Align, Align2, Atom, AtomExt as _, Context, FontId, Grid, Id, Key, Layout, Response, RichText, Stroke, TextBuffer,
+    TextEdit, Ui, UiBuilder, Vec2, vec2,
+};
 
 use super::field_help::field_help_ui;
 use super::in_turn::hold;
 use super::keypad;
 use super::room::is_low;
 use super::section;
-use super::theme::{self, control, space};
-use super::view::{View, problem, quiet, remembered};
+use super::theme::{self, Icon, control, space};
+use super::view::{View, problem, quiet, quiet_text, remembered};
 use crate::session::{CheckField, WalkField};
-use crate::session::{Command, Field, FieldPlace, Session};
+use crate::session::{Command, Field, FieldPlace, Session, WindowAction};
 
 /// How a field looks.
 pub(super) struct FieldStyle {
@@ -30,6 +33,10 @@ pub(super) struct FieldStyle {
     pub hint: RichText,
     /// The least height in points, where that is more than what everything has that is pressed.
     pub height: f32,
+    /// What stands behind the text, within the field.
+    pub unit: String,
+    /// The room behind that, for what is drawn over the field.
+    pub beside: f32,
 }
 
 impl FieldStyle {
@@ -41,6 +48,8 @@ impl FieldStyle {
             align: Align::RIGHT,
             hint: RichText::default(),
             height: 0.0,
+            unit: String::new(),
+            beside: 0.0,
         }
     }
 
@@ -52,6 +61,8 @@ impl FieldStyle {
             align: Align::LEFT,
             hint: RichText::default(),
             height: 0.0,
+            unit: String::new(),
+            beside: 0.0,
         }
     }
 
@@ -69,6 +80,10 @@ impl FieldStyle {
         Self { font: theme::bold(size), height, ..Self::text(width) }
     }
 
+    pub fn unit(self, unit: impl Into<String>) -> Self {
+        Self { unit: unit.into(), ..self }
+    }
+
     /// A large field of a given width.
     pub fn large(width: f32) -> Self {
         Self {
@@ -77,6 +92,8 @@ impl FieldStyle {
             align: Align::LEFT,
             hint: RichText::default(),
             height: 0.0,
+            unit: String::new(),
+            beside: 0.0,
         }
     }
 }
@@ -106,9 +123,15 @@ pub(super) fn field_ui(
         .id(id)
         .font(look.font)
         .desired_width(look.width)
-        .align(eframe::egui::Align2([look.align, Align::Center]))
+        .align(Align2([look.align, Align::Center]))
         .hint_text(look.hint)
         .min_size(vec2(look.width, control(ui).max(look.height)));
+    if !look.unit.is_empty() {
+        edit = edit.suffix(quiet_text(ui, &look.unit));
+    }
+    if 0.0 < look.beside {
+        edit = edit.suffix(Atom::default().atom_size(vec2(look.beside, 0.0)));
+    }
     if culprit.is_some() {
         edit = edit.layouter(&mut layouter);
     }
@@ -148,8 +171,27 @@ pub(super) fn field_ui(
             node.set_invalid(eframe::egui::accesskit::Invalid::True);
             node.set_description(said.clone());
         });
+    } else if !look.unit.is_empty() {
+        ui.ctx().accesskit_node_builder(id, |node| node.set_description(look.unit));
     }
     field_help_ui(ui, view, field, &response);
+    response
+}
+
+/// The field of a measured value: its unit and the button of the keypad stand within it.
+pub(super) fn with_keypad_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    field: impl Into<Field>,
+    name: Id,
+    look: FieldStyle,
+) -> Response {
+    let button = control(ui);
+    let response = field_ui(ui, view, field, name, FieldStyle { beside: button, ..look.unit("mm") });
+    let place = response.rect.shrink2(vec2(space(1.0), 0.0));
+    let place = Align2::RIGHT_CENTER.align_size_within_rect(Vec2::splat(button), place);
+    let mut over = ui.new_child(UiBuilder::new().max_rect(place).layout(Layout::top_down(Align::Center)));
+    view.icon_toggle(&mut over, WindowAction::Keypad, Icon::Numpad);
     response
 }
 
@@ -174,39 +216,26 @@ fn is_entered(ui: &Ui, response: &Response) -> bool {
     false
 }
 
-/// The layout of the columns of [`pairs_ui`].
-pub(super) struct Pairs<F> {
-    /// The width of a column.
-    pub column: f32,
-    /// The width of a field, by its unit.
-    pub field: F,
-    /// Between a field and its unit.
-    pub gap: f32,
+/// Between two fields of a row.
+const GAP: f32 = 2.0;
+
+/// The width of each of two fields beside each other.
+pub(super) fn half_width(ui: &Ui) -> f32 {
+    (ui.available_width() - space(GAP)) / 2.0
 }
 
-/// Two fields per row, each with its name above it and its unit after it; errors below the row.
-pub(super) fn pairs_ui(
-    ui: &mut Ui,
-    view: &mut View<'_>,
-    pairs: &Pairs<impl Fn(&str) -> f32>,
-    fields: &[(Field, String, &str)],
-) {
+/// Two fields per row, each with its name above it; errors below the row.
+pub(super) fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(Field, String, &str)]) {
+    let width = half_width(ui);
     for row in fields.chunks(2) {
         let grid = Grid::new(("fields", row.first().map(|(field, ..)| *field))).num_columns(2).min_row_height(0.0);
         // A long name has two lines: the fields stay beside each other.
-        let most = ((ui.available_width() - space(2.0)) / 2.0).max(pairs.column);
-        let grid = grid.min_col_width(pairs.column).max_col_width(most).spacing(vec2(space(2.0), space(0.5)));
+        let grid = grid.min_col_width(width).max_col_width(width).spacing(vec2(space(GAP), space(0.5)));
         grid.show(ui, |ui| {
             let names: Vec<_> = row.iter().map(|(_, name, _)| quiet(ui, name).id).collect();
             ui.end_row();
             for ((field, _, unit), name) in row.iter().zip(names) {
-                ui.horizontal(|ui| {
-                    ui.spacing_mut().item_spacing.x = pairs.gap;
-                    field_ui(ui, view, *field, name, FieldStyle::number((pairs.field)(unit)));
-                    if !unit.is_empty() {
-                        quiet(ui, *unit);
-                    }
-                });
+                field_ui(ui, view, *field, name, FieldStyle::number(width).unit(*unit));
             }
             ui.end_row();
         });

@@ -300,7 +300,7 @@ pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     ui.label(text)
 }
 
-fn quiet_text(ui: &Ui, text: impl Into<String>) -> RichText {
+pub(super) fn quiet_text(ui: &Ui, text: impl Into<String>) -> RichText {
     RichText::new(text).color(theme::palette(ui.ctx()).quiet.0).size(theme::sizes().small)
 }
 

@@ -2,8 +2,7 @@
 
 use eframe::egui::Ui;
 
-use crate::gui::field::{Pairs, pairs_ui};
-use crate::gui::theme::space;
+use crate::gui::field::pairs_ui;
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
 use crate::session::BudgetAction;
@@ -20,35 +19,29 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     ui.separator();
     heading(ui, view.text("budget-page-for"));
-    let column = (ui.available_width() - space(2.0)) / 2.0;
-    let pairs = Pairs {
-        column,
-        field: |unit: &str| if unit.is_empty() { column } else { column - space(10.0) },
-        gap: space(1.0),
-    };
     let size = (BudgetField::Size.into(), view.text("budget-page-size"), "mm");
     let day = (BudgetField::Day.into(), view.text("budget-page-day"), "");
     let fields = if asks.size { vec![size, day] } else { vec![day] };
-    pairs_ui(ui, view, &pairs, &fields);
+    pairs_ui(ui, view, &fields);
     if view.session.text(BudgetField::Day).trim().is_empty() {
         let today = view.session.budget().day_shown();
         quiet(ui, view.words.say(&message!("budget-page-day-hint").text("day", today)));
     }
     if asks.contacts {
-        contacts_ui(ui, view, &pairs);
+        contacts_ui(ui, view);
     }
     if asks.readings {
         readings_ui(ui, view);
     }
 }
 
-fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> f32>) {
+fn contacts_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("budget-page-contacts"));
     let fields = [
         (BudgetField::Touches.into(), view.text("budget-page-touches"), ""),
         (BudgetField::Step.into(), view.text("budget-page-step"), "°"),
     ];
-    pairs_ui(ui, view, pairs, &fields);
+    pairs_ui(ui, view, &fields);
     match view.session.budget().contacts.as_ref() {
         Some(taken) => quiet(ui, view.words.say(&taken.of)),
         None => quiet(ui, view.text("budget-page-contacts-hint")),

@@ -5,7 +5,7 @@ use eframe::egui::{Align, ComboBox, Layout, Ui, vec2};
 
 use super::table::law_id;
 use crate::budget::{Basis, Budget, Evaluated, KindName, Law};
-use crate::gui::field::{FieldStyle, Pairs, error_ui, field_ui, pairs_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width, pairs_ui};
 use crate::gui::section::Section;
 use crate::gui::segments::segments_ui;
 use crate::gui::theme::{Icon, space};
@@ -117,7 +117,7 @@ fn unit(row: &WrittenContribution) -> &'static str {
 }
 
 fn fields_ui(ui: &mut Ui, view: &mut View<'_>, row: &WrittenContribution) {
-    let column = (ui.available_width() - space(2.0)) / 2.0;
+    let column = half_width(ui);
     let name = quiet(ui, view.text("budget-row-name"));
     field_ui(ui, view, BudgetField::RowName, name.id, FieldStyle::text(ui.available_width()));
     error_ui(ui, view, BudgetField::RowName);
@@ -128,11 +128,6 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, row: &WrittenContribution) {
     choices_ui(ui, view, ui.available_width(), &[("budget-row-kind", &kinds)]);
     choices_ui(ui, view, column, &[("budget-row-type", &types), ("budget-row-law", &laws)]);
     choices_ui(ui, view, ui.available_width(), &[("budget-row-given", &given)]);
-    let pairs = Pairs {
-        column,
-        field: |unit: &str| if unit.is_empty() { column } else { column - space(11.0) },
-        gap: space(1.0),
-    };
     let value = match BudgetPage::given_as(row) {
         _ if BudgetPage::kind(row) == Some(KindName::Resolution) => "budget-row-resolution",
         Some(GivenAs::Standard) => "budget-given-standard",
@@ -158,7 +153,7 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, row: &WrittenContribution) {
         .filter(|(field, ..)| has(field))
         .map(|(field, name, unit)| (field.into(), view.text(name), unit))
         .collect();
-    pairs_ui(ui, view, &pairs, &fields);
+    pairs_ui(ui, view, &fields);
     ui.add_space(space(1.0));
     view.field_button(ui, BudgetAction::RemoveContribution);
 }

@@ -6,7 +6,7 @@ use super::field_pairs::pairs_ui;
 use crate::gui::check::record_panel::record_ui;
 use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
-use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width, with_keypad_ui};
 use crate::gui::limits::{self, feature_id};
 use crate::gui::room::is_low;
 use crate::gui::section::Section;
@@ -14,7 +14,7 @@ use crate::gui::segments::segments_ui;
 use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
-use crate::session::{CheckAction, WindowAction};
+use crate::session::CheckAction;
 use crate::session::{CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
@@ -119,12 +119,8 @@ fn no_limits_ui(ui: &mut Ui, view: &View<'_>) {
 fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     let name = quiet(ui, view.text("measured-value"));
     let width = ui.available_width();
-    ui.horizontal(|ui| {
-        let unit = space(8.0);
-        let style = FieldStyle::value(ui, width - unit - space(2.0));
-        field_ui(ui, view, CheckField::Measured, name.id, style);
-        quiet(ui, "mm");
-    });
+    let style = FieldStyle::value(ui, width);
+    with_keypad_ui(ui, view, CheckField::Measured, name.id, style);
     if let Some(rect) = features {
         feature_ui(ui, view, rect);
     }
@@ -132,12 +128,7 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     if view.session.check().is_repeated {
         quiet(ui, view.text("measured-once"));
     }
-    ui.horizontal(|ui| {
-        let ways = [MeasureBy::Typing, MeasureBy::Simulating].map(CheckAction::MeasureBy);
-        let width = width - control(ui) - ui.spacing().item_spacing.x;
-        segments_ui(ui, view, &ways, width);
-        view.icon_toggle(ui, WindowAction::Keypad, Icon::Numpad);
-    });
+    segments_ui(ui, view, &[MeasureBy::Typing, MeasureBy::Simulating].map(CheckAction::MeasureBy), width);
     ui.add_space(space(0.5));
     ui.horizontal(|ui| {
         let clear = view.width_of(ui, &[CheckAction::ClearResult]) + ui.spacing().item_spacing.x;
@@ -147,20 +138,16 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
 }
 
 fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
-    Grid::new("size-and-class").num_columns(2).min_row_height(0.0).spacing(vec2(space(3.0), space(0.5))).show(
-        ui,
-        |ui| {
-            let name = quiet(ui, view.text("nominal-size"));
-            let class = quiet(ui, view.text("tolerance-class"));
-            ui.end_row();
-            ui.horizontal(|ui| {
-                field_ui(ui, view, CheckField::Nominal, name.id, FieldStyle::number(space(22.0)));
-                quiet(ui, "mm");
-            });
-            class_chooser_ui(ui, view, class.id);
-            ui.end_row();
-        },
-    );
+    let width = half_width(ui);
+    let grid = Grid::new("size-and-class").num_columns(2).min_row_height(0.0).min_col_width(width);
+    grid.spacing(vec2(ui.available_width() - 2.0 * width, space(0.5))).show(ui, |ui| {
+        let name = quiet(ui, view.text("nominal-size"));
+        let class = quiet(ui, view.text("tolerance-class"));
+        ui.end_row();
+        field_ui(ui, view, CheckField::Nominal, name.id, FieldStyle::number(width).unit("mm"));
+        class_chooser_ui(ui, view, class.id, width);
+        ui.end_row();
+    });
 }
 
 /// The name of what is measured.
@@ -190,7 +177,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
     let value = format!("X {x} Y {y} Z {z}");
     let is_wrong = fields.iter().any(|(field, ..)| view.session.error(*field).is_some());
     Section { icon: Icon::Crosshair, name: "probe-position", value, is_wrong }.show(ui, view, |ui, view| {
-        pairs_ui(ui, view, space(22.0), &fields);
+        pairs_ui(ui, view, &fields);
     });
 }
 
@@ -211,6 +198,6 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
     let section = Section { icon: Icon::Play, name: "simulated-workpiece", value, is_wrong };
     section.show(ui, view, |ui, view| {
         quiet(ui, view.text("simulated-hint"));
-        pairs_ui(ui, view, space(22.0), &fields);
+        pairs_ui(ui, view, &fields);
     });
 }

@@ -1,9 +1,9 @@
 //! Left: what a measured value is worth. The decision rule, the uncertainty, what the process makes; the temperature.
 
-use eframe::egui::{Grid, Ui, vec2};
+use eframe::egui::Ui;
 
 use super::field_pairs::pairs_ui;
-use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width};
 use crate::gui::material::material_ui;
 use crate::gui::section::Section;
 use crate::gui::theme::{Icon, space};
@@ -120,12 +120,7 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
         return;
     }
     let name = if judging.from == UncertaintyFrom::Expanded { "uncertainty-u-expanded" } else { "uncertainty-u" };
-    pairs_ui(
-        ui,
-        view,
-        space(20.0),
-        &[(CheckField::Uncertainty, name, "µm"), (CheckField::Coverage, "coverage-factor", "")],
-    );
+    pairs_ui(ui, view, &[(CheckField::Uncertainty, name, "µm"), (CheckField::Coverage, "coverage-factor", "")]);
     let is_refused = view.session.error(CheckField::Uncertainty).is_some();
     if let Some(awaited) = worth(view).awaits().filter(|_| !is_refused) {
         quiet(ui, view.words.say(awaited));
@@ -159,7 +154,6 @@ fn process_ui(ui: &mut Ui, view: &mut View<'_>) {
     pairs_ui(
         ui,
         view,
-        space(20.0),
         &[(CheckField::ProcessMean, "process-mean", "mm"), (CheckField::ProcessSpread, "process-spread", "µm")],
     );
     if worth(view).wants_uncertainty_for_risks() {
@@ -196,7 +190,7 @@ fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
         ),
     ] {
         let [of_temperature, of_expansion] = names;
-        pairs_ui(ui, view, space(20.0), &[(temperature, of_temperature, "°C"), (expansion, of_expansion, "10⁻⁶/K")]);
+        pairs_ui(ui, view, &[(temperature, of_temperature, "°C"), (expansion, of_expansion, "10⁻⁶/K")]);
         let name = quiet(ui, view.text(material));
         let now = view.session.text(expansion).parse().ok();
         if let Some(taken) = material_ui(ui, view, material, now, (name.id, width * 2.0)) {
@@ -205,13 +199,9 @@ fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// One field with its name above it and its unit after it.
+/// One field with its name above it.
 fn one_ui(ui: &mut Ui, view: &mut View<'_>, (of, name, unit): (CheckField, &str, &str)) {
     let name = quiet(ui, view.text(name));
-    Grid::new(("one-field", of)).num_columns(2).min_row_height(0.0).spacing(vec2(space(2.0), 0.0)).show(ui, |ui| {
-        field_ui(ui, view, of, name.id, FieldStyle::number(space(22.0)));
-        quiet(ui, unit);
-        ui.end_row();
-    });
+    field_ui(ui, view, of, name.id, FieldStyle::number(half_width(ui)).unit(unit));
     error_ui(ui, view, of);
 }

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Grid, Ui, vec2};
 
-use crate::gui::field::{FieldStyle, Pairs, error_ui, field_ui, pairs_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width, pairs_ui};
 use crate::gui::material::material_ui;
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
@@ -21,9 +21,7 @@ pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Two fields beside each other, each with its name above it and its error below.
 pub(super) fn pair_ui(ui: &mut Ui, view: &mut View<'_>, fields: [(FitField, &str, &str); 2]) {
-    let column = (ui.available_width() - space(2.0)) / 2.0;
-    let pairs = Pairs { column, field: |_: &str| column - space(8.0), gap: space(1.0) };
-    pairs_ui(ui, view, &pairs, &fields.map(|(field, name, unit)| (field.into(), view.text(name), unit)));
+    pairs_ui(ui, view, &fields.map(|(field, name, unit)| (field.into(), view.text(name), unit)));
 }
 
 /// The temperature of both parts and their materials.
@@ -31,11 +29,10 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let name = heading(ui, view.text("fit-temperature"));
         ui.spacing_mut().item_spacing.x = space(1.0);
-        field_ui(ui, view, FitField::Temperature, name.id, FieldStyle::number(space(16.0)));
-        quiet(ui, "°C");
+        field_ui(ui, view, FitField::Temperature, name.id, FieldStyle::number(space(20.0)).unit("°C"));
     });
     error_ui(ui, view, FitField::Temperature);
-    let width = (ui.available_width() - space(2.0)) / 2.0;
+    let width = half_width(ui);
     for (part, material, expansion) in [
         (Feature::Hole, "fit-hole-material", "fit-hole-expansion"),
         (Feature::Shaft, "fit-shaft-material", "fit-shaft-expansion"),
@@ -53,7 +50,7 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
                 if let Some(expansion) = material_ui(ui, view, ("fit-material", part), now, (material.id, width)) {
                     view.send(FitCommand::ChooseExpansion(part, expansion));
                 }
-                field_ui(ui, view, FitField::expansion(part), expansion.id, FieldStyle::number(width - space(2.0)));
+                field_ui(ui, view, FitField::expansion(part), expansion.id, FieldStyle::number(width));
                 ui.end_row();
             });
         error_ui(ui, view, FitField::expansion(part));

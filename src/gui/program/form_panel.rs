@@ -6,7 +6,7 @@ use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 use super::create_panel::section_ui;
 use super::part_panel::part_ui;
 use super::tools_panel::tools_ui;
-use crate::gui::field::{Pairs, pairs_ui};
+use crate::gui::field::pairs_ui;
 use crate::gui::limits::source_ui;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
@@ -66,9 +66,7 @@ fn inputs_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(Field, String, &str)]) {
-    let column = (ui.available_width() - space(2.0)) / 2.0;
-    let width = |unit: &str| column - space(if unit.is_empty() { 2.0 } else { 11.0 });
-    pairs_ui(ui, view, &Pairs { column, field: width, gap: space(2.0) }, fields);
+    pairs_ui(ui, view, fields);
 }
 
 /// Fitcheck's own limits and verdict, the program's beside them, and whether they agree.

@@ -73,13 +73,8 @@ pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Cor
 /// The value as it should have been typed.
 fn value_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = quiet(ui, view.text("measured-value"));
-    let unit = space(8.0);
-    ui.horizontal(|ui| {
-        let width = ui.available_width() - unit - space(2.0);
-        let style = FieldStyle::value(ui, width);
-        field_ui(ui, view, RecordsField::Measured, name.id, style);
-        quiet(ui, "mm");
-    });
+    let style = FieldStyle::value(ui, ui.available_width()).unit("mm");
+    field_ui(ui, view, RecordsField::Measured, name.id, style);
     error_ui(ui, view, RecordsField::Measured);
 }
 

@@ -6,7 +6,7 @@ use eframe::egui::{Align, Button, Color32, Id, Label, Layout, RichText, Ui, Widg
 use super::told::told;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes, space};
-use crate::gui::view::{View, one_of_ui, quiet, remembered};
+use crate::gui::view::{View, one_of_ui, remembered};
 use crate::gui::who::who_ui;
 use crate::message::message;
 use crate::session::{Action, Control, Field, Setting, SettingsAction, Told};
@@ -146,14 +146,11 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot)
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, (field, unit): (Field, &str), slot: &Slot) {
     if view.session.is_free_text(field) {
         let width = ui.available_width();
-        field_ui(ui, view, field, slot.name, FieldStyle::text(width - space(2.0)));
+        field_ui(ui, view, field, slot.name, FieldStyle::text(width));
         return;
     }
     line_ui(ui, slot, "field", |ui| {
-        field_ui(ui, view, field, slot.name, FieldStyle::number(space(24.0)));
-        if !unit.is_empty() {
-            quiet(ui, unit);
-        }
+        field_ui(ui, view, field, slot.name, FieldStyle::number(space(30.0)).unit(unit));
     });
 }
 

@@ -25,8 +25,7 @@ pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
         let name = ui.label(view.text("tables-up-to"));
-        field_ui(ui, view, TablesField::To, name.id, FieldStyle::number(space(18.0)));
-        quiet(ui, "mm");
+        field_ui(ui, view, TablesField::To, name.id, FieldStyle::number(space(22.0)).unit("mm"));
         view.button(ui, TablesAction::MakeTable);
     });
     error_ui(ui, view, TablesField::To);

@@ -5,7 +5,7 @@ use eframe::egui::{Align, Button, Color32, Frame, Key, Label, Layout, Margin, Ri
 use super::asked_text;
 use super::sizes_list::numbered;
 use super::skip_panel::skip_ui;
-use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, with_keypad_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::over_page::just_opened;
 use crate::gui::room::{is_low, is_tiny};
@@ -293,17 +293,9 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>, asked: &Size<'_>)
         name
     });
     let name = row.inner;
-    let keypad = space(5.0) + 2.0 * ui.spacing().button_padding.x;
-    let width = ui.available_width() - keypad.max(control(ui)) - ui.spacing().item_spacing.x;
-    ui.horizontal(|ui| {
-        let style = FieldStyle::large(width - space(12.0));
-        let judged = judged_text(view);
-        let hint = RichText::new(judged).color(palette(ui.ctx()).quiet.0);
-        field_ui(ui, view, WalkField::Value, name.id, FieldStyle { hint, ..style });
-        quiet(ui, "mm");
-        ui.add_space((width - ui.min_rect().width()).max(0.0));
-        view.icon_toggle(ui, WindowAction::Keypad, Icon::Numpad);
-    });
+    let hint = RichText::new(judged_text(view)).color(palette(ui.ctx()).quiet.0);
+    let look = FieldStyle { hint, ..FieldStyle::large(ui.available_width()) };
+    with_keypad_ui(ui, view, WalkField::Value, name.id, look);
     next_size_ui(ui, view, asked);
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
