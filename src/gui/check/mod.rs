@@ -126,16 +126,19 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     let sizes = (verdict, least..=(size.x * 0.6).max(least));
     let row = row_of_verdict(ui, view, "check-verdict", (verdict, sizes.1.clone())).max(space(VERDICT) + space(3.0));
     if row + space(40.0) < size.y {
-        row_ui(ui, view, "check-answer", row, |ui, view| {
-            area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
-            rest_ui(ui, view, band_card_ui);
-        });
         if welcomes {
+            row_ui(ui, view, "check-answer", row, |ui, view| {
+                area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
+                rest_ui(ui, view, band_card_ui);
+            });
             return first_panel::first_ui(ui, view);
         }
-        area_ui(ui, view, Side::Right, "check-status", sizes, |ui, view| {
-            close_card_ui(ui, |ui| status_card_ui(ui, view));
+        area_ui(ui, view, Side::Right, "check-verdict", sizes, |ui, view| {
+            row_ui(ui, view, "check-verdict-row", row, verdict_ui);
+            rest_ui(ui, view, |ui, view| close_card_ui(ui, |ui| status_card_ui(ui, view)));
         });
+        // A verdict that has more to say takes its room from what is below it: the band stays where it was.
+        row_ui(ui, view, "check-band-row", space(VERDICT) + space(3.0), |ui, view| rest_ui(ui, view, band_card_ui));
         rest_ui(ui, view, seen_ui);
     } else {
         // Too low for two rows: the window of the control scrolls below the verdict.
