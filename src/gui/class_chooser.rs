@@ -4,7 +4,7 @@ use eframe::egui::{ComboBox, Id, Sense, Ui, vec2};
 
 use super::shapes;
 use super::theme::{control, palette, space};
-use super::view::{View, heading, list_height};
+use super::view::{View, caret_ui, heading, list_height};
 use crate::session::CheckCommand;
 use crate::tolerance::Feature;
 
@@ -16,6 +16,7 @@ pub(super) fn class_chooser_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width
         .selected_text(shown)
         .width(width)
         .height(list_height(ui))
+        .icon(caret_ui)
         .show_ui(ui, |ui| {
             ui.set_min_width(space(132.0));
             for feature in [Feature::Hole, Feature::Shaft] {

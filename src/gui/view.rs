@@ -358,7 +358,12 @@ pub(super) fn list_ui(
     content: impl FnOnce(&mut Ui),
 ) -> Response {
     let list = ComboBox::from_id_salt(salt).selected_text(shown).width(width).truncate().height(list_height(ui));
-    list.show_ui(ui, content).response
+    list.icon(caret_ui).show_ui(ui, content).response
+}
+
+/// The caret of a drop-down list.
+pub(super) fn caret_ui(ui: &Ui, place: egui::Rect, look: &egui::style::WidgetVisuals, _is_open: bool) {
+    Icon::CaretDown.paint(ui.painter(), place.center(), Weight::Bold, theme::space(3.5), look.fg_stroke.color);
 }
 
 /// A drop-down list of which one entry is chosen; its caller names it. Returns what was chosen just now.

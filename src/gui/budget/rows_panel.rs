@@ -9,7 +9,7 @@ use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width, pairs_ui};
 use crate::gui::section::Section;
 use crate::gui::segments::segments_ui;
 use crate::gui::theme::{Icon, space};
-use crate::gui::view::{View, heading, list_height, problem, quiet};
+use crate::gui::view::{View, caret_ui, heading, list_height, problem, quiet};
 use crate::message::message;
 use crate::session::{
     BudgetAction, BudgetCommand, BudgetField, BudgetPage, BudgetView, Field, GivenAs, KindChoice, WrittenContribution,
@@ -171,7 +171,7 @@ fn choices_ui(ui: &mut Ui, view: &mut View<'_>, column: f32, lists: &[(&str, &[B
                 let label = quiet(ui, view.text(name));
                 let chosen = actions.iter().find(|action| action.is_on(view.session) == Some(true));
                 let shown = chosen.map_or_else(String::new, |action| action.text(view.session, view.words));
-                let list = ComboBox::from_id_salt(name).selected_text(shown).width(column).truncate();
+                let list = ComboBox::from_id_salt(name).selected_text(shown).width(column).truncate().icon(caret_ui);
                 let list = list.height(list_height(ui)).show_ui(ui, |ui| {
                     for action in actions {
                         let is_on = action.is_on(view.session) == Some(true);

@@ -107,6 +107,9 @@ fn no_card(view: &View<'_>) -> Card {
             ..Card::default()
         };
     }
+    // The callout is known: what is left of the way.
+    let next = || STEPS.iter().skip(1).map(|id| view.text(id)).collect();
+    let lines = if lines.is_empty() { next() } else { lines };
     Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 

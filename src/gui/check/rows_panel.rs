@@ -15,7 +15,7 @@ use crate::gui::field::{FieldStyle, field_ui};
 use crate::gui::shapes::{self, share};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::top_bar::export_ui;
-use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
+use crate::gui::view::{View, caret_ui, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
 use crate::session::{CheckAction, CheckField};
 use crate::session::{End, LARGE, Large, Rows, RowsCommand};
@@ -211,7 +211,8 @@ fn classes_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         count => view.words.say(&message!("rows-some-classes").count("count", count)),
     };
     let label = ui.label(view.text("rows-classes"));
-    let list = ComboBox::from_id_salt("rows-classes").selected_text(WidgetText::from(shown)).width(space(32.0));
+    let list =
+        ComboBox::from_id_salt("rows-classes").selected_text(WidgetText::from(shown)).width(space(32.0)).icon(caret_ui);
     let list = list.truncate().height(list_height(ui)).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let list = list.show_ui(ui, |ui| {
         if ui.selectable_label(chosen.is_empty(), view.text("rows-all-classes")).clicked() {

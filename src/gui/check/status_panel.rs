@@ -3,7 +3,7 @@
 use eframe::egui::{ComboBox, Ui};
 
 use crate::gui::popup::popup_ui;
-use crate::gui::view::{Digits, View, quiet};
+use crate::gui::view::{Digits, View, caret_ui, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::message;
@@ -53,6 +53,7 @@ pub(in crate::gui) fn mask_chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
         MaskChoice::Own { name, .. } => name.clone(),
     };
     let response = ComboBox::from_id_salt("mask")
+        .icon(caret_ui)
         .selected_text(shown)
         .show_ui(ui, |ui| {
             let words = view.words;
