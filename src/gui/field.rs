@@ -188,9 +188,10 @@ pub(super) fn with_keypad_ui(
 ) -> Response {
     let button = control(ui);
     let response = field_ui(ui, view, field, name, FieldStyle { beside: button, ..look.unit("mm") });
-    let place = response.rect.shrink2(vec2(space(1.0), 0.0));
+    let place = response.rect.shrink2(vec2(space(2.0), 0.0));
     let place = Align2::RIGHT_CENTER.align_size_within_rect(Vec2::splat(button), place);
     let mut over = ui.new_child(UiBuilder::new().max_rect(place).layout(Layout::top_down(Align::Center)));
+    over.spacing_mut().button_padding = Vec2::ZERO;
     view.icon_toggle(&mut over, WindowAction::Keypad, Icon::Numpad);
     response
 }

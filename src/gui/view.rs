@@ -114,7 +114,7 @@ impl View<'_> {
         let name = action.text(self.session, self.words);
         let is_on = action.is_on(self.session) == Some(true);
         let button = Button::new(icon.text(Weight::Regular, theme::space(5.0))).selected(is_on);
-        let button = button.min_size(Vec2::splat(control(ui)));
+        let button = button.min_size(Vec2::splat(control(ui))).frame_when_inactive(is_on);
         let is_possible = self.session.can(action);
         let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, button));
         response.widget_info(|| WidgetInfo::selected(Role::Button, is_possible, is_on, &name));
