@@ -25,8 +25,9 @@ pub(super) fn segments_ui(ui: &mut Ui, view: &mut View<'_>, choices: &[impl Into
             eframe::egui::pos2(left, frame.top()),
             vec2(frame.width() / count, frame.height()),
         );
-        let response =
-            ui.interact(rect, ui.scope_id().with(("segment", action.text(view.session, view.words))), Sense::click());
+        let is_possible = ui.is_enabled() && view.session.can(action);
+        let sense = if is_possible { Sense::click() } else { Sense::hover() };
+        let response = ui.interact(rect, ui.scope_id().with(("segment", &name)), sense);
         let inner = rect.shrink(EDGE);
         if is_on {
             let edge = theme::line(ui.ctx());
@@ -40,8 +41,9 @@ pub(super) fn segments_ui(ui: &mut Ui, view: &mut View<'_>, choices: &[impl Into
         let font = |size: f32| if is_on { theme::bold(size) } else { theme::font(size) };
         let wanted = ui.painter().layout_no_wrap(name.clone(), font(sizes().body), Color32::PLACEHOLDER).size().x;
         let size = sizes().body * ((inner.width() - 4.0) / wanted.max(1.0)).min(1.0);
-        ui.painter().text(inner.center(), Align2::CENTER_CENTER, &name, font(size), palette.text.0);
-        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_on, &name));
+        let colour = if is_possible { palette.text.0 } else { palette.quiet.0 };
+        ui.painter().text(inner.center(), Align2::CENTER_CENTER, &name, font(size), colour);
+        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, is_possible, is_on, &name));
         if response.clicked() {
             view.act(action);
         }

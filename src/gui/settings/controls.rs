@@ -5,6 +5,8 @@ use eframe::egui::{Align, Button, Color32, Id, Label, Layout, RichText, Ui, Widg
 
 use super::told::told;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::segments::segments_ui;
+use crate::gui::shapes;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, one_of_ui, remembered};
 use crate::gui::who::who_ui;
@@ -84,27 +86,18 @@ fn choices_ui(ui: &mut Ui, view: &mut View<'_>, setting: &Setting, choices: &[Ac
                 view.act(choice);
             }
         });
-    } else if width_of(ui, &names) <= ui.available_width() {
-        line_ui(ui, slot, "choices", |ui| {
-            ui.spacing_mut().item_spacing.x = space(1.0);
-            for choice in choices {
-                segment_ui(ui, view, *choice);
-            }
-        });
+        return;
+    }
+    // All are as wide as the widest.
+    let widest = names.iter().map(|name| width_of(ui, std::slice::from_ref(name))).fold(0.0, f32::max);
+    let width = shapes::times(widest, choices.len());
+    if width <= ui.available_width() {
+        line_ui(ui, slot, "choices", |ui| segments_ui(ui, view, choices, width));
     } else {
         for choice in choices {
             view.radio(ui, *choice);
         }
     }
-}
-
-/// One of several choices that stand beside each other.
-fn segment_ui(ui: &mut Ui, view: &mut View<'_>, choice: Action) {
-    let is_on = choice.is_on(view.session) == Some(true);
-    let name = choice.text(view.session, view.words);
-    let response = view.toggle(ui, choice);
-    let is_enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, is_enabled, is_on, &name));
 }
 
 /// The name of the row is that of the switch.

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, RichText, Ui, WidgetInfo, vec2};
 
 use crate::gui::field::{FieldStyle, field_ui};
-use crate::gui::theme::{control, palette};
+use crate::gui::theme::{Icon, Weight, control, palette, space};
 use crate::gui::view::{View, one_of_ui, quiet};
 use crate::session::{Section, SettingsAction, SettingsCommand, SettingsField};
 
@@ -15,14 +15,31 @@ pub(super) fn find_ui(ui: &mut Ui, view: &mut View<'_>) {
     field_ui(ui, view, SettingsField::Find, name.id, look);
 }
 
+const fn icon_of(section: Section) -> Icon {
+    match section {
+        Section::General => Icon::User,
+        Section::Appearance => Icon::Palette,
+        Section::Rule => Icon::Scales,
+        Section::OwnFiles => Icon::Folder,
+        Section::Records => Icon::Database,
+        Section::ShopServer => Icon::Buildings,
+        Section::Folders => Icon::FolderOpen,
+        Section::Keys => Icon::Keyboard,
+        Section::About => Icon::Info,
+    }
+}
+
 /// The sections below each other.
 pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for action in Section::ALL.map(SettingsAction::ShowSection) {
+    for section in Section::ALL {
+        let action = SettingsAction::ShowSection(section);
         let is_on = action.is_on(view.session) == Some(true);
         let name = action.text(view.session, view.words);
         // The colour of the text on the ground of what is chosen.
-        let text = if is_on { RichText::new(&name).color(palette(ui.ctx()).text.0) } else { RichText::new(&name) };
-        let button = Button::selectable(is_on, text).min_size(vec2(ui.available_width(), control(ui)));
+        let colour = palette(ui.ctx()).text.0;
+        let text = if is_on { RichText::new(&name).color(colour) } else { RichText::new(&name) };
+        let icon = icon_of(section).text(if is_on { Weight::Fill } else { Weight::Regular }, space(5.0)).color(colour);
+        let button = Button::selectable(is_on, (icon, text)).min_size(vec2(ui.available_width(), control(ui)));
         let response = view.button_as(ui, action, button);
         response.widget_info(|| WidgetInfo::selected(Role::Tab, true, is_on, &name));
     }
