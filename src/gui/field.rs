@@ -9,8 +9,8 @@ use std::ops::Range;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{
-    Align, Align2, Atom, AtomExt as _, Context, FontId, Grid, Id, Key, Layout, Response, RichText, Stroke, TextBuffer,
-    TextEdit, Ui, UiBuilder, Vec2, vec2,
+    Align, Align2, Atom, AtomExt as _, Context, FontId, Grid, Id, Key, Layout, Rect, Response, RichText, Stroke,
+    TextBuffer, TextEdit, Ui, UiBuilder, Vec2, vec2,
 };
 
 use super::field_help::field_help_ui;
@@ -178,22 +178,26 @@ pub(super) fn field_ui(
     response
 }
 
-/// The field of a measured value: its unit and the button of the keypad stand within it.
-pub(super) fn with_keypad_ui(
+/// The field of a measured value, with room for the button of the keypad.
+pub(super) fn value_field_ui(
     ui: &mut Ui,
     view: &mut View<'_>,
     field: impl Into<Field>,
     name: Id,
     look: FieldStyle,
-) -> Response {
+) -> Rect {
+    let beside = control(ui);
+    field_ui(ui, view, field, name, FieldStyle { beside, ..look.unit("mm") }).rect
+}
+
+/// The button of the keypad in its field.
+pub(super) fn keypad_button_ui(ui: &mut Ui, view: &mut View<'_>, field: Rect) {
     let button = control(ui);
-    let response = field_ui(ui, view, field, name, FieldStyle { beside: button, ..look.unit("mm") });
-    let place = response.rect.shrink2(vec2(space(2.0), 0.0));
+    let place = field.shrink2(vec2(space(2.0), 0.0));
     let place = Align2::RIGHT_CENTER.align_size_within_rect(Vec2::splat(button), place);
     let mut over = ui.new_child(UiBuilder::new().max_rect(place).layout(Layout::top_down(Align::Center)));
     over.spacing_mut().button_padding = Vec2::ZERO;
     view.icon_toggle(&mut over, WindowAction::Keypad, Icon::Numpad);
-    response
 }
 
 /// Whether a field has just been entered: by key, or by a click that gave it the focus, once the button is released, so

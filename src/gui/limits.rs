@@ -6,6 +6,7 @@ use super::theme::{self, sizes, space};
 use super::view::{View, quiet};
 use crate::message::{Say as _, message};
 use crate::tolerance::{Feature, Limits};
+use crate::words::Words;
 
 /// The id of a feature's word.
 pub(super) const fn feature_id(feature: Feature) -> &'static str {
@@ -35,4 +36,10 @@ pub(super) fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
 /// Where limits come from.
 pub(super) fn source_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
     quiet(ui, view.words.say(&message!("from-source").message("source", limits.source.message())));
+}
+
+/// The least and the largest size in words.
+pub(super) fn limits_text(words: &Words, limits: &Limits) -> String {
+    let [least, most] = [limits.minimum(), limits.maximum()].map(|size| words.mm(size, 3));
+    format!("{least} … {most} mm")
 }

@@ -88,7 +88,7 @@ fn a_changed_callout_clears_the_verdict_at_once() {
     let mut window = window();
     check(&mut window, "25 H7", "25.012");
     type_into(&mut window, "Callout", "25 H6");
-    assert_eq!(verdict(&window), "No result");
+    assert_eq!(verdict(&window), "No result. 25.000 … 25.013 mm");
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn a_value_that_is_no_length_is_refused_beside_its_field() {
     let mut window = window();
     check(&mut window, "25 H7", "25.0.1");
     window.get_by_label("25.0.1 is not a number");
-    assert_eq!(verdict(&window), "No result");
+    assert_eq!(verdict(&window), "No result. 25.000 … 25.021 mm");
     check(&mut window, "25 H7", "");
     window.get_by_label("Type the measured value");
 }
@@ -113,10 +113,10 @@ fn a_mistyped_value_leaves_no_verdict_on_screen() {
     let mut window = window();
     check(&mut window, "25 H7", "25.012");
     type_into(&mut window, "Measured value", "25.03O");
-    assert_eq!(verdict(&window), "No result");
+    assert_eq!(verdict(&window), "No result. 25.000 … 25.021 mm");
     window.key_press(Key::Enter);
     window.run();
-    assert_eq!(verdict(&window), "No result");
+    assert_eq!(verdict(&window), "No result. 25.000 … 25.021 mm");
 }
 
 #[test]
@@ -272,7 +272,7 @@ fn a_refused_simulation_says_why_in_the_verdict_s_place_and_beside_the_field() {
     window.get_by_role_and_label(Role::TextInput, "Offset X");
     assert_eq!(window.get_all_by_label(&error).count(), 2, "in the card and below the field");
     type_into(&mut window, "Offset X", "0");
-    assert_eq!(verdict(&window), "No result");
+    assert_eq!(verdict(&window), "No result. 25.000 … 25.021 mm");
 }
 
 #[test]
@@ -293,7 +293,7 @@ fn clear_empties_the_result_and_keeps_the_history() {
     check(&mut window, "25 H7", "25.012");
     window.get_by_role_and_label(Role::Button, "Clear").click();
     window.run();
-    assert_eq!(verdict(&window), "No result");
+    assert_eq!(verdict(&window), "No result. 25.000 … 25.021 mm");
     window.get_by_label("1 check");
 }
 

@@ -24,7 +24,7 @@ fn last_inputs_survive_a_restart() {
     let again = Window { store, ..Window::default() }.open();
     let field = again.get_by_role_and_label(Role::TextInput, "Callout");
     assert_eq!(field.accesskit_node().value().as_deref(), Some("40 js6"));
-    assert_eq!(verdict(&again), "No result", "a verdict is never shown without a measurement");
+    assert_eq!(verdict(&again), "No result. 39.992 … 40.008 mm", "a verdict is never shown without a measurement");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use eframe::egui::{Align, Button, Color32, Layout, Popup, PopupCloseBehavior, Ri
 
 use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::worth_lines;
+use crate::gui::limits::limits_text;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
     Card, card_height_in, card_ui, chip_ui, foot_height, footed_card_ui, half, lines_below_ui, question_card, remove,
@@ -107,9 +108,10 @@ fn no_card(view: &View<'_>) -> Card {
             ..Card::default()
         };
     }
-    // The callout is known: what is left of the way.
-    let next = || STEPS.iter().skip(1).map(|id| view.text(id)).collect();
-    let lines = if lines.is_empty() { next() } else { lines };
+    let lines = match &view.session.check().asked.limits {
+        Some(limits) if lines.is_empty() => vec![limits_text(view.words, limits)],
+        _ => lines,
+    };
     Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 

@@ -6,7 +6,7 @@ use super::field_pairs::pairs_ui;
 use crate::gui::check::record_panel::record_ui;
 use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
-use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width, with_keypad_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, half_width, keypad_button_ui, value_field_ui};
 use crate::gui::limits::{self, feature_id};
 use crate::gui::room::is_low;
 use crate::gui::section::Section;
@@ -120,10 +120,11 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     let name = quiet(ui, view.text("measured-value"));
     let width = ui.available_width();
     let style = FieldStyle::value(ui, width);
-    with_keypad_ui(ui, view, CheckField::Measured, name.id, style);
+    let field = value_field_ui(ui, view, CheckField::Measured, name.id, style);
     if let Some(rect) = features {
         feature_ui(ui, view, rect);
     }
+    keypad_button_ui(ui, view, field);
     error_ui(ui, view, CheckField::Measured);
     if view.session.check().is_repeated {
         quiet(ui, view.text("measured-once"));

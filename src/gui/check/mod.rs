@@ -135,7 +135,7 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
         }
         area_ui(ui, view, Side::Right, "check-verdict", sizes, |ui, view| {
             row_ui(ui, view, "check-verdict-row", row, verdict_ui);
-            rest_ui(ui, view, |ui, view| close_card_ui(ui, |ui| status_card_ui(ui, view)));
+            close_card_ui(ui, |ui| status_card_ui(ui, view));
         });
         // A verdict that has more to say takes its room from what is below it: the band stays where it was.
         row_ui(ui, view, "check-band-row", space(VERDICT) + space(3.0), |ui, view| rest_ui(ui, view, band_card_ui));

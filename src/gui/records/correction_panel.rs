@@ -3,7 +3,7 @@
 use eframe::egui::{Button, Label, RichText, Ui, vec2};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::limits::{feature_id, source_ui};
+use crate::gui::limits::{feature_id, limits_text, source_ui};
 use crate::gui::section::Section;
 use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
@@ -94,8 +94,7 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
         });
     }
     if let Some((_, limits)) = &form.asked {
-        let [most, least] = [limits.maximum(), limits.minimum()].map(|size| view.words.mm(size, 3));
-        quiet(ui, format!("{least} … {most} mm"));
+        quiet(ui, limits_text(view.words, limits));
         source_ui(ui, view, limits);
     }
 }

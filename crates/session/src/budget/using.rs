@@ -96,7 +96,6 @@ impl BudgetPage {
             details.push(Message::new(id));
         }
         details.extend(warning(&budget, budget.validity(self.today)));
-        details.extend(budget.template_figures().map(|warning| warning.message()));
         if let Some(typed) = shared.worth.typed_uncertainty() {
             details.push(message!("budget-page-used-before").message("uncertainty", typed.rounded_message()));
         }

@@ -5,7 +5,7 @@ use eframe::egui::{Align, Button, Color32, Frame, Key, Label, Layout, Margin, Ri
 use super::asked_text;
 use super::sizes_list::numbered;
 use super::skip_panel::skip_ui;
-use crate::gui::field::{FieldStyle, error_ui, field_ui, with_keypad_ui};
+use crate::gui::field::{FieldStyle, error_ui, field_ui, keypad_button_ui, value_field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::over_page::just_opened;
 use crate::gui::room::{is_low, is_tiny};
@@ -295,7 +295,8 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>, asked: &Size<'_>)
     let name = row.inner;
     let hint = RichText::new(judged_text(view)).color(palette(ui.ctx()).quiet.0);
     let look = FieldStyle { hint, ..FieldStyle::large(ui.available_width()) };
-    with_keypad_ui(ui, view, WalkField::Value, name.id, look);
+    let field = value_field_ui(ui, view, WalkField::Value, name.id, look);
+    keypad_button_ui(ui, view, field);
     next_size_ui(ui, view, asked);
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
