@@ -114,6 +114,8 @@ impl View<'_> {
         let name = action.text(self.session, self.words);
         let is_on = action.is_on(self.session) == Some(true);
         let button = Button::new(icon.text(Weight::Regular, theme::space(5.0))).selected(is_on);
+        // It stands within a field, which would take the focus with the press.
+        let button = button.sense(egui::Sense::click_and_drag());
         let button = button.min_size(Vec2::splat(control(ui))).frame_when_inactive(is_on);
         let is_possible = self.session.can(action);
         let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, button));

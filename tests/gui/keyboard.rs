@@ -62,9 +62,9 @@ fn tab_walks_in_reading_order() {
         walked,
         [
             "Measured value",
+            "Keypad",
             "Type",
             "Simulate",
-            "Keypad",
             "Judge",
             "Clear",
             "Nominal size",
