@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use fitcheck::session::action::ActionScope;
+use fitcheck::session::help::HelpPlace;
 use fitcheck::session::{
     Action, CheckField, Command, Effect, Page, PaletteCommand, PaletteGroup, Purpose, Session, Step, Theme,
     WindowAction,
@@ -147,4 +148,20 @@ fn a_rule_that_is_chosen_in_the_palette_is_told_with_a_way_back() {
     assert_eq!(session.notices().len(), before + 1);
     let notice = session.notices().last().unwrap();
     assert!(notice.before.is_some(), "{notice:?}");
+}
+
+#[test]
+fn terms_and_headings_of_the_manual_are_found_by_the_beginning_of_a_word() {
+    let mut session = searched("guard");
+    let found = texts(&session);
+    let term = found.iter().position(|text| *text == "Help: Guard band").unwrap();
+    assert!(found.contains(&"Help: What a guard band is"), "{found:?}");
+    session.apply(PaletteCommand::Do(Some(term)).into(), now());
+    assert_eq!(session.page(), Page::Help);
+    assert_eq!(session.help().shown, HelpPlace::at("terms.md", "guard-band"));
+    // What can be done comes before what can be read; without a query no heading is listed.
+    let session = searched("plan");
+    let found = &session.palette.as_ref().unwrap().found;
+    assert!(found[0].action().is_some() && found.iter().any(|entry| entry.text == "Help: Plan"), "{found:?}");
+    assert!(!texts(&opened()).contains(&"Help: Guard band"));
 }

@@ -88,6 +88,11 @@ impl ManualPage {
         self.blocks.iter().flat_map(Block::spans).filter_map(|span| span.link.as_ref())
     }
 
+    /// Its headings below the title, each with its anchor.
+    pub fn headings(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.sections.iter().skip(1).map(|section| (section.heading.as_str(), section.anchor.as_str()))
+    }
+
     /// Whether it has a heading of this anchor.
     pub fn has(&self, anchor: &str) -> bool {
         self.sections.iter().any(|section| section.anchor == anchor)

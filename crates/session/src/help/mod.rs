@@ -31,6 +31,7 @@ pub use field::HelpField;
 pub use manual::{CONTENTS, ManualPage, manual};
 pub use query::HelpWords;
 pub use samples::Sample;
+pub(crate) use search::TERMS;
 pub use search::{HelpFound, LinePart};
 pub use sheet::{KeyGroup, KeyRow, key_groups};
 

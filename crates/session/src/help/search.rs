@@ -10,7 +10,7 @@ use super::query::HelpWords;
 use super::{CONTENTS, HelpMark, HelpPlace, HelpTopic, topics};
 
 /// The page that explains words: of equal hits it has the first.
-const TERMS: &str = "terms.md";
+pub(crate) const TERMS: &str = "terms.md";
 
 /// Pages with a little about much: of equal hits they have the last.
 const LAST: [&str; 2] = ["fields.md", "licences.md"];

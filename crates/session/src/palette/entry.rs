@@ -17,7 +17,7 @@ use crate::command::Command;
 use crate::field::Field;
 use crate::field_table::FieldPlace;
 use crate::files::FilesCommand;
-use crate::help::{HelpCommand, HelpPlace, HelpTopic, topics};
+use crate::help::{CONTENTS, HelpCommand, HelpPlace, HelpTopic, ManualPage, TERMS, manual, topics};
 use crate::page::Page;
 use crate::parts::PartsAction;
 use crate::purpose::Purpose;
@@ -81,6 +81,8 @@ pub(super) enum Subject {
     Action(Action),
     Field(Field),
     Callout(Callout),
+    /// What stands below a heading of the manual.
+    Heading,
     File(PathBuf, Purpose),
     Record(Arc<RecordRow>),
 }
@@ -126,14 +128,19 @@ impl PaletteEntry {
             Subject::Field(field) => Some(field.page()),
             Subject::Callout(_) => Some(Page::Check),
             Subject::Record(_) => Some(Page::Records),
-            Subject::Nothing => Some(Page::Help),
+            Subject::Nothing | Subject::Heading => Some(Page::Help),
             Subject::File(..) => None,
         }
     }
 
     /// Whether something else can be done with it.
     pub const fn has_more(&self) -> bool {
-        !matches!(self.subject, Subject::Nothing)
+        !matches!(self.subject, Subject::Nothing | Subject::Heading)
+    }
+
+    /// Whether it is a heading within a page of the manual: there are many, so they are found and not listed.
+    pub(super) const fn is_heading(&self) -> bool {
+        matches!(self.subject, Subject::Heading)
     }
 }
 
@@ -164,6 +171,10 @@ pub(super) fn all(session: &Session) -> Vec<PaletteEntry> {
     }));
     entries.extend(session.fields().into_iter().filter_map(|field| of_field(field, session, &own, &others)));
     entries.extend(topics().map(|topic| of_topic(topic, &own, &others)));
+    // The page of terms explains a word before others use it.
+    let (terms, pages): (Vec<_>, Vec<_>) = manual().iter().partition(|page| page.file == TERMS);
+    let pages = terms.into_iter().chain(pages).filter(|page| page.file != CONTENTS);
+    entries.extend(pages.flat_map(|page| of_headings(page, &own, &others)));
     entries
 }
 
@@ -193,6 +204,21 @@ fn of_topic(topic: HelpTopic, own: &Words, others: &[Words]) -> PaletteEntry {
         names: std::iter::once(own).chain(others).map(|words| name(words).to_lowercase()).collect(),
         ..PaletteEntry::new(PaletteGroup::Settings, name(own), vec![HelpCommand::Open(HelpPlace::of(topic)).into()])
     }
+}
+
+/// The entries of what stands below the headings of a page of the manual, which are the terms on the page of terms.
+fn of_headings(page: &'static ManualPage, own: &Words, others: &[Words]) -> impl Iterator<Item = PaletteEntry> {
+    page.headings().map(move |(heading, anchor)| {
+        let name = |words: &Words| words.say(&message!("help-page-entry").text("title", heading));
+        let names = std::iter::once(own).chain(others).map(|words| name(words).to_lowercase());
+        let place = HelpPlace::at(page.file, anchor);
+        PaletteEntry {
+            names: names.chain([heading.to_lowercase()]).collect(),
+            note: page.title.clone(),
+            subject: Subject::Heading,
+            ..PaletteEntry::new(PaletteGroup::Settings, name(own), vec![HelpCommand::Open(place).into()])
+        }
+    })
 }
 
 /// Whether an action stands in the palette: those of a dialog do not, for none is open, nor what only closes the palette.

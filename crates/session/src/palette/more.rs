@@ -24,7 +24,7 @@ use crate::tables::{TablesCommand, TablesField};
 /// What can be done with an entry, first what Enter does.
 pub(super) fn more(entry: &PaletteEntry, session: &Session, words: &Words) -> Vec<PaletteEntry> {
     let rest = match &entry.subject {
-        Subject::Nothing => return Vec::new(),
+        Subject::Nothing | Subject::Heading => return Vec::new(),
         Subject::Action(action) => of_action(*action, words),
         Subject::Field(field) => vec![read_about(session.help_of(*field), words)],
         Subject::Callout(callout) => of_callout(callout, words),
