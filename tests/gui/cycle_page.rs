@@ -482,6 +482,37 @@ fn a_block_is_pasted_and_copied() {
 }
 
 #[test]
+fn the_dialog_for_a_block_keeps_its_size_and_the_keys_of_the_page() {
+    let mut window = coordinate(Window::default());
+    let behind = window.get_by_role_and_label(Role::Button, "Workpiece…").rect().center();
+    click(&mut window, Role::Button, "Paste NC block…");
+    let field = |window: &Harness<'_, App>| window.get_by(|node| node.role() == Role::MultilineTextInput).rect();
+    let place = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Fill the form").rect();
+    window.run();
+    let before = place(&window);
+    let block = "TCH PROBE 427 MEASURE COORDINATE ~\n".repeat(40);
+    window.get_by(|node| node.role() == Role::MultilineTextInput).type_text(&block);
+    window.run();
+    assert_eq!(place(&window), before, "a long block scrolls");
+    click(&mut window, Role::Button, "Fill the form");
+    assert!(window.state().session().cycles().block_problem.is_some());
+    assert_eq!(place(&window), before, "there is room for what is wrong");
+    assert!(field(&window).height() > before.height());
+    // Nothing on the page is reached while it is open.
+    key(&mut window, Modifiers::COMMAND, Key::Num1);
+    key(&mut window, Modifiers::NONE, Key::F5);
+    let session = window.state().session();
+    assert!(session.page() == Page::Cycles && session.cycles().run.is_none());
+    window.hover_at(behind);
+    window.drag_at(behind);
+    window.drop_at(behind);
+    window.run();
+    assert!(!window.state().session().workpiece_is_open());
+    key(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(window.state().session().cycles().block.is_none());
+}
+
+#[test]
 fn a_probe_is_chosen_from_a_table() {
     let mut window = coordinate(Window::default());
     click(&mut window, Role::ComboBox, "Probe");

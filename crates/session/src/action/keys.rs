@@ -36,12 +36,18 @@ impl Action {
 }
 
 impl Session {
+    /// Whether the dialog for an NC block lies over the page.
+    fn block_is_open(&self) -> bool {
+        self.page() == Page::Cycles && self.cycles().block.is_some()
+    }
+
     /// The actions of the keys now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
     pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
         let is_covered = self.dialog().is_some()
             || self.open_columns().is_some()
             || self.is_leaving()
             || self.asks_about().is_some()
+            || self.block_is_open()
             || self.palette.is_some();
         let is_heard = |action: Action| match action.place() {
             ActionScope::Everywhere => true,
