@@ -10,9 +10,10 @@ use fitcheck::control::table::Generation;
 use fitcheck::message::Say as _;
 use fitcheck::session::tables::{Filter, TableChoice};
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, Effect, FitField, Page, Purpose, Saved, Session, TablesCommand, TablesField,
+    Action, CheckCommand, CheckField, Command, Effect, FitField, Page, Purpose, Saved, Session, TablesCommand,
+    TablesField, WindowAction,
 };
-use fitcheck::tolerance::{Callout, ClassError, DeviationTable, Feature, Sources, ToleranceClass};
+use fitcheck::tolerance::{Base, Callout, ClassError, DeviationTable, Feature, Sources, ToleranceClass};
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
 
@@ -352,6 +353,27 @@ fn session() -> Session {
     let result = Ok((vec![table(HOLES, "own_hole.tab"), table(SHAFTS, "own_shaft.tab")], Vec::new()));
     session.apply(Command::TablesRead { folder: "/shop".into(), result }, now());
     session
+}
+
+#[test]
+fn the_chosen_source_of_limits_names_own_tables_as_long_as_they_come_first() {
+    let words = Words::new(Language::En);
+    let mut session = session();
+    let chosen = |session: &Session| {
+        let sources = Base::ALL.map(|base| Action::from(WindowAction::UseSource(base)));
+        let on: Vec<String> = sources
+            .into_iter()
+            .filter(|source| source.is_on(session) == Some(true))
+            .map(|source| source.text(session, &words))
+            .collect();
+        on.join("; ")
+    };
+    assert_eq!(chosen(&session), "Own tables, then ISO 286, every class to 3150 mm");
+    let stop = Action::from(WindowAction::NoOwnTables);
+    assert_eq!(stop.text(&session, &words), "Stop using own tables");
+    session.apply(Command::NoOwnTables, now());
+    assert_eq!(chosen(&session), "ISO 286, every class to 3150 mm");
+    assert!(!session.can(WindowAction::NoOwnTables));
 }
 
 #[test]

@@ -395,7 +395,7 @@ fn the_check_page_follows_a_table_that_is_used_for_limits() {
     page.get_by_label("25.025");
     page.get_by_label("from table shop.tab, over 18 up to 30 mm");
     press(&mut page, "Menu");
-    press(&mut page, "No own tables");
+    press(&mut page, "Stop using own tables");
     page.get_by_label("25.021");
 }
 

@@ -134,6 +134,7 @@ settings-page-state-file-about = Keeps settings, fields and recent files, a seco
 settings-page-journal-file = Journal file
 settings-page-journal-file-about = Keeps every check of this station.
 settings-page-not-used = not in use
+settings-page-own-tables-unread = { $folder } could not be read and is not in use
 settings-page-nowhere = not kept
 settings-page-changed = { $name } was changed
 settings-page-several-changed = { $count } settings were changed

@@ -20,6 +20,7 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 deviations-order = upper deviation { $upper } mm is below lower deviation { $lower } mm
 source-choice-iso286 = ISO 286, every class to 3150 mm
 source-choice-control = The control's tables, 47 classes to 400 mm
+source-choice-after-own = Own tables, then { $base }
 source-iso286 = ISO 286, over { $over } up to { $to } mm
 source-iso286-remark = ISO 286, over { $over } up to { $to } mm; { $remark }
 source-shipped-table = built-in table { $name }, over { $over } up to { $to } mm

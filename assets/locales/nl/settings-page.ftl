@@ -134,6 +134,7 @@ settings-page-state-file-about = Bewaart instellingen, velden en recente bestand
 settings-page-journal-file = Logboekbestand
 settings-page-journal-file-about = Bewaart elke controle van dit station.
 settings-page-not-used = niet in gebruik
+settings-page-own-tables-unread = { $folder } kon niet worden gelezen en wordt niet gebruikt
 settings-page-nowhere = wordt niet bewaard
 settings-page-changed = { $name } is gewijzigd
 settings-page-several-changed = { $count } instellingen zijn gewijzigd

@@ -20,6 +20,7 @@ class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een gra
 deviations-order = bovenafwijking { $upper } mm ligt onder onderafwijking { $lower } mm
 source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
 source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
+source-choice-after-own = Eigen tabellen, dan { $base }
 source-iso286 = ISO 286, boven { $over } tot en met { $to } mm
 source-iso286-remark = ISO 286, boven { $over } tot en met { $to } mm; { $remark }
 source-shipped-table = ingebouwde tabel { $name }, boven { $over } tot en met { $to } mm

@@ -6,6 +6,20 @@ use crate::gui::check::grouped;
 use crate::gui::view::View;
 use crate::message::message;
 use crate::session::{MaskChoice, Told};
+use crate::tolerance::Absent;
+
+/// Which own tables are asked: those of a folder, or a table of the table page that is used until the window is closed.
+fn own_tables(view: &View<'_>) -> String {
+    let sources = view.session.sources();
+    match view.session.tables_folder() {
+        Some(folder) if matches!(sources.absent(), Some(Absent::Unread(_))) => {
+            view.words.say(&message!("settings-page-own-tables-unread").text("folder", folder.display()))
+        }
+        Some(folder) => folder.display().to_string(),
+        None if sources.own().is_empty() => view.text("settings-page-not-used"),
+        None => sources.own().iter().map(|table| table.name()).collect::<Vec<_>>().join(", "),
+    }
+}
 
 /// What is in force; `None` where there is nothing to say.
 pub(super) fn told(view: &View<'_>, of: Told) -> Option<String> {
@@ -17,7 +31,7 @@ pub(super) fn told(view: &View<'_>, of: Told) -> Option<String> {
     };
     Some(match of {
         Told::None => return None,
-        Told::OwnTables => place(session.tables_folder().map(AsRef::as_ref), "settings-page-not-used"),
+        Told::OwnTables => own_tables(view),
         Told::OwnMask => match session.mask() {
             MaskChoice::Own { path, .. } => path.display().to_string(),
             MaskChoice::OfLanguage | MaskChoice::Shipped(_) => view.text("settings-page-not-used"),

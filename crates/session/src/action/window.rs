@@ -1,6 +1,6 @@
 //! What can be done on every page.
 
-use fitcheck_core::message::message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::tolerance::Base;
 use fitcheck_core::tolerance::iso286::{Edition, JsHalves, Options};
 use fitcheck_core::words::Words;
@@ -227,6 +227,10 @@ impl Actions for WindowAction {
             }
             Self::Export(number) => report_name(number, words)?,
             Self::ExportStatus => words.say(&session.status_named()),
+            // The chosen one is what is in force: own tables come first.
+            Self::UseSource(base) if !session.sources().own().is_empty() => {
+                words.say(&message!("source-choice-after-own").message("base", Message::new(base.text())))
+            }
             Self::Undo => words.say(&message!("undo-what").message("what", session.history().undoes()?)),
             Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),
             _ => return None,
