@@ -23,3 +23,19 @@ pub enum Change {
     /// Cycle 800, until cycle 801.
     Turning,
 }
+
+/// Cycles of `TCH PROBE` that set no datum and no rotation: one point, angles, calibration, tools, bolt circles, planes, fast probing
+/// (datum-cycles, sections 4 to 6).
+fn sets_no_datum(number: u32) -> bool {
+    matches!(number, 0..=4 | 9 | 30..=33 | 420 | 430 | 431 | 441 | 460..=463 | 480..=484)
+}
+
+/// Whether a cycle that is not run may have set a datum: nothing is measured after it.
+pub(super) fn may_set_datum(cycle: &str) -> bool {
+    !cycle_number(cycle).is_some_and(sets_no_datum)
+}
+
+/// The number before the point of a block of several cycles.
+pub(super) fn cycle_number(cycle: &str) -> Option<u32> {
+    cycle.split('.').next().and_then(|number| number.parse().ok())
+}

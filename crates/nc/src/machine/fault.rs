@@ -6,7 +6,7 @@ use fitcheck_core::probing::simulated::WorkpieceError;
 use fitcheck_core::text::cut;
 
 use super::budget::UsedUp;
-use super::change::Change;
+use super::change::{Change, may_set_datum};
 use super::path::{NcPath, PathError};
 use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
@@ -334,4 +334,15 @@ pub enum FaultKind {
     },
     /// `CALL SELECTED PGM` without `SEL PGM`.
     NothingSelected,
+}
+
+impl FaultKind {
+    /// Whether it comes of a block that may set a datum and is not run here: to skip it leads no further, for nothing is measured after it.
+    pub fn is_of_datum(&self) -> bool {
+        match self {
+            Self::UnknownCycle { cycle, .. } => may_set_datum(cycle),
+            Self::Changed { change, .. } => *change == Change::NotKnown,
+            _ => false,
+        }
+    }
 }

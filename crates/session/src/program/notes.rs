@@ -29,6 +29,7 @@ pub enum NoteKind {
 /// An error, and what can be done about it in the window.
 fn fault_message(fault: &Fault) -> Message {
     match *fault.kind {
+        ref kind if kind.is_of_datum() => message!("program-page-unknown-datum").message("fault", fault.message()),
         FaultKind::UnknownCycle { .. } | FaultKind::UnknownBlock => {
             message!("program-page-unknown").message("fault", fault.message())
         }

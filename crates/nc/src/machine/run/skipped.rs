@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::super::around::ChangingBlock;
+use super::super::change::{cycle_number, may_set_datum};
 use super::super::fault::FaultKind;
 use super::super::files::Files;
 use super::super::path::NcPath;
@@ -11,13 +12,7 @@ use super::super::remark::Remark;
 use super::Run;
 use crate::program::{Body, CycleBlock, Unread};
 
-/// Cycles of `TCH PROBE` that set no datum and no rotation: one point, angles, calibration, tools, bolt circles, planes, fast probing
-/// (datum-cycles, sections 4 to 6).
-fn sets_no_datum(number: u32) -> bool {
-    matches!(number, 0..=4 | 9 | 30..=33 | 420 | 430 | 431 | 441 | 460..=463 | 480..=484)
-}
-
-/// Those that measure tools.
+/// Cycles of `TCH PROBE` that measure tools.
 fn measures_tools(number: u32) -> bool {
     matches!(number, 30..=33 | 480..=484)
 }
@@ -123,7 +118,7 @@ impl Run {
 
     /// Skips a measuring cycle that nothing here runs. What its block states can be read afterwards.
     pub(super) fn skip_cycle(&mut self, at: usize, block: &CycleBlock) -> Result<(), FaultKind> {
-        let number = block.number.split('.').next().and_then(|number| number.parse().ok());
+        let number = cycle_number(&block.number);
         // Fast probing measures nothing, and sets nothing but how the others move.
         if number == Some(441) {
             self.remark(at, Remark::Skipped);
@@ -139,11 +134,11 @@ impl Run {
         if number.is_none_or(measures_tools) {
             self.tools.lose(|| Arc::new(self.flow.made(at)));
         }
-        if number.is_some_and(sets_no_datum) {
-            self.remark(at, Remark::MeasurementSkipped);
-        } else {
+        if may_set_datum(&block.number) {
             self.around.lose_system(|| self.flow.made(at));
             self.remark(at, Remark::DatumSkipped);
+        } else {
+            self.remark(at, Remark::MeasurementSkipped);
         }
         Ok(())
     }
