@@ -6,6 +6,7 @@ use std::time::Duration;
 use eframe::egui::{Align2, Button, CollapsingHeader, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, Vec2, vec2};
 
 use super::over_page::fixed_window;
+use super::section::unfold;
 use super::theme::{self, Icon, control, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::message;
@@ -90,8 +91,13 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         view.button_as(ui, undo, button);
     }
     if let Some(page) = notice.page.filter(|page| *page != view.session.page()) {
-        let button = Button::new(view.text("notice-show")).min_size(vec2(space(24.0), control(ui)));
-        view.button_as(ui, WindowAction::Open(page), button);
+        let text = view.text(notice.part.unwrap_or("notice-show"));
+        let button = Button::new(text).min_size(vec2(space(24.0), control(ui)));
+        if view.button_as(ui, WindowAction::Open(page), button).clicked()
+            && let Some(part) = notice.part
+        {
+            unfold(ui.ctx(), part);
+        }
     }
     if notice.records {
         view.wide_button(ui, WindowAction::RecordAgain);

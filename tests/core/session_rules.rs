@@ -341,6 +341,25 @@ fn a_budget_is_said_to_be_in_use_only_where_checks_use_it() {
 }
 
 #[test]
+fn a_budget_without_a_rule_that_uses_it_is_told_once_and_offers_the_rule() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Uncertainty, "1")]);
+    session.apply(fitcheck::session::Command::OpenPage(fitcheck::session::Page::Budget), now());
+    session.apply(BudgetCommand::Edit(budget("2026-01-15", "2027-01-14")).into(), now());
+    session.apply(BudgetCommand::Use.into(), now());
+    let [told] = session.notices() else { panic!("{:?}", session.notices()) };
+    let said = "“Station 3” changes no verdict yet: the rule on Check is “the limits decide”, which uses no uncertainty. \
+                Choose another rule";
+    assert_eq!(told.message.to_string(), said);
+    assert_eq!((told.page, told.part), (Some(fitcheck::session::Page::Check), Some("check-rule-section")));
+    let details: Vec<_> = told.details.iter().map(ToString::to_string).collect();
+    assert_eq!(details, ["Save the budget to keep using it after a restart"], "no rule used the typed one either");
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998)]);
+    session.apply(BudgetCommand::Use.into(), now());
+    assert_eq!(session.notices().last().unwrap().message.to_string(), "Checks use the budget Station 3");
+}
+
+#[test]
 fn an_expired_budget_still_counts_and_says_so() {
     let mut session = with_budget("2025-01-15", "2026-01-14");
     measured(&mut session, "25 H7", "25.012");

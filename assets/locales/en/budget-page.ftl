@@ -104,6 +104,7 @@ budget-page-uses-typed = “{ $name }” does not count: checks use the uncertai
 budget-page-uses-no-rule = “{ $name }” is chosen, but no rule on Check uses an uncertainty yet: choose the rule there
 budget-page-used-before = Until now, checks used the typed uncertainty ({ $uncertainty }). “Stop using” brings it back
 budget-page-used = Checks use the budget { $name }
+budget-page-used-no-rule = “{ $name }” changes no verdict yet: the rule on Check is “{ $rule }”, which uses no uncertainty. Choose another rule
 budget-page-not-kept = Save the budget to keep using it after a restart
 budget-page-readings-not-kept = The readings are not in the budget file: after a restart, the budget is no longer used
 budget-page-used-unread = { $path }: the budget in use for checks cannot be read, so checks use no budget: { $problem }

@@ -104,6 +104,7 @@ budget-page-uses-typed = “{ $name }” telt niet mee: controles gebruiken de o
 budget-page-uses-no-rule = “{ $name }” is gekozen, maar op de pagina Controle gebruikt nog geen regel een onzekerheid: kies daar de regel
 budget-page-used-before = Tot nu toe gebruikten controles de getypte onzekerheid ({ $uncertainty }). Met “Niet meer gebruiken” komt die terug
 budget-page-used = Controles gebruiken het budget { $name }
+budget-page-used-no-rule = “{ $name }” verandert nog geen oordeel: de regel op de pagina Controle is “{ $rule }”, en die gebruikt geen onzekerheid. Kies een andere regel
 budget-page-not-kept = Sla het budget op om het ook na een herstart te gebruiken
 budget-page-readings-not-kept = De aflezingen staan niet in het budgetbestand: na een herstart wordt het budget niet meer gebruikt
 budget-page-used-unread = { $path }: het budget dat voor controles in gebruik was, kan niet worden gelezen, dus gebruiken controles geen budget: { $problem }

@@ -67,9 +67,12 @@ macro_rules! rows {
 
 pub(super) const PAGE: FieldPlace = FieldPlace::Page;
 pub(super) const AT_TIMES: FieldPlace = FieldPlace::AtTimes;
+/// The part of the check page with the decision rule.
+pub(crate) const RULE_PART: &str = "check-rule-section";
+
 const PROBE: FieldPlace = FieldPlace::Fold("probe-position");
 const SIMULATED: FieldPlace = FieldPlace::Fold("simulated-workpiece");
-const RULE: FieldPlace = FieldPlace::Fold("check-rule-section");
+const RULE: FieldPlace = FieldPlace::Fold(RULE_PART);
 const WARMTH: FieldPlace = FieldPlace::Fold("check-temperature-section");
 const RECORD: FieldPlace = FieldPlace::Fold("records-page-fold");
 

@@ -31,6 +31,8 @@ pub struct Notice {
     pub columns: Option<NoticeColumns>,
     /// The page that shows what it tells of.
     pub page: Option<Page>,
+    /// The part of that page, by its name, where it is folded away there.
+    pub part: Option<&'static str>,
 }
 
 impl Notice {
@@ -46,6 +48,7 @@ impl Notice {
             records: false,
             columns: None,
             page: None,
+            part: None,
         }
     }
 

@@ -6,6 +6,7 @@ use eframe::egui::{RichText, Sense, Ui, vec2};
 use super::table::degrees;
 use crate::budget::{Answer, Assessment, Validity};
 use crate::gui::card::{plain_ui, word_ui};
+use crate::gui::section::unfold;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
@@ -152,8 +153,11 @@ fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
         (_, None) => message!("budget-page-uses-none"),
     };
     ui.label(view.words.say(&said));
-    if used.is_some() && force != BudgetForce::InForce {
-        view.field_button(ui, WindowAction::Open(Page::Check));
+    if used.is_some()
+        && force != BudgetForce::InForce
+        && view.field_button(ui, WindowAction::Open(Page::Check)).clicked()
+    {
+        unfold(ui.ctx(), "check-rule-section");
     }
     let placeholders = view.session.budget().placeholders();
     if !placeholders.is_empty() {

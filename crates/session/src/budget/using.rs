@@ -8,8 +8,11 @@ use fitcheck_core::budget::{Basis, Budget, Validity};
 use fitcheck_core::message::{Message, Say as _, message};
 
 use super::{BudgetDocument, BudgetPage, OpenBudget, Readings};
-use crate::check::{RuleChoice, UncertaintyFrom};
+use crate::check::{RuleChoice, UncertaintyFrom, rule_name_id};
 use crate::document::Document as _;
+use crate::field_table::RULE_PART;
+use crate::notice::Notice;
+use crate::page::Page;
 use crate::shared::{News, Shared};
 
 /// Which budget checks use, seen from the page.
@@ -89,6 +92,7 @@ impl BudgetPage {
     pub(super) fn use_this(&mut self, shared: &mut Shared) {
         let Some(budget) = self.usable().filter(|_| self.can_be_used()) else { return };
         self.keep_file();
+        let is_by_rule = shared.worth.judging.rule.says_uncertainty();
         let mut details = Vec::new();
         if self.used_file.is_none() {
             let has_readings = self.readings.is_some();
@@ -96,11 +100,14 @@ impl BudgetPage {
             details.push(Message::new(id));
         }
         details.extend(warning(&budget, budget.validity(self.today)));
-        if let Some(typed) = shared.worth.typed_uncertainty() {
+        // A rule without uncertainty did not use the typed one either.
+        if let Some(typed) = shared.worth.typed_uncertainty().filter(|_| is_by_rule) {
             details.push(message!("budget-page-used-before").message("uncertainty", typed.rounded_message()));
         }
-        // The page says which budget is in use; a notice only tells what is not seen there.
-        shared.note_details(message!("budget-page-used").text("name", &budget.name), details);
+        // The page says which budget is in use, and that no rule uses it; a notice only tells what is not seen there.
+        if !details.is_empty() {
+            shared.notices.push(told(&budget, details, shared));
+        }
         let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.document.is_unsaved());
         shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
         shared.spread(News::BudgetTaken);
@@ -145,10 +152,9 @@ impl BudgetPage {
         match read {
             Ok((document, budget)) => {
                 let warning = warning(&budget, budget.validity(self.today));
-                shared.note_details(
-                    message!("budget-page-used").text("name", &budget.name),
-                    warning.into_iter().collect(),
-                );
+                if warning.is_some() {
+                    shared.notices.push(told(&budget, warning.into_iter().collect(), shared));
+                }
                 let sha256 = shared.recording.of_file(&document.name());
                 shared.budget = Some(Arc::new(OpenBudget { file: document.name(), budget, sha256 }));
                 shared.spread(News::Budget);
@@ -164,6 +170,17 @@ impl BudgetPage {
             }
         }
     }
+}
+
+/// That checks use a budget; or that they will, once the rule of the check page uses an uncertainty: it offers the rule.
+fn told(budget: &Budget, details: Vec<Message>, shared: &Shared) -> Notice {
+    let rule = shared.worth.judging.rule;
+    if rule.says_uncertainty() {
+        return Notice { details, ..Notice::of(message!("budget-page-used").text("name", &budget.name), false) };
+    }
+    let rule = Message::new(rule_name_id(rule));
+    let waits = message!("budget-page-used-no-rule").text("name", &budget.name).message("rule", rule);
+    Notice { details, page: Some(Page::Check), part: Some(RULE_PART), ..Notice::of(waits, false) }
 }
 
 /// What to check about a budget on a day.
