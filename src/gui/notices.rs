@@ -99,6 +99,9 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             unfold(ui.ctx(), part);
         }
     }
+    if notice.unplanned.is_some() {
+        view.wide_button(ui, WindowAction::JudgeUnplanned);
+    }
     if notice.records {
         view.wide_button(ui, WindowAction::RecordAgain);
     }

@@ -9,8 +9,8 @@ use fitcheck::journal::entry::Entry;
 use fitcheck::message::Message;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    ColumnsCommand, ColumnsRequest, Command, Effect, Field, ImportInto, OpenJournal, Page, PartsCommand,
-    RecordsCommand, Saved, Session, Step,
+    ColumnsCommand, ColumnsRequest, Command, Effect, Field, FilesCommand, ImportInto, OpenJournal, Page, PartsCommand,
+    Purpose, ReadOutcome, RecordsCommand, Saved, Session, Step, WindowAction,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
@@ -202,6 +202,71 @@ fn a_file_that_was_read_for_one_part_is_not_taken_for_the_next_one() {
     assert_eq!(send(&mut session, command), []);
     assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
     assert_eq!(noticed(&session), "m.csv was read after the part had ended: its values are not used");
+}
+
+/// A plan whose first size has the number and the callout of a row of any morning.
+const NUMBERED: &str = "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nnumber = \"1\"\nname = \"BORE\"\ncallout = \"25 H7\"\n\
+    [[feature]]\nnumber = \"2\"\nname = \"PIN\"\ncallout = \"20 g6\"\n";
+
+/// What is said of the newest import: the headline first.
+fn noticed_lines(session: &Session) -> Vec<String> {
+    let notice = session.notices().last().unwrap();
+    std::iter::once(&notice.message).chain(&notice.details).map(said).collect()
+}
+
+#[test]
+fn a_running_number_of_a_file_of_other_parts_is_no_name() {
+    let mut session = walking_by(NUMBERED);
+    let foreign = "nr;callout;measured\n1;25 H7;25.012\n2;30 H7;30.01\n3;18 K7;18.001\n";
+    import(&mut session, foreign);
+    assert_eq!(standing(&session), "0 measured, 2 missing, 0 skipped");
+    let lines = noticed_lines(&session);
+    assert_eq!(
+        lines[..2],
+        [
+            "m.csv: 0 imported, 3 not",
+            "Nothing in it is of this plan. Check can judge the file by what it asks for itself"
+        ]
+    );
+    let running = "only its number matches BORE of the plan, and that may be a running number";
+    assert!(lines.iter().any(|line| line.contains(running)), "{lines:?}");
+    // The same numbers below a name that is of features, in a file of this plan alone, and beside names.
+    for (text, expected) in [
+        ("balloon;callout;measured\n1;25 H7;25.012\n2;30 H7;30.01\n", "1 measured, 1 missing, 0 skipped"),
+        ("nr;callout;measured\n1;25 H7;25.012\n2;20 g6;19.985\n", "2 measured, 0 missing, 0 skipped"),
+        ("id;measured\nBORE;25.012\n2;19.985\n", "2 measured, 0 missing, 0 skipped"),
+        ("id;measured\nBORE;25.012\nNOBODY;3\n", "1 measured, 1 missing, 0 skipped"),
+    ] {
+        let mut session = walking_by(NUMBERED);
+        import(&mut session, text);
+        assert_eq!(standing(&session), expected, "{text}");
+    }
+}
+
+#[test]
+fn an_import_says_by_what_its_rows_were_found_and_is_undone_as_others_are() {
+    let mut session = walking_by(NUMBERED);
+    import(&mut session, "nr;name;callout;measured\n1;BORE;25 H7;25.012\n2;;20 g6;19.985\n");
+    let lines = noticed_lines(&session);
+    assert_eq!(lines[1..3], ["Matched by name: 1 row", "Matched by number alone, with their lines: PIN (3)"]);
+    let notice = session.notices().last().unwrap();
+    assert!(notice.change.is_some() && notice.change == session.history().last_change(), "Undo");
+    assert_eq!(notice.unplanned, None);
+    act(&mut session, WindowAction::Undo.into());
+    assert_eq!(standing(&session), "0 measured, 2 missing, 0 skipped");
+}
+
+#[test]
+fn a_file_that_is_not_of_the_plan_can_be_opened_on_the_check_page() {
+    let mut session = walking_by(NUMBERED);
+    import(&mut session, "nr;callout;measured\n7;30 H7;30.01\n");
+    assert!(!session.can(WindowAction::JudgeUnplanned), "nobody knows where the file is");
+    let path = PathBuf::from("/in/m.csv");
+    let purpose = Purpose::ImportValues(session.parts().walking.run);
+    send(&mut session, FilesCommand::Seen { purpose, path: path.clone(), fate: ReadOutcome::Read });
+    let effects = act(&mut session, WindowAction::JudgeUnplanned.into());
+    assert_eq!(effects, [Effect::Read(Purpose::Import, path)]);
+    assert_eq!(session.page(), Page::Check);
 }
 
 #[test]

@@ -61,6 +61,7 @@ plan-not-found-no-clue = not judged: the value has no name, number or location, 
 plan-not-found-half-place = not judged: no feature of the plan has this name or number, and a location needs X and Y
 plan-not-found-contradiction = not judged: its name matches { $name } of the plan, but its number matches { $number }
 plan-not-found-other-name = no feature of the plan is called { $given }; { $name } has the same number, but that may be a running number: name the feature as the plan does, or give its nominal size
+plan-not-found-running-number = not judged: only its number matches { $name } of the plan, and that may be a running number, for other rows of the file are not of this plan
 plan-not-found-other-nominal = not judged: it matches { $name } of the plan, but its nominal size is { $given } and the plan's is { $planned }
 plan-not-found-other-limits = not judged: it matches { $name } of the plan, but its limits { $given } have nothing in common with the plan's { $planned }
 plan-not-found-several = not judged: several features of the plan have this location: { $names }

@@ -88,6 +88,13 @@ walk-page-refused = { $count ->
     }
 walk-page-import-late = { $name } was read after the part had ended: its values are not used
 walk-page-imported = { $name }: { $good } imported, { $bad } not
+walk-page-file-for-check = Nothing in it is of this plan. Check can judge the file by what it asks for itself
+walk-page-found-by-name = { $count ->
+    [one] Matched by name: 1 row
+   *[other] Matched by name: { $count } rows
+}
+walk-page-found-by-number = Matched by number alone, with their lines: { $rows }
+walk-page-found-by-place = Matched by location, with their lines: { $rows }
 walk-page-other-parts = Values of other parts are recorded under their own serial numbers: { $serials }
 walk-page-label = The file has no serial numbers and calls the part { $part }: its values are taken for this part
 walk-page-other-label = of the part { $part }, and without a serial number it is not known to be this part

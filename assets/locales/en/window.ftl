@@ -346,6 +346,7 @@ import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
    *[other] , { $is-again } { $again }
 }, { $is-scrap } { $scrap }
 notice-show = Show
+judge-unplanned = Open in Check
 sample-not-recorded = A sample is not recorded.
 limits-own-first = First from own tables: { $names }
 limits-own-stay = Own tables are still asked first: { $names }. Menu, Limits from, stops using them.

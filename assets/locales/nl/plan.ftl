@@ -61,6 +61,7 @@ plan-not-found-no-clue = niet beoordeeld: de waarde heeft geen naam, nummer of p
 plan-not-found-half-place = niet beoordeeld: geen element van het plan heeft deze naam of dit nummer, en voor een plaats zijn X en Y nodig
 plan-not-found-contradiction = niet beoordeeld: de naam hoort bij { $name } van het plan, maar het nummer bij { $number }
 plan-not-found-other-name = geen element van het plan heet { $given }; { $name } heeft hetzelfde nummer, maar dat kan een volgnummer zijn: noem het element zoals in het plan, of geef zijn nominale maat
+plan-not-found-running-number = niet beoordeeld: alleen het nummer hoort bij { $name } van het plan, en dat kan een volgnummer zijn, want andere rijen van het bestand horen niet bij dit plan
 plan-not-found-other-nominal = niet beoordeeld: de waarde hoort bij { $name } van het plan, maar de nominale maat is { $given } en die van het plan { $planned }
 plan-not-found-other-limits = niet beoordeeld: de waarde hoort bij { $name } van het plan, maar de grenzen { $given } hebben niets gemeen met die van het plan, { $planned }
 plan-not-found-several = niet beoordeeld: meerdere elementen van het plan hebben deze plaats: { $names }

@@ -88,6 +88,13 @@ walk-page-refused = { $count ->
     }
 walk-page-import-late = { $name } is gelezen nadat het onderdeel beëindigd was: de waarden zijn niet gebruikt
 walk-page-imported = { $name }: { $good } geïmporteerd, { $bad } niet
+walk-page-file-for-check = Niets hiervan hoort bij dit plan. De pagina Controle kan het bestand beoordelen naar wat het zelf vraagt
+walk-page-found-by-name = { $count ->
+    [one] Gevonden op naam: 1 rij
+   *[other] Gevonden op naam: { $count } rijen
+}
+walk-page-found-by-number = Alleen op nummer gevonden, met hun regels: { $rows }
+walk-page-found-by-place = Op plaats gevonden, met hun regels: { $rows }
 walk-page-other-parts = Waarden van andere onderdelen zijn onder hun eigen serienummers vastgelegd: { $serials }
 walk-page-label = Het bestand heeft geen serienummers en noemt het onderdeel { $part }: de waarden zijn voor dit onderdeel gebruikt
 walk-page-other-label = van het onderdeel { $part }, en zonder serienummer is niet bekend of dat dit onderdeel is

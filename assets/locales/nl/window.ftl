@@ -346,6 +346,7 @@ import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
    *[other] , { $is-again } { $again }
 }, { $is-scrap } { $scrap }
 notice-show = Tonen
+judge-unplanned = Openen op de pagina Controle
 sample-not-recorded = Een voorbeeld wordt niet vastgelegd.
 limits-own-first = Eerst uit eigen tabellen: { $names }
 limits-own-stay = Eigen tabellen gaan nog steeds voor: { $names }. Met Menu, Grensmaten uit, worden ze niet meer gebruikt.

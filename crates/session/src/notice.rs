@@ -29,6 +29,8 @@ pub struct Notice {
     pub records: bool,
     /// The file whose columns it tells of.
     pub columns: Option<NoticeColumns>,
+    /// The name of a file that is of no part of the plan: Check can judge it.
+    pub unplanned: Option<String>,
     /// The page that shows what it tells of.
     pub page: Option<Page>,
     /// The part of that page, by its name, where it is folded away there.
@@ -47,6 +49,7 @@ impl Notice {
             before: None,
             records: false,
             columns: None,
+            unplanned: None,
             page: None,
             part: None,
         }
@@ -106,6 +109,11 @@ impl Notices {
     pub fn shown_mut(&mut self) -> Option<&mut Notice> {
         let place = self.shown_place();
         self.open.get_mut(place)
+    }
+
+    /// The newest notice with a headline.
+    pub fn of_mut(&mut self, message: &Message) -> Option<&mut Notice> {
+        self.open.iter_mut().rev().find(|notice| notice.message == *message)
     }
 
     pub fn newest_mut(&mut self) -> Option<&mut Notice> {

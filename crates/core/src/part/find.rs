@@ -58,6 +58,11 @@ pub enum NotFound {
         /// The name of the feature.
         name: String,
     },
+    /// Only its number is that of a feature, and other sizes of its file are not of the plan: the number may be a running one.
+    RunningNumber {
+        /// The name of the feature.
+        name: String,
+    },
     /// The feature of that name, number or place has another nominal size.
     OtherNominal {
         /// Its name.

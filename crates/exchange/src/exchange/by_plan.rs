@@ -37,6 +37,31 @@ impl<'a> ByPlan<'a> {
         self.plan
     }
 
+    /// Judges all that a file holds. A number that may be a running one finds a feature only where every size of the file is one of the
+    /// plan: the rows of any file may be numbered.
+    pub fn file(&self, items: Vec<Item>) -> Vec<Item> {
+        let is_strange = |value: &Value| value.labels.may_be_running && self.find(value).is_err();
+        let is_of_plan = !items.iter().filter_map(plain).any(|value| is_strange(&value));
+        let mut judged = Vec::new();
+        for item in items {
+            match plain(&item).filter(|_| !is_of_plan).and_then(|value| self.only_numbered(value)) {
+                Some(unjudged) => judged.push(Item::Unjudged(Box::new(unjudged))),
+                None => self.item(item, &mut |item| judged.push(item)),
+            }
+        }
+        judged
+    }
+
+    /// A value that nothing but a number speaks for which may be a running one.
+    fn only_numbered(&self, value: Value) -> Option<Unjudged> {
+        match self.find(&value) {
+            Ok((at, By::Number)) if value.labels.may_be_running => {
+                Some(value.without(NotFound::RunningNumber { name: self.name(at) }))
+            }
+            _ => None,
+        }
+    }
+
     /// Judges one thing of a file by the plan; warnings about it come before it.
     pub fn item(&self, item: Item, take: &mut dyn FnMut(Item)) {
         match item {
@@ -150,6 +175,17 @@ impl<'a> ByPlan<'a> {
         let part = &self.plan.head.part;
         let is_other = !part.is_empty() && !given.trim().is_empty() && !given.trim().eq_ignore_ascii_case(part);
         is_other.then(|| ImportWarningKind::PartDiffers { given: shorten(given), part: part.clone() })
+    }
+}
+
+/// The value of a record, or of what a plan may judge all the same.
+fn plain(item: &Item) -> Option<Value> {
+    match item {
+        Item::Record { line, record, labels } => Some(Value::of_record(*line, (**record).clone(), labels.clone())),
+        Item::Unjudged(unjudged) if is_plain(&unjudged.why) => {
+            Some(Value::of_unjudged((**unjudged).clone(), unjudged.measured?))
+        }
+        _ => None,
     }
 }
 

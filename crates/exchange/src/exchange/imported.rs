@@ -45,6 +45,8 @@ pub struct Imported {
 pub struct Labels {
     /// The number of the characteristic; empty where it has none.
     pub number: String,
+    /// Whether the number, or a name that is one, may be a running one: the file does not say that it is of a feature.
+    pub may_be_running: bool,
     /// The part, such as its drawing number; empty where the file names none.
     pub part: String,
     /// The part's serial number; empty where the file has none.

@@ -18,6 +18,11 @@ const CORRECTED: &str = "temp comp|temp compensation|temp compensated|temperatur
     compensated|gecorrigeerd|temperatuur gecorrigeerd|temperatuurgecorrigeerd|gecompenseerd|bij 20 c|op 20 c|korrigiert|\
     temperaturkorrigiert|temperaturkompensiert|kompensiert|auf 20 c|bei 20 c|corretto|corretta|compensato|a 20 c|correction um";
 
+/// Words of a name whose numbers are those of features: a balloon, a characteristic, a bore. A number below another name may count the rows.
+const OF_FEATURES: &str = "name|naam|nome|bezeichnung|benaming|feature|merkmal|merkmalsnummer|kenmerk|kenmerknummer|\
+    characteristic|caratteristica|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|balloon|pos|\
+    position|positie|posizione|positionsnummer|what|was|wat";
+
 /// Names that say more of a value than what it is of: they count beside a column that names the feature.
 const LABELS: [(Role, &str); 4] = [
     (
@@ -162,6 +167,12 @@ pub(super) fn label(header: &str) -> Option<Role> {
     let name = bare(header);
     let lists = LABELS.iter().chain(&PLACES);
     lists.into_iter().find(|(_, list)| list.split('|').any(|known| known == name)).map(|(role, _)| *role)
+}
+
+/// Whether numbers in a column with this name may be running ones, or those of parts: nothing in it says that they are of features.
+pub(super) fn may_be_running(header: &str) -> bool {
+    let names_features = |word: &str| OF_FEATURES.split('|').any(|known| known == word);
+    !bare(header).split(' ').any(names_features)
 }
 
 /// Names of a column that says what somebody or something else decided.

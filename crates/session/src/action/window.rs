@@ -52,6 +52,8 @@ actions! {
     CorrectColumns;
     /// Forgets what was remembered of them.
     ForgetColumns;
+    /// Judges a file on the check page that is of no part of the plan.
+    JudgeUnplanned;
     /// Writes the checks in a format of the report's list, by its number there.
     Export(usize): 0..RENDERINGS.len();
     /// Writes the status window's text.
@@ -144,6 +146,8 @@ impl Actions for WindowAction {
             }
             Self::CorrectColumns => everywhere("columns-page-correct", ColumnsCommand::Correct.into())
                 .when(|session| told_columns(session).is_some()),
+            Self::JudgeUnplanned => everywhere("judge-unplanned", FilesCommand::JudgeUnplanned.into())
+                .when(|session| session.unplanned_file().is_some()),
             Self::ForgetColumns => everywhere("columns-page-forget", ColumnsCommand::Forget.into())
                 .when(|session| told_columns(session).is_some_and(|columns| columns.shape.is_some())),
             Self::Export(number) => {

@@ -162,12 +162,12 @@ impl OpenColumns {
         }
         let given = ImportInputs { has_plan: plan.is_some(), ..ImportInputs::new(sources, now) };
         let Ok(items) = self.asked.first.items(&mapping, given) else { return };
-        let by_plan = plan.map(ByPlan::new);
+        let items = match plan {
+            Some(plan) => ByPlan::new(plan).file(items),
+            None => items,
+        };
         for item in items {
-            match &by_plan {
-                Some(by_plan) => by_plan.item(item, &mut |item| see(&item, &mut self.read, &mut self.problem)),
-                None => see(&item, &mut self.read, &mut self.problem),
-            }
+            see(&item, &mut self.read, &mut self.problem);
         }
     }
 

@@ -43,6 +43,8 @@ pub enum FilesCommand {
     OpenRecent(usize),
     /// Empties the list of recent files.
     ForgetRecent,
+    /// Judges the file of the notice on the check page, by what the file itself asks for.
+    JudgeUnplanned,
     /// A file was read, or is gone.
     Seen {
         /// What it was read for.

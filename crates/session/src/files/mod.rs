@@ -63,6 +63,11 @@ impl Session {
                 let Some(file) = places.recent.get(number).cloned() else { return Vec::new() };
                 return self.open_file(file.purpose, file.path, now);
             }
+            FilesCommand::JudgeUnplanned => {
+                let Some(path) = self.unplanned_file().map(Path::to_owned) else { return Vec::new() };
+                self.shared.open(Page::Check);
+                return self.open_file(Purpose::Import, path, now);
+            }
             FilesCommand::ForgetRecent => self.shared.places.forget(),
             FilesCommand::Seen { purpose, path, fate } => self.shared.places.seen(purpose, path, fate),
             FilesCommand::Launch(how) => {
@@ -199,6 +204,15 @@ impl Session {
                 Vec::new()
             }
         }
+    }
+
+    /// The file of no part of a plan that the notice tells of.
+    pub(crate) fn unplanned_file(&self) -> Option<&Path> {
+        let name = self.shared.notices.shown()?.unplanned.as_deref()?;
+        let kind = Purpose::Import.kind();
+        let recent = self.recent_files().iter().filter(|file| file.purpose.kind() == kind);
+        let mut paths = recent.map(|file| file.path.as_path());
+        paths.find(|path| path.file_name().is_some_and(|own| own == name))
     }
 
     /// Reads a file without a dialog, on the page that shows it.

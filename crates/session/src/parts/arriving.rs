@@ -40,11 +40,8 @@ impl PartsPage {
         let Some(plan) = self.walking.plan.as_ref().filter(|_| run == self.walking.run).map(Arc::clone) else {
             return shared.tell(message!("walk-page-import-late").text("name", name));
         };
-        let by_plan = ByPlan::new(&plan);
-        let mut judged = Vec::new();
-        for item in items {
-            by_plan.item(item, &mut |item| judged.push(item));
-        }
+        let judged = ByPlan::new(&plan).file(items);
+        let found = said_of_finding(&judged);
         let arrived = self.arrive(&plan, judged, used(FileRole::Measurements, name, sha256).as_ref(), shared);
         let message = message!("walk-page-imported")
             .text("name", name)
@@ -52,11 +49,22 @@ impl PartsPage {
             .count("bad", arrived.problems.len());
         let is_problem = arrived.values.is_empty();
         let said = said_of_others(&arrived);
-        let details = arrived.problems.iter().chain(&said).chain(&arrived.warnings).cloned().collect();
-        let mut notice = Notice { details, ..Notice::of(message, is_problem) };
+        let other_way = is_problem.then(|| message!("walk-page-file-for-check"));
+        let problems = arrived.problems.iter();
+        let details = other_way.iter().chain(&found).chain(problems).chain(&said).chain(&arrived.warnings);
+        let unplanned = is_problem.then(|| name.to_owned());
+        let details = details.cloned().collect();
+        let mut notice = Notice { details, unplanned, ..Notice::of(message.clone(), is_problem) };
         shared.add_columns(&mut notice, name);
         shared.notices.push(notice);
         self.keep(arrived.values, shared);
+        if !is_problem {
+            let change = shared.history.last_change();
+            // What could not be recorded is told after it.
+            if let Some(notice) = shared.notices.of_mut(&message) {
+                notice.change = change;
+            }
+        }
         self.stay_open();
     }
 
@@ -153,6 +161,38 @@ impl PartsPage {
 fn is_own_label(plan: &Plan, serial: &str, given: &str) -> bool {
     let given = given.trim();
     given.is_empty() || [plan.head.part.as_str(), serial].iter().any(|own| own.eq_ignore_ascii_case(given))
+}
+
+/// By what the values of a file were found, where that was not only their names.
+fn said_of_finding(judged: &[Item]) -> Vec<Message> {
+    use fitcheck_exchange::exchange::ImportWarningKind::{
+        FoundByNumber, FoundByNumberOf, FoundByPlace, FoundByPlaceOf,
+    };
+    let (mut numbers, mut places) = (Vec::new(), Vec::new());
+    for item in judged {
+        let Item::Warning(Located { what, .. }) = item else { continue };
+        let Some(line) = what.row else { continue };
+        match &what.kind {
+            FoundByNumber { name } | FoundByNumberOf { name, .. } => numbers.push((line, name)),
+            FoundByPlace { name } | FoundByPlaceOf { name, .. } => places.push((line, name)),
+            _ => {}
+        }
+    }
+    let all = judged.iter().filter(|item| matches!(item, Item::Record { .. })).count();
+    let named = all.saturating_sub(numbers.len() + places.len());
+    if named == all {
+        return Vec::new();
+    }
+    let listed = |found: &[(usize, &String)]| {
+        let rows: Vec<_> = found.iter().map(|(line, name)| format!("{name} ({line})")).collect();
+        rows.join(", ")
+    };
+    let by_name = (0 < named).then(|| message!("walk-page-found-by-name").count("count", named));
+    let of = |id: &'static str, found: &[(usize, &String)]| {
+        (!found.is_empty()).then(|| Message::new(id).text("rows", listed(found)))
+    };
+    let by_number = of("walk-page-found-by-number", &numbers);
+    by_name.into_iter().chain(by_number).chain(of("walk-page-found-by-place", &places)).collect()
 }
 
 /// That the file calls the part otherwise than the plan does, and that some values are of other parts: they are recorded under their own

@@ -79,7 +79,7 @@ impl Sample {
             decimals: None,
             own: OwnColumns::default(),
             evidence: Evidence::default(),
-            labels: LabelColumns::default(),
+            labels: LabelColumns { may_be_running: true, ..LabelColumns::default() },
             other_values: Vec::new(),
             beside: Vec::new(),
             remarks: Vec::new(),

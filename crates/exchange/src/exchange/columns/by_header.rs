@@ -65,7 +65,7 @@ impl Sample {
             .chain(quantities.iter().map(|column| column.at))
             .chain(own.of_correction())
             .collect();
-        let labels = LabelColumns::of(header, &[used.as_slice(), &warm].concat());
+        let labels = LabelColumns::of(header, id, &[used.as_slice(), &warm].concat());
         let used: Vec<usize> = used.into_iter().chain(labels.iter()).collect();
         let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
         Ok(Columns {

@@ -82,19 +82,25 @@ pub(super) struct LabelColumns {
     pub(super) serial: Option<usize>,
     pub(super) who: Option<usize>,
     pub(super) place: [Option<LengthColumn>; 3],
+    /// Whether the numbers that features are found by may be running ones.
+    pub(super) may_be_running: bool,
 }
 
 impl LabelColumns {
-    /// Those of a header beside the columns that are used otherwise.
-    fn of(header: &StringRecord, used: &[usize]) -> Self {
+    /// Those of a header beside the columns that are used otherwise, and beside the one that names the features.
+    fn of(header: &StringRecord, id: Option<usize>, used: &[usize]) -> Self {
         let labels: Vec<_> = (0..).zip(header).filter(|(at, _)| !used.contains(at)).collect();
         let at = |role: Role| labels.iter().find(|(_, name)| words::label(name) == Some(role)).map(|(at, _)| *at);
         let place = |role: Role| {
             let at = at(role)?;
             Some(LengthColumn { at, unit: unit_of(header.cell(at)).ok()? })
         };
+        let number = at(Role::Number);
+        // Without a number the name may be one.
+        let numbers = number.or(id);
         Self {
-            number: at(Role::Number),
+            may_be_running: numbers.is_some_and(|at| words::may_be_running(header.cell(at))),
+            number,
             part: at(Role::Part),
             // A serial number that names the rows is one all the same.
             serial: (0..).zip(header).find(|(_, name)| words::label(name) == Some(Role::Serial)).map(|(at, _)| at),

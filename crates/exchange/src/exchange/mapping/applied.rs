@@ -175,6 +175,9 @@ impl Said<'_> {
             serial: self.either(Role::Serial, |found| found.labels.serial),
             who: self.either(Role::Who, |found| found.labels.who),
             place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
+            // What the user calls the number or the name of a feature is no running number.
+            may_be_running: self.of(Role::Number).or(self.of(Role::Id)).is_none()
+                && self.found.as_ref().is_none_or(|found| found.labels.may_be_running),
         };
         let beside = |at: Option<usize>| at.filter(|at| *at != measured);
         let nominal = beside(self.either(Role::Nominal, |found| found.nominal.map(|column| column.at)));

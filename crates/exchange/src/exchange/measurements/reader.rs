@@ -328,6 +328,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
                 .collect(),
             place,
             is_corrected: self.columns.evidence.is_corrected(cells),
+            may_be_running: self.columns.labels.may_be_running,
             ..Labels::default()
         }
     }
