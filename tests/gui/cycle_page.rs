@@ -484,7 +484,7 @@ fn a_block_is_pasted_and_copied() {
 #[test]
 fn the_dialog_for_a_block_keeps_its_size_and_the_keys_of_the_page() {
     let mut window = coordinate(Window::default());
-    let behind = window.get_by_role_and_label(Role::Button, "Workpiece…").rect().center();
+    let behind = window.get_by_role_and_label(Role::ComboBox, "Probe").rect().center();
     click(&mut window, Role::Button, "Paste NC block…");
     let field = |window: &Harness<'_, App>| window.get_by(|node| node.role() == Role::MultilineTextInput).rect();
     let place = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::Button, "Fill the form").rect();
@@ -507,7 +507,7 @@ fn the_dialog_for_a_block_keeps_its_size_and_the_keys_of_the_page() {
     window.drag_at(behind);
     window.drop_at(behind);
     window.run();
-    assert!(!window.state().session().workpiece_is_open());
+    assert!(window.query_by_label("Own touch-probe table…").is_none());
     key(&mut window, Modifiers::NONE, Key::Escape);
     assert!(window.state().session().cycles().block.is_none());
 }
