@@ -27,9 +27,14 @@ pub(super) fn page_card_ui<T>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> T) -
     in_frame_ui(ui, page_frame(ui), content)
 }
 
-/// The same around what has a frame of its own.
+/// The ground around what has a frame of its own.
+pub(super) fn close_frame(ui: &Ui) -> Frame {
+    page_frame(ui).inner_margin(Margin::same(8))
+}
+
+/// A part of a page on such a ground.
 pub(super) fn close_card_ui<T>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> T) -> T {
-    in_frame_ui(ui, page_frame(ui).inner_margin(Margin::same(8)), content)
+    in_frame_ui(ui, close_frame(ui), content)
 }
 
 /// What is too much for a card is cut at its edge and moves nothing beside it.

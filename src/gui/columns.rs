@@ -14,7 +14,7 @@ use eframe::egui::{
 use super::card::{page_card_ui, page_frame};
 use super::keypad::{self, keypad_ui};
 use super::room::is_tiny;
-use super::theme::{palette, space};
+use super::theme::{control, palette, space};
 use super::view::View;
 
 /// The least width of the left column.
@@ -236,10 +236,21 @@ pub(super) fn bar_ui(
     salt: &str,
     content: impl FnOnce(&mut Ui, &mut View<'_>),
 ) {
+    lean_bar_ui(ui, view, side, (salt, 8), content);
+}
+
+/// The same with a margin above and below what is in it.
+pub(super) fn lean_bar_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    side: Side,
+    (salt, margin): (&str, i8),
+    content: impl FnOnce(&mut Ui, &mut View<'_>),
+) {
     let panel = if side == Side::Top { Panel::top(salt) } else { Panel::bottom(salt) };
     let panel = panel.resizable(false).show_separator_line(false).frame(Frame::new().inner_margin(side.gap()));
     panel.show(ui, |ui| {
-        page_frame(ui).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
+        page_frame(ui).inner_margin(Margin::symmetric(12, margin)).show(ui, |ui| {
             ui.set_min_width(ui.available_width());
             content(ui, view);
         });
@@ -364,6 +375,30 @@ pub(super) fn column_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug,
         follow_focus(ui);
     });
     ui.allocate_rect(rect, Sense::hover());
+}
+
+/// What scrolls where there is little room, and below it what is always in sight, in the order in which Tab goes.
+pub(super) fn footed_column_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    salt: &'static str,
+    content: impl FnOnce(&mut Ui, &mut View<'_>),
+    foot: impl FnOnce(&mut Ui, &mut View<'_>),
+) {
+    // The foot is as high as in the frame before; at first it is one row.
+    let id = Id::unique(("foot", salt));
+    let known = ui.data(|data| data.get_temp::<f32>(id)).unwrap_or_else(|| control(ui));
+    let gap = space(1.0);
+    ui.spacing_mut().item_spacing.y = gap;
+    let height = (ui.available_height() - known - gap).max(0.0);
+    let top = ui.cursor().top();
+    of_height(ui, height, |ui| column_ui(ui, salt, |ui| content(ui, view)));
+    ui.add_space((top + height + gap - ui.cursor().top()).max(0.0));
+    let shown = ui.vertical(|ui| foot(ui, view)).response.rect.height();
+    if 0.5 < (shown - known).abs() {
+        ui.data_mut(|data| data.insert_temp(id, shown));
+        ui.ctx().request_repaint();
+    }
 }
 
 /// Scrolls to the widget that has just got the focus, if it was just drawn here.

@@ -12,6 +12,16 @@ use crate::message::Message;
 /// How many lines a mask usually prints.
 const LINES: f32 = 5.0;
 
+/// The height of the pop-up with that many lines, its title and its margins.
+pub(super) fn usual_height(ui: &Ui) -> f32 {
+    lines_height(ui) + space(14.0)
+}
+
+fn lines_height(ui: &Ui) -> f32 {
+    let line = ui.fonts_mut(|fonts| fonts.row_height(&theme::mono(sizes().mono)));
+    (line * LINES).ceil().max(space(24.0))
+}
+
 /// The pop-up with its text, with the reason why there is none, or with `empty` while there is nothing.
 pub(super) fn popup_ui(
     ui: &mut Ui,
@@ -23,8 +33,7 @@ pub(super) fn popup_ui(
     let title = if is_simulated && shown.is_some() { "popup-title-simulated" } else { "popup-title" };
     frame_ui(ui, view.text(title), |ui| {
         // As high as the window of a mask: what stands below it does not move when one comes.
-        let line = ui.fonts_mut(|fonts| fonts.row_height(&theme::mono(sizes().mono)));
-        ui.set_min_height((line * LINES).ceil().max(space(24.0)));
+        ui.set_min_height(lines_height(ui));
         match shown {
             Some(Ok(text)) => text_ui(ui, text, "popup"),
             Some(Err(error)) => _ = problem(ui, view.words.say(error)),

@@ -1,7 +1,7 @@
 //! The verdict's card: one word that can be read from two metres, its shape, and the lines below it.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::text::{LayoutJob, TextWrapping};
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align2, Color32, FontId, Label, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use super::card::{MARGIN, verdict_ui};
@@ -35,6 +35,8 @@ pub(super) struct Card {
     pub lines: Vec<String>,
     /// The least height of the card.
     pub height: f32,
+    /// Whether there is little room: the word is no larger than it has to be, and a sentence stays on one line.
+    pub is_close: bool,
 }
 
 impl Card {
@@ -75,6 +77,9 @@ pub(super) fn lines_below_ui(ui: &mut Ui, card: &Card) {
 /// The size of the word, at least and at most: the least can be read from two metres.
 const WORD: [f32; 2] = [49.0, 76.0];
 
+/// The size of the word at most where there is little room.
+const CLOSE_WORD: f32 = 56.0;
+
 /// The size of what comes first below the word: what to do, or else the value.
 const FIRST: [f32; 2] = [24.0, 40.0];
 
@@ -101,7 +106,33 @@ struct Setting {
     /// Whether the shape stands beside the word; elsewhere it stands above it.
     is_beside: bool,
     /// What stands below the word, line by line.
-    lines: Vec<(String, FontId)>,
+    lines: Vec<LayoutJob>,
+}
+
+/// A line in a font.
+fn line(text: &str, font: &FontId) -> LayoutJob {
+    LayoutJob::single_section(text.to_owned(), TextFormat::simple(font.clone(), Color32::PLACEHOLDER))
+}
+
+/// What is to be done, as large as leaves room for the rest of the sentence beside it; else that has a line of its own.
+fn sentence(ui: &Ui, [what, rest]: [&str; 2], largest: f32, width: f32) -> Vec<LayoutJob> {
+    let small = theme::font(sizes().body);
+    let beside = ui.painter().layout_no_wrap(format!(" {rest}"), small.clone(), Color32::PLACEHOLDER).size().x;
+    let size = largest.min((width - beside) * largest / word_width(ui, what, largest).max(1.0)).floor();
+    if size < FIRST[0] {
+        return vec![line(what, &theme::bold(FIRST[0].min(largest))), line(rest, &small)];
+    }
+    let large = theme::bold(size);
+    // Both stand on one line of writing, which the library sets by the lower edge of the texts.
+    let [high, low] = [&large, &small].map(|font| {
+        let galley = ui.painter().layout_no_wrap("0".to_owned(), font.clone(), Color32::PLACEHOLDER);
+        let ascent = galley.rows.first().and_then(|row| row.glyphs.first()).map_or(0.0, |glyph| glyph.pos.y);
+        (galley.size().y, ascent)
+    });
+    let mut job = line(what, &large);
+    let line_height = Some(high.0 - high.1 + low.1);
+    job.append(&format!(" {rest}"), 0.0, TextFormat { line_height, ..TextFormat::simple(small, Color32::PLACEHOLDER) });
+    vec![job]
 }
 
 impl Setting {
@@ -111,7 +142,7 @@ impl Setting {
     }
 
     fn of(ui: &Ui, card: &Card, width: f32) -> Self {
-        let [least, most] = WORD;
+        let [least, most] = if card.is_close { [WORD[0], CLOSE_WORD] } else { WORD };
         let wanted = if card.status.is_some() {
             (width * 0.2).min(ui.ctx().content_rect().height() * 0.12).clamp(least, most)
         } else {
@@ -129,17 +160,21 @@ impl Setting {
         let mut lines = Vec::new();
         let mut value = first.clone();
         if let Some((what, rest)) = &card.instruction {
-            lines.push((what.clone(), first));
-            if !is_tiny(ui) {
-                lines.push((rest.clone(), theme::font(sizes().body)));
+            if card.is_close {
+                lines.extend(sentence(ui, [what, rest], first.size, width));
+            } else {
+                lines.push(line(what, &first));
+                if !is_tiny(ui) {
+                    lines.push(line(rest, &theme::font(sizes().body)));
+                }
             }
             value = theme::bold(sizes().figure);
         }
-        lines.extend(card.value.iter().map(|text| (text.clone(), value.clone())));
+        lines.extend(card.value.iter().map(|text| line(text, &value)));
         // Where there is no room the lines stand below the card.
         if !is_tiny(ui) {
             let size = if card.status.is_some() { sizes().limits } else { sizes().small };
-            lines.extend(card.lines.iter().map(|text| (text.clone(), theme::font(size))));
+            lines.extend(card.lines.iter().map(|text| line(text, &theme::font(size))));
         }
         Self { word, shape, is_beside, lines }
     }
@@ -171,8 +206,11 @@ pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Op
             }
             let setting = Setting::of(ui, card, ui.available_width());
             word_ui(ui, card, &setting, colour);
-            for (line, font) in setting.lines {
-                ui.label(RichText::new(line).font(font).color(colour));
+            for mut line in setting.lines {
+                for section in &mut line.sections {
+                    section.format.color = colour;
+                }
+                ui.label(line);
             }
         });
         if let Some(foot) = foot {
@@ -215,9 +253,22 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
     if card.is_simulated {
         heights.push(text(&view.text("simulated"), theme::bold(sizes().body)));
     }
-    heights.extend(setting.lines.into_iter().map(|(line, font)| text(&line, font)));
+    heights.extend(setting.lines.into_iter().map(|mut line| {
+        line.wrap.max_width = width;
+        ui.painter().layout_job(line).size().y
+    }));
     let gaps = space(1.0) * f32::from(u8::try_from(heights.len()).unwrap_or(u8::MAX).saturating_sub(1));
     heights.into_iter().sum::<f32>() + gaps + f32::from(MARGIN) * 2.0
+}
+
+/// A card that is no higher than the room, and the lines for which that has no place.
+pub(super) fn fitted(mut card: Card, room: f32, height: impl Fn(&Card) -> f32) -> (Card, Vec<String>) {
+    let mut below = Vec::new();
+    while !card.lines.is_empty() && room < height(&card) {
+        below.extend(card.lines.pop());
+    }
+    below.reverse();
+    (card, below)
 }
 
 /// Shape and word.

@@ -30,6 +30,7 @@ mod rows;
 mod rules;
 mod settings_page;
 mod sizes;
+mod small_windows;
 mod table_page;
 mod tools;
 mod walk_page;

@@ -1,21 +1,22 @@
 //! Right, above: the answer. One word that can be read from two metres, its shape, and what to do.
 
-use eframe::egui::{Align, Button, Color32, Layout, Popup, PopupCloseBehavior, RichText, Ui, vec2};
+use eframe::egui::{Align, Button, Color32, Id, Layout, Popup, PopupCloseBehavior, RichText, Ui, vec2};
 
 use crate::gui::check::record_panel::recorded_ui;
-use crate::gui::check::worth_lines;
+use crate::gui::check::{lists_checks, worth_lines};
 use crate::gui::limits::limits_text;
-use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::room::is_tiny;
+use crate::gui::theme::{self, Icon, Weight, control, sizes, space};
 use crate::gui::verdict_card::{
-    Card, card_height_in, card_ui, chip_ui, foot_height, footed_card_ui, half, lines_below_ui, question_card, remove,
-    status_id,
+    Card, card_height_in, card_ui, chip_ui, fitted, foot_height, footed_card_ui, half, lines_below_ui, question_card,
+    remove, status_id,
 };
-use crate::gui::view::{Digits, View, doubt_text, heading};
+use crate::gui::view::{Digits, View, doubt_text, heading, remembered};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say, message};
 use crate::session::help::Sample;
-use crate::session::{CheckAction, WindowAction};
+use crate::session::{Action, CheckAction, WindowAction};
 use crate::session::{DoubtedText, Lot, Question, Recorded, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
@@ -35,8 +36,18 @@ pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
     card_height_in(ui, view, &card, width) + shown.map_or(example, |_| foot_height(ui))
 }
 
+/// The lines for which the card had no room.
+fn below_id() -> Id {
+    Id::unique("check-below")
+}
+
 /// The verdict card over a height; or a question instead.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
+    answer_within_ui(ui, view, height, f32::INFINITY);
+}
+
+/// The same, no higher than the room: lines that have no place in it stand below.
+pub(super) fn answer_within_ui(ui: &mut Ui, view: &mut View<'_>, height: f32, most: f32) {
     if let Some(doubted) = view.session.check().doubted() {
         return doubted_ui(ui, view, doubted);
     }
@@ -54,6 +65,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
         (_, true) => control(ui) + ui.spacing().item_spacing.y,
         _ => 0.0,
     };
+    let (card, left) = card_within(ui, view, card, most - below);
+    ui.data_mut(|data| data.insert_temp(below_id(), left));
     let card = Card { height: height - below, ..card };
     let shown = view.session.check().shown.as_ref().and_then(|shown| shown.id);
     let replaced = shown.and_then(|id| view.session.history().replaced_by(id));
@@ -65,12 +78,16 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
         (Some(Recorded::Waiting), _) => view.text("records-page-waiting"),
         _ => String::new(),
     };
+    let mut pressed = None;
     match record {
         Some(record) => {
-            let mut foot = |ui: &mut Ui, colour: Color32| foot_ui(ui, view, (record, &said), colour);
+            let mut foot = |ui: &mut Ui, colour: Color32| pressed = foot_ui(ui, view, (record, &said), colour);
             footed_card_ui(ui, view, &card, Some(&mut foot));
         }
         None => card_ui(ui, view, &card),
+    }
+    if let Some(action) = pressed {
+        view.act(action);
     }
     if has_failed {
         recorded_ui(ui, view, recorded);
@@ -80,15 +97,42 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     }
 }
 
-/// The number of the record, and the reasons, which open over what stands below.
-fn foot_ui(ui: &mut Ui, view: &View<'_>, (record, said): (&Record, &str), colour: Color32) {
+/// A card of which no line is cut: first it is set closer, then its last lines stand below it.
+fn card_within(ui: &Ui, view: &View<'_>, card: Card, most: f32) -> (Card, Vec<String>) {
+    let foot = if card.status.is_some() { foot_height(ui) } else { 0.0 };
+    let height = |card: &Card| card_height_in(ui, view, card, ui.available_width()) + foot;
+    let is_close = most < height(&card) && !is_tiny(ui);
+    fitted(Card { is_close, ..card }, if is_close { most } else { f32::INFINITY }, height)
+}
+
+/// The number of the record, the reasons, which open over what stands below, and the correction where the list of checks does not offer
+/// it. Returns what was chosen.
+fn foot_ui(ui: &mut Ui, view: &View<'_>, (record, said): (&Record, &str), colour: Color32) -> Option<CheckAction> {
     ui.label(RichText::new(said).font(theme::font(sizes().small)).color(colour));
-    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+    let foot = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let text = RichText::new(view.text("why")).font(theme::bold(sizes().body)).color(colour);
         let button = ui.add(Button::new(text).frame(false).min_size(vec2(0.0, control(ui).min(space(9.0)))));
         let popup = Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.width(space(90.0)).show(|ui| why_ui(ui, view, record));
+        let offers = !lists_checks(ui) && view.session.can(CheckAction::CorrectCheck);
+        (offers && correct_ui(ui, view, colour)).then_some(CheckAction::CorrectCheck)
     });
+    foot.inner
+}
+
+/// The button that corrects the record, in the colour of the card: its icon alone where there is no room for its name.
+fn correct_ui(ui: &mut Ui, view: &View<'_>, colour: Color32) -> bool {
+    let action = Action::from(CheckAction::CorrectCheck);
+    let name = action.text(view.session, view.words);
+    let icon = Icon::PencilSimple.text(Weight::Regular, space(4.5)).color(colour);
+    let text = RichText::new(&name).font(theme::font(sizes().body)).color(colour);
+    let width = ui.painter().layout_no_wrap(name.clone(), theme::font(sizes().body), colour).size().x;
+    let has_room = width + space(4.5 + 2.0) + ui.spacing().icon_spacing < ui.available_width();
+    let button = if has_room { Button::new((icon, text)) } else { Button::new(icon) };
+    let side = control(ui).min(space(9.0));
+    let shown = ui.add(button.frame(false).min_size(vec2(side, side))).accessible_name(name);
+    let hint = action.hint().map_or_else(String::new, |id| view.text(id));
+    shown.on_hover_text(hint).clicked()
 }
 
 /// What comes after what, for who has not typed anything yet.
@@ -115,8 +159,11 @@ fn no_card(view: &View<'_>) -> Card {
     Card { word: view.text(status_id(None)), lines, ..Card::default() }
 }
 
-/// What has no room in the card of a very low window.
+/// What has no room in the card of a low window.
 pub(super) fn rest_of_card_ui(ui: &mut Ui, view: &View<'_>) {
+    for line in remembered::<Vec<String>>(ui, below_id()) {
+        ui.label(line);
+    }
     if let Some(shown) = view.session.check().shown.as_ref() {
         lines_below_ui(ui, &card(view.words, &shown.record, true));
     } else if view.session.check().question.is_none() {
@@ -244,7 +291,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
             .map(|removal| remove(words, &um(removal.to_limit)))
             .or_else(|| worth_lines::measure_again(words, record)),
         lines,
-        height: 0.0,
+        ..Card::default()
     }
 }
 

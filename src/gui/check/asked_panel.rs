@@ -18,23 +18,62 @@ use crate::session::CheckAction;
 use crate::session::{CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
-/// The panel's content: what is asked, and below it what an engineer sets, folded.
-pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// Callout and measured value beside each other, where the keypad leaves little room.
+pub(super) fn typed_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.spacing_mut().item_spacing.y = space(1.0);
+    let gap = space(2.0);
+    let width = ui.available_width() - gap;
+    let callout = (width * 0.45).floor();
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing = vec2(gap, space(1.0));
+        for (field, width) in [(CheckField::Callout, callout), (CheckField::Measured, width - callout)] {
+            ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::top_down(Align::Min), |ui| {
+                ui.set_width(width);
+                match field {
+                    CheckField::Callout => callout_field_ui(ui, view),
+                    _ => {
+                        let field = measured_ui(ui, view);
+                        keypad_button_ui(ui, view, field);
+                    }
+                }
+                error_ui(ui, view, field);
+            });
+        }
+    });
+    ui.add_space(space(0.5));
+}
+
+/// The panel's content: what is asked, and below it what an engineer sets, folded. What `is_typed_above` is not asked once more.
+pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>, is_typed_above: bool) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let top = ui.cursor().top();
-    let features = callout_ui(ui, view);
+    if !is_typed_above {
+        callout_field_ui(ui, view);
+        error_ui(ui, view, CheckField::Callout);
+    }
+    let features = room_of_feature(ui, view);
     ui.add_space(space(1.0));
     match view.session.check().asked.limits.as_ref() {
         Some(limits) => limits_ui(ui, view, limits, features.is_none()),
         None => no_limits_ui(ui, view),
     }
     // The field of the value stands still, whatever the callout says.
-    ui.add_space((room_of_callout(ui) - (ui.cursor().top() - top)).max(0.0));
+    if !is_typed_above {
+        ui.add_space((room_of_callout(ui) - (ui.cursor().top() - top)).max(0.0));
+    }
     ui.add_space(space(1.0));
     let size = vec2(ui.available_width(), sizes().small * 1.4 + control(ui) + space(1.0));
     let (size_and_class, _) = ui.allocate_exact_size(size, Sense::hover());
     ui.add_space(space(1.0));
-    measured_ui(ui, view, features);
+    let field = (!is_typed_above).then(|| measured_ui(ui, view));
+    if let Some(rect) = features {
+        feature_ui(ui, view, rect);
+    }
+    if let Some(field) = field {
+        keypad_button_ui(ui, view, field);
+        error_ui(ui, view, CheckField::Measured);
+    }
+    measure_ui(ui, view);
     // Tab goes from the callout to the value, as the work does.
     let mut child = ui.new_child(UiBuilder::new().max_rect(size_and_class));
     size_and_class_ui(&mut child, view);
@@ -61,12 +100,14 @@ fn room_of_callout(ui: &Ui) -> f32 {
     callout + feature + 2.0 * line(sizes().limits) + line(sizes().small) + gaps
 }
 
-/// The callout; returns the room for hole and shaft, where it does not say which.
-fn callout_ui(ui: &mut Ui, view: &mut View<'_>) -> Option<Rect> {
+fn callout_field_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = quiet(ui, view.text("callout"));
     let style = FieldStyle::callout(ui);
     field_ui(ui, view, CheckField::Callout, name.id, style);
-    error_ui(ui, view, CheckField::Callout);
+}
+
+/// The room for hole and shaft, where the callout does not say which.
+fn room_of_feature(ui: &mut Ui, view: &View<'_>) -> Option<Rect> {
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let is_asked = view.session.check().asked.needs_feature();
     is_asked.then(|| ui.allocate_exact_size(row, Sense::hover()).0)
@@ -116,16 +157,15 @@ fn no_limits_ui(ui: &mut Ui, view: &View<'_>) {
     }
 }
 
-fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
+fn measured_ui(ui: &mut Ui, view: &mut View<'_>) -> Rect {
     let name = quiet(ui, view.text("measured-value"));
+    let style = FieldStyle::value(ui, ui.available_width());
+    value_field_ui(ui, view, CheckField::Measured, name.id, style)
+}
+
+/// How a value comes, and the buttons.
+fn measure_ui(ui: &mut Ui, view: &mut View<'_>) {
     let width = ui.available_width();
-    let style = FieldStyle::value(ui, width);
-    let field = value_field_ui(ui, view, CheckField::Measured, name.id, style);
-    if let Some(rect) = features {
-        feature_ui(ui, view, rect);
-    }
-    keypad_button_ui(ui, view, field);
-    error_ui(ui, view, CheckField::Measured);
     if view.session.check().is_repeated {
         quiet(ui, view.text("measured-once"));
     }

@@ -21,22 +21,37 @@ use crate::words::Words;
 /// The band of a page on which nothing was typed yet.
 const EXAMPLE: &str = "25 H7";
 
+/// Below this height the heading has no more room than its text.
+const CLOSE: f32 = 52.0;
+
+/// The height that heading and plot need, so that nothing of them is cut.
+pub(super) fn least_height(ui: &Ui) -> f32 {
+    let heading = ui.fonts_mut(|fonts| fonts.row_height(&theme::bold(sizes().heading)));
+    heading.ceil() + ui.spacing().item_spacing.y + TRACK[0] + ABOVE + BELOW
+}
+
 /// Heading and plot over the height there is.
 pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>) {
     let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     let asked = view.session.check().asked.limits.as_ref();
     let example = if asked.is_none() { example(view) } else { None };
-    ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = 0.0;
-        heading(ui, view.text("limit-band"));
-        if let Some(limits) = asked {
-            quiet(ui, title(view, limits));
-        } else if example.is_some() {
-            quiet(ui, view.words.say(&message!("band-example").text("callout", EXAMPLE)));
+    ui.scope(|ui| {
+        // The room around the heading gives way first.
+        if ui.available_height() < space(CLOSE) {
+            ui.spacing_mut().interact_size.y = 0.0;
         }
-        if record.is_some_and(|record| record.measurement.origin.is_simulated()) {
-            ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
-        }
+        ui.horizontal(|ui| {
+            ui.spacing_mut().interact_size.y = 0.0;
+            heading(ui, view.text("limit-band"));
+            if let Some(limits) = asked {
+                quiet(ui, title(view, limits));
+            } else if example.is_some() {
+                quiet(ui, view.words.say(&message!("band-example").text("callout", EXAMPLE)));
+            }
+            if record.is_some_and(|record| record.measurement.origin.is_simulated()) {
+                ui.label(RichText::new(view.text("simulated")).font(theme::bold(sizes().body)));
+            }
+        });
     });
     let Some(limits) = asked.or(example.as_ref()) else {
         quiet(ui, view.text("band-empty"));

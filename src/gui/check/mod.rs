@@ -33,7 +33,7 @@ pub(super) use band_plot::band_of_ui;
 use std::ops::RangeInclusive;
 
 pub(super) use crate::text::grouped;
-use eframe::egui::{Align, Frame, Layout, Panel, Ui, vec2};
+use eframe::egui::{Align, Frame, Id, Layout, Panel, Ui, vec2};
 #[cfg(test)]
 pub(super) use history_list::COLUMNS as HISTORY;
 pub(super) use record_panel::recorded_ui;
@@ -42,15 +42,17 @@ pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
-use super::card::close_card_ui;
-use super::columns::{GAP, Shape, Side, THREE, area_ui, bar_ui, column_ui, kept_size, of_height, panel_ui, rest_ui};
+use super::card::{close_card_ui, close_frame, page_frame};
+use super::columns::{
+    GAP, Shape, Side, THREE, area_ui, column_ui, footed_column_ui, kept_size, lean_bar_ui, of_height, panel_ui, rest_ui,
+};
 use super::keypad::{self, keypad_ui};
 use super::page::{Group, PageView};
-use super::records::correction_ui;
+use super::records::{correction_card_ui, correction_ui};
 use super::room::is_low;
 use super::theme::{Icon, space};
 use super::verdict_card::least_width;
-use super::view::View;
+use super::view::{View, remembered};
 
 /// From this width on there is room for the history beside everything else.
 const ULTRA_WIDE: f32 = 620.0;
@@ -60,6 +62,9 @@ const WIDE: f32 = 375.0;
 
 /// Below this width the band stands below the verdict.
 const NARROW: f32 = 210.0;
+
+/// Below this height the fields above the keypad stand beside each other.
+const CLOSE: f32 = 110.0;
 
 /// What the verdict takes of a column, so that nothing moves when it comes.
 const VERDICT: f32 = 69.0;
@@ -73,6 +78,7 @@ fn opened(view: &View<'_>) -> Vec<String> {
 
 /// The check page: left what is asked, right of it the band with the verdict, what else was seen, and the earlier checks.
 fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
+    note_list(ui, !view.session.check().shows_rows());
     let size = ui.available_size();
     let least = least_width(ui, view);
     match Shape::of(ui, least, THREE) {
@@ -84,13 +90,27 @@ fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
+/// Whether the list of checks is in sight, with the correction of the one that is shown.
+fn lists_checks(ui: &Ui) -> bool {
+    remembered(ui, Id::unique("check-lists-checks"))
+}
+
+fn note_list(ui: &Ui, is_in_sight: bool) {
+    ui.data_mut(|data| data.insert_temp(Id::unique("check-lists-checks"), is_in_sight));
+}
+
 fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     keypad_ui(ui, view);
     let session = view.session;
-    column_ui(ui, "check-asked", |ui| match session.records().correcting.as_ref() {
-        Some(form) => correction_ui(ui, view, form),
-        None => asked_panel::asked_panel_ui(ui, view),
-    });
+    if let Some(form) = session.records().correcting.as_ref() {
+        return correction_card_ui(ui, view, form);
+    }
+    // Above the keypad there is little room: what is typed does not scroll.
+    let is_close = session.has_keypad() && ui.available_height() < space(CLOSE);
+    if is_close {
+        asked_panel::typed_ui(ui, view);
+    }
+    column_ui(ui, "check-asked", |ui| asked_panel::asked_panel_ui(ui, view, is_close));
 }
 
 /// The width of the left column, and what the user may make of it.
@@ -119,12 +139,15 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, salt: &str, height: f32, content: im
 fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     let sizes = asked_sizes(ui, view, space(68.0), least + space(90.0));
     panel_ui(ui, view, Side::Left, "check-asked", sizes, asked_ui);
-    history_below_ui(ui, view);
-    let size = ui.available_size();
     let welcomes = view.session.welcomes();
-    let verdict = least.max((size.x * 0.35).min(space(78.0)));
-    let sizes = (verdict, least..=(size.x * 0.6).max(least));
+    let width = ui.available_width();
+    let verdict = least.max((width * 0.35).min(space(78.0)));
+    let sizes = (verdict, least..=(width * 0.6).max(least));
     let row = row_of_verdict(ui, view, "check-verdict", (verdict, sizes.1.clone())).max(space(VERDICT) + space(3.0));
+    // Rows of the history give way before the control's window does.
+    let status = status_panel::usual_height(ui) + close_frame(ui).total_margin().sum().y;
+    history_below_ui(ui, view, row + status);
+    let size = ui.available_size();
     if row + space(40.0) < size.y {
         if welcomes {
             row_ui(ui, view, "check-answer", row, |ui, view| {
@@ -213,11 +236,14 @@ fn columns_of_three_ui(ui: &mut Ui, view: &mut View<'_>, least: f32, has_history
 
 /// Two columns: the verdict above the band, the rest below it.
 fn narrow_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
-    history_below_ui(ui, view);
+    history_below_ui(ui, view, 0.0);
     let sizes = asked_sizes(ui, view, space(65.0), least);
     panel_ui(ui, view, Side::Left, "check-asked", sizes, asked_ui);
+    // The band below is whole: first the card takes less, then the track is lower.
+    let band = band_plot::least_height(ui) + page_frame(ui).total_margin().sum().y;
+    let most = ui.available_height() - band - space(1.0) - 2.0 * ui.spacing().item_spacing.y;
     let height = if is_low(ui) { ui.available_height() * 0.46 } else { space(50.0) };
-    answer_panel::answer_ui(ui, view, height);
+    answer_panel::answer_within_ui(ui, view, height.min(most), most);
     ui.add_space(space(1.0));
     rest_ui(ui, view, |ui, view| {
         column_ui(ui, "check-rest", |ui| {
@@ -235,13 +261,13 @@ fn narrow_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
 
 /// One column, the verdict above it.
 fn one_ui(ui: &mut Ui, view: &mut View<'_>) {
-    history_below_ui(ui, view);
+    history_below_ui(ui, view, 0.0);
     let top = Panel::top("check-verdict-one").resizable(false).show_separator_line(false);
     top.frame(Frame::new().inner_margin(Side::Top.gap())).show(ui, |ui| answer_panel::answer_ui(ui, view, 0.0));
     rest_ui(ui, view, |ui, view| {
         keypad_ui(ui, view);
         column_ui(ui, "check-all", |ui| {
-            asked_panel::asked_panel_ui(ui, view);
+            asked_or_correction_ui(ui, view);
             ui.separator();
             if view.session.welcomes() {
                 first_panel::ways_ui(ui, view);
@@ -255,8 +281,17 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-/// The history over the width of the page: a table, or one line that unfolds where the window is small.
-fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// What is asked, or the form of a correction, as a part of a column.
+fn asked_or_correction_ui(ui: &mut Ui, view: &mut View<'_>) {
+    match view.session.records().correcting.as_ref() {
+        Some(form) => correction_ui(ui, view, form),
+        None => asked_panel::asked_panel_ui(ui, view, false),
+    }
+}
+
+/// The history over the width of the page: a table, or one line that unfolds where the window is small. What stands `above` it
+/// has its height first.
+fn history_below_ui(ui: &mut Ui, view: &mut View<'_>, above: f32) {
     if view.session.welcomes() && view.session.history().is_empty() {
         return;
     }
@@ -269,11 +304,14 @@ fn history_below_ui(ui: &mut Ui, view: &mut View<'_>) {
     let has_keypad = view.session.has_keypad() && size.y < space(230.0);
     let folded = has_keypad || size.x < space(150.0) || size.y < space(150.0);
     if folded && !history_panel::is_unfolded(ui) {
-        bar_ui(ui, view, Side::Bottom, "strip", history_panel::strip_ui);
+        note_list(ui, false);
+        lean_bar_ui(ui, view, Side::Bottom, ("strip", 4), history_panel::strip_ui);
         return;
     }
     let share = if folded || size.x * 1.3 < size.y { 0.38 } else { 0.31 };
-    let sizes = (size.y * share, space(32.0)..=(size.y * 0.6).max(space(32.0)));
+    let least = space(32.0);
+    let usual = (size.y * share).min((size.y - above).max(least));
+    let sizes = (usual, least..=(size.y * 0.6).max(least));
     panel_ui(ui, view, Side::Bottom, ("check-history", folded), sizes, |ui, view| {
         below_ui(ui, view, folded);
     });
@@ -290,7 +328,7 @@ fn below_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
 
 /// A window on its side: the verdict beside the band, what is asked beside the rest.
 fn tall_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
-    history_below_ui(ui, view);
+    history_below_ui(ui, view, 0.0);
     let width = ui.available_width();
     let sizes = (least.max(width * 0.4), least..=least.max(width * 0.65));
     let row = row_of_verdict(ui, view, "check-tall-answer", sizes.clone()).max(space(VERDICT));
@@ -317,16 +355,25 @@ fn band_card_ui(ui: &mut Ui, view: &mut View<'_>) {
     band_plot::band_ui(ui, view);
 }
 
-/// What stands below the verdict in a card of its own; it scrolls where there is no room.
+/// What stands below the verdict in a card of its own; it scrolls where there is no room, and its buttons stay in sight.
 fn status_card_ui(ui: &mut Ui, view: &mut View<'_>) {
-    column_ui(ui, "check-status", |ui| status_ui(ui, view));
+    let content = |ui: &mut Ui, view: &mut View<'_>| {
+        rest_of_answer_ui(ui, view);
+        status_panel::window_ui(ui, view);
+    };
+    footed_column_ui(ui, view, "check-status", content, status_panel::tools_ui);
 }
 
-/// What the row of a large file says, what the verdict's card has no room for, and the control's window.
+/// The same where it is a part of a column.
 fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
+    rest_of_answer_ui(ui, view);
+    status_panel::status_ui(ui, view);
+}
+
+/// What the row of a large file says, and what the verdict's card has no room for.
+fn rest_of_answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     rows_panel::shown_row_ui(ui, view);
     answer_panel::rest_of_card_ui(ui, view);
-    status_panel::status_ui(ui, view);
 }
 
 /// An imported lot, and what was measured.

@@ -2,7 +2,8 @@
 
 use eframe::egui::{ComboBox, Ui};
 
-use crate::gui::popup::popup_ui;
+use crate::gui::popup::{self, popup_ui};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{Digits, View, caret_ui, quiet};
 use crate::journal::Record;
 use crate::length::Length;
@@ -13,12 +14,27 @@ use crate::words::{Dialogue, Words};
 
 /// The pop-up and what can be done with it.
 pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
+    window_ui(ui, view);
+    tools_ui(ui, view);
+}
+
+/// The height that both need.
+pub(super) fn usual_height(ui: &Ui) -> f32 {
+    popup::usual_height(ui) + space(1.0) + control(ui)
+}
+
+/// The pop-up alone.
+pub(super) fn window_ui(ui: &mut Ui, view: &View<'_>) {
     let shown = view.session.check().shown.as_ref();
     let is_simulated = shown.is_some_and(|shown| shown.record.measurement.origin.is_simulated());
     popup_ui(ui, view, shown.map(|shown| &shown.window), "popup-empty", is_simulated);
     if let Some(values) = shown.and_then(|shown| exact(view.words, &shown.record)) {
         ui.label(view.words.say(&message!("popup-exact").text("values", values)));
     }
+}
+
+/// What can be done with it.
+pub(super) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         view.button(ui, CheckAction::CopyStatus);
         mask_chooser_ui(ui, view);

@@ -69,7 +69,7 @@ fn largest_card(words: &Words) -> Card {
             um("remove-to-middle"),
             um("remove-per-side"),
         ],
-        height: 0.0,
+        ..Card::default()
     }
 }
 

@@ -2,6 +2,7 @@
 
 use eframe::egui::{Button, Label, RichText, Ui, vec2};
 
+use crate::gui::columns::footed_column_ui;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{feature_id, limits_text, source_ui};
 use crate::gui::section::Section;
@@ -18,7 +19,26 @@ use crate::tolerance::Feature;
 const REASONS: [&str; 3] =
     ["records-page-reason-mistyped", "records-page-reason-wrong-part", "records-page-reason-trial"];
 
+/// The form as a card of its own: it scrolls, and the button that records stays in sight.
+pub(in crate::gui) fn correction_card_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
+    let content = |ui: &mut Ui, view: &mut View<'_>| {
+        fields_ui(ui, view, form);
+        more_ui(ui, view, form);
+    };
+    footed_column_ui(ui, view, "correction", content, |ui, view| send_ui(ui, view, form));
+}
+
+/// The form above other things.
 pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
+    fields_ui(ui, view, form);
+    send_ui(ui, view, form);
+    more_ui(ui, view, form);
+    ui.add_space(space(1.0));
+    ui.separator();
+}
+
+/// What the record should say, and why.
+fn fields_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     let page = view.session.records();
     let number = page.open.as_ref().map_or(0, |open| open.number);
     heading(ui, view.words.say(&message!("records-page-correction").text("number", number)));
@@ -45,6 +65,10 @@ pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Cor
             }
         }
     });
+}
+
+/// What is wrong, and the buttons.
+fn send_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     if let Some(why) = &form.problem {
         problem(ui, view.words.say(why));
     }
@@ -59,6 +83,10 @@ pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Cor
             quiet(ui, view.text("records-page-waiting"));
         }
     });
+}
+
+/// What is rarely corrected, and whether nothing takes the place of the record.
+fn more_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     if !form.withdraws {
         rest_ui(ui, view);
     }
@@ -66,8 +94,6 @@ pub(in crate::gui) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Cor
     if let Some(number) = view.session.records().corrects().filter(|_| form.withdraws) {
         quiet(ui, view.words.say(&message!("records-page-withdraw-neither").text("number", number.to_string())));
     }
-    ui.add_space(space(1.0));
-    ui.separator();
 }
 
 /// The value as it should have been typed.

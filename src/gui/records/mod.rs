@@ -21,7 +21,7 @@ use eframe::egui::{Id, Ui};
 
 use crate::gui::page::{Group, PageView};
 pub(super) use asking_panel::export_ui;
-pub(super) use correction_panel::correction_ui;
+pub(super) use correction_panel::{correction_card_ui, correction_ui};
 #[cfg(test)]
 pub(super) use list::COLUMNS;
 

@@ -9,7 +9,7 @@ use crate::gui::check::{check_card, recorded_ui};
 use crate::gui::room::is_tiny;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
-    Card, card_height, card_ui, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,
+    Card, card_height, card_ui, fitted, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,
 };
 use crate::gui::view::{Digits, View, problem, quiet, remembered, steady};
 use crate::message::{Message, message};
@@ -30,7 +30,9 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some(question) = walking.question.as_ref() {
         return question_ui(ui, view, question, room);
     }
-    let (card, below) = fitted(ui, view, headline_card(view, walking), room);
+    let most = if is_tiny(ui) { f32::INFINITY } else { room };
+    let (card, below) = fitted(headline_card(view, walking), most, |card| card_height(ui, view, card));
+    let card = Card { height: room, ..card };
     card_ui(ui, view, &card);
     ui.data_mut(|data| data.insert_temp(below_id(), below));
     // Where there is little room, a part without a verdict gives way.
@@ -82,19 +84,6 @@ fn room(ui: &Ui, view: &View<'_>) -> f32 {
         ..Card::default()
     };
     card_height(ui, view, &tallest).min(ui.available_height() * MOST)
-}
-
-/// A card of this height, and the lines for which it has no room.
-fn fitted(ui: &Ui, view: &View<'_>, mut card: Card, room: f32) -> (Card, Vec<String>) {
-    let mut below = Vec::new();
-    if !is_tiny(ui) {
-        while !card.lines.is_empty() && room < card_height(ui, view, &card) {
-            below.extend(card.lines.pop());
-        }
-        below.reverse();
-    }
-    card.height = room;
-    (card, below)
 }
 
 fn no_card(view: &View<'_>, lines: Vec<String>) -> Card {
