@@ -10,7 +10,7 @@ use super::shapes;
 use super::theme::{self, Palette, control, palette, sizes, space};
 use super::view::{Digits, View, doubt_text};
 use crate::length::{Length, Unit};
-use crate::message::{Say as _, message};
+use crate::message::{Message, Say as _, message};
 use crate::session::Question;
 use crate::verdict::Status;
 use crate::words::Words;
@@ -130,7 +130,8 @@ fn sentence(ui: &Ui, [what, rest]: [&str; 2], largest: f32, width: f32) -> Vec<L
         (galley.size().y, ascent)
     });
     let mut job = line(what, &large);
-    let line_height = Some(high.0 - high.1 + low.1);
+    // A text stands in the middle of a line that is higher than it.
+    let line_height = Some(2.0 * (high.0 - high.1 + low.1) - low.0);
     job.append(&format!(" {rest}"), 0.0, TextFormat { line_height, ..TextFormat::simple(small, Color32::PLACEHOLDER) });
     vec![job]
 }
@@ -259,6 +260,19 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
     }));
     let gaps = space(1.0) * f32::from(u8::try_from(heights.len()).unwrap_or(u8::MAX).saturating_sub(1));
     heights.into_iter().sum::<f32>() + gaps + f32::from(MARGIN) * 2.0
+}
+
+/// The tallest of the usual results: a page keeps its height, whatever the result is.
+pub(super) fn tallest_card(view: &View<'_>) -> Card {
+    let said = |id: &'static str| view.words.say(&Message::new(id).text("um", "88.8"));
+    Card {
+        status: Some(Status::Rework),
+        word: view.words.told(&Status::Rework),
+        value: Some("88: 88.8888 mm".to_owned()),
+        instruction: Some(remove(view.words, "88.8")),
+        lines: vec![said("remove-to-middle"), said("remove-per-side")],
+        ..Card::default()
+    }
 }
 
 /// A card that is no higher than the room, and the lines for which that has no place.

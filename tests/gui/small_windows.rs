@@ -13,7 +13,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
 use fitcheck::gui::journal::Records;
-use fitcheck::session::{CheckCommand, CheckField, Command, Density, Field, Recorded};
+use fitcheck::session::parts::{PlanCommand, WalkCommand};
+use fitcheck::session::{CheckCommand, CheckField, Command, Density, Field, Page, PartsCommand, Recorded};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
@@ -224,5 +225,23 @@ fn the_keypad_leaves_the_field_of_the_value_in_sight() {
         let verdict = window.get_by_role(Role::Status).rect();
         assert!(!keypad.intersects(verdict), "{size:?}: {keypad:?} {verdict:?}");
         assert_eq!(fault_of_band(&window), None, "{size:?}");
+    }
+}
+
+#[test]
+fn the_keypad_leaves_the_value_of_a_walk_in_sight() {
+    for size in [SMALL, vec2(1024.0, 600.0), SMALL_DESK] {
+        let mut window = open(size, Language::En);
+        send(&mut window, Command::OpenPage(Page::Parts));
+        let plan = b"number;name;callout;x;y;z\n1;BORE;25 H7;40;30;-8\n2;PIN;20 g6;40;90;-8\n";
+        let result = Ok(Box::new(fitcheck::part::Document::read(plan).unwrap()));
+        send(&mut window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
+        send(&mut window, WalkCommand::Begin);
+        send(&mut window, Command::SetDensity(Density::Touch));
+        send(&mut window, Command::ShowKeypad(true));
+        paint(&mut window, "walk");
+        let field = window.get_by_role_and_label(Role::TextInput, "Measured value").rect();
+        let key = window.get_by_role_and_label(Role::Button, "Key 7").rect();
+        assert!(0.0 < field.top() && field.bottom() <= key.top(), "{size:?}: {field:?}, below {key:?}");
     }
 }

@@ -9,7 +9,7 @@ use crate::gui::room::is_tiny;
 use crate::gui::theme::{self, Icon, Weight, control, sizes, space};
 use crate::gui::verdict_card::{
     Card, card_height_in, card_ui, chip_ui, fitted, foot_height, footed_card_ui, half, lines_below_ui, question_card,
-    remove, status_id,
+    remove, status_id, tallest_card,
 };
 use crate::gui::view::{Digits, View, doubt_text, heading, remembered};
 use crate::journal::Record;
@@ -34,6 +34,11 @@ pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
     let card = shown.map_or_else(|| no_card(view), |shown| card(view.words, &shown.record, true));
     let example = if view.session.welcomes() { control(ui) + ui.spacing().item_spacing.y } else { 0.0 };
     card_height_in(ui, view, &card, width) + shown.map_or(example, |_| foot_height(ui))
+}
+
+/// The height of the usual answers in a width.
+pub(super) fn usual_height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
+    card_height_in(ui, view, &tallest_card(view), width) + foot_height(ui)
 }
 
 /// The lines for which the card had no room.

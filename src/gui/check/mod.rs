@@ -144,9 +144,10 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     let verdict = least.max((width * 0.35).min(space(78.0)));
     let sizes = (verdict, least..=(width * 0.6).max(least));
     let row = row_of_verdict(ui, view, "check-verdict", (verdict, sizes.1.clone())).max(space(VERDICT) + space(3.0));
-    // Rows of the history give way before the control's window does.
+    // Rows of the history give way before the control's window does, and stay where they are when a usual result comes.
+    let answer = answer_panel::usual_height_in(ui, view, verdict - f32::from(GAP)) + f32::from(GAP);
     let status = status_panel::usual_height(ui) + close_frame(ui).total_margin().sum().y;
-    history_below_ui(ui, view, row + status);
+    history_below_ui(ui, view, row.max(answer) + status);
     let size = ui.available_size();
     if row + space(40.0) < size.y {
         if welcomes {

@@ -9,7 +9,7 @@ use crate::gui::check::{check_card, recorded_ui};
 use crate::gui::room::is_tiny;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
-    Card, card_height, card_ui, fitted, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,
+    Card, card_height, card_ui, fitted, lines_below_ui, question_card, status_id, strip_height, strip_ui, tallest_card,
 };
 use crate::gui::view::{Digits, View, problem, quiet, remembered, steady};
 use crate::message::{Message, message};
@@ -17,7 +17,6 @@ use crate::report::RENDERINGS;
 use crate::session::PartsAction;
 use crate::session::parts::{Headline, Value, Walking};
 use crate::session::{Keeping, Question, Recorded};
-use crate::verdict::Status;
 
 /// The share of the height that a card keeps at most.
 const MOST: f32 = 0.62;
@@ -74,16 +73,7 @@ fn room(ui: &Ui, view: &View<'_>) -> f32 {
     if is_tiny(ui) {
         return 0.0;
     }
-    let said = |id: &'static str| view.words.say(&Message::new(id).text("um", "88.8"));
-    let tallest = Card {
-        status: Some(Status::Rework),
-        word: view.words.told(&Status::Rework),
-        value: Some("88: 88.8888 mm".to_owned()),
-        instruction: Some(remove(view.words, "88.8")),
-        lines: vec![said("remove-to-middle"), said("remove-per-side")],
-        ..Card::default()
-    };
-    card_height(ui, view, &tallest).min(ui.available_height() * MOST)
+    card_height(ui, view, &tallest_card(view)).min(ui.available_height() * MOST)
 }
 
 fn no_card(view: &View<'_>, lines: Vec<String>) -> Card {
