@@ -401,12 +401,13 @@ pub(super) fn footed_column_ui(
     }
 }
 
-/// Scrolls to the widget that has just got the focus, if it was just drawn here.
+/// Scrolls to the widget that has just got the focus, if it was just drawn here, and to the field of a keypad that has just come.
 pub(super) fn follow_focus(ui: &Ui) {
     let focused = ui.memory(Memory::focused);
     let last =
         ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(ui.unique_id().with("focused")), focused));
-    let Some(rect) = focused.filter(|_| focused != last).and_then(|id| ui.ctx().read_response(id)) else { return };
+    let followed = focused.filter(|_| focused != last).or_else(|| keypad::just_came_for(ui));
+    let Some(rect) = followed.and_then(|id| ui.ctx().read_response(id)) else { return };
     if rect.layer_id == ui.layer_id() && ui.min_rect().contains(rect.rect.center()) {
         ui.scroll_to_rect(rect.rect, None);
     }

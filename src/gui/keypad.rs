@@ -99,6 +99,36 @@ fn target(ui: &Ui) -> Option<Field> {
     aimed(ui).filter(is_seen).or(Some(Field::Check(CheckField::Measured)).filter(is_seen))
 }
 
+/// When the keypad was drawn first and last.
+#[derive(Debug, Clone, Copy)]
+struct Drawn {
+    first: u64,
+    last: u64,
+}
+
+fn drawn_id() -> Id {
+    Id::unique("keypad-drawn")
+}
+
+/// Remembers that the keypad is drawn in this frame; where it was not in the one before, the column beside it has become lower.
+fn draw(ctx: &Context) {
+    let frame = ctx.cumulative_frame_nr();
+    let before = ctx.data(|data| data.get_temp::<Drawn>(drawn_id())).filter(|drawn| frame <= drawn.last + 1);
+    if before.is_none() {
+        // A column knows its height in the next frame.
+        ctx.request_repaint();
+    }
+    let first = before.map_or(frame, |drawn| drawn.first);
+    ctx.data_mut(|data| data.insert_temp(drawn_id(), Drawn { first, last: frame }));
+}
+
+/// The field that a keypad which has just come types into: it must not be out of sight.
+pub(super) fn just_came_for(ui: &Ui) -> Option<Id> {
+    let frame = ui.ctx().cumulative_frame_nr();
+    let drawn = ui.data(|data| data.get_temp::<Drawn>(drawn_id()))?;
+    (drawn.last == frame && frame <= drawn.first + 1).then(|| target(ui).map(field_id::id))?
+}
+
 /// The height of a key that a glove hits.
 const LEAST_KEY: f32 = 56.0;
 
@@ -117,6 +147,7 @@ pub(super) fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
         return;
     }
     give_focus(ui.ctx());
+    draw(ui.ctx());
     // Keys for gloves first; then what is asked has room, too.
     let room = (ui.available_height() * 0.45).max((LEAST_KEY * 4.0 + space(5.0)).min(ui.available_height() * 0.6));
     let panel = Panel::bottom("keypad").resizable(false).show_separator_line(false);
