@@ -3,8 +3,11 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use fitcheck::probing::cycles::CYCLES;
 use fitcheck::session::action::Action;
-use fitcheck::session::help::{Block, CONTENTS, HelpTopic, LinePart, ManualPage, Sample, key_groups, manual, topics};
+use fitcheck::session::help::{
+    Block, CONTENTS, HelpTopic, LinePart, ManualPage, Sample, Span, key_groups, manual, topics,
+};
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
     Command, Effect, Field, HelpAction, HelpCommand, HelpField, Page, PaletteCommand, PartsCommand, Purpose, Session,
@@ -211,6 +214,66 @@ fn what_only_lists_pages_comes_last() {
 fn a_word_is_found_where_a_word_begins() {
     assert!(found("uler").is_empty(), "{:?}", found("uler"));
     assert!(!found("rule").is_empty());
+}
+
+#[test]
+fn what_a_user_of_a_control_types_is_found() {
+    for (query, first) in [
+        ("supported cycles", "Measuring cycles > Supported cycles"),
+        ("cycles supported", "Measuring cycles > Supported cycles"),
+        ("not supported", "Measuring cycles > Not supported"),
+        ("q parameters", "Measuring cycles > Q parameters"),
+        ("single block", "Run NC programs > The machine around the program"),
+        ("block by block", "Run NC programs > The programs page"),
+        ("preset", "Run NC programs > The machine around the program"),
+        ("presets", "Run NC programs > The machine around the program"),
+        ("tool data", "Run NC programs > The machine around the program"),
+        ("probe radius", "Run NC programs > The machine around the program"),
+        ("calibration", "Run NC programs > The machine around the program"),
+        ("pallet", "Run NC programs > The machine around the program"),
+        ("units inch", "Run NC programs > The machine around the program"),
+        ("inches", "Run NC programs > The machine around the program"),
+        ("calibration cycle", "Measuring cycles > Not supported"),
+        ("Q303", "Measuring cycles > Not supported"),
+        ("datum cycle", "Measuring cycles > Not supported"),
+    ] {
+        assert_eq!(found(query).first().map(String::as_str), Some(first), "{query}: {:?}", found(query));
+    }
+}
+
+#[test]
+fn the_manual_has_every_parameter_of_every_cycle() {
+    let page = ManualPage::of("cycles.md").unwrap();
+    let cells = |anchor: &str| {
+        let tables = page.below(anchor).iter().filter_map(|block| match block {
+            Block::Table { rows, .. } => Some(rows),
+            _ => None,
+        });
+        let text = |cell: &Vec<Span>| cell.iter().map(|span| span.text.as_str()).collect::<String>();
+        tables.flatten().map(|row| row.iter().map(text).collect::<Vec<_>>()).collect::<Vec<_>>()
+    };
+    let words = |text: &str| text.split([',', ' ', ';']).map(str::to_owned).collect::<BTreeSet<_>>();
+    let (cycles, parameters) = (cells("supported-cycles"), cells("q-parameters"));
+    for cycle in CYCLES {
+        let row = cycles.iter().find(|row| words(&row[0]).contains(cycle.code)).unwrap();
+        for parameter in cycle.parameters {
+            let key = parameter.key.to_string();
+            assert!(words(&row[2]).contains(&key), "{}: {key} in {row:?}", cycle.code);
+            if key.starts_with('Q') && key != "Q" {
+                assert!(parameters.iter().any(|row| words(&row[0]).contains(&key)), "{key}");
+                assert!(found(&key).iter().any(|found| found.starts_with("Measuring cycles")), "{key}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_no_page_says_is_left_out_and_one_word_is_found_as_two() {
+    assert_eq!(found("setup clearance")[0], found("set-up clearance")[0]);
+    assert_eq!(found("touchprobe"), found("touch probe"));
+    assert_eq!(found("single-block"), found("single block"));
+    assert_eq!(found("renishaw calibration"), found("calibration"));
+    assert_eq!(found("xyzzy plugh"), [""; 0]);
 }
 
 #[test]

@@ -15,6 +15,15 @@ impl HelpWords {
         self.0.is_empty()
     }
 
+    /// Those that a text of small letters has. One that it has in two words counts as these: `setup` as `set` and `up`.
+    pub(super) fn known_in(&self, text: &str) -> Self {
+        let known = |word: &String| match places(text, word).next() {
+            Some(_) => vec![word.clone()],
+            None => parts_in(text, word),
+        };
+        Self(self.0.iter().flat_map(known).collect())
+    }
+
     /// Whether a text says this and nothing else.
     pub(super) fn are(&self, text: &str) -> bool {
         let text = Self::of(text);
@@ -60,12 +69,29 @@ impl HelpWords {
     }
 }
 
+/// The two words that a text has in the place of one, next to each other; none where it has no such words.
+fn parts_in(text: &str, word: &str) -> Vec<String> {
+    let halves = word.char_indices().skip(2).filter_map(|(at, _)| word.split_at_checked(at));
+    let halves = halves.map(|(first, second)| (first.trim_end_matches('-'), second.trim_start_matches('-')));
+    let mut long_ones = halves.filter(|(first, second)| 2 <= first.len() && 2 <= second.len());
+    let is_there = |(first, second): &(&str, &str)| {
+        ["-", " "].iter().any(|between| places(text, &format!("{first}{between}{second}")).next().is_some())
+    };
+    let found = long_ones.find(is_there);
+    found.map_or_else(Vec::new, |(first, second)| vec![first.to_owned(), second.to_owned()])
+}
+
 /// A word without what stands around it and without the `s` of a plural.
 fn singular(word: &str) -> String {
     let word = word.trim_matches(|c: char| c.is_ascii_punctuation() && !matches!(c, '+' | '-' | '%' | '±'));
     let word = word.to_ascii_lowercase();
     let is_plural = 3 < word.len() && word.ends_with('s') && !["ss", "us", "is"].iter().any(|end| word.ends_with(end));
-    if is_plural { word.trim_end_matches('s').to_owned() } else { word }
+    match word.strip_suffix("es") {
+        // `inches` is more than one inch.
+        Some(stem) if ["ch", "sh", "x"].iter().any(|end| stem.ends_with(end)) => stem.to_owned(),
+        _ if is_plural => word.trim_end_matches('s').to_owned(),
+        _ => word,
+    }
 }
 
 /// Where a word begins in a text of small letters; the `s` of a plural belongs to it.
@@ -79,8 +105,14 @@ fn places<'a>(text: &'a str, word: &'a str) -> impl Iterator<Item = Range<usize>
             _ => true,
         };
         let rest = after.strip_prefix(found).unwrap_or(after);
-        let ends_in_s = rest.strip_prefix('s').is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
-        let end = start + found.len() + usize::from(ends_in_s);
+        let takes_es = ["ch", "sh", "x"].iter().any(|end| found.ends_with(end));
+        let is_end = |end: &str| rest.strip_prefix(end).is_some_and(|rest| !rest.starts_with(char::is_alphanumeric));
+        let plural = match (is_end("s"), takes_es && is_end("es")) {
+            (true, _) => 1,
+            (_, true) => 2,
+            _ => 0,
+        };
+        let end = start + found.len() + plural;
         begins.then_some(start..end)
     })
 }

@@ -1,11 +1,13 @@
 //! What a query finds in the manual: one hit for each heading below which every word of it stands, with the line where it stands. A
 //! heading that is the word comes first, then a definition of it, titles and other headings, then texts; what only lists pages comes last.
+//! Where no place has every word, those that the manual does not know are left out, and `setup` finds `set-up`.
 
 use std::cmp::Reverse;
+use std::sync::LazyLock;
 
 use fitcheck_core::words::{Language, Words};
 
-use super::manual::{Line, ManualPage, Section};
+use super::manual::{Line, ManualPage, Section, manual};
 use super::query::HelpWords;
 use super::{CONTENTS, HelpMark, HelpPlace, HelpTopic, topics};
 
@@ -78,14 +80,36 @@ pub(super) fn search(query: &str) -> Vec<HelpFound> {
     if words.is_empty() {
         return topics().map(HelpFound::topic).collect();
     }
-    let find = |topic| match topic {
-        HelpTopic::Keys => keys(&words),
-        HelpTopic::Manual(file) => ManualPage::of(file).map(|page| in_page(page, &words)).unwrap_or_default(),
-    };
-    let mut found: Vec<(Rank, HelpFound)> = topics().flat_map(find).collect();
+    let mut found = all_of(&words);
+    if found.is_empty() {
+        found = all_of(&words.known_in(manual_text()));
+    }
     // The order of the topics decides between equals.
     found.sort_by_key(|(rank, _)| *rank);
     found.into_iter().map(|(_, found)| found).take(MOST).collect()
+}
+
+/// The places that have every one of some words, in the order of the topics; none for no words.
+fn all_of(words: &HelpWords) -> Vec<(Rank, HelpFound)> {
+    if words.is_empty() {
+        return Vec::new();
+    }
+    let find = |topic| match topic {
+        HelpTopic::Keys => keys(words),
+        HelpTopic::Manual(file) => ManualPage::of(file).map(|page| in_page(page, words)).unwrap_or_default(),
+    };
+    topics().flat_map(find).collect()
+}
+
+/// Every heading and every line of the manual, in small letters.
+fn manual_text() -> &'static str {
+    static TEXT: LazyLock<String> = LazyLock::new(|| {
+        let sections = manual().iter().flat_map(|page| &page.sections);
+        let texts = sections
+            .flat_map(|section| [&section.heading].into_iter().chain(section.lines.iter().map(|line| &line.text)));
+        texts.flat_map(|text| [text.as_str(), "\n"]).collect::<String>().to_ascii_lowercase()
+    });
+    &TEXT
 }
 
 /// The sheet of keys is found by its title in any language.
