@@ -355,6 +355,25 @@ fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
 }
 
 #[test]
+fn the_status_window_of_a_simulated_cycle_leaves_the_program_below_its_mark() {
+    const MARK: &str = "# Simulated by Fitcheck - not measured\n";
+    let mut session = with(422, &STUD);
+    send(&mut session, CyclesCommand::Run);
+    let shown = session.cycles().window(session.drawn_with()).unwrap().unwrap();
+    // What is shown is what the control prints.
+    assert!(shown.starts_with("FIT STATUS: REWORK"), "{shown}");
+    let copied = send(&mut session, CyclesCommand::CopyStatus);
+    assert_eq!(copied, [Effect::Copy(format!("{MARK}{shown}"))]);
+    apply(&mut session, Command::OpenPage(Page::Cycles));
+    apply(&mut session, Command::OpenDialog(Purpose::ExportStatus));
+    apply(&mut session, Command::TypePath("status.txt".to_owned()));
+    let saved = apply(&mut session, Command::Confirm);
+    let Effect::Save(_, content) = saved[0].errand() else { panic!("{saved:?}") };
+    assert_eq!(content.bytes().unwrap(), format!("{MARK}{shown}").into_bytes());
+    assert!(fitcheck::control::simulated::is_mark(MARK), "every reader knows it");
+}
+
+#[test]
 fn half_a_position_is_refused() {
     let mut session = with(785, &["K=2", "RC=60"]);
     send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::X), "1".into()));

@@ -5,6 +5,11 @@
 /// The line, in ASCII and without a separator of any table.
 pub(crate) const MARK: &str = "# Simulated by Fitcheck - not measured";
 
+/// A window of the control as it leaves the program: below the mark where a simulation has measured.
+pub fn marked(text: &str, is_simulated: bool) -> String {
+    if is_simulated { format!("{MARK}\n{text}") } else { text.to_owned() }
+}
+
 /// Whether a line is the mark, whatever was put around it.
 pub fn is_mark(line: &str) -> bool {
     /// What no other line says.

@@ -1,14 +1,15 @@
 //! The status window that is written as text: that of the open page.
 
 use fitcheck_core::message::{Message, message};
+use fitcheck_nc::control::simulated::marked;
 
 use crate::Session;
 use crate::page::Page;
 
 /// A window of the control, as text.
-pub(crate) struct StatusText<'a> {
-    /// What is written.
-    pub text: std::borrow::Cow<'a, str>,
+pub(crate) struct StatusText {
+    /// What is written: the window as the control prints it, below a mark where nobody measured.
+    pub text: String,
     /// What its file is called, without ending and date.
     pub name: String,
 }
@@ -16,26 +17,24 @@ pub(crate) struct StatusText<'a> {
 impl Session {
     /// The window of the open page: that of the cycle, the last one that the program has opened, or that of the check. A page without one
     /// of its own writes that of the check.
-    pub(crate) fn status_to_export(&self) -> Option<StatusText<'_>> {
+    pub(crate) fn status_to_export(&self) -> Option<StatusText> {
         match self.page() {
             Page::Cycles => {
-                let text = self.cycles().window(self.drawn_with())?.ok()?;
-                Some(StatusText { text: text.into(), name: format!("{}-status", self.cycles().cycle.code) })
+                let text = self.cycles().status_text(self.drawn_with())?;
+                Some(StatusText { text, name: format!("{}-status", self.cycles().cycle.code) })
             }
             Page::Program => {
                 let run = self.program().run.as_ref()?;
                 let window = run.windows().iter().rev().find(|window| window.is_open)?;
                 let name = self.program().main().map_or("", |main| main.title());
                 let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-                Some(StatusText { text: window.text.as_str().into(), name: format!("{stem}-status") })
+                let text = marked(&window.text, self.program().is_simulated());
+                Some(StatusText { text, name: format!("{stem}-status") })
             }
             _ => {
                 let shown = self.check().shown.as_ref()?;
                 let text = self.check().status_text()?;
-                Some(StatusText {
-                    text: text.into(),
-                    name: format!("{}-status", crate::files::of_record(&shown.record)),
-                })
+                Some(StatusText { text, name: format!("{}-status", crate::files::of_record(&shown.record)) })
             }
         }
     }

@@ -91,7 +91,7 @@ impl PageState for CheckPage {
                 self.clear(&shared.sources);
             }
             CheckCommand::CopyStatus => {
-                return self.status_text().map(|text| Effect::Copy(text.to_owned())).into_iter().collect();
+                return self.status_text().map(Effect::Copy).into_iter().collect();
             }
             CheckCommand::Show(id) => {
                 if !self.lot.as_mut().is_some_and(|lot| lot.go_to(id)) {

@@ -39,6 +39,7 @@ use fitcheck_core::verdict::Doubt;
 use fitcheck_core::verdict::rules::RuleName;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
+use fitcheck_nc::control::simulated::marked;
 
 pub use actions::{CheckAction, HISTORY, ROWS};
 pub use asked::CheckInputs;
@@ -238,9 +239,11 @@ impl CheckPage {
         self.own_judging().rule != RuleName::Simple || !temperature.trim().is_empty()
     }
 
-    /// The status window's text, where there is one.
-    pub fn status_text(&self) -> Option<&str> {
-        self.shown.as_ref()?.window.as_deref().ok()
+    /// The status window's text as it leaves the program, where there is one: below a mark where nobody measured.
+    pub fn status_text(&self) -> Option<String> {
+        let shown = self.shown.as_ref()?;
+        let text = shown.window.as_deref().ok()?;
+        Some(marked(text, shown.record.measurement.origin.is_simulated()))
     }
 
     /// The callout of the part that is judged: one side of a fit.

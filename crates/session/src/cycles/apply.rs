@@ -77,8 +77,7 @@ impl PageState for CyclesPage {
             },
             CyclesCommand::CopyResults => return self.results_text().map(Effect::Copy).into_iter().collect(),
             CyclesCommand::CopyStatus => {
-                let window = self.window(shared.drawn_with());
-                return window.and_then(Result::ok).map(Effect::Copy).into_iter().collect();
+                return self.status_text(shared.drawn_with()).map(Effect::Copy).into_iter().collect();
             }
         }
         Vec::new()

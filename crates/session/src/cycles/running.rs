@@ -14,6 +14,7 @@ use fitcheck_exchange::journal::entry::{CycleCheck, CycleOrigin, FileRole};
 use fitcheck_nc::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use fitcheck_nc::control::cycle_status::cycle_window;
 use fitcheck_nc::control::mask::Mask;
+use fitcheck_nc::control::simulated::marked;
 use jiff::civil::DateTime;
 
 use super::{ContactsFrom, CycleField, CyclesPage};
@@ -239,6 +240,12 @@ impl CyclesPage {
         let run = self.run.as_ref()?;
         let window = cycle_window(run.cycle, run.found()?, language, own, run.time)?;
         Some(window.map_err(|error| error.message()))
+    }
+
+    /// That window as it leaves the program: below a mark where nobody measured.
+    pub(crate) fn status_text(&self, drawn_with: (Dialogue, Option<&Mask>)) -> Option<String> {
+        let text = self.window(drawn_with)?.ok()?;
+        Some(marked(&text, self.run.as_ref()?.is_simulated))
     }
 
     pub(super) fn results_text(&self) -> Option<String> {

@@ -263,7 +263,7 @@ impl Session {
             }
             Purpose::ExportStatus => {
                 let status = self.status_to_export().ok_or_else(|| message!("dialog-no-status"))?;
-                status.text.as_bytes().to_vec().into()
+                status.text.into_bytes().into()
             }
             Purpose::CreateSet => {
                 let set = self.program.creating.set().cloned();
