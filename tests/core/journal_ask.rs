@@ -58,6 +58,8 @@ fn the_word_of_a_verdict_asks_for_it_unless_it_is_quoted() {
     assert_eq!(verdicts("scrap rework scrap").0, [Status::Scrap, Status::Rework], "any of them");
     assert_eq!(verdicts("re-measure").0, [Status::ReMeasure]);
     assert_eq!(verdicts("verdict:good scrap").0, [Status::Good, Status::Scrap]);
+    assert!(read("good").standing && read("standing good").standing, "what is void has no verdict that counts");
+    assert!(!read("verdict:good").standing && !read("\"good\"").standing);
     assert_eq!(verdicts("\"good\" scrapped"), (vec![], vec!["good".to_owned(), "scrapped".to_owned()]));
     // As the window calls them, also in two words.
     let named = [("GOED".to_owned(), Status::Good), ("OPNIEUW METEN".to_owned(), Status::ReMeasure)];

@@ -321,9 +321,18 @@ fn a_verdict_is_filtered_by_as_the_window_calls_it() {
     send(&mut session, RecordsCommand::FilterBy("verdict"));
     typed(&mut session, RecordsField::Filter, "goed");
     send(&mut session, RecordsCommand::AddFilter);
-    assert_eq!(session.text(RecordsField::Question), "verdict:good");
+    assert_eq!(session.text(RecordsField::Question), "verdict:good standing");
+    send(&mut session, RecordsCommand::FilterBy("verdict"));
+    typed(&mut session, RecordsField::Filter, "afgekeurd");
+    let filtered = send(&mut session, RecordsCommand::AddFilter);
+    assert_eq!(session.text(RecordsField::Question), "standing verdict:scrap");
     let asked = typed(&mut session, RecordsField::Question, "afgekeurd");
-    let [Effect::AskRecords { question, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    let question = |effects: &[Effect]| match effects {
+        [Effect::AskRecords { question, .. }] => question.clone(),
+        effects => panic!("{effects:?}"),
+    };
+    assert_eq!(question(&filtered), question(&asked), "the word asks for what the filter asks for");
+    let question = question(&asked);
     assert_eq!(question.verdicts, [fitcheck::verdict::Status::Scrap]);
     assert_eq!(session.records().filters[0].key, "verdict");
 }

@@ -38,15 +38,18 @@ impl Shorthand {
         match self {
             Self::Today => &["today"],
             Self::ThisWeek => &["week"],
-            Self::NotGood => &[NOT_GOOD, "standing"],
+            Self::NotGood => &[NOT_GOOD, STANDING],
             Self::Measured => &["measured"],
-            Self::Standing => &["standing"],
+            Self::Standing => &[STANDING],
         }
     }
 }
 
 /// Every verdict that asks for something to be done.
 pub const NOT_GOOD: &str = "verdict:rework,re-measure,scrap";
+
+/// Asks for checks that are not void.
+const STANDING: &str = "standing";
 
 /// The verdicts as the window calls them.
 fn named(words: &Words) -> Vec<(String, Status)> {
@@ -135,7 +138,12 @@ impl RecordsPage {
         let text = self.text(RecordsField::Question);
         let is_of = |word: &str| Filter::of(word, &named).is_some_and(|filter| filter.key == key);
         let others = words(text).into_iter().map(|(_, word)| word).filter(|word| !is_of(word));
-        let text = others.chain([added.as_str()]).collect::<Vec<_>>().join(" ");
+        let mut asked: Vec<&str> = others.chain([added.as_str()]).collect();
+        // As the word of a verdict alone: what is void has none that counts.
+        if key == "verdict" && !asked.contains(&STANDING) {
+            asked.push(STANDING);
+        }
+        let text = asked.join(" ");
         self.texts.insert(RecordsField::Question, text);
         self.texts.remove(&RecordsField::Filter);
     }

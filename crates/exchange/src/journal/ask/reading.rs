@@ -54,7 +54,7 @@ impl Question {
             return Err(AskError { kind, span: 0..text.chars().count() });
         }
         let mut question = Self::default();
-        // Verdicts that stand alone: any of them is asked for.
+        // Verdicts that stand alone: any of them is asked for, of checks that stand.
         let mut alone = Vec::new();
         let words = words(text)?;
         let mut at = 0;
@@ -75,6 +75,7 @@ impl Question {
                 return Err(AskError { kind: AskErrorKind::Order, span });
             }
         }
+        question.standing |= !alone.is_empty();
         for status in alone {
             if !question.verdicts.contains(&status) {
                 question.verdicts.push(status);
