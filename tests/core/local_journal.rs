@@ -13,6 +13,7 @@ use fitcheck::journal::chain::Head;
 use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Kept, Moment};
 use fitcheck::journal::found::{FoundEntry, folded};
 use fitcheck::journal::inspection::Break;
+use fitcheck::length::Unit;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::store::local::{Anchors, Finding, Journal, Opening, Reader, Verified, backup, verify};
 use fitcheck::store::{StoreError, StoreRemark};
@@ -415,7 +416,7 @@ fn a_file_that_is_no_journal_is_left_as_it_is() {
         (b"Time;Part;Measured\n".as_slice(), "is not a journal of Fitcheck"),
         (b"x".as_slice(), "is not a journal of Fitcheck"),
         (&other, "is not a journal of Fitcheck"),
-        (&newer, "was made by a newer Fitcheck (version 99, this one supports 2)"),
+        (&newer, "was made by a newer Fitcheck (version 99, this one supports 3)"),
     ] {
         let place = Place::new();
         std::fs::create_dir_all(place.path().parent().unwrap()).unwrap();
@@ -616,10 +617,17 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
             Some(Checked::Size(record)) => record.callout.unwrap().to_string(),
             _ => String::new(),
         };
-        let names = format!("{} {} {} {} {}", about.part, about.serial, about.feature, about.who, about.remark);
+        let reason = entry.corrects().map_or("", |correction| correction.reason.as_str());
+        let names =
+            format!("{} {} {} {} {} {reason}", about.part, about.serial, about.feature, about.who, about.remark);
         let words = format!("{names} {callout} {}", callout.replace(' ', "")).to_lowercase();
+        let measured = match check.map(|check| &check.what) {
+            Some(Checked::Size(record)) => record.measurement.diameter.exact(Unit::Millimetre, 6),
+            _ => String::new(),
+        };
         let has = |word: &String| {
             *word == number.to_string()
+                || word.contains('.') && measured.starts_with(word.as_str())
                 || words
                     .split(|c: char| !c.is_alphanumeric())
                     .any(|one| !one.is_empty() && one.starts_with(&word.to_lowercase()))
@@ -659,10 +667,16 @@ fn by_question(question: &Question, place: &Place) -> Vec<u64> {
 fn words_find_the_callout_with_and_without_its_blank_and_a_number_its_record() {
     let mut bore = good("A");
     bore.about.part = "Lever 4".to_owned();
-    let all: Vec<Entry> = (0..2_600).map(|_| bore.clone()).collect();
     let place = Place::new();
     let mut journal = place.open();
-    journal.append(&all).unwrap();
+    let target = journal.append(&[bore.clone()]).unwrap()[0].head;
+    let mut odd = check("25 H7", "25.0034", ["Lever 4", "17", "Anna"]);
+    if let Content::Check(check) = &mut odd.content {
+        check.corrects = Some(Correction { target, reason: "Chip on the seat".to_owned(), by: String::new() });
+    }
+    let rest: Vec<Entry> = std::iter::once(odd).chain((0..2_598).map(|_| bore.clone())).collect();
+    journal.append(&rest).unwrap();
+    let all = place.entries().split_off(1);
     let reader = Reader::open(&place.path()).unwrap();
     let asked = |text: &str| {
         let here = LocalNow { now: jiff::Timestamp::UNIX_EPOCH, zone: jiff::tz::TimeZone::UTC };
@@ -676,6 +690,49 @@ fn words_find_the_callout_with_and_without_its_blank_and_a_number_its_record() {
     assert_eq!(asked("88 lever"), [88]);
     assert_eq!(asked("88 bush"), [0_u64; 0]);
     assert_eq!(asked("4").len(), all.len(), "the part is called so");
+    // By the index, too.
+    for text in ["25.0034", "25,0034", "25.00340", "seat", "chip 25.00"] {
+        assert_eq!(asked(text), [3], "{text}");
+    }
+    assert_eq!((asked("25.012").len(), asked("25.0120").len(), asked("25.0121").len()), (2_599, 2_599, 0));
+    assert_eq!(asked("good").len(), all.len() - 1, "one is void");
+}
+
+#[test]
+fn words_find_reasons_and_measured_values() {
+    let place = corrected_journal();
+    let reader = Reader::open(&place.path()).unwrap();
+    let asked = |text: &str| {
+        let here = LocalNow { now: jiff::Timestamp::UNIX_EPOCH, zone: jiff::tz::TimeZone::UTC };
+        reader.numbers(&Question::read(text, &here).unwrap(), None, 5_000).unwrap()
+    };
+    assert_eq!(asked("\"burr on the seat\""), [4, 3], "the correction and the withdrawal");
+    for text in ["25.013", "25,013", "25.0130", "+25.013 seat"] {
+        assert_eq!(asked(text), [3], "{text}");
+    }
+    assert_eq!(asked("25.0"), [3, 2], "what begins so");
+    assert_eq!(asked("2.13"), [2], "in a remark");
+    assert_eq!(asked("24.012"), [0_u64; 0], "24 and 012 stand in different words");
+    // A verdict's word alone leaves out what is void, as the filter does.
+    assert_eq!((asked("good"), asked("verdict:good")), (vec![0_u64; 0], vec![3, 2]));
+}
+
+/// A check, one in its place, and a withdrawal of that.
+fn corrected_journal() -> Place {
+    let place = Place::new();
+    let mut first = check("25 H7", "25.012", ["Lever 24-012", "S-1", "Anna"]);
+    first.about.remark = "drawing 2.13".to_owned();
+    let mut journal = place.open();
+    let heads = journal.append(&[first]).unwrap();
+    let correction = |target| Correction { target, reason: "Burr on the seat".to_owned(), by: "Bert".to_owned() };
+    let mut second = check("25 H7", "25.013", ["Bush", "S-2", "Anna"]);
+    if let Content::Check(check) = &mut second.content {
+        check.corrects = Some(correction(heads[0].head));
+    }
+    let more = journal.append(&[second]).unwrap();
+    let third = Entry { content: Content::Withdrawal(correction(more[0].head)), ..good("Bush") };
+    journal.append(&[third]).unwrap();
+    place
 }
 
 fn maybe(texts: &'static [&'static str]) -> impl Strategy<Value = Option<String>> {
@@ -695,7 +752,10 @@ fn question() -> impl Strategy<Value = Question> {
     let hours = prop::option::of(0..61_i64);
     let words = prop::collection::vec(
         prop::sample::select(
-            &["burr", "Deburr", "fla", "ø", "kafig", "S", "none", "ann", "25", "h7", "25H", "8h11", "7"][..],
+            &[
+                "burr", "Deburr", "fla", "ø", "kafig", "S", "none", "ann", "25", "h7", "25H", "8h11", "7", "wrong",
+                "25.01", "24.9980", "8.0",
+            ][..],
         ),
         0..3,
     );

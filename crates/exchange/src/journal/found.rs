@@ -35,8 +35,12 @@ pub struct FoundEntry<'a> {
     pub remark: Cow<'a, str>,
     /// What was asked for; `None` for a cycle and a withdrawal.
     pub asked: Option<EntryCallout<'a>>,
+    /// The measured value in nanometres; `None` for a cycle without a size and a withdrawal.
+    pub measured_nm: Option<i64>,
     /// The number of the entry that it corrects.
     pub corrects: Option<u64>,
+    /// Why it corrects that; empty where it corrects none.
+    pub reason: Cow<'a, str>,
 }
 
 /// What a size was asked for.
@@ -68,13 +72,16 @@ impl FoundEntry<'_> {
         class.map_or_else(String::new, |class| class.to_string())
     }
 
-    /// The words of part, serial number, feature, name and remark, and of the callout with its blanks and without.
+    /// The words of part, serial number, feature, name, remark and reason, and of the callout with its blanks and without; the measured value
+    /// as a number.
     pub fn words(&self) -> Vec<String> {
-        let texts = [&self.part, &self.serial, &self.feature, &self.who, &self.remark];
+        let texts = [&self.part, &self.serial, &self.feature, &self.who, &self.remark, &self.reason];
         let callout = self.callout();
         let joined: String = callout.split_whitespace().collect();
         let of_callout = [callout.as_ref(), joined.as_str()].into_iter().flat_map(words_of).collect::<Vec<_>>();
-        texts.into_iter().flat_map(|text| words_of(text)).chain(of_callout).collect()
+        let numbers = texts.iter().flat_map(|text| decimals_in(text)).chain(self.measured_nm.map(millimetres));
+        let numbers = numbers.collect::<Vec<_>>();
+        texts.into_iter().flat_map(|text| words_of(text)).chain(of_callout).chain(numbers).collect()
     }
 
     /// Whether for each of some words it has one that begins so, or has the number that the word is.
@@ -105,8 +112,42 @@ impl WantedWord {
         let text = text.trim();
         let is_number = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
         let number = if is_number { text.parse().ok() } else { None };
-        words_of(text).into_iter().map(|text| Self { text, number }).collect()
+        let words = decimal(text).map_or_else(|| words_of(text), |decimal| vec![decimal]);
+        words.into_iter().map(|text| Self { text, number }).collect()
     }
+}
+
+/// Stands before each part of a number with a decimal sign, which is one word: `25.012` does not find a 25 beside a 012. No word of a text has
+/// it, and to the index it is a letter.
+const DECIMAL: char = '\u{b7}';
+
+/// A text that is a number with a decimal sign, or figures with points between them such as a date, as a word; its sign does not count.
+fn decimal(text: &str) -> Option<String> {
+    let figures = text.strip_prefix(['-', '+', '\u{2212}']).unwrap_or(text);
+    let parts: Vec<&str> = figures.split(['.', ',']).collect();
+    let is_figures = |part: &&str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    (2 <= parts.len() && parts.iter().all(is_figures)).then(|| joined(&parts))
+}
+
+fn joined(parts: &[&str]) -> String {
+    parts.iter().flat_map(|part| [DECIMAL.to_string(), (*part).to_owned()]).collect()
+}
+
+/// The numbers with a decimal sign in a text; of `26.11.2026` also `11.2026`.
+fn decimals_in(text: &str) -> Vec<String> {
+    let runs = text.split(|c: char| !c.is_ascii_digit() && c != '.' && c != ',');
+    let parts = runs.map(|run| run.split(['.', ',']).collect::<Vec<_>>());
+    let parts: Vec<Vec<&str>> = parts.filter(|parts| 2 <= parts.len()).collect();
+    let groups = parts.iter().flat_map(|parts| parts.split(|part| part.is_empty()));
+    groups
+        .flat_map(|group| (0..group.len().saturating_sub(1)).filter_map(|from| group.get(from..)).map(joined))
+        .collect()
+}
+
+/// A length as such a word: to the nanometre, so that `25.0120` finds 25.012, and `25.01` all that begin so.
+fn millimetres(nanometres: i64) -> String {
+    let all = nanometres.unsigned_abs();
+    format!("{DECIMAL}{}{DECIMAL}{:06}", all / 1_000_000, all % 1_000_000)
 }
 
 /// A name as it is looked for: in small letters, without blanks around it, however its accents were composed.

@@ -12,7 +12,7 @@ use super::index;
 /// What the file says it is: `Fitc` as a number.
 pub(super) const APPLICATION: i64 = 0x4669_7463;
 /// The version of the derived tables.
-pub(super) const VERSION: i64 = 2;
+pub(super) const VERSION: i64 = 3;
 
 /// The truth, and what keeps it: no change, no removal, and no entry out of its place, which `INSERT OR REPLACE` would be too.
 const ENTRY: [(&str, &str); 5] = [

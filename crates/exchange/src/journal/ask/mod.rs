@@ -12,8 +12,8 @@
 //! | `today` `week` | recorded today; in this week, which begins on Monday |
 //! | `simulated` `measured` | only simulated ones, only measured ones |
 //! | `standing` | that no other one corrects and that were not withdrawn |
-//! | `good` `rework` `re-measure` `scrap` | with this verdict, or with any of several; also in the words of who asks |
-//! | anything else | with a word that begins so, in part, serial number, feature, callout, name or remark; a plain number is also that of the record |
+//! | `good` `rework` `re-measure` `scrap` | with this verdict, or with any of several, and `standing`; also in the words of who asks |
+//! | anything else | with a word that begins so, in names, callout, remark or reason; `88` is also record 88, `25.01` a measured value |
 //!
 //! What has blanks or a colon goes in quotation marks, `""` within them is one; a word in quotation marks is never one of those above the
 //! last.
@@ -92,7 +92,7 @@ pub struct Question {
     pub simulated: Option<bool>,
     /// Only checks that stand: none that another one corrects or that was taken back.
     pub standing: bool,
-    /// Words that the part, serial number, feature, callout, name or remark has, or begins a word with: all of them. A plain number is also
-    /// the number of the record.
+    /// Words that the part, serial number, feature, callout, name, remark or reason has, or begins a word with: all of them. A plain number is
+    /// also the number of the record, and one with a decimal sign the measured value.
     pub words: Vec<String>,
 }

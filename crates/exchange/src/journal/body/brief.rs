@@ -15,7 +15,8 @@ struct Brief<'a> {
     about: About<'a>,
     #[serde(borrow)]
     check: Option<Check<'a>>,
-    withdrawal: Option<Corrects>,
+    #[serde(borrow)]
+    withdrawal: Option<Corrects<'a>>,
 }
 
 #[derive(Deserialize)]
@@ -46,7 +47,9 @@ struct Check<'a> {
     simulated: bool,
     #[serde(borrow)]
     size: Option<Size<'a>>,
-    corrects: Option<Corrects>,
+    cycle: Option<Cycle>,
+    #[serde(borrow)]
+    corrects: Option<Corrects<'a>>,
 }
 
 #[derive(Deserialize)]
@@ -54,6 +57,17 @@ struct Size<'a> {
     #[serde(borrow)]
     callout: Option<Cow<'a, str>>,
     limits: Limits,
+    measurement: Measurement,
+}
+
+#[derive(Deserialize)]
+struct Measurement {
+    diameter_nm: i64,
+}
+
+#[derive(Deserialize)]
+struct Cycle {
+    measured_nm: Option<i64>,
 }
 
 #[derive(Deserialize)]
@@ -62,8 +76,10 @@ struct Limits {
 }
 
 #[derive(Deserialize)]
-struct Corrects {
+struct Corrects<'a> {
     number: u64,
+    #[serde(borrow)]
+    reason: Cow<'a, str>,
 }
 
 /// What an entry is found by; `None` for the first entry of a chain, which is no check.
@@ -79,12 +95,17 @@ pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
         wire::BodyKind::Withdrawal => FoundEntryKind::Withdrawal,
     };
     let About { station, time, who, part, serial, feature, remark } = brief.about;
-    let (status, is_simulated, size, corrects) = match brief.check {
-        Some(check) => (check.status, check.simulated, check.size, check.corrects),
-        None => (None, false, None, None),
+    let (status, is_simulated, size, cycle, corrects) = match brief.check {
+        Some(check) => (check.status, check.simulated, check.size, check.cycle, check.corrects),
+        None => (None, false, None, None, None),
     };
+    let of_size = size.as_ref().map(|size| size.measurement.diameter_nm);
+    let measured_nm = of_size.or_else(|| cycle.and_then(|cycle| cycle.measured_nm));
     let asked = size.map(|size| EntryCallout { callout: size.callout, nominal_nm: size.limits.nominal_nm });
-    let corrects = corrects.or(brief.withdrawal).map(|correction| correction.number);
+    let (corrects, reason) = match corrects.or(brief.withdrawal) {
+        Some(Corrects { number, reason }) => (Some(number), reason),
+        None => (None, Cow::Borrowed("")),
+    };
     let at_ms = time.utc_ms;
     Ok(Some(FoundEntry {
         kind,
@@ -98,6 +119,8 @@ pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
         station,
         remark,
         asked,
+        measured_nm,
         corrects,
+        reason,
     }))
 }
