@@ -197,7 +197,7 @@ fn a_value_of_a_file_is_imported_and_its_distance_beyond_the_limit_is_said() {
     click(&mut window, Role::Button, "Status");
     click(&mut window, Role::Button, "GOOD");
     let asked = window.state().session().text(RecordsField::Question).to_owned();
-    assert_eq!((asked.as_str(), rows(&window).len()), ("verdict:good", 1));
+    assert_eq!((asked.as_str(), rows(&window).len()), ("verdict:good standing", 1));
 }
 
 #[test]
