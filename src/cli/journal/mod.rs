@@ -69,8 +69,8 @@ A question narrows the list word by word:
   from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
-  good rework re-measure scrap                     with this verdict, or any of several, and standing
-  burr 25H7                                        begins a word of a name, callout, remark or reason
+  good rework re-measure scrap                     standing, with any of these verdicts
+  burr 25H7                                        begins a word of a name, callout, remark, reason
   25.012                                           begins the measured value in mm
   88                                               the same, and the record of this number";
 
