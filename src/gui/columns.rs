@@ -377,6 +377,13 @@ pub(super) fn column_ui(ui: &mut Ui, id: impl std::hash::Hash + std::fmt::Debug,
     ui.allocate_rect(rect, Sense::hover());
 }
 
+/// How high the two parts of such a column were.
+#[derive(Debug, Clone, Copy)]
+struct Heights {
+    content: f32,
+    foot: f32,
+}
+
 /// What scrolls where there is little room, and below it what is always in sight, in the order in which Tab goes.
 pub(super) fn footed_column_ui(
     ui: &mut Ui,
@@ -385,17 +392,23 @@ pub(super) fn footed_column_ui(
     content: impl FnOnce(&mut Ui, &mut View<'_>),
     foot: impl FnOnce(&mut Ui, &mut View<'_>),
 ) {
-    // The foot is as high as in the frame before; at first it is one row.
-    let id = Id::unique(("foot", salt));
-    let known = ui.data(|data| data.get_temp::<f32>(id)).unwrap_or_else(|| control(ui));
+    // As in the frame before; at first the foot is one row below all the rest.
+    let id = Id::unique(("footed", salt));
+    let known = ui.data(|data| data.get_temp(id)).unwrap_or_else(|| Heights { content: f32::MAX, foot: control(ui) });
     let gap = space(1.0);
     ui.spacing_mut().item_spacing.y = gap;
-    let height = (ui.available_height() - known - gap).max(0.0);
+    let height = (ui.available_height() - known.foot - gap).max(0.0).min(known.content);
     let top = ui.cursor().top();
-    of_height(ui, height, |ui| column_ui(ui, salt, |ui| content(ui, view)));
+    let mut shown = known;
+    of_height(ui, height, |ui| {
+        column_ui(ui, salt, |ui| {
+            content(ui, view);
+            shown.content = ui.min_rect().height().ceil();
+        });
+    });
     ui.add_space((top + height + gap - ui.cursor().top()).max(0.0));
-    let shown = ui.vertical(|ui| foot(ui, view)).response.rect.height();
-    if 0.5 < (shown - known).abs() {
+    shown.foot = ui.vertical(|ui| foot(ui, view)).response.rect.height();
+    if 0.5 < (shown.content - known.content).abs() || 0.5 < (shown.foot - known.foot).abs() {
         ui.data_mut(|data| data.insert_temp(id, shown));
         ui.ctx().request_repaint();
     }

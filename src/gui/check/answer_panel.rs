@@ -235,7 +235,7 @@ pub(super) fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
         None => message!("lot-shown"),
     };
     ui.label(words.say(&shown.count("place", place).count("judged", lot.judged()).count("line", line)));
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         for step in Step::PATH {
             view.field_button(ui, CheckAction::ShowInLot(step));
         }
