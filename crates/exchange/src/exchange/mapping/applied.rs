@@ -169,22 +169,26 @@ impl Said<'_> {
     }
 
     fn columns(&self, measured: usize, width: usize) -> Result<Columns, ImportErrorKind> {
+        let id = self.either(Role::Id, |found| found.id);
+        let number = self.either(Role::Number, |found| found.labels.number);
+        // Another column than the one that was found is what the user means by the number or the name of a feature.
+        let may_be_running = self.found.as_ref().map_or(id.is_none() && number.is_none(), |found| {
+            found.labels.may_be_running && (found.id, found.labels.number) == (id, number)
+        });
         let labels = LabelColumns {
-            number: self.either(Role::Number, |found| found.labels.number),
+            number,
             part: self.either(Role::Part, |found| found.labels.part),
             serial: self.either(Role::Serial, |found| found.labels.serial),
             who: self.either(Role::Who, |found| found.labels.who),
             place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
-            // What the user calls the number or the name of a feature is no running number.
-            may_be_running: self.of(Role::Number).or(self.of(Role::Id)).is_none()
-                && self.found.as_ref().is_none_or(|found| found.labels.may_be_running),
+            may_be_running,
         };
         let beside = |at: Option<usize>| at.filter(|at| *at != measured);
         let nominal = beside(self.either(Role::Nominal, |found| found.nominal.map(|column| column.at)));
         let count = self.found.as_ref().map_or(width, |found| found.count);
         let count = if self.names.is_empty() { count } else { self.names.len() };
         Ok(Columns {
-            id: beside(self.either(Role::Id, |found| found.id)),
+            id: beside(id),
             tolerance: beside(self.either(Role::Tolerance, |found| found.tolerance)),
             nominal: nominal.map(|at| self.length(at)).transpose()?,
             measured: self.length(measured)?,
