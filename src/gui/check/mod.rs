@@ -66,6 +66,9 @@ const NARROW: f32 = 210.0;
 /// Below this height the fields above the keypad stand beside each other.
 const CLOSE: f32 = 110.0;
 
+/// What is left below the verdict at least, for two rows.
+const LEAST_BELOW: f32 = 20.0;
+
 /// What the verdict takes of a column, so that nothing moves when it comes.
 const VERDICT: f32 = 69.0;
 
@@ -149,7 +152,7 @@ fn desk_ui(ui: &mut Ui, view: &mut View<'_>, least: f32) {
     let status = status_panel::usual_height(ui) + close_frame(ui).total_margin().sum().y;
     history_below_ui(ui, view, row.max(answer) + status);
     let size = ui.available_size();
-    if row + space(40.0) < size.y {
+    if row + space(LEAST_BELOW) < size.y {
         if welcomes {
             row_ui(ui, view, "check-answer", row, |ui, view| {
                 area_ui(ui, view, Side::Right, "check-verdict", sizes.clone(), verdict_ui);
