@@ -29,12 +29,11 @@ pub(super) fn typed_ui(ui: &mut Ui, view: &mut View<'_>) {
         for (field, width) in [(CheckField::Callout, callout), (CheckField::Measured, width - callout)] {
             ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::top_down(Align::Min), |ui| {
                 ui.set_width(width);
-                match field {
-                    CheckField::Callout => callout_field_ui(ui, view),
-                    _ => {
-                        let field = measured_ui(ui, view);
-                        keypad_button_ui(ui, view, field);
-                    }
+                if field == CheckField::Callout {
+                    callout_field_ui(ui, view);
+                } else {
+                    let field = measured_ui(ui, view);
+                    keypad_button_ui(ui, view, field);
                 }
                 error_ui(ui, view, field);
             });
