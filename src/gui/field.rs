@@ -13,7 +13,7 @@ use eframe::egui::{
     TextBuffer, TextEdit, Ui, UiBuilder, Vec2, vec2,
 };
 
-use super::field_help::field_help_ui;
+use super::field_help::{self, field_help_ui};
 use super::in_turn::hold;
 use super::keypad;
 use super::room::is_low;
@@ -186,14 +186,15 @@ pub(super) fn value_field_ui(
     name: Id,
     look: FieldStyle,
 ) -> Rect {
-    let beside = control(ui);
+    let beside = control(ui) + space(field_help::reach(ui) - 2.0);
     field_ui(ui, view, field, name, FieldStyle { beside, ..look.unit("mm") }).rect
 }
 
 /// The button of the keypad in its field.
 pub(super) fn keypad_button_ui(ui: &mut Ui, view: &mut View<'_>, field: Rect) {
     let button = control(ui);
-    let place = field.shrink2(vec2(space(2.0), 0.0));
+    // The sign of the help at the corner stays free.
+    let place = field.with_max_x(field.right() - space(field_help::reach(ui)));
     let place = Align2::RIGHT_CENTER.align_size_within_rect(Vec2::splat(button), place);
     let mut over = ui.new_child(UiBuilder::new().max_rect(place).layout(Layout::top_down(Align::Center)));
     over.spacing_mut().button_padding = Vec2::ZERO;
@@ -274,6 +275,7 @@ fn underlined(ui: &Ui, text: &str, font: &FontId, culprit: Option<&Range<usize>>
 /// Gives the focus to a field and selects its text, so that typing replaces it. As long as something lies over the page, egui takes the
 /// focus from it again: then it is given once that is gone.
 pub(super) fn go_to(ctx: &Context, session: &Session, field: Field) {
+    keypad::leave(ctx);
     if ctx.memory(|memory| memory.top_modal_layer().is_some()) {
         ctx.data_mut(|data| data.insert_temp(soon(), Some(field)));
         hold(ctx);

@@ -44,6 +44,11 @@ pub(super) fn follow_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
+/// How far the place that is pressed for help reaches into its field.
+pub(super) fn reach(ui: &Ui) -> f32 {
+    if space(TOUCH) <= control(ui) { TOUCH / 2.0 } else { SIGN / 2.0 + 0.5 }
+}
+
 /// The sign at the corner of a field that has the focus, and the paragraph where it is shown.
 pub(super) fn field_help_ui(ui: &Ui, view: &mut View<'_>, field: Field, response: &Response) {
     // The frame in which something else is pressed has to see whether that was the sign.

@@ -262,6 +262,11 @@ fn focus(ctx: &Context, field: Field, selected: Range<usize>) {
     ctx.data_mut(|data| data.insert_temp(focus_id(), Some((field, selected))));
 }
 
+/// Something else gets the focus than what the last key asked for.
+pub(super) fn leave(ctx: &Context) {
+    ctx.data_mut(|data| data.remove::<Option<(Field, Range<usize>)>>(focus_id()));
+}
+
 fn focus_id() -> Id {
     Id::unique("keypad-focus")
 }

@@ -71,11 +71,18 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
 /// What was done, in one line.
 fn toast_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     let palette = palette(ui.ctx());
-    ui.set_max_width(space(150.0).min(ui.ctx().content_rect().width() - space(16.0)));
-    ui.horizontal_wrapped(|ui| {
-        ui.set_min_height(control(ui));
-        ui.label(RichText::new(view.words.say(&notice.message)).color(palette.on_toast.0));
-        offers_ui(ui, view, notice);
+    let width = space(150.0).min(ui.ctx().content_rect().width() - space(16.0));
+    ui.horizontal(|ui| {
+        // What closes it stands at its end, however long the text is.
+        let close = control(ui) + ui.spacing().item_spacing.x;
+        ui.scope(|ui| {
+            ui.set_max_width(width - close);
+            ui.horizontal_wrapped(|ui| {
+                ui.set_min_height(control(ui));
+                ui.label(RichText::new(view.words.say(&notice.message)).color(palette.on_toast.0));
+                offers_ui(ui, view, notice);
+            });
+        });
         ui.visuals_mut().override_text_color = Some(palette.on_toast.0);
         view.icon_button(ui, WindowAction::Close, Icon::X);
     });

@@ -3,11 +3,14 @@
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use eframe::egui::{Frame, Label, Margin, RichText, ScrollArea, Ui};
+use eframe::egui::{Color32, FontId, Frame, Label, Margin, RichText, ScrollArea, Ui};
 
 use super::theme::{self, Icon, Weight, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::Message;
+
+/// How much smaller than usual a text is set at most so that its lines are whole.
+const LEAST_SCALE: f32 = 0.75;
 
 /// How many lines a mask usually prints.
 const LINES: f32 = 5.0;
@@ -60,7 +63,12 @@ pub(super) fn frame_ui(ui: &mut Ui, title: String, content: impl FnOnce(&mut Ui)
 pub(super) fn text_ui(ui: &mut Ui, text: &str, salt: impl Hash + Debug) {
     let area = ScrollArea::both().id_salt(salt).max_height(space(60.0)).auto_shrink([false, true]);
     area.show(ui, |ui| {
-        let text = RichText::new(text.trim_end()).font(theme::mono(sizes().mono)).color(palette(ui.ctx()).text.0);
+        // A number whose last digit is out of sight reads as another one: the line is set smaller before it scrolls.
+        let usual = theme::mono(sizes().mono);
+        let size = ui.painter().layout_no_wrap(text.to_owned(), usual.clone(), Color32::PLACEHOLDER).size();
+        let scale = (ui.available_width() / size.x.max(1.0)).clamp(LEAST_SCALE, 1.0);
+        let font = FontId { size: (usual.size * scale * 2.0).floor() / 2.0, ..usual };
+        let text = RichText::new(text.trim_end()).font(font).color(palette(ui.ctx()).text.0);
         ui.add(Label::new(text).extend().selectable(true));
     });
 }

@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Frame, Id, Margin, Panel, Rect, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Align2, Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
 
 use super::check::grouped;
 use super::key_names::told;
@@ -167,24 +169,32 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
     theme::looking(ui, theme::plain, |ui| {
         let icon = Icon::DotsThree.text(Weight::Bold, space(5.0));
         let shown = ui.menu_button(icon, |ui| {
-            if fold == Fold::Who && view.session.recording().is_on() {
-                ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
-            }
-            if Fold::Buttons <= fold {
-                view.menu_item(ui, action);
-            }
-            if action != WindowAction::Import.into() {
-                view.menu_item(ui, WindowAction::Import);
-            }
-            ui.menu_button(view.text("export"), |ui| match view.session.page() {
-                Page::Records => records::export_ui(ui, view),
-                _ => export_ui(ui, view),
-            });
-            ui.separator();
-            menu_ui(ui, view);
+            scrolling_ui(ui, |ui| {
+                if fold == Fold::Who && view.session.recording().is_on() {
+                    ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
+                }
+                if Fold::Buttons <= fold {
+                    view.menu_item(ui, action);
+                }
+                if action != WindowAction::Import.into() {
+                    view.menu_item(ui, WindowAction::Import);
+                }
+                ui.menu_button(view.text("export"), |ui| match view.session.page() {
+                    Page::Records => records::export_ui(ui, view),
+                    _ => export_ui(ui, view),
+                });
+                ui.separator();
+                menu_ui(ui, view);
+            })
         });
         shown.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     });
+}
+
+/// A menu that is higher than the window scrolls.
+fn scrolling_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    let most = ui.ctx().content_rect().bottom() - ui.cursor().top() - space(4.0);
+    ScrollArea::vertical().max_height(most).show(ui, content);
 }
 
 /// What was told before and asked for a look: there as long as it is not emptied.

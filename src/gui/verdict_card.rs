@@ -269,8 +269,8 @@ pub(super) fn tallest_card(view: &View<'_>) -> Card {
         status: Some(Status::Rework),
         word: view.words.told(&Status::Rework),
         value: Some("88: 88.8888 mm".to_owned()),
-        instruction: Some(remove(view.words, "88.8")),
-        lines: vec![said("remove-to-middle"), said("remove-per-side")],
+        instruction: Some(remove(view.words, "88.8", Some("88.8".to_owned()))),
+        lines: vec![said("remove-to-middle")],
         ..Card::default()
     }
 }
@@ -364,9 +364,13 @@ pub(super) const fn colours(palette: &Palette, status: Option<Status>, is_simula
     if is_simulated { palette.of_simulated(status) } else { palette.of_status(status) }
 }
 
-/// What to remove, and up to what.
-pub(super) fn remove(words: &Words, um: &str) -> (String, String) {
-    (words.say(&message!("remove-amount").text("um", um)), words.get("remove-to-limit"))
+/// What to remove of a size, up to what, and how much of it on each side where the size is a diameter.
+pub(super) fn remove(words: &Words, um: &str, per_side: Option<String>) -> (String, String) {
+    let up_to = match per_side {
+        Some(um) => words.say(&message!("remove-to-limit-per-side").text("um", um)),
+        None => words.get("remove-to-limit"),
+    };
+    (words.say(&message!("remove-amount").text("um", um)), up_to)
 }
 
 /// Half of a length as it is shown, µm.

@@ -69,6 +69,22 @@ fn check(text: &str, expected: &str) {
 }
 
 #[test]
+fn parameters_beside_each_other_are_read_one_by_one() {
+    let all = "421: Q273=+50 Q274=+20 Q262=+25";
+    for text in [
+        "TCH PROBE 421 MEASURE HOLE Q273=+50 Q274=+20 Q262=+25",
+        "5 TCH PROBE 421 MEASURE HOLE ~\n Q273=+50 Q274=+20 ;CENTRE ~\n Q262=+25",
+        "TCH PROBE 421 Q273=+50 ~\n Q274 = +20 Q262=+25",
+    ] {
+        assert_eq!(pairs(text), all, "{text}");
+    }
+    let unknown = pairs("TCH PROBE 421 MEASURE HOLE Q273=+50 Q999=+1");
+    assert!(unknown.contains("Q999"), "{unknown}");
+    let junk = pairs("TCH PROBE 421 ~\n Q273=+50 AND Q274=+20");
+    assert!(junk.contains("Q273=+50 AND"), "what is no value stays with its name: {junk}");
+}
+
+#[test]
 fn the_example_of_cycle_427_is_read_as_printed_and_written_as_a_control_does() {
     let block = read(EXAMPLE_427).unwrap();
     assert_eq!((block.line, block.cycle.code, block.settings.len(), &block.unused), (1, "427", 14, &None));

@@ -335,6 +335,11 @@ fn a_block_fills_the_form_or_changes_nothing() {
     let effects = send(&mut session, CyclesCommand::CopyBlock);
     let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
     assert!(text.contains("Q263=+35"), "{text}");
+    // A head without parameters says which cycle is meant, and empties nothing.
+    send(&mut session, CyclesCommand::ShowBlock(true));
+    send(&mut session, CyclesCommand::TypeBlock("TCH PROBE 427 MEASURE COORDINATE".into()));
+    send(&mut session, CyclesCommand::TakeBlock);
+    assert_eq!((session.cycles().block.as_deref(), session.text(field(&session, "Q263"))), (None, "35"));
 }
 
 #[test]

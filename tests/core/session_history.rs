@@ -215,7 +215,7 @@ fn everything_listed_can_be_chosen_or_only_the_bad() {
     assert_eq!((session.history().chosen_count(), session.history().hidden_count()), (2, 2));
     filter(&mut session, "");
     assert_eq!(session.history().hidden_count(), 0);
-    assert_eq!(name(&session, WindowAction::ChooseBad.into()), "Choose 2 bad checks");
+    assert_eq!(name(&session, WindowAction::ChooseBad.into()), "Choose 2 checks that are not good");
     list(&mut session, ListCommand::ChooseBad);
     let chosen = |session: &Session| (0..4).filter(|id| session.history().is_chosen(RecordId(*id))).collect::<Vec<_>>();
     assert_eq!(chosen(&session), [1, 2], "the good ones are no longer chosen");

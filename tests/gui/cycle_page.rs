@@ -297,8 +297,8 @@ fn rework_says_how_much_stops_and_shows_the_control_s_window() {
     assert_eq!(buttons(&window), before, "the stop moves nothing above it");
     assert_eq!(
         simulated(&window),
-        "REWORK. 75.0000 mm. Remove 100.0 µm to the nearest limit. measured diameter. 100.0 µm above maximum. \
-         150.0 µm to the middle of the zone. on the diameter; 50.0 µm per side"
+        "REWORK. 75.0000 mm. Remove 100.0 µm to the nearest limit, 50.0 µm per side. measured diameter. \
+         100.0 µm above maximum. 150.0 µm to the middle of the zone"
     );
     window.get_by_label("program stop by Q309 = 1: measured diameter 75 mm is above its maximum 74.9 mm: REWORK");
     window.get_by_label_contains("FIT STATUS: REWORK\nCHECKED FIT: 75 (422)\nMINIMUM SIZE:  74.8000");

@@ -243,10 +243,10 @@ fn ctrl_f_opens_the_list_of_a_small_window() {
 #[test]
 fn only_the_bad_are_listed_by_one_switch() {
     let mut window = three();
-    click(&mut window, Role::CheckBox, "Only bad");
+    click(&mut window, Role::CheckBox, "Only not good");
     assert_eq!(parts(&window), "B A2");
     window.get_by_label("2 of 3 checks");
-    click(&mut window, Role::CheckBox, "Only bad");
+    click(&mut window, Role::CheckBox, "Only not good");
     assert_eq!(parts(&window), "B A2 A10");
 }
 
@@ -275,7 +275,7 @@ fn only_the_bad_are_exported_and_the_menu_says_what_will_be() {
     let mut window = three();
     click(&mut window, Role::Button, "Export");
     window.get_by_label("All 3 checks will be exported");
-    click(&mut window, Role::Button, "Choose 2 bad checks");
+    click(&mut window, Role::Button, "Choose 2 checks that are not good");
     window.get_by_label("2 chosen for export");
     click(&mut window, Role::Button, "Export");
     click(&mut window, Role::Button, "History as CSV…");

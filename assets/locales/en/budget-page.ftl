@@ -72,6 +72,7 @@ budget-page-answer = Expanded uncertainty
 budget-page-no-answer = No answer
 budget-page-expanded = U = { $um } µm
 budget-page-covered = k = { $k } for 95.45 %
+budget-page-at-size = For { $size } mm; each check has the uncertainty of its own size
 budget-page-covered-by = k = { $k } by { $method }
 budget-page-standard = u = { $um } µm
 budget-page-degrees = Effective degrees of freedom { $degrees }

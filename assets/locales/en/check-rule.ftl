@@ -56,6 +56,7 @@ why-budget = Uncertainty from the budget { $name }, created { $date } by { $by }
 why-corrected = Corrected to 20 °C, linear: expansion { $expansion } · 10⁻⁶/K, { $at-reference } mm
 why-scales = Scales at { $temperature } °C, expansion { $expansion } · 10⁻⁶/K
 import-judged-by = Judged by the rule on the check page: { $rule }
+import-judged-by-each = That is the uncertainty of the first value: a budget gives each value that of its size
 import-not-corrected = Not corrected to 20 °C: the temperature on the check page belongs to the part that is being measured now
 import-not-judged = { $name } was read, but nothing in it was judged
 band-describe-accepted = The rule accepts from { $least } to { $most } µm.

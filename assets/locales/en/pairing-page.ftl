@@ -28,7 +28,7 @@ pairing-page-open-holes = Open holes…
 pairing-page-open-shafts = Open shafts…
 pairing-page-history-holes = Holes of the history
 pairing-page-history-shafts = Shafts of the history
-pairing-page-history-hint = Uses the chosen checks, or all checks if none is chosen
+pairing-page-history-hint = Uses the chosen checks, or all that are listed if none is chosen
 pairing-page-groups = Groups
 pairing-page-groups-hint = Number of groups of equal width into which the parts are also sorted. Leave empty for none.
 pairing-page-do-wanted = Type the wanted clearance or a fit.
@@ -40,6 +40,10 @@ pairing-page-none-in-history = The history has no checks of { $feature ->
         [hole] holes
        *[shaft] shafts
     }.
+pairing-page-listed-only = The history is filtered: the { $feature ->
+        [hole] holes
+       *[shaft] shafts
+    } come from the { $listed } listed checks of { $all }
 pairing-page-none-chosen = None of the chosen checks is of a { $feature ->
         [hole] hole
        *[shaft] shaft

@@ -39,9 +39,9 @@ undo-clear = clear history
 undone = Undone: { $what }
 clear-history = Clear history
 choose-bad = { $count ->
-    [0] Choose the bad checks
-    [one] Choose 1 bad check
-   *[other] Choose { $count } bad checks
+    [0] Choose the checks that are not good
+    [one] Choose the check that is not good
+   *[other] Choose { $count } checks that are not good
 }
 choose-none = Choose none
 
@@ -153,8 +153,8 @@ below-maximum = { $um } µm below maximum
 above-maximum = { $um } µm above maximum
 remove-amount = Remove { $um } µm
 remove-to-limit = to the nearest limit
+remove-to-limit-per-side = to the nearest limit, { $um } µm per side
 remove-to-middle = { $um } µm to the middle of the zone
-remove-per-side = on the diameter; { $um } µm per side
 position-in = Centre in position
 position-out = Centre out of position
 diameter-alone = Diameter alone: { $status }
@@ -217,7 +217,7 @@ history-cleared = { $count ->
 history-none-found = No check matches the filter
 history-filter = Filter
 history-filter-hint = Lists the checks that contain these words: part, callout, value, date, status or file
-history-only-bad = Only bad
+history-only-bad = Only not good
 history-only-bad-hint = Rework, re-measure and scrap
 history-sort-hint = Sorts by this column; press again to reverse the order, once more for newest first
 history-ascending = { $column }, sorted ascending

@@ -72,6 +72,7 @@ budget-page-answer = Uitgebreide onzekerheid
 budget-page-no-answer = Geen antwoord
 budget-page-expanded = U = { $um } µm
 budget-page-covered = k = { $k } voor 95,45 %
+budget-page-at-size = Voor { $size } mm; elke controle krijgt de onzekerheid van haar eigen maat
 budget-page-covered-by = k = { $k } volgens { $method }
 budget-page-standard = u = { $um } µm
 budget-page-degrees = Effectieve vrijheidsgraden { $degrees }

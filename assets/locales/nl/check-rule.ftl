@@ -56,6 +56,7 @@ why-budget = Onzekerheid volgens het budget { $name }, gemaakt op { $date } door
 why-corrected = Gecorrigeerd naar 20 °C, lineair: uitzetting { $expansion } · 10⁻⁶/K, { $at-reference } mm
 why-scales = Meetlinialen bij { $temperature } °C, uitzetting { $expansion } · 10⁻⁶/K
 import-judged-by = Beoordeeld volgens de regel van de controlepagina: { $rule }
+import-judged-by-each = Dat is de onzekerheid van de eerste waarde: een budget geeft elke waarde die van haar maat
 import-not-corrected = Niet gecorrigeerd naar 20 °C: de temperatuur op de controlepagina hoort bij het werkstuk dat nu wordt gemeten
 import-not-judged = { $name } is gelezen, maar er is niets in beoordeeld
 band-describe-accepted = De regel aanvaardt van { $least } tot { $most } µm.

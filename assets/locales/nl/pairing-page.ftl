@@ -28,7 +28,7 @@ pairing-page-open-holes = Boringen openen…
 pairing-page-open-shafts = Assen openen…
 pairing-page-history-holes = Boringen uit de geschiedenis
 pairing-page-history-shafts = Assen uit de geschiedenis
-pairing-page-history-hint = Gebruikt de gekozen controles, of alle controles als er geen gekozen is
+pairing-page-history-hint = Gebruikt de gekozen controles, of alle controles in de lijst als er geen gekozen is
 pairing-page-groups = Groepen
 pairing-page-groups-hint = In hoeveel groepen van gelijke breedte de onderdelen ook worden gesorteerd. Leeg voor geen.
 pairing-page-do-wanted = Vul de gewenste speling of een passing in.
@@ -40,6 +40,10 @@ pairing-page-none-in-history = De geschiedenis heeft geen controles van { $featu
         [hole] boringen
        *[shaft] assen
     }.
+pairing-page-listed-only = De geschiedenis is gefilterd: de { $feature ->
+        [hole] boringen
+       *[shaft] assen
+    } komen uit { $listed } van de { $all } controles
 pairing-page-none-chosen = Geen van de gekozen controles is van een { $feature ->
         [hole] boring
        *[shaft] as

@@ -422,7 +422,12 @@ impl Session {
             self.check.say_repeated();
             return Vec::new();
         }
-        action.command(self).map_or_else(Vec::new, |command| self.apply(command, now))
+        let mut effects = action.command(self).map_or_else(Vec::new, |command| self.apply(command, now));
+        // What is typed next is the answer to what is asked about the value.
+        if field == CheckField::Callout.into() && self.check.question.is_some() {
+            effects.push(Effect::Focus(CheckField::Measured.into()));
+        }
+        effects
     }
 
     /// Applies a command that belongs to no page.

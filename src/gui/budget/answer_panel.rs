@@ -4,7 +4,7 @@
 use eframe::egui::{RichText, Sense, Ui, vec2};
 
 use super::table::degrees;
-use crate::budget::{Answer, Assessment, Validity};
+use crate::budget::{Answer, Assessment, BudgetWarning, Validity};
 use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::section::unfold;
 use crate::gui::shapes;
@@ -12,7 +12,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::without_zeros;
 use crate::message::message;
-use crate::session::{BudgetAction, BudgetForce, Page, UseOf, WindowAction, advice};
+use crate::session::{BudgetAction, BudgetField, BudgetForce, Page, UseOf, WindowAction, advice};
 use crate::verdict::Status;
 
 /// U and the validity. It is not a verdict on a part, so it does not have the colour of one.
@@ -28,8 +28,19 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>) {
         word_ui(ui, &large, (0.14, 0.08));
         let covered = covered(view, found);
         ui.label(&covered);
-        [word, large, covered].into_iter().chain(validity_ui(ui, view, found)).collect()
+        let at = at_size(view);
+        if let Some(at) = &at {
+            quiet(ui, at);
+        }
+        [word, large, covered].into_iter().chain(at).chain(validity_ui(ui, view, found)).collect()
     });
+}
+
+/// For which size U is, where it depends on it.
+fn at_size(view: &View<'_>) -> Option<String> {
+    let size = view.session.text(BudgetField::Size).trim();
+    let asks = view.session.budget().asks.size && !size.is_empty();
+    asks.then(|| view.words.say(&message!("budget-page-at-size").number("size", size)))
 }
 
 fn covered(view: &View<'_>, found: &Assessment) -> String {
@@ -111,7 +122,8 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
         Answer::Repeated(_) => found.method().to_owned(),
     };
     quiet(ui, view.words.say(&message!("budget-page-method").text("method", method)));
-    for warning in found.warnings() {
+    // What of the template is left is said below, one by one.
+    for warning in found.warnings().into_iter().filter(|warning| *warning != BudgetWarning::OfTemplate) {
         problem(ui, view.words.told(&warning));
     }
     // Figures that may well be true of the station are no problem.

@@ -268,10 +268,6 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     let removal = size.removal.filter(|_| status == size.status);
     if let Some(removal) = removal {
         lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
-        let half = half(words, digits, removal.to_limit);
-        if is_round {
-            lines.push(words.say(&message!("remove-per-side").text("um", half)));
-        }
     } else {
         lines.extend(distances(words, record));
     }
@@ -293,7 +289,10 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
         word: words.told(&status),
         value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
         instruction: removal
-            .map(|removal| remove(words, &um(removal.to_limit)))
+            .map(|removal| {
+                let per_side = is_round.then(|| half(words, digits, removal.to_limit));
+                remove(words, &um(removal.to_limit), per_side)
+            })
             .or_else(|| worth_lines::measure_again(words, record)),
         lines,
         ..Card::default()

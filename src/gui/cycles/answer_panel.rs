@@ -14,7 +14,7 @@ use crate::message::{Message, message};
 use crate::probing::cycle::{Check, CycleResult, LogTarget, ResultName, ResultParameter, Value};
 use crate::session::{CycleRun, RunLog};
 use crate::session::{CyclesAction, WorkpieceAction};
-use crate::verdict::Status;
+use crate::verdict::{Removal, Status};
 use crate::words::Words;
 
 /// Below the verdict: status window, results, remarks.
@@ -62,12 +62,11 @@ fn largest_card(words: &Words) -> Card {
         is_simulated: true,
         word: words.told(&Status::Rework),
         value: Some(format!("{} mm", words.number("888.8888"))),
-        instruction: Some(remove(words, &words.number("888.8"))),
+        instruction: Some(remove(words, &words.number("888.8"), Some(words.number("888.8")))),
         lines: vec![
             with_more(words, words.told(&ResultName::DIAMETER), 2),
             um("below-minimum"),
             um("remove-to-middle"),
-            um("remove-per-side"),
         ],
         ..Card::default()
     }
@@ -157,17 +156,15 @@ fn check_card(words: &Words, check: &Check) -> Card {
         Some(removal) => {
             lines.push(if check.below_maximum() < Length::ZERO { below } else { above });
             lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
-            if check.what == ResultName::DIAMETER {
-                let half = half(words, digits, removal.to_limit);
-                lines.push(words.say(&message!("remove-per-side").text("um", half)));
-            }
         }
         None if check.above_minimum() < Length::ZERO => lines.push(above),
         None if check.below_maximum() < Length::ZERO => lines.push(below),
         None => lines.extend([above, below]),
     }
     let value = Some(format!("{} mm", digits.mm(words, check.measured, 3)));
-    let instruction = removal.map(|removal| remove(words, &um(removal.to_limit)));
+    let per_side =
+        |removal: &Removal| (check.what == ResultName::DIAMETER).then(|| half(words, digits, removal.to_limit));
+    let instruction = removal.map(|removal| remove(words, &um(removal.to_limit), per_side(&removal)));
     Card { value, instruction, lines, ..Card::default() }
 }
 

@@ -98,7 +98,7 @@ impl Writer {
         Ok(opened)
     }
 
-    /// The newest checks, the oldest of them first.
+    /// The newest checks that stand, the oldest of them first.
     fn newest(&self, most: u64) -> Result<Vec<RecordRow>, Message> {
         let Some((file, _)) = &self.place else { return Ok(Vec::new()) };
         let most = usize::try_from(most).unwrap_or(usize::MAX);
@@ -107,7 +107,8 @@ impl Writer {
             ReadError::Failed(why) => why,
         };
         let reader = self.journals.reader(file)?;
-        let mut numbers = reader.numbers(&Question::default(), None, most).map_err(failed)?;
+        let question = Question { standing: true, ..Question::default() };
+        let mut numbers = reader.numbers(&question, None, most).map_err(failed)?;
         numbers.sort_unstable();
         reader.rows(&numbers).map_err(failed)
     }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use fitcheck_core::budget::template::Placeholder;
 use fitcheck_core::budget::{Basis, Budget, Validity};
 use fitcheck_core::message::{Message, Say as _, message};
+use fitcheck_exchange::journal::chain::Hash;
 
 use super::{BudgetDocument, BudgetPage, OpenBudget, Readings};
 use crate::check::{RuleChoice, UncertaintyFrom, rule_name_id};
@@ -108,9 +109,13 @@ impl BudgetPage {
         if !details.is_empty() {
             shared.notices.push(told(&budget, details, shared));
         }
-        let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.document.is_unsaved());
-        shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
+        shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256: self.sha256() }));
         shared.spread(News::BudgetTaken);
+    }
+
+    /// SHA-256 of the file, where it holds what checks use.
+    fn sha256(&self) -> Option<Hash> {
+        self.document.sha256.filter(|_| self.used_file.is_some() && !self.document.is_unsaved())
     }
 
     /// The file is found again at the next start, if it holds what checks use.
@@ -120,9 +125,13 @@ impl BudgetPage {
     }
 
     /// A budget that checks use has got a file.
-    pub(super) fn used_is_saved(&mut self, shared: &Shared) {
+    pub(super) fn used_is_saved(&mut self, shared: &mut Shared) {
         if self.use_of(shared.budget.as_deref()) == UseOf::This {
             self.keep_file();
+            if let Some(used) = &shared.budget {
+                let file = self.document.name();
+                shared.budget = Some(Arc::new(OpenBudget { file, sha256: self.sha256(), budget: used.budget.clone() }));
+            }
         } else if self.used_file.as_deref() == self.document.file() {
             // The file holds another budget now: at the next start it would be taken for the one in use.
             self.used_file = None;

@@ -184,6 +184,9 @@ fn judge_imported(
         let rule = first.verdict.rule;
         if !rule.is_plain() {
             said.push(message!("import-judged-by").message("rule", rule.rounded_message()));
+            if imported.records.iter().any(|record| record.verdict.rule != rule) {
+                said.push(message!("import-judged-by-each"));
+            }
         }
         if worth.is_warm() {
             said.push(message!("import-not-corrected"));

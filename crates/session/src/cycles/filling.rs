@@ -62,7 +62,10 @@ impl CyclesPage {
             return Err(lost.message());
         }
         let cycle = block.cycle;
-        self.texts.retain(|(number, _), _| *number != cycle.number);
+        // A head alone says which cycle is meant, and nothing of its values.
+        if !block.settings.is_empty() {
+            self.texts.retain(|(number, _), _| *number != cycle.number);
+        }
         for setting in &block.settings {
             // The reader has refused parameters that the cycle does not have.
             if let Some(parameter) = cycle.parameter_named(&setting.key) {

@@ -65,6 +65,8 @@ impl Session {
             }
             FilesCommand::JudgeUnplanned => {
                 let Some(path) = self.unplanned_file().map(Path::to_owned) else { return Vec::new() };
+                // What it offered is done: the answer is on the page of checks.
+                self.shared.notices.close();
                 self.shared.open(Page::Check);
                 return self.open_file(Purpose::Import, path, now);
             }

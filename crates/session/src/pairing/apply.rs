@@ -136,6 +136,11 @@ impl PairingPage {
             shared.tell(Message::new(id).with("feature", &feature));
             return;
         }
+        let (listed, all) = (shared.history.listed().count(), shared.history.len());
+        if shared.history.chosen_count() == 0 && listed < all {
+            let said = message!("pairing-page-listed-only").count("listed", listed).count("all", all);
+            shared.note(said.with("feature", &feature), Vec::new());
+        }
         self.side_mut(feature).awaited.clear();
         self.take(feature, Arc::new(parts));
     }

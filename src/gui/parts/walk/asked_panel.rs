@@ -30,7 +30,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.separator();
     // Nothing else is asked until that is answered: the buttons come back in their places.
     if let (Some(size), true) = (walking.asked(), walking.is_skipping) {
-        name_ui(ui, view, &size);
+        name_ui(ui, view, &size, walking.at);
         return skip_ui(ui, view);
     }
     if let (Some(asked), Some(faced)) = (walking.asked(), walking.faced_size()) {
@@ -168,7 +168,7 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, plan: &Plan) {
 /// The size that the page is about, readable from afar.
 fn size_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>) {
     let feature = size.feature;
-    name_ui(ui, view, size);
+    name_ui(ui, view, size, view.session.parts().walking.faced());
     limits_ui(ui, view, size.limits);
     match feature.place {
         Some(place) => {
@@ -184,7 +184,7 @@ fn size_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>) {
 }
 
 /// Which size is asked for and by which callout, readable from afar; beside each other where both have room.
-fn name_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>) {
+fn name_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>, at: Option<usize>) {
     let walking = &view.session.parts().walking;
     let name = numbered(size);
     let asked = asked_text(view.words, size);
@@ -203,7 +203,7 @@ fn name_ui(ui: &mut Ui, view: &View<'_>, size: &Size<'_>) {
         ui.label(RichText::new(name).font(font()));
         ui.label(RichText::new(asked).font(font()));
     }
-    if let Some(at) = walking.faced() {
+    if let Some(at) = at {
         quiet(ui, view.words.say(&message!("walk-page-of").count("at", at + 1).count("count", walking.count())));
     }
 }

@@ -137,7 +137,7 @@ impl Reader {
             return Ok(());
         }
         if self.state == State::Promised {
-            self.setting(segment.code, line)?;
+            self.settings(segment.code, line)?;
             self.follow(segment);
             return Ok(());
         }
@@ -166,11 +166,15 @@ impl Reader {
             return Err(ProbeBlockFault::SecondBlock { first: first.line }.at(line));
         }
         self.block = Some(ProbeBlock { line, cycle, settings: Vec::new(), unused: None });
-        let Some(words) = words else {
-            self.follow(segment);
-            return Ok(());
-        };
-        self.words(words, line)
+        match words {
+            HeadWords::None => self.follow(segment),
+            HeadWords::Settings(settings) => {
+                self.settings(settings, line)?;
+                self.follow(segment);
+            }
+            HeadWords::Addresses(words) => self.words(words, line)?,
+        }
+        Ok(())
     }
 
     /// The words of a line; a `*` ends a block of ISO, and lathe controls have one line for each.
@@ -207,6 +211,15 @@ impl Reader {
             None => self.unused = Some(Unused { line, text: shown(segment.code), more: 0 }),
         }
         Ok(())
+    }
+
+    /// `Q263=+35`, or several beside each other: `Q263=+35 Q264=+20`.
+    fn settings(&mut self, code: &str, line: usize) -> Result<(), ProbeBlockError> {
+        let starts = names(code);
+        let ends = starts.iter().skip(1).copied().chain([code.len()]);
+        // What stands before the first name belongs to it, so that it is refused with it.
+        let begins = std::iter::once(0).chain(starts.iter().skip(1).copied());
+        begins.zip(ends).try_for_each(|(start, end)| self.setting(part(code, start, end).trim(), line))
     }
 
     /// `Q263=+35`
@@ -281,13 +294,40 @@ fn body(code: &str) -> &str {
     numbered.unwrap_or(bare).trim_start_matches(|c: char| c == '/' || c.is_whitespace())
 }
 
-/// The cycle that a block calls, and the words after it on its line, if there are any: `G785 R0 BR0`. `None` for any
-/// other block.
-fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlockFault> {
+/// What stands behind the name of the cycle on the line that calls it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum HeadWords<'a> {
+    /// Nothing, or the name of the cycle in words.
+    None,
+    /// `Q273=+50 Q274=+20`
+    Settings(&'a str),
+    /// `R0 BR0`, or the words of ISO.
+    Addresses(&'a str),
+}
+
+/// Where each name before an equals sign begins; signs in quotation marks are none.
+fn names(code: &str) -> Vec<usize> {
+    let mut is_quoted = false;
+    let mut starts = Vec::new();
+    for (at, character) in code.char_indices() {
+        match character {
+            '"' => is_quoted = !is_quoted,
+            '=' if !is_quoted => {
+                let before = part(code, 0, at).trim_end();
+                starts.push(before.rsplit(char::is_whitespace).next().map_or(0, |name| before.len() - name.len()));
+            }
+            _ => {}
+        }
+    }
+    starts
+}
+
+/// The cycle that a block calls, and the words after it on its line: `G785 R0 BR0`. `None` for any other block.
+fn head(body: &str) -> Result<Option<(&'static Cycle, HeadWords<'_>)>, ProbeBlockFault> {
     let (first, rest) = body.split_once(char::is_whitespace).unwrap_or((body, ""));
     let (first, rest) = first.strip_suffix('*').map_or((first, rest), |first| (first, "*"));
     if first.strip_prefix(['G', 'g']).is_some_and(|number| !number.is_empty()) {
-        return Ok(cycle_named(first).map(|cycle| (cycle, Some(rest))));
+        return Ok(cycle_named(first).map(|cycle| (cycle, HeadWords::Addresses(rest))));
     }
     let (second, rest) = rest.trim_start().split_once(char::is_whitespace).unwrap_or((rest.trim_start(), ""));
     if !first.eq_ignore_ascii_case("TCH") || !second.eq_ignore_ascii_case("PROBE") {
@@ -299,5 +339,8 @@ fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlock
         let known = known().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
         return Err(ProbeBlockFault::UnknownCycle { given: shown(number), known });
     };
-    Ok(Some((cycle, None)))
+    // A name in words may come first: `421 MEASURE HOLE Q273=+50`.
+    let words =
+        names(rest).first().map_or(HeadWords::None, |start| HeadWords::Settings(part(rest, *start, rest.len())));
+    Ok(Some((cycle, words)))
 }
