@@ -551,6 +551,7 @@ palette-more = What else with it
 palette-back = Back to what was found
 palette-check-value = Check { $callout } with { $value }
 palette-check = Check { $callout }
+palette-search-manual = Search the manual for “{ $query }”
 palette-nothing = Nothing has this name
 palette-hint = A callout, a page, a command or a file
 

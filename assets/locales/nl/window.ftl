@@ -551,6 +551,7 @@ palette-more = Wat kan hier nog meer mee
 palette-back = Terug naar wat gevonden is
 palette-check-value = { $callout } controleren met { $value }
 palette-check = { $callout } controleren
+palette-search-manual = De handleiding doorzoeken op “{ $query }”
 palette-nothing = Niets heet zo
 palette-hint = Een maat met passing, een pagina, een opdracht of een bestand
 

@@ -31,8 +31,8 @@ pub use field::HelpField;
 pub use manual::{CONTENTS, ManualPage, manual};
 pub use query::HelpWords;
 pub use samples::Sample;
-pub(crate) use search::TERMS;
 pub use search::{HelpFound, LinePart};
+pub(crate) use search::{TERMS, search as search_manual};
 pub use sheet::{KeyGroup, KeyRow, key_groups};
 
 use super::field::Field;

@@ -75,7 +75,7 @@ enum Fit {
 type Rank = (bool, Fit, u8, Reverse<usize>);
 
 /// What a query finds; every topic for an empty one.
-pub(super) fn search(query: &str) -> Vec<HelpFound> {
+pub(crate) fn search(query: &str) -> Vec<HelpFound> {
     let words = HelpWords::of(query);
     if words.is_empty() {
         return topics().map(HelpFound::topic).collect();

@@ -17,13 +17,18 @@ use crate::command::Command;
 use crate::field::Field;
 use crate::field_table::FieldPlace;
 use crate::files::FilesCommand;
-use crate::help::{CONTENTS, HelpCommand, HelpPlace, HelpTopic, ManualPage, TERMS, manual, topics};
+use crate::help::{
+    CONTENTS, HelpCommand, HelpField, HelpPlace, HelpTopic, ManualPage, TERMS, manual, search_manual, topics,
+};
 use crate::page::Page;
 use crate::parts::PartsAction;
 use crate::purpose::Purpose;
 use crate::records::RecordRow;
 use crate::settings_page::setting_of;
 use crate::tables::TablesAction;
+
+/// From so many letters on the manual is searched, too.
+const FEWEST_LETTERS: usize = 3;
 
 /// Under which head an entry stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -204,6 +209,21 @@ fn of_topic(topic: HelpTopic, own: &Words, others: &[Words]) -> PaletteEntry {
         names: std::iter::once(own).chain(others).map(|words| name(words).to_lowercase()).collect(),
         ..PaletteEntry::new(PaletteGroup::Settings, name(own), vec![HelpCommand::Open(HelpPlace::of(topic)).into()])
     }
+}
+
+/// What a word is looked for in the manual with; nothing where the manual has none of it.
+pub(super) fn of_manual_search(query: &str, words: &Words) -> Option<PaletteEntry> {
+    let query = query.trim();
+    if query.chars().count() < FEWEST_LETTERS || search_manual(query).is_empty() {
+        return None;
+    }
+    let does = vec![
+        Command::OpenPage(Page::Help),
+        HelpCommand::Type(HelpField::Search, query.to_owned()).into(),
+        HelpCommand::Search.into(),
+    ];
+    let text = words.say(&message!("palette-search-manual").text("query", query));
+    Some(PaletteEntry { subject: Subject::Heading, ..PaletteEntry::new(PaletteGroup::Settings, text, does) })
 }
 
 /// The entries of what stands below the headings of a page of the manual, which are the terms on the page of terms.

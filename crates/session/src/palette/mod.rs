@@ -65,7 +65,8 @@ impl Palette {
     fn search(&mut self, session: &Session) {
         let words = session.shared.words();
         let callout = entry::of_callout(&self.query, session, &words);
-        self.found = callout.into_iter().chain(matching::found(&self.query, &self.all)).collect();
+        let manual = entry::of_manual_search(&self.query, &words).filter(|_| callout.is_none());
+        self.found = callout.into_iter().chain(matching::found(&self.query, &self.all)).chain(manual).collect();
         self.at = 0;
         self.shows_more = false;
     }
