@@ -228,7 +228,7 @@ pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Op
     });
 }
 
-/// The height that a card takes in what is left of the width, so that a page can keep it for another result.
+/// The height that a card takes in what is left of the width.
 pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
     card_height_in(ui, view, card, ui.available_width())
 }
@@ -262,17 +262,22 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
     heights.into_iter().sum::<f32>() + gaps + f32::from(MARGIN) * 2.0
 }
 
-/// The tallest of the usual results: a page keeps its height, whatever the result is.
-pub(super) fn tallest_card(view: &View<'_>) -> Card {
+/// The height of the tallest of the usual results in a width: a page keeps its height, whatever the result is.
+pub(super) fn usual_height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
     let said = |id: &'static str| view.words.say(&Message::new(id).text("um", "88.8"));
-    Card {
-        status: Some(Status::Rework),
-        word: view.words.told(&Status::Rework),
+    // The shorter word is set larger.
+    let [rework, good] = [Status::Rework, Status::Good].map(|status| Card {
+        status: Some(status),
+        word: view.words.told(&status),
         value: Some("88: 88.8888 mm".to_owned()),
-        instruction: Some(remove(view.words, "88.8", Some("88.8".to_owned()))),
-        lines: vec![said("remove-to-middle")],
         ..Card::default()
-    }
+    });
+    let instruction = Some(remove(view.words, "88.8", Some("88.8".to_owned())));
+    let usual = [
+        Card { instruction, lines: vec![said("remove-to-middle")], ..rework },
+        Card { lines: vec![said("above-minimum"), said("below-maximum")], ..good },
+    ];
+    usual.iter().map(|card| card_height_in(ui, view, card, width)).fold(0.0, f32::max)
 }
 
 /// A card that is no higher than the room, and the lines for which that has no place.

@@ -87,7 +87,8 @@ fn the_table_and_the_bars_are_said_in_words() {
     let page = with(Window::default(), "station3.toml");
     assert_eq!(
         verdict(&page),
-        "Expanded uncertainty. U = 1.922 µm. k = 2.008 for 95.45 %. Valid until 2999-01-14",
+        "Expanded uncertainty. U = 1.922 µm. k = 2.008 for 95.45 %. For 25 mm; each check has the uncertainty of its own size. \
+         Valid until 2999-01-14",
         "as `fitcheck budget station3.toml --size 25` has it"
     );
     assert_eq!(

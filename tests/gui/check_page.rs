@@ -23,7 +23,10 @@ fn a_hole_too_small_is_rework_with_the_amount_to_remove() {
     let mut window = window();
     check(&mut window, "25 H7", "24.998");
     let said = verdict(&window);
-    assert!(said.starts_with("REWORK. 24.998 mm. Remove 2 µm to the nearest limit. 12.5 µm to the middle"), "{said}");
+    assert!(
+        said.starts_with("REWORK. 24.998 mm. Remove 2 µm to the nearest limit, 1 µm per side. 12.5 µm to the middle"),
+        "{said}"
+    );
 }
 
 #[test]

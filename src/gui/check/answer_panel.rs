@@ -8,8 +8,8 @@ use crate::gui::limits::limits_text;
 use crate::gui::room::is_tiny;
 use crate::gui::theme::{self, Icon, Weight, control, sizes, space};
 use crate::gui::verdict_card::{
-    Card, card_height_in, card_ui, chip_ui, fitted, foot_height, footed_card_ui, half, lines_below_ui, question_card,
-    remove, status_id, tallest_card,
+    self, Card, card_height_in, card_ui, chip_ui, fitted, foot_height, footed_card_ui, half, lines_below_ui,
+    question_card, remove, status_id,
 };
 use crate::gui::view::{Digits, View, doubt_text, heading, remembered};
 use crate::journal::Record;
@@ -38,7 +38,7 @@ pub(super) fn height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
 
 /// The height of the usual answers in a width.
 pub(super) fn usual_height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
-    card_height_in(ui, view, &tallest_card(view), width) + foot_height(ui)
+    verdict_card::usual_height_in(ui, view, width) + foot_height(ui)
 }
 
 /// The lines for which the card had no room.

@@ -9,7 +9,8 @@ use crate::gui::check::{check_card, recorded_ui};
 use crate::gui::room::is_tiny;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
-    Card, card_height, card_ui, fitted, lines_below_ui, question_card, status_id, strip_height, strip_ui, tallest_card,
+    Card, card_height, card_ui, fitted, lines_below_ui, question_card, status_id, strip_height, strip_ui,
+    usual_height_in,
 };
 use crate::gui::view::{Digits, View, problem, quiet, remembered, steady};
 use crate::message::{Message, message};
@@ -73,7 +74,7 @@ fn room(ui: &Ui, view: &View<'_>) -> f32 {
     if is_tiny(ui) {
         return 0.0;
     }
-    card_height(ui, view, &tallest_card(view)).min(ui.available_height() * MOST)
+    usual_height_in(ui, view, ui.available_width()).min(ui.available_height() * MOST)
 }
 
 fn no_card(view: &View<'_>, lines: Vec<String>) -> Card {
