@@ -194,7 +194,7 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
 /// A menu that is higher than the window scrolls.
 fn scrolling_ui(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
     let most = ui.ctx().content_rect().bottom() - ui.cursor().top() - space(4.0);
-    ScrollArea::vertical().max_height(most).show(ui, content);
+    ScrollArea::vertical().max_height(most).min_scrolled_height(most).show(ui, content);
 }
 
 /// What was told before and asked for a look: there as long as it is not emptied.

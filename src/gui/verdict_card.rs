@@ -265,12 +265,9 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
 /// The height of the tallest of the usual results in a width: a page keeps its height, whatever the result is.
 pub(super) fn usual_height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
     let said = |id: &'static str| view.words.say(&Message::new(id).text("um", "88.8"));
-    // The shorter word is set larger.
-    let [rework, good] = [Status::Rework, Status::Good].map(|status| Card {
-        status: Some(status),
-        word: view.words.told(&status),
-        value: Some("88: 88.8888 mm".to_owned()),
-        ..Card::default()
+    // A shorter word and a shorter value are set larger.
+    let [rework, good] = [(Status::Rework, "88: 88.8888 mm"), (Status::Good, "8: 8.888 mm")].map(|(status, value)| {
+        Card { status: Some(status), word: view.words.told(&status), value: Some(value.to_owned()), ..Card::default() }
     });
     let instruction = Some(remove(view.words, "88.8", Some("88.8".to_owned())));
     let usual = [
