@@ -195,7 +195,7 @@ pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Op
     let simulated = card.is_simulated.then(|| view.text("simulated"));
     verdict_ui(ui, (fill, colour), card.is_simulated, Margin::same(MARGIN), |ui| {
         // What is asked or not there yet takes what it needs.
-        let least = if is_low(ui) || foot.is_some() || card.status.is_none() { 0.0 } else { space(54.0) };
+        let least = if foot.is_some() || card.status.is_none() { 0.0 } else { least_height(ui) };
         let least = least.max(card.height - f32::from(MARGIN) * 2.0);
         if foot.is_none() {
             ui.set_min_height(least);
@@ -262,6 +262,11 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
     heights.into_iter().sum::<f32>() + gaps + f32::from(MARGIN) * 2.0
 }
 
+/// The height of what is in the card of a verdict at least, where there is room.
+fn least_height(ui: &Ui) -> f32 {
+    if is_low(ui) { 0.0 } else { space(54.0) }
+}
+
 /// The height of the tallest of the usual results in a width: a page keeps its height, whatever the result is.
 pub(super) fn usual_height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
     let said = |id: &'static str| view.words.say(&Message::new(id).text("um", "88.8"));
@@ -274,7 +279,8 @@ pub(super) fn usual_height_in(ui: &Ui, view: &View<'_>, width: f32) -> f32 {
         Card { instruction, lines: vec![said("remove-to-middle")], ..rework },
         Card { lines: vec![said("above-minimum"), said("below-maximum")], ..good },
     ];
-    usual.iter().map(|card| card_height_in(ui, view, card, width)).fold(0.0, f32::max)
+    let least = least_height(ui) + f32::from(MARGIN) * 2.0;
+    usual.iter().map(|card| card_height_in(ui, view, card, width)).fold(least, f32::max)
 }
 
 /// A card that is no higher than the room, and the lines for which that has no place.
