@@ -61,9 +61,14 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>, is_typed_above: b
         ui.add_space((room_of_callout(ui) - (ui.cursor().top() - top)).max(0.0));
     }
     ui.add_space(space(1.0));
-    let size = vec2(ui.available_width(), sizes().small * 1.4 + control(ui) + space(1.0));
-    let (size_and_class, _) = ui.allocate_exact_size(size, Sense::hover());
-    ui.add_space(space(1.0));
+    // By touch a low window has no room for all of it: what the callout says, too, stands behind the buttons there.
+    let is_behind = is_low(ui) && sizes().mouse < control(ui);
+    let size_and_class = (!is_behind).then(|| {
+        let size = vec2(ui.available_width(), sizes().small * 1.4 + control(ui) + space(1.0));
+        let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+        ui.add_space(space(1.0));
+        rect
+    });
     let field = (!is_typed_above).then(|| measured_ui(ui, view));
     if let Some(rect) = features {
         feature_ui(ui, view, rect);
@@ -74,8 +79,10 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>, is_typed_above: b
     }
     measure_ui(ui, view);
     // Tab goes from the callout to the value, as the work does.
-    let mut child = ui.new_child(UiBuilder::new().max_rect(size_and_class));
-    size_and_class_ui(&mut child, view);
+    match size_and_class {
+        Some(rect) => size_and_class_ui(&mut ui.new_child(UiBuilder::new().max_rect(rect)), view),
+        None => size_and_class_ui(ui, view),
+    }
     ui.add_space(space(3.0));
     ui.separator();
     position_ui(ui, view);
