@@ -204,7 +204,7 @@ records-page-not-open = De vastlegging is niet geopend
 records-page-not-recording = Controles worden niet vastgelegd
 
 ## Het logboek
-records-page-place = { $file } · { $entries } vermeldingen, waarvan de eerste het logboek begint
+records-page-place = { $file } · { $entries } vermeldingen
 records-page-unsent = { $count } nog niet verzonden naar { $server }
 records-page-all-sent = alles verzonden naar { $server }
 records-page-server-unknown = { $server } is nog niet bereikt
