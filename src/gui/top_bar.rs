@@ -185,7 +185,7 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
                 });
                 ui.separator();
                 menu_ui(ui, view);
-            })
+            });
         });
         shown.response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     });

@@ -32,7 +32,7 @@ pub use manual::{CONTENTS, ManualPage, manual};
 pub use query::HelpWords;
 pub use samples::Sample;
 pub use search::{HelpFound, LinePart};
-pub(crate) use search::{TERMS, search as search_manual};
+pub(crate) use search::{TERMS, is_in_a_line};
 pub use sheet::{KeyGroup, KeyRow, key_groups};
 
 use super::field::Field;

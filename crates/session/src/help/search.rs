@@ -75,7 +75,7 @@ enum Fit {
 type Rank = (bool, Fit, u8, Reverse<usize>);
 
 /// What a query finds; every topic for an empty one.
-pub(crate) fn search(query: &str) -> Vec<HelpFound> {
+pub(super) fn search(query: &str) -> Vec<HelpFound> {
     let words = HelpWords::of(query);
     if words.is_empty() {
         return topics().map(HelpFound::topic).collect();
@@ -87,6 +87,11 @@ pub(crate) fn search(query: &str) -> Vec<HelpFound> {
     // The order of the topics decides between equals.
     found.sort_by_key(|(rank, _)| *rank);
     found.into_iter().map(|(_, found)| found).take(MOST).collect()
+}
+
+/// Whether a line or a heading of the manual has every word of a query.
+pub(crate) fn is_in_a_line(query: &str) -> bool {
+    all_of(&HelpWords::of(query)).iter().any(|((_, fit, ..), _)| *fit <= Fit::Line)
 }
 
 /// The places that have every one of some words, in the order of the topics; none for no words.

@@ -18,7 +18,7 @@ use crate::field::Field;
 use crate::field_table::FieldPlace;
 use crate::files::FilesCommand;
 use crate::help::{
-    CONTENTS, HelpCommand, HelpField, HelpPlace, HelpTopic, ManualPage, TERMS, manual, search_manual, topics,
+    CONTENTS, HelpCommand, HelpField, HelpPlace, HelpTopic, ManualPage, TERMS, is_in_a_line, manual, topics,
 };
 use crate::page::Page;
 use crate::parts::PartsAction;
@@ -214,7 +214,7 @@ fn of_topic(topic: HelpTopic, own: &Words, others: &[Words]) -> PaletteEntry {
 /// What a word is looked for in the manual with; nothing where the manual has none of it.
 pub(super) fn of_manual_search(query: &str, words: &Words) -> Option<PaletteEntry> {
     let query = query.trim();
-    if query.chars().count() < FEWEST_LETTERS || search_manual(query).is_empty() {
+    if query.chars().count() < FEWEST_LETTERS || !is_in_a_line(query) {
         return None;
     }
     let does = vec![
