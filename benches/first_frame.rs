@@ -2,8 +2,10 @@
 //!
 //! An empty window is measured in the same way, so that the figures can be read as ratios within one run.
 
+use std::sync::Arc;
+
 use criterion::{Criterion, criterion_group, criterion_main};
-use eframe::egui::{CentralPanel, Ui};
+use eframe::egui::{CentralPanel, FontData, FontDefinitions, FontFamily, Ui};
 use egui_kittest::Harness;
 use fitcheck::gui::journal::Records;
 use fitcheck::gui::{App, Errands, Setup, Store};
@@ -25,7 +27,21 @@ fn setup() -> Setup {
     }
 }
 
+/// An empty window with a font, as every program has to bring its own.
 struct Empty;
+
+impl Empty {
+    fn open(cc: &eframe::CreationContext<'_>) -> Self {
+        let mut fonts = FontDefinitions::empty();
+        let font = FontData::from_static(include_bytes!("../assets/fonts/sans-regular.ttf"));
+        fonts.font_data.insert("font".to_owned(), Arc::new(font));
+        for family in [FontFamily::Proportional, FontFamily::Monospace] {
+            fonts.families.insert(family, vec!["font".to_owned()]);
+        }
+        cc.egui_ctx.set_fonts(fonts);
+        Self
+    }
+}
 
 impl eframe::App for Empty {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
@@ -36,7 +52,7 @@ impl eframe::App for Empty {
 fn frames(criterion: &mut Criterion) {
     let size = eframe::egui::vec2(1280.0, 800.0);
     criterion.bench_function("first frame, empty window", |bencher| {
-        bencher.iter(|| Harness::builder().with_size(size).build_eframe(|_| Empty));
+        bencher.iter(|| Harness::builder().with_size(size).build_eframe(Empty::open));
     });
     criterion.bench_function("first frame, Fitcheck", |bencher| {
         bencher.iter(|| Harness::builder().with_size(size).build_eframe(|cc| App::new(cc, setup())));
