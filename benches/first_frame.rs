@@ -31,7 +31,7 @@ fn setup() -> Setup {
 struct Empty;
 
 impl Empty {
-    fn open(cc: &eframe::CreationContext<'_>) -> Self {
+    fn open(cc: &mut eframe::CreationContext<'_>) -> Self {
         let mut fonts = FontDefinitions::empty();
         let font = FontData::from_static(include_bytes!("../assets/fonts/sans-regular.ttf"));
         fonts.font_data.insert("font".to_owned(), Arc::new(font));
