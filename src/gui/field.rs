@@ -42,15 +42,7 @@ pub(super) struct FieldStyle {
 impl FieldStyle {
     /// A small field for a number, right-aligned.
     pub fn number(width: f32) -> Self {
-        Self {
-            font: theme::font(theme::sizes().body),
-            width,
-            align: Align::RIGHT,
-            hint: RichText::default(),
-            height: 0.0,
-            unit: String::new(),
-            beside: 0.0,
-        }
+        Self { align: Align::RIGHT, ..Self::text(width) }
     }
 
     /// A field for words.
@@ -86,15 +78,7 @@ impl FieldStyle {
 
     /// A large field of a given width.
     pub fn large(width: f32) -> Self {
-        Self {
-            font: theme::font(theme::sizes().figure),
-            width,
-            align: Align::LEFT,
-            hint: RichText::default(),
-            height: 0.0,
-            unit: String::new(),
-            beside: 0.0,
-        }
+        Self { font: theme::font(theme::sizes().figure), ..Self::text(width) }
     }
 }
 
