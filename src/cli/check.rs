@@ -310,6 +310,9 @@ fn tell_rule(record: &Record, io: &mut Io<'_>) {
     for said in decided(&decision) {
         io.remark(&said);
     }
+    if record.verdict.is_beyond_limits() {
+        io.warn(&CliWarning::BeyondLimits);
+    }
 }
 
 /// `unstated`: the callout has no letters and nobody named hole or shaft, so the JSON does not either.

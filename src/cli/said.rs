@@ -183,6 +183,8 @@ told! {
             #[say(with = printed)]
             number: u64,
         } => LOOK_FIRST,
+        /// A good value that lies beyond a limit: the rule accepts it.
+        BeyondLimits => TOLD,
         /// Features of a plan without a value.
         PlanMissing { names: String } => TOLD,
         /// The same of one part among several.

@@ -1,7 +1,7 @@
 //! What is around every card: an answer at which one look is enough. A screen reader says it whenever it changes.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, UiBuilder};
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder};
 
 use super::room::is_low;
 use super::shapes;
@@ -49,16 +49,25 @@ fn in_frame_ui<T>(ui: &mut Ui, frame: Frame, content: impl FnOnce(&mut Ui) -> T)
     shown
 }
 
-/// The card of a verdict in its colours, with dashes around what nobody measured; its content returns what is said of it, part by part.
+/// What is drawn around a card.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Edge {
+    None,
+    /// Nobody measured.
+    Dashes,
+    /// The rule accepts what lies beyond a limit.
+    Line,
+}
+
+/// The card of a verdict in its colours; its content returns what is said of it, part by part.
 pub(super) fn verdict_ui(
     ui: &mut Ui,
     (fill, colour): (Color32, Color32),
-    is_simulated: bool,
+    edge: Edge,
     margin: Margin,
     content: impl FnOnce(&mut Ui) -> Vec<String>,
 ) {
-    let dashes = is_simulated.then_some(colour);
-    around_ui(ui, ("verdict", Live::Assertive), (fill, dashes, margin), content);
+    around_ui(ui, ("verdict", Live::Assertive), (fill, (edge, colour), margin), content);
 }
 
 /// A card that is no verdict on a part, so it does not have the colour of one.
@@ -69,7 +78,8 @@ pub(super) fn plain_ui(
     content: impl FnOnce(&mut Ui) -> Vec<String>,
 ) {
     let palette = palette(ui.ctx());
-    let look = (palette.sunken.0, is_simulated.then_some(palette.text.0), Margin::same(MARGIN));
+    let edge = if is_simulated { Edge::Dashes } else { Edge::None };
+    let look = (palette.sunken.0, (edge, palette.text.0), Margin::same(MARGIN));
     around_ui(ui, (id, Live::Polite), look, |ui| ui.with_layout(Layout::top_down(Align::Center), content).inner);
 }
 
@@ -77,7 +87,7 @@ pub(super) fn plain_ui(
 fn around_ui(
     ui: &mut Ui,
     (id, politeness): (&str, Live),
-    (fill, dashes, margin): (Color32, Option<Color32>, Margin),
+    (fill, (edge, colour), margin): (Color32, (Edge, Color32), Margin),
     content: impl FnOnce(&mut Ui) -> Vec<String>,
 ) {
     let shown = Frame::new().fill(fill).corner_radius(12.0).inner_margin(margin).show(ui, |ui| {
@@ -85,8 +95,12 @@ fn around_ui(
         content(ui)
     });
     let rect = shown.response.rect;
-    if let Some(colour) = dashes {
-        shapes::dashed_frame(ui.painter(), rect, colour);
+    match edge {
+        Edge::None => {}
+        Edge::Dashes => shapes::dashed_frame(ui.painter(), rect, colour),
+        Edge::Line => {
+            ui.painter().rect_stroke(rect, 12.0, Stroke::new(4.0, colour), StrokeKind::Inside);
+        }
     }
     let response = ui.interact(rect, ui.scope_id().with(id), Sense::hover());
     live(ui, &response, &shown.inner.join(". "), politeness);

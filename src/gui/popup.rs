@@ -31,9 +31,9 @@ pub(super) fn popup_ui(
     view: &View<'_>,
     shown: Option<&Result<String, Message>>,
     empty: &str,
-    is_simulated: bool,
+    title: &str,
 ) {
-    let title = if is_simulated && shown.is_some() { "popup-title-simulated" } else { "popup-title" };
+    let title = if shown.is_some() { title } else { "popup-title" };
     frame_ui(ui, view.text(title), |ui| {
         // As high as the window of a mask: what stands below it does not move when one comes.
         ui.set_min_height(lines_height(ui));

@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align2, Color32, FontId, Label, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use super::card::{MARGIN, verdict_ui};
+use super::card::{Edge, MARGIN, verdict_ui};
 use super::room::{is_low, is_tiny};
 use super::shapes;
 use super::theme::{self, Palette, control, palette, sizes, space};
@@ -27,6 +27,8 @@ pub(super) struct Card {
     pub status: Option<Status>,
     /// Whether the value was simulated: nobody measured it.
     pub is_simulated: bool,
+    /// Whether the size lies beyond a limit and the rule accepts it.
+    pub is_beyond_limits: bool,
     pub word: String,
     pub value: Option<String>,
     /// What is to be done, readable from as far as the word, and the rest of that sentence.
@@ -191,9 +193,14 @@ pub(super) type Foot<'a> = &'a mut dyn FnMut(&mut Ui, Color32);
 
 /// The same with a line at its foot.
 pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Option<Foot<'_>>) {
-    let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated);
+    let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated || card.is_beyond_limits);
     let simulated = card.is_simulated.then(|| view.text("simulated"));
-    verdict_ui(ui, (fill, colour), card.is_simulated, Margin::same(MARGIN), |ui| {
+    let edge = match card {
+        Card { is_simulated: true, .. } => Edge::Dashes,
+        Card { is_beyond_limits: true, .. } => Edge::Line,
+        _ => Edge::None,
+    };
+    verdict_ui(ui, (fill, colour), edge, Margin::same(MARGIN), |ui| {
         // What is asked or not there yet takes what it needs.
         let least = if foot.is_some() || card.status.is_none() { 0.0 } else { least_height(ui) };
         let least = least.max(card.height - f32::from(MARGIN) * 2.0);

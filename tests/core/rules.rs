@@ -3,6 +3,7 @@
 
 use assert_cmd::Command;
 use fitcheck::length::Length;
+use fitcheck::message::Say as _;
 use fitcheck::tolerance::{Bounds, Deviations, Feature};
 use fitcheck::verdict::rules::{Prover, RuleError, RuleInputs, RuleName, Uncertainty, UncertaintyError};
 use fitcheck::verdict::{Rule, Status};
@@ -281,6 +282,34 @@ fn what_is_removed_brings_the_size_to_where_the_rule_accepts_it() {
     assert_eq!(removed(&[]), (3.0, 13.5));
     assert_eq!(removed(&["--rule", "iso14253-1998", "--u", "1"]), (5.0, 13.5));
     assert_eq!(removed(&["--rule", "iso14253-1998", "--u", "1", "--prover", "customer"]), (3.0, 13.5));
+}
+
+#[test]
+fn what_is_accepted_beyond_a_limit_has_another_word() {
+    let limits = fitcheck::tolerance::Sources::default().limits(&"25 H7".parse().unwrap(), None).unwrap();
+    let u = Uncertainty::standard("1").ok();
+    for prover in [Prover::Supplier, Prover::Customer] {
+        let given = RuleInputs { uncertainty: u, prover, ..RuleInputs::default() };
+        let rule = Rule::new(RuleName::Iso14253Of1998, given).unwrap();
+        for (size, is_beyond) in
+            [("25", false), ("25.021", false), ("25.021001", true), ("25.023", true), ("24.998", true)]
+        {
+            let verdict = fitcheck::verdict::judge_by(rule, &limits, mm(size), None);
+            let is_accepted = is_beyond && prover == Prover::Customer;
+            assert_eq!(verdict.is_beyond_limits(), is_accepted, "{size} {prover:?}");
+            let word = if is_accepted { "ACCEPTED" } else { verdict.status().word() };
+            assert_eq!(verdict.message().to_string(), word, "{size} {prover:?}");
+        }
+    }
+    let options = ["--rule", "iso14253-1998", "--u", "1", "--prover", "customer"];
+    let (found, _) = check("25 H7", 25.022, &options);
+    assert_eq!((&found["status"], &found["proven"]), (&"GOOD".into(), &false.into()));
+    assert!(found["warnings"].to_string().contains("the size is outside the limits; the rule accepts it"), "{found}");
+    assert_eq!(check("25 H7", 25.020, &options).0["warnings"], serde_json::json!([]));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
+    let output = command.args(["check", "25 H7", "--measured", "25.022"]).args(options).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("warning: outside the limits: accepted by the rule"), "{said}");
 }
 
 #[test]

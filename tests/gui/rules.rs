@@ -129,6 +129,29 @@ fn another_rule_or_uncertainty_takes_the_verdict_away() {
 }
 
 #[test]
+fn what_is_accepted_beyond_a_limit_is_not_called_good() {
+    let mut window = with_rule("ISO 14253-1:1998, guard band U", "1");
+    click(&mut window, Role::RadioButton, "Customer proves nonconformity");
+    // The maximum is 25.021: 1 µm above it is within the guard band of 2 µm, and 2.1 µm are not.
+    for (size, word, title) in [
+        ("25.0210", "GOOD", "Status window"),
+        ("25.0220", "ACCEPTED", "Status window: outside the limits, accepted by the rule"),
+        ("24.9990", "ACCEPTED", "Status window: outside the limits, accepted by the rule"),
+        ("25.0231", "SCRAP", "Status window"),
+    ] {
+        check(&mut window, "25 H7", size);
+        let said = verdict(&window);
+        assert!(said.starts_with(&format!("{word}. ")), "{size}: {said}");
+        assert_eq!(
+            said.contains("Outside the limits Accepted by the rule, since it is not proven"),
+            word == "ACCEPTED"
+        );
+        assert!(window.query_by_label(title).is_some(), "{size}: {title}");
+    }
+    assert!(window.query_by_label_contains("25.022 mm, deviation +22 µm, ACCEPTED").is_some());
+}
+
+#[test]
 fn a_rule_is_chosen_by_keys_alone() {
     let mut window = window();
     let header = window.get_by_label("Decision rule: the limits decide");

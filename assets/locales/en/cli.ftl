@@ -232,6 +232,7 @@ cli-remark-plan-has = { $count ->
 cli-remark-plan-example = no callout given: the plan has one feature as an example
 cli-remark-plan-head-left = CSV holds only the features: { $keys } of the part is not written
 cli-warning-neither-stands = entry { $number } corrected entry { $target }: now neither of them counts. If one of the values is right, record it again
+cli-warning-beyond-limits = outside the limits: accepted by the rule, since it is not proven to be out
 cli-warning-plan-missing = not measured: { $names }
 cli-warning-plan-missing-of = { $who }: not measured: { $names }
 cli-warning-contradiction = { $name } has values that contradict each other: { $values }

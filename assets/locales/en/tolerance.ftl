@@ -68,6 +68,7 @@ shape-twice = column { $class } occurs twice
 
 ## Verdicts
 status-good = GOOD
+status-accepted = ACCEPTED
 status-rework = REWORK
 status-re-measure = RE-MEASURE
 status-scrap = SCRAP

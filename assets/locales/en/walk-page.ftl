@@ -141,6 +141,7 @@ walk-page-contradicted = { $names }: values contradict each other, and nothing s
 walk-page-contradicting = { $name } has values that contradict each other: { $values }. The worst one counts until you measure again or choose.
 walk-page-count-newest = The last value counts
 walk-page-newest-counts = { $name }: the last value counts, as chosen
+walk-page-accepted = Accepted outside the limits: { $names }
 walk-page-because = Because of { $names }
 walk-page-left-out = Skipped: { $names }. A part with skipped sizes cannot be good.
 walk-page-whole = The whole part

@@ -178,6 +178,7 @@ why-rule = Rule: { $what }
 why-caveat = Limit of this measurement: { $what }
 
 popup-title = Status window
+popup-title-accepted = Status window: outside the limits, accepted by the rule
 popup-title-simulated = Status window, SIMULATED
 popup-exact = The window rounds to four decimals. Exact values: { $values }
 popup-empty = No measurement yet

@@ -68,6 +68,7 @@ shape-twice = kolom { $class } komt twee keer voor
 
 ## Oordelen
 status-good = GOED
+status-accepted = AANVAARD
 status-rework = NABEWERKING
 status-re-measure = OPNIEUW METEN
 status-scrap = AFGEKEURD

@@ -141,6 +141,7 @@ walk-page-contradicted = { $names }: waarden spreken elkaar tegen, en niets zegt
 walk-page-contradicting = { $name } heeft waarden die elkaar tegenspreken: { $values }. De slechtste telt tot er opnieuw gemeten of gekozen is.
 walk-page-count-newest = De laatste waarde telt
 walk-page-newest-counts = { $name }: de laatste waarde telt, zoals gekozen
+walk-page-accepted = Buiten de grenzen aanvaard: { $names }
 walk-page-because = Wegens { $names }
 walk-page-left-out = Overgeslagen: { $names }. Een onderdeel met overgeslagen maten kan niet goed zijn.
 walk-page-whole = Het hele onderdeel

@@ -178,6 +178,7 @@ why-rule = Regel: { $what }
 why-caveat = Beperking van deze meting: { $what }
 
 popup-title = Statusvenster
+popup-title-accepted = Statusvenster: buiten de grenzen, door de regel aanvaard
 popup-title-simulated = Statusvenster, GESIMULEERD
 popup-exact = Het venster rondt af op vier decimalen. Exacte waarden: { $values }
 popup-empty = Nog geen meting

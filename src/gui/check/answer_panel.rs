@@ -286,14 +286,15 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     Card {
         status: Some(status),
         is_simulated: record.measurement.origin.is_simulated(),
-        word: words.told(&status),
+        is_beyond_limits: record.verdict.is_beyond_limits(),
+        word: words.told(&record.verdict),
         value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
         instruction: removal
             .map(|removal| {
                 let per_side = is_round.then(|| half(words, digits, removal.to_limit));
                 remove(words, &um(removal.to_limit), per_side)
             })
-            .or_else(|| worth_lines::measure_again(words, record)),
+            .or_else(|| worth_lines::by_the_rule(words, record)),
         lines,
         ..Card::default()
     }

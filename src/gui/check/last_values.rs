@@ -47,7 +47,7 @@ pub(super) fn last_values_ui(ui: &mut Ui, view: &View<'_>) {
     let message = message!("last-values-describe").count("count", records.len());
     let said = records.iter().map(|record| {
         let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
-        format!("{value} {}", view.words.told(&record.verdict.status()))
+        format!("{value} {}", view.words.told(&record.verdict))
     });
     let said = format!("{} {}", view.words.say(&message), said.collect::<Vec<_>>().join(", "));
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("last-values")));

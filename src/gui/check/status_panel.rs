@@ -26,8 +26,12 @@ pub(super) fn usual_height(ui: &Ui) -> f32 {
 /// The pop-up alone.
 pub(super) fn window_ui(ui: &mut Ui, view: &View<'_>) {
     let shown = view.session.check().shown.as_ref();
-    let is_simulated = shown.is_some_and(|shown| shown.record.measurement.origin.is_simulated());
-    popup_ui(ui, view, shown.map(|shown| &shown.window), "popup-empty", is_simulated);
+    let title = match shown.map(|shown| &shown.record) {
+        Some(record) if record.measurement.origin.is_simulated() => "popup-title-simulated",
+        Some(record) if record.verdict.is_beyond_limits() => "popup-title-accepted",
+        _ => "popup-title",
+    };
+    popup_ui(ui, view, shown.map(|shown| &shown.window), "popup-empty", title);
     if let Some(values) = shown.and_then(|shown| exact(view.words, &shown.record)) {
         ui.label(view.words.say(&message!("popup-exact").text("values", values)));
     }

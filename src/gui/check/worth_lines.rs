@@ -25,9 +25,12 @@ pub(in crate::gui) fn lines(words: &Words, record: &Record) -> Vec<String> {
     lines
 }
 
-/// What is to be done where nothing is decided, and why.
-pub(super) fn measure_again(words: &Words, record: &Record) -> Option<(String, String)> {
+/// What is to be done where nothing is decided, and why; that the rule accepts what lies beyond a limit.
+pub(super) fn by_the_rule(words: &Words, record: &Record) -> Option<(String, String)> {
     let verdict = &record.verdict;
+    if verdict.is_beyond_limits() {
+        return Some((words.get("beyond-limits"), words.get("beyond-limits-why")));
+    }
     (verdict.status() == Status::ReMeasure).then(|| {
         let why = verdict.undecided.map(|why| words.told(&why));
         (words.get("measure-again"), why.unwrap_or_else(|| words.get("measure-again-why")))

@@ -26,7 +26,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let window = session.cycles().window(session.drawn_with());
     let is_measured = run.is_some_and(|run| run.found().is_some());
     let empty = if is_measured { "cycles-no-window" } else { "popup-empty" };
-    popup_ui(ui, view, window.as_ref(), empty, run.is_some_and(|run| run.is_simulated));
+    let title = if run.is_some_and(|run| run.is_simulated) { "popup-title-simulated" } else { "popup-title" };
+    popup_ui(ui, view, window.as_ref(), empty, title);
     ui.horizontal(|ui| {
         view.button(ui, CyclesAction::CopyCycleStatus);
         mask_chooser_ui(ui, view);

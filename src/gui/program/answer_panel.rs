@@ -3,7 +3,7 @@
 use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, Sense, Ui, vec2};
 
 use super::tools_panel::changes_ui;
-use crate::gui::card::{self, MARGIN};
+use crate::gui::card::{self, Edge, MARGIN};
 use crate::gui::check::recorded_ui;
 use crate::gui::popup;
 use crate::gui::shapes;
@@ -57,7 +57,8 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
     let simulated = (is_simulated && status.is_some()).then(|| view.text("simulated"));
     let size = if status.is_some() { sizes().status * 0.5 } else { sizes().figure };
-    card::verdict_ui(ui, (fill, colour), simulated.is_some(), Margin::symmetric(MARGIN, 8), |ui| {
+    let edge = if simulated.is_some() { Edge::Dashes } else { Edge::None };
+    card::verdict_ui(ui, (fill, colour), edge, Margin::symmetric(MARGIN, 8), |ui| {
         // As high before the run as after it: nothing below moves.
         let line = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::bold(size)));
         let above = if view.session.program().is_simulated() { line(sizes().limits) + space(1.0) } else { 0.0 };

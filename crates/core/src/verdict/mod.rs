@@ -15,7 +15,7 @@ pub mod rules;
 pub use rules::Rule;
 
 use crate::length::Length;
-use crate::message::{Arg, Say, printed};
+use crate::message::{Arg, Message, Say, message, printed};
 use crate::tolerance::{Bounds, Feature, Limits};
 
 /// What to do with the part; `Display` is the English word.
@@ -159,6 +159,22 @@ impl Verdict {
     /// feature cannot be machined back and a control sets exactly one marker (Q180, Q181 or Q182).
     pub fn status(&self) -> Status {
         if self.position.is_some_and(|position| position.is_out()) { Status::Scrap } else { self.size.status }
+    }
+}
+
+impl Verdict {
+    /// Whether the part is good although its size lies beyond a limit: the rule accepts what is not proven to be out (ISO 14253-1 where the
+    /// customer has to prove, relaxed acceptance of ASME B89.7.3.1).
+    pub fn is_beyond_limits(&self) -> bool {
+        let is_out = self.size.above_minimum < Length::ZERO || self.size.below_maximum < Length::ZERO;
+        is_out && self.status() == Status::Good
+    }
+}
+
+/// The word for people: that of the status, but another one where the size lies beyond a limit and the rule accepts it.
+impl Say for Verdict {
+    fn message(&self) -> Message {
+        if self.is_beyond_limits() { message!("status-accepted") } else { self.status().message() }
     }
 }
 

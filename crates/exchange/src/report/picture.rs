@@ -61,9 +61,8 @@ pub(super) const fn shape(status: Option<Status>) -> &'static str {
     }
 }
 
-/// The verdict's word beside its shape.
-pub(super) fn verdict(status: Status, words: &Words) -> askama::Result<String> {
-    let word = words.told(&status);
+/// The word of a verdict beside its shape.
+pub(super) fn verdict(status: Status, word: String) -> askama::Result<String> {
     // 250 units are free for the word; a bold capital is about 0.72 of its size wide.
     let size = (347 / word.chars().count().max(1)).clamp(12, 40);
     VerdictPicture {

@@ -233,6 +233,11 @@ pub fn warnings(record: &Record) -> Vec<String> {
     if verdict.status() != verdict.size.status {
         warnings.push(format!("the centre is out of position; the size alone is {}", verdict.size.status));
     }
+    if verdict.is_beyond_limits() {
+        warnings.push(
+            "the size is outside the limits; the rule accepts it, since it does not prove it to be out".to_owned(),
+        );
+    }
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
         let um = |length| Micrometres(length).text();
         let upper = um(standard.upper());

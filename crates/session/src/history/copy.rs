@@ -57,7 +57,7 @@ fn text(text: &str) -> String {
 
 /// The verdict's word, as the list shows it; a simulated one says so.
 pub fn status_text(record: &Record, words: &Words) -> String {
-    let word = words.told(&record.verdict.status());
+    let word = words.told(&record.verdict);
     if record.measurement.origin.is_simulated() {
         words.say(&message!("status-simulated").text("status", word))
     } else {

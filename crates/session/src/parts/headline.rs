@@ -25,6 +25,8 @@ pub struct FinishedPart {
     pub status: Option<Status>,
     /// Whether nobody measured what decides it.
     pub is_simulated: bool,
+    /// Whether it is good, and a size lies beyond a limit where its rule accepts it.
+    pub is_beyond_limits: bool,
     /// Why it is so, the most important reason first.
     pub reasons: Vec<Message>,
 }
@@ -56,6 +58,10 @@ impl Walking {
             let of_it = self.named(|step| step.counts().is_some_and(|taken| taken.status == status));
             reasons.push(message!("walk-page-because").text("names", of_it));
         }
+        let beyond = self.beyond_limits();
+        if let Some(names) = &beyond {
+            reasons.push(message!("walk-page-accepted").text("names", names));
+        }
         reasons.push(standing.message());
         if 0 < standing.skipped {
             let skipped = self.named(|step| step.counts().is_none() && step.skipped.is_some());
@@ -67,7 +73,15 @@ impl Walking {
         if 0 < standing.simulated {
             reasons.push(message!("walk-page-simulated").count("count", standing.simulated));
         }
-        FinishedPart { status, is_simulated: self.is_decided_by_simulation(), reasons }
+        let is_beyond_limits = status == Some(Status::Good) && beyond.is_some();
+        FinishedPart { status, is_simulated: self.is_decided_by_simulation(), is_beyond_limits, reasons }
+    }
+
+    /// The names of the sizes that their rule accepts although they lie beyond a limit; `None` where there is none.
+    fn beyond_limits(&self) -> Option<String> {
+        let is_it = |at: &usize| self.counting(*at).is_some_and(|value| value.record.verdict.is_beyond_limits());
+        let names: Vec<&str> = (0..self.walk.steps().len()).filter(is_it).map(|at| self.name(at)).collect();
+        (!names.is_empty()).then(|| shortened(&names))
     }
 
     /// That values of sizes contradict each other.
@@ -80,7 +94,12 @@ impl Walking {
     fn named(&self, is_it: impl Fn(&Step) -> bool) -> String {
         let all: Vec<&str> =
             (0..).zip(self.walk.steps()).filter(|(_, step)| is_it(step)).map(|(at, _)| self.name(at)).collect();
-        let more = if NAMED < all.len() { " …" } else { "" };
-        format!("{}{more}", all.get(..NAMED).unwrap_or(&all).join(", "))
+        shortened(&all)
     }
+}
+
+/// Not more of them than one look takes in.
+fn shortened(names: &[&str]) -> String {
+    let more = if NAMED < names.len() { " …" } else { "" };
+    format!("{}{more}", names.get(..NAMED).unwrap_or(names).join(", "))
 }

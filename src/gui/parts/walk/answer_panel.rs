@@ -98,9 +98,12 @@ fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
             Card {
                 status: whole.status,
                 is_simulated: whole.is_simulated,
-                word: whole
-                    .status
-                    .map_or_else(|| view.text("walk-page-not-complete"), |status| view.words.told(&status)),
+                is_beyond_limits: whole.is_beyond_limits,
+                word: match whole.status {
+                    None => view.text("walk-page-not-complete"),
+                    Some(_) if whole.is_beyond_limits => view.text("status-accepted"),
+                    Some(status) => view.words.told(&status),
+                },
                 value: Some(view.words.say(&name.text("serial", serial))),
                 lines: whole.reasons.iter().map(|reason| view.words.say(reason)).collect(),
                 ..Card::default()
@@ -143,7 +146,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
                 ui,
                 Some(status),
                 is_simulated,
-                &words.say(&text.text("status", simulated(words.told(&status), is_simulated))),
+                &words.say(&text.text("status", simulated(words.told(&record.verdict), is_simulated))),
             );
         }
         (Headline::Part(_), None) => _ = ui.allocate_space(vec2(ui.available_width(), strip_height(ui))),
@@ -190,7 +193,7 @@ fn contradicted_ui(ui: &mut Ui, view: &mut View<'_>, name: &str, values: &[&Valu
     let said = |value: &&Value| {
         let record = &value.record;
         let mm = Digits::of(record).mm(words, record.measurement.diameter, 3);
-        format!("{mm} {}", words.told(&record.verdict.status()))
+        format!("{mm} {}", words.told(&record.verdict))
     };
     let values = values.iter().map(said).collect::<Vec<_>>().join(", ");
     problem(ui, words.say(&message!("walk-page-contradicting").text("name", name).text("values", values)));

@@ -36,7 +36,7 @@ pub(super) fn values_ui(ui: &mut Ui, view: &View<'_>, at: usize, is_contradicted
             }
             ui.label(format!("{} mm", Digits::of(record).mm(words, record.measurement.diameter, 3)));
             let status = record.verdict.status();
-            chip_ui(ui, status, &words.told(&status));
+            chip_ui(ui, status, &words.told(&record.verdict));
             if record.measurement.origin.is_simulated() {
                 quiet(ui, view.text("walk-page-row-simulated"));
             }

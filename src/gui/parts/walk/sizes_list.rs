@@ -115,7 +115,7 @@ fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow
         remarks.push(words.say(&message!("walk-page-skipped").text("reason", reason)));
     }
     let status = record.map(|record| record.verdict.status());
-    let word = status.map_or_else(|| view.text("walk-page-open"), |status| words.told(&status));
+    let word = record.map_or_else(|| view.text("walk-page-open"), |record| words.told(&record.verdict));
     // The cells of a size that was not measured are empty.
     let shown = record.map_or_else(String::new, |record| digits.mm(words, record.measurement.diameter, 3));
     let measured = if shown.is_empty() { String::new() } else { format!("{shown} mm") };

@@ -3,6 +3,7 @@
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::{FeatureStanding, Size, Step};
+use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::{decimals_of, origins};
@@ -87,7 +88,16 @@ impl PartViews {
             heading: heading(part, words),
             drawing: head.drawing.clone(),
             remark: head.remark.clone(),
-            sign: part.status().map(|status| picture::verdict(status, words)).transpose()?,
+            sign: part
+                .status()
+                .map(|status| {
+                    let is_accepted = status == Status::Good && beyond_limits(part).next().is_some();
+                    picture::verdict(
+                        status,
+                        if is_accepted { words.get("status-accepted") } else { words.told(&status) },
+                    )
+                })
+                .transpose()?,
             no_verdict: words.get("walk-page-not-complete"),
             standing: words.say(&standing.message()),
             is_simulated: 0 < standing.simulated,
@@ -179,6 +189,12 @@ fn heading(part: &PartSheet, words: &Words) -> String {
     })
 }
 
+/// The names of the sizes that their rule accepts although they lie beyond a limit.
+fn beyond_limits(part: &PartSheet) -> impl Iterator<Item = String> {
+    let is_it = |record: &crate::journal::Record| record.verdict.is_beyond_limits();
+    part.sizes().filter(move |(_, _, record)| record.is_some_and(|record| is_it(record))).map(|(size, ..)| size.name())
+}
+
 /// What keeps the part from being good, and what the list does not show.
 fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
     let mut lacks = Vec::new();
@@ -194,6 +210,10 @@ fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
     if 0 < simulated {
         lacks.push(words.say(&message!("walk-page-simulated").count("count", simulated)));
     }
+    let beyond: Vec<String> = beyond_limits(part).collect();
+    if !beyond.is_empty() {
+        lacks.push(words.say(&message!("walk-page-accepted").text("names", beyond.join(", "))));
+    }
     let older = part.older();
     if 0 < older {
         lacks.push(words.say(&message!("report-part-older").count("count", older)));
@@ -207,7 +227,7 @@ fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Recor
     let mm = |length: Length| format!("{} mm", words.mm(length, decimals_of(length).max(3)));
     let word = match record {
         Some(record) => {
-            let word = words.told(&record.verdict.status());
+            let word = words.told(&record.verdict);
             if record.measurement.origin.is_simulated() {
                 words.say(&message!("parts-page-balloon-simulated").text("status", word))
             } else {
