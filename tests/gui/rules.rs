@@ -148,7 +148,7 @@ fn what_is_accepted_beyond_a_limit_is_not_called_good() {
         );
         assert!(window.query_by_label(title).is_some(), "{size}: {title}");
     }
-    assert!(window.query_by_label_contains("25.022 mm, deviation +22 µm, ACCEPTED").is_some());
+    assert!(window.query_by_label_contains("25.0220 mm, +22 µm, ACCEPTED").is_some());
 }
 
 #[test]
