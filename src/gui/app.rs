@@ -295,12 +295,14 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     field::arrive(ui.ctx(), view);
     keys::keys_ui(ui, view);
     rail_ui(ui, view);
+    // What lies over the page leaves a rail below it free.
+    let below = ui.ctx().content_rect().bottom() - ui.available_rect_before_wrap().bottom();
     top_bar::top_bar_ui(ui, view);
     let margin = if ui.ctx().content_rect().height() < LOW { 8 } else { 16 };
     let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(margin);
     CentralPanel::default().frame(canvas).show(ui, |ui| (page_of(view.session.page()).ui)(ui, view));
     dropped_ui(ui, view);
-    dialogs::dialogs_ui(ui, view);
+    dialogs::dialogs_ui(ui, view, below);
     palette::palette_ui(ui, view);
     field_help::follow_ui(ui, view);
 }

@@ -2,21 +2,21 @@
 
 use std::path::Path;
 
-use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, vec2};
+use eframe::egui::{Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, vec2};
 
 use super::columns_panel::columns_ui;
 use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
 use super::notices::notices_ui;
-use super::over_page::{fixed_window, just_opened};
+use super::over_page::{corner_window, just_opened};
 use super::theme::{control, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
 use crate::message::message;
 use crate::session::{Command, Dialog, FilesAction};
 
-/// Draws the open dialog, or what stands under it.
-pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
+/// Draws the open dialog, or what stands under it, in a corner above what is `below` the page.
+pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>, below: f32) {
     let session = view.session;
     if view.session.is_leaving() {
         leaving_ui(ui, view);
@@ -28,12 +28,12 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
         Modal::new(Id::unique("columns-panel")).show(ui, |ui| columns_ui(ui, view, open));
     } else if let Some(working) = session.working() {
         let title = view.text("working");
-        fixed_window("working", title, Align2::RIGHT_BOTTOM, vec2(-space(5.0), -space(5.0))).show(ui, |ui| {
+        corner_window("working", title, below).show(ui, |ui| {
             ui.set_max_width(space(150.0));
             working_ui(ui, view, working);
         });
     } else {
-        notices_ui(ui, view);
+        notices_ui(ui, view, below);
     }
 }
 

@@ -3,9 +3,9 @@
 
 use std::time::Duration;
 
-use eframe::egui::{Align2, Button, CollapsingHeader, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, Vec2, vec2};
+use eframe::egui::{Align2, Button, CollapsingHeader, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, vec2};
 
-use super::over_page::fixed_window;
+use super::over_page::{corner_window, fixed_window};
 use super::section::unfold;
 use super::theme::{self, Icon, control, palette, sizes, space};
 use super::view::{View, problem, quiet};
@@ -13,13 +13,13 @@ use crate::message::message;
 use crate::session::{Action, Command, Notice, SettingsAction, WindowAction};
 use crate::text::Within as _;
 
-pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>) {
+pub(super) fn notices_ui(ui: &Ui, view: &mut View<'_>, below: f32) {
     if view.session.shows_messages() {
         return earlier_ui(ui, view);
     }
     let Some(notice) = view.session.notice().cloned() else { return };
     let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
-    let window = fixed_window("notice", title, Align2::RIGHT_BOTTOM, Vec2::splat(-space(5.0)));
+    let window = corner_window("notice", title, below);
     let shown = if notice.asks() {
         window.title_bar(notice.is_problem).show(ui, |ui| notice_ui(ui, view, &notice))
     } else {

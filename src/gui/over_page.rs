@@ -1,11 +1,18 @@
 //! What lies over a page: its title, its window, and when it is new.
 
-use eframe::egui::{Align2, Id, Ui, Vec2, Window};
+use eframe::egui::{Align2, Id, Ui, Vec2, Window, vec2};
+
+use super::theme::space;
 
 /// A window that cannot be moved, at a distance from its anchor.
 pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, from: Vec2) -> Window<'static> {
     let window = Window::new(title).id(Id::unique(id)).anchor(anchor, from);
     window.collapsible(false).resizable(false)
+}
+
+/// Such a window in the corner of the page, above what is `below` it.
+pub(super) fn corner_window(id: &str, title: String, below: f32) -> Window<'static> {
+    fixed_window(id, title, Align2::RIGHT_BOTTOM, vec2(-space(5.0), -space(5.0) - below))
 }
 
 /// Whether something is drawn that was not drawn in the frame before.

@@ -14,7 +14,7 @@ use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
 use fitcheck::gui::journal::Records;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
-use fitcheck::session::{CheckCommand, CheckField, Command, Density, Field, Page, PartsCommand, Recorded};
+use fitcheck::session::{CheckCommand, CheckField, Command, Density, Field, Page, PartsCommand, Recorded, Theme};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
@@ -244,4 +244,14 @@ fn the_keypad_leaves_the_value_of_a_walk_in_sight() {
         let key = window.get_by_role_and_label(Role::Button, "Key 7").rect();
         assert!(0.0 < field.top() && field.bottom() <= key.top(), "{size:?}: {field:?}, below {key:?}");
     }
+}
+
+#[test]
+fn a_notice_leaves_the_rail_below_the_page_free() {
+    let mut window = open(vec2(800.0, 1600.0), Language::En);
+    send(&mut window, Command::SetTheme(Theme::Dark));
+    let undo = window.query_all_by_role_and_label(Role::Button, "Undo").map(|node| node.rect().bottom());
+    let lowest = undo.fold(0.0, f32::max);
+    let rail = window.get_by_label("Settings").rect().top();
+    assert!(1_000.0 < lowest && lowest < rail, "the notice ends at {lowest}, the rail begins at {rail}");
 }
