@@ -108,7 +108,7 @@ fn follow(ui: &Ui, selected: Option<usize>, row: f32, height: f32) -> Option<f32
     Some(remembered::<f32>(ui, offset_id()).clamp((top + row - height).max(0.0), top))
 }
 
-/// One click shows a folder or takes a file's name; a second one does with the file what the dialog is for.
+/// One click shows a folder or takes a file's name; a second one, however late, does with the file what the dialog is for.
 fn row_ui(ui: &mut Ui, view: &mut View<'_>, entry: &Entry, number: usize, is_selected: bool) {
     let told = told(view.words, entry);
     // Not focusable: arrows move in the list while the path has the focus.
@@ -117,12 +117,11 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, entry: &Entry, number: usize, is_sel
     let said = format!("{}, {told}", entry.name);
     response.widget_info(|| WidgetInfo::labeled(Role::ListBoxOption, true, &said));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_selected(is_selected));
-    if response.double_clicked() {
-        // The second click on a folder finds another list below it.
-        if !entry.is_folder && is_selected {
-            view.send(FilesCommand::Take(number));
-        }
-    } else if response.clicked() {
+    // The second click of two on a folder finds another list below it.
+    let is_second = response.double_clicked();
+    if response.clicked() && is_selected && !entry.is_folder {
+        view.send(FilesCommand::Take(number));
+    } else if response.clicked() && !is_second {
         view.send(FilesCommand::Select(number));
     }
 }

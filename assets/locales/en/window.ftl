@@ -309,6 +309,10 @@ file-bytes = { $count } B
 file-kilobytes = { $count } kB
 file-megabytes = { $count } MB
 notice = Note
+copied = { $lines ->
+    [one] Copied, one line
+   *[other] Copied, { $lines } lines
+    }
 notice-problem = Error
 notice-more = { $count ->
     [one] 1 more message follows

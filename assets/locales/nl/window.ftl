@@ -309,6 +309,10 @@ file-bytes = { $count } B
 file-kilobytes = { $count } kB
 file-megabytes = { $count } MB
 notice = Melding
+copied = { $lines ->
+    [one] Gekopieerd, één regel
+   *[other] Gekopieerd, { $lines } regels
+    }
 notice-problem = Fout
 notice-more = { $count ->
     [one] Er volgt nog 1 melding

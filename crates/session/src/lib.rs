@@ -102,7 +102,7 @@ mod zoom;
 use std::path::Path;
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use jiff::civil::DateTime;
 
 pub use action::{Action, WindowAction, WorkpieceAction};
@@ -385,6 +385,10 @@ impl Session {
         let before = self.is_setting(&command).then(|| self.saved());
         let checks = self.shared.history.len();
         let mut effects = self.apply_command(command, now);
+        let copied = effects.iter().find_map(|effect| if let Effect::Copy(text) = effect { Some(text) } else { None });
+        if let Some(text) = copied {
+            self.shared.notices.push(Notice::of(message!("copied").count("lines", text.lines().count()), false));
+        }
         if let Some(before) = before {
             self.note_setting(before);
         }

@@ -82,9 +82,9 @@ impl Notices {
         &self.earlier
     }
 
-    /// The change of a setting is told until something else is: it is in sight.
+    /// The change of a setting is told until something else is: it is in sight. So is that something was copied.
     pub fn push(&mut self, notice: Notice) {
-        self.open.retain(|earlier| earlier.before.is_none());
+        self.open.retain(|earlier| earlier.before.is_none() && earlier.message.id != "copied");
         self.open.push(notice);
     }
 

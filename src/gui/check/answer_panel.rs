@@ -268,6 +268,10 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     let removal = size.removal.filter(|_| status == size.status);
     if let Some(removal) = removal {
         lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
+    } else if size.status == Status::Scrap {
+        // How far it is from the other limit says nothing.
+        let [to_minimum, to_maximum] = distances(words, record);
+        lines.push(if size.above_minimum < Length::ZERO { to_minimum } else { to_maximum });
     } else {
         lines.extend(distances(words, record));
     }
@@ -294,7 +298,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
                 let per_side = is_round.then(|| half(words, digits, removal.to_limit));
                 remove(words, &um(removal.to_limit), per_side)
             })
-            .or_else(|| worth_lines::by_the_rule(words, record)),
+            .or_else(|| worth_lines::advice(words, record)),
         lines,
         ..Card::default()
     }

@@ -173,10 +173,10 @@ impl Drawing<'_> {
         let zone = Rect::from_min_max(pos2(lower, body.top()), pos2(upper.max(lower + 1.0), body.bottom()));
         self.painter.rect_filled(zone, 0.0, self.palette.zone.0);
         self.guard(body);
-        self.guard_marks(body);
         for x in [lower, upper] {
             self.painter.vline(x, body.y_range().expand(7.0), Stroke::new(2.5, self.palette.zone_edge.0));
         }
+        self.guard_marks(body);
         self.limits([lower, upper]);
         self.axis();
         match (self.band.marker, record) {

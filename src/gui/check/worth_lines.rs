@@ -25,16 +25,20 @@ pub(in crate::gui) fn lines(words: &Words, record: &Record) -> Vec<String> {
     lines
 }
 
-/// What is to be done where nothing is decided, and why; that the rule accepts what lies beyond a limit.
-pub(super) fn by_the_rule(words: &Words, record: &Record) -> Option<(String, String)> {
+/// What is to be done with what can neither be used nor machined, and why; that the rule accepts what lies beyond a limit.
+pub(super) fn advice(words: &Words, record: &Record) -> Option<(String, String)> {
     let verdict = &record.verdict;
-    if verdict.is_beyond_limits() {
-        return Some((words.get("beyond-limits"), words.get("beyond-limits-why")));
-    }
-    (verdict.status() == Status::ReMeasure).then(|| {
-        let why = verdict.undecided.map(|why| words.told(&why));
-        (words.get("measure-again"), why.unwrap_or_else(|| words.get("measure-again-why")))
-    })
+    let [what, why] = match verdict.status() {
+        Status::ReMeasure => {
+            let why = verdict.undecided.map(|why| words.told(&why));
+            return Some((words.get("measure-again"), why.unwrap_or_else(|| words.get("measure-again-why"))));
+        }
+        Status::Scrap if verdict.size.status == Status::Scrap => ["set-aside", "set-aside-why"],
+        Status::Scrap => ["set-aside", "set-aside-why-position"],
+        Status::Good if verdict.is_beyond_limits() => ["beyond-limits", "beyond-limits-why"],
+        Status::Good | Status::Rework => return None,
+    };
+    Some((words.get(what), words.get(why)))
 }
 
 /// How the value was brought to 20 °C.

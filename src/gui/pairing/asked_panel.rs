@@ -6,7 +6,7 @@ use crate::exchange::ImportError;
 use crate::gui::class_chooser::feature_picture;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, sizes, space};
-use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
+use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut, quiet_height};
 use crate::message::{Located, Message, Say as _, message};
 use crate::report::pairing::{Note, PairingParts, PartsFrom};
 use crate::session::PairingAction;
@@ -32,13 +32,18 @@ fn wanted_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("pairing-page-wanted"));
     let width = ui.available_width();
     field_ui(ui, view, PairingField::Wanted, name.id, FieldStyle::large(width));
-    error_ui(ui, view, PairingField::Wanted);
-    let page = view.session.pairing();
-    if let Some(understood) = page.understood() {
-        quiet(ui, view.words.say(&understood));
-    } else if view.session.error(PairingField::Wanted).is_none() {
-        quiet(ui, view.text("pairing-page-wanted-hint"));
-    }
+    // The hint is the longest of them: what stands below stays where it is.
+    let hint = view.text("pairing-page-wanted-hint");
+    let height = quiet_height(ui, &hint, width);
+    ui.vertical(|ui| {
+        ui.set_min_height(height);
+        error_ui(ui, view, PairingField::Wanted);
+        if let Some(understood) = view.session.pairing().understood() {
+            quiet(ui, view.words.say(&understood));
+        } else if view.session.error(PairingField::Wanted).is_none() {
+            quiet(ui, hint);
+        }
+    });
 }
 
 /// Into how many groups the parts are sorted.

@@ -123,9 +123,11 @@ fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow
     let deviation = value.map_or_else(String::new, deviation);
     let remark = remarks.join(", ");
     let said = joined([&name, &asked, &word, &measured, &deviation, &remark]);
-    let mark = match status {
-        Some(_) => Cell::Verdict { status, is_simulated, word, beside: String::new() },
-        None => Cell::Text(String::new()),
+    let is_left_out = record.is_none() && step.skipped.is_some();
+    let mark = if status.is_some() || is_left_out {
+        Cell::Verdict { status, is_simulated, word, beside: String::new() }
+    } else {
+        Cell::Text(String::new())
     };
     let texts = [name, asked, shown, deviation, remark].map(Cell::Text);
     Row::new(place, std::iter::once(mark).chain(texts).collect(), said)
