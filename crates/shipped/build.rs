@@ -1,12 +1,16 @@
 //! Lists the built-in files: every file of the folders below, so that a new language, mask or program is only a file.
 
+use std::collections::HashMap;
 use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+
 /// Constant, folder, what it holds.
-const SHIPPED: [(&str, &str, &str); 8] = [
-    ("LOCALES", "assets/locales", "Fluent files of the window's languages, as `en/tolerance.ftl`."),
+const SHIPPED: [(&str, &str, &str); 7] = [
     ("DIALOGUES", "assets/dialogues", "Words of the control's dialogue languages, as `nl.toml`."),
     ("LOGS", "assets/logs", "Words and templates of measuring logs, as `nl.toml`."),
     ("MANUAL", "docs/manual", "Pages of the manual, as `check.md`."),
@@ -39,35 +43,73 @@ fn main() -> io::Result<()> {
         }
         add(format_args!("];\n"))?;
     }
-    texts(&Path::new(&root).join("../../assets/locales"), &mut code)?;
+    languages(&Path::new(&root).join("../../assets/locales"), Path::new(&out), &mut code)?;
     fs::write(Path::new(&out).join("shipped.rs"), code)
 }
 
-/// Lists the names of the texts of each language with their files, so that a start of the program parses only the
-/// files that it needs. A name begins its line; the rest of its text is indented.
-fn texts(locales: &Path, code: &mut String) -> io::Result<()> {
-    let mut add = |line: std::fmt::Arguments<'_>| code.write_fmt(line).map_err(io::Error::other);
-    let mut languages: Vec<PathBuf> =
-        fs::read_dir(locales)?.map(|entry| Ok(entry?.path())).collect::<io::Result<_>>()?;
-    languages.sort();
-    add(format_args!(
-        "/// The names of each language's texts in their order, each with the number of its file among the language's.\n\
-         pub static TEXTS: &[(&str, &[(&str, usize)])] = &[\n"
-    ))?;
-    for language in languages.iter().filter(|path| path.is_dir()) {
-        let mut files = Vec::new();
-        collect(language, &mut files)?;
-        files.sort();
-        let mut names = Vec::new();
-        for (number, file) in files.iter().enumerate() {
-            let text = fs::read_to_string(file)?;
-            let lines = text.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_alphabetic()));
-            let found = lines.filter_map(|line| line.split_once('=')).map(|(name, _)| name.trim_end());
-            names.extend(found.map(|name| (name.to_owned(), number)));
+/// The texts of a Fluent file by their names, in its order. A name begins its line; the rest of its text is indented.
+fn read(file: &Path) -> io::Result<Vec<(String, String)>> {
+    let mut texts: Vec<(String, String)> = Vec::new();
+    for line in fs::read_to_string(file)?.lines() {
+        match line.split_once('=') {
+            Some((name, text)) if line.starts_with(|c: char| c.is_ascii_alphabetic()) => {
+                texts.push((name.trim_end().to_owned(), text.trim().to_owned()));
+            }
+            _ if line.starts_with('#') || line.trim().is_empty() => {}
+            _ => {
+                if let Some((_, text)) = texts.last_mut() {
+                    text.push_str("\n ");
+                    text.push_str(line.trim());
+                }
+            }
         }
-        names.sort();
-        let name = language.file_name().unwrap_or_default().to_string_lossy();
-        add(format_args!("    ({name:?}, &{names:?}),\n"))?;
+    }
+    Ok(texts)
+}
+
+/// Lists the languages. All have the texts of English in the order of English, so that their names stand there once; the texts of the others
+/// are packed. A test finds what a language lacks.
+fn languages(locales: &Path, out: &Path, code: &mut String) -> io::Result<()> {
+    println!("cargo::rerun-if-changed={}", locales.display());
+    let mut files = Vec::new();
+    collect(&locales.join("en"), &mut files)?;
+    files.sort();
+    let mut names = Vec::new();
+    for file in &files {
+        names.push(read(file)?.into_iter().map(|(name, _)| name).collect::<Vec<_>>());
+    }
+    let all: Vec<String> = names.iter().map(|names| names.join("\n")).collect();
+    let mut add = |line: std::fmt::Arguments<'_>| code.write_fmt(line).map_err(io::Error::other);
+    add(format_args!("/// The names of the texts, line by line; an empty line stands between two files.\n"))?;
+    add(format_args!("pub static NAMES: &str = {:?};\n", all.join("\n\n")))?;
+    add(format_args!("static LANGUAGES: &[Packed] = &[\n"))?;
+    let mut folders: Vec<PathBuf> = fs::read_dir(locales)?.map(|entry| Ok(entry?.path())).collect::<io::Result<_>>()?;
+    folders.sort();
+    for folder in folders.iter().filter(|path| path.is_dir()) {
+        let language = folder.file_name().unwrap_or_default().to_string_lossy();
+        let mut known = HashMap::new();
+        let mut files = Vec::new();
+        collect(folder, &mut files)?;
+        for file in files {
+            known.extend(read(&file)?);
+        }
+        let text = |name: &str| known.get(name).map_or("", String::as_str);
+        let texts: Vec<&str> = names.iter().flatten().map(|name| text(name)).collect();
+        let texts = texts.join("\0");
+        let is_packed = language != "en";
+        let mut bytes = texts.clone().into_bytes();
+        if is_packed {
+            let mut packing = ZlibEncoder::new(Vec::new(), Compression::best());
+            packing.write_all(texts.as_bytes())?;
+            bytes = packing.finish()?;
+        }
+        let file = out.join(format!("{language}.texts"));
+        fs::write(&file, bytes)?;
+        add(format_args!(
+            "    Packed {{ code: {language:?}, name: {:?}, decimal_sign: {:?}, is_packed: {is_packed}, texts: include_bytes!({file:?}) }},\n",
+            text("language-name"),
+            text("language-decimal-sign").chars().next().unwrap_or('.'),
+        ))?;
     }
     add(format_args!("];\n"))
 }

@@ -297,13 +297,15 @@ fn the_search_finds_calls_and_arguments() {
 
 #[test]
 fn every_folder_says_its_name_and_its_decimal_sign() {
-    let codes: Vec<&str> = fitcheck::shipped::LOCALES.iter().filter_map(|(file, _)| file.split('/').next()).collect();
-    for code in codes {
-        let language =
-            Language::from_code(code).unwrap_or_else(|| panic!("assets/locales/{code}/language.ftl is missing"));
+    for folder in std::fs::read_dir(root().join("assets/locales")).unwrap() {
+        let code = folder.unwrap().file_name().to_string_lossy().into_owned();
+        let language = Language::from_code(&code).unwrap();
         let bundle = fitcheck::message::Bundle::of(language.code());
         for id in ["language-name", "language-decimal-sign"] {
-            assert!(bundle.find(id).is_some(), "assets/locales/{code}/language.ftl has no {id}");
+            assert!(
+                bundle.find(id).is_some_and(|text| !text.is_empty()),
+                "assets/locales/{code}/language.ftl has no {id}"
+            );
         }
     }
     let names: BTreeSet<&str> = Language::all().map(Language::name).collect();

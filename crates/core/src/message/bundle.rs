@@ -1,8 +1,9 @@
 //! The texts of one language.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::fmt;
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 use fitcheck_shipped as shipped;
 use fluent_bundle::concurrent::FluentBundle;
@@ -14,11 +15,15 @@ use super::{Arg, Message, tame};
 pub type Transform = fn(&str) -> Cow<'_, str>;
 
 /// The texts of one language: the folder of its code in `assets/locales`.
+///
+/// A file is parsed when the first of its texts is wanted: a call on the command line needs two or three of them. A text can refer to
+/// others of its own file only.
 pub struct Bundle {
     code: &'static str,
-    files: Vec<TextFile>,
-    /// The file that each text stands in, by name.
-    places: &'static [(&'static str, usize)],
+    transform: Option<Transform>,
+    /// The texts in the order of their names.
+    texts: OnceLock<Cow<'static, str>>,
+    files: Vec<OnceLock<FluentBundle<FluentResource>>>,
 }
 
 impl fmt::Debug for Bundle {
@@ -27,82 +32,68 @@ impl fmt::Debug for Bundle {
     }
 }
 
-/// One Fluent file, parsed when the first of its texts is wanted: a call on the command line needs two or three of
-/// them. A text can refer to others of its own file only.
-pub struct TextFile {
-    code: &'static str,
-    name: &'static str,
-    bytes: &'static [u8],
-    transform: Option<Transform>,
-    parsed: OnceLock<FluentBundle<FluentResource>>,
+/// The names of all texts.
+struct Names {
+    /// File by file, in the order in which a language has its texts.
+    files: Vec<Vec<&'static str>>,
+    /// The file of each.
+    places: HashMap<&'static str, usize>,
 }
 
-impl fmt::Debug for TextFile {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("TextFile").field("name", &self.name).finish_non_exhaustive()
-    }
-}
-
-impl TextFile {
-    /// A built-in file of a language.
-    pub const fn new(code: &'static str, (name, bytes): (&'static str, &'static [u8])) -> Self {
-        Self { code, name, bytes, transform: None, parsed: OnceLock::new() }
-    }
-
-    fn parsed(&self) -> &FluentBundle<FluentResource> {
-        self.parsed.get_or_init(|| {
-            let language = match self.code.parse() {
-                Ok(language) => vec![language],
-                Err(error) => {
-                    log::error!("locale {}: {error:?}", self.name);
-                    Vec::new()
-                }
-            };
-            let mut texts = FluentBundle::new_concurrent(language);
-            // The marks U+2068 and U+2069 around every argument would show in reports and labels.
-            texts.set_use_isolating(false);
-            texts.set_transform(self.transform);
-            let resource = match FluentResource::try_new(String::from_utf8_lossy(self.bytes).into_owned()) {
-                Ok(resource) => resource,
-                Err((resource, errors)) => {
-                    log::error!("locale {}: {errors:?}", self.name);
-                    resource
-                }
-            };
-            if let Err(errors) = texts.add_resource(resource) {
-                log::error!("locale {}: {errors:?}", self.name);
-            }
-            texts
-        })
-    }
-
-    /// A text of the file, if it is there.
-    pub fn find(&self, id: &str, args: Option<&FluentArgs<'_>>) -> Option<String> {
-        let texts = self.parsed();
-        let mut errors = Vec::new();
-        let text = texts.format_pattern(texts.get_message(id)?.value()?, args, &mut errors).into_owned();
-        if !errors.is_empty() {
-            log::error!("locale {}, text {id}: {errors:?}", self.name);
-        }
-        Some(text)
-    }
-}
+static NAMES: LazyLock<Names> = LazyLock::new(|| {
+    let files: Vec<Vec<&str>> = shipped::NAMES.split("\n\n").map(|names| names.lines().collect()).collect();
+    let places = files.iter().enumerate().flat_map(|(at, names)| names.iter().map(move |name| (*name, at))).collect();
+    Names { files, places }
+});
 
 impl Bundle {
     /// The embedded texts of a language; nothing is read from disk.
     pub fn of(code: &'static str) -> Self {
-        let files = shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code));
-        // A language that is not built in has no texts.
-        let places = shipped::TEXTS.iter().find(|(known, _)| *known == code).map_or(&[][..], |(_, places)| *places);
-        Self { code, files: files.map(|file| TextFile::new(code, *file)).collect(), places }
+        let files = NAMES.files.iter().map(|_| OnceLock::new()).collect();
+        Self { code, transform: None, texts: OnceLock::new(), files }
     }
 
     /// The same texts, each passed through a function without what is put into them: a language for tests, such as one
     /// with longer words.
     #[must_use]
     pub fn transformed(self, transform: Transform) -> Self {
-        let transformed = |file: TextFile| TextFile { transform: Some(transform), parsed: OnceLock::new(), ..file };
-        Self { files: self.files.into_iter().map(transformed).collect(), ..self }
+        Self { transform: Some(transform), ..Self::of(self.code) }
+    }
+
+    /// The texts of a file as Fluent reads them.
+    fn source(&self, at: usize) -> String {
+        // A language that is not built in has no texts.
+        let texts = self.texts.get_or_init(|| shipped::texts(self.code).unwrap_or(Cow::Borrowed("")));
+        let before = NAMES.files.iter().take(at).map(Vec::len).sum();
+        let names = NAMES.files.get(at).into_iter().flatten();
+        let named = names.zip(texts.split('\0').skip(before)).filter(|(_, text)| !text.is_empty());
+        named.map(|(name, text)| format!("{name} = {text}\n")).collect()
+    }
+
+    fn parsed(&self, at: usize) -> FluentBundle<FluentResource> {
+        let code = self.code;
+        let language = match code.parse() {
+            Ok(language) => vec![language],
+            Err(error) => {
+                log::error!("locale {code}: {error:?}");
+                Vec::new()
+            }
+        };
+        let mut texts = FluentBundle::new_concurrent(language);
+        // The marks U+2068 and U+2069 around every argument would show in reports and labels.
+        texts.set_use_isolating(false);
+        texts.set_transform(self.transform);
+        let resource = match FluentResource::try_new(self.source(at)) {
+            Ok(resource) => resource,
+            Err((resource, errors)) => {
+                log::error!("locale {code}: {errors:?}");
+                resource
+            }
+        };
+        if let Err(errors) = texts.add_resource(resource) {
+            log::error!("locale {code}: {errors:?}");
+        }
+        texts
     }
 
     /// The text of a name without arguments, if there is one.
@@ -134,8 +125,14 @@ impl Bundle {
     }
 
     fn format(&self, id: &str, args: Option<&FluentArgs<'_>>) -> Option<String> {
-        let at = self.places.binary_search_by_key(&id, |(name, _)| name).ok()?;
-        self.files.get(self.places.get(at)?.1)?.find(id, args)
+        let at = *NAMES.places.get(id)?;
+        let texts = self.files.get(at)?.get_or_init(|| self.parsed(at));
+        let mut errors = Vec::new();
+        let text = texts.format_pattern(texts.get_message(id)?.value()?, args, &mut errors).into_owned();
+        if !errors.is_empty() {
+            log::error!("locale {}, text {id}: {errors:?}", self.code);
+        }
+        Some(text)
     }
 
     /// An unknown name is shown as it is and logged: a missing text must never stop a measurement.

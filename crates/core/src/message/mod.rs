@@ -34,7 +34,7 @@ use std::sync::LazyLock;
 
 pub use arg::{Arg, IntoArg};
 pub use arg::{as_text, printed};
-pub use bundle::{Bundle, TextFile, Transform};
+pub use bundle::{Bundle, Transform};
 pub use fitcheck_derive::{Say, message};
 pub use foreign::{guarded, is_formula, is_wild, tame};
 pub use located::{FilePlace, Located};
