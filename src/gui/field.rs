@@ -174,15 +174,17 @@ pub(super) fn value_field_ui(
     field_ui(ui, view, field, name, FieldStyle { beside, ..look.unit("mm") }).rect
 }
 
-/// The button of the keypad in its field.
-pub(super) fn keypad_button_ui(ui: &mut Ui, view: &mut View<'_>, field: Rect) {
+/// The button of the keypad in its field, into which the keypad types then.
+pub(super) fn keypad_button_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>, rect: Rect) {
     let button = control(ui);
     // The sign of the help at the corner stays free.
-    let place = field.with_max_x(field.right() - space(field_help::reach(ui)));
+    let place = rect.with_max_x(rect.right() - space(field_help::reach(ui)));
     let place = Align2::RIGHT_CENTER.align_size_within_rect(Vec2::splat(button), place);
     let mut over = ui.new_child(UiBuilder::new().max_rect(place).layout(Layout::top_down(Align::Center)));
     over.spacing_mut().button_padding = Vec2::ZERO;
-    view.icon_toggle(&mut over, WindowAction::Keypad, Icon::Numpad);
+    if view.icon_toggle(&mut over, WindowAction::Keypad, Icon::Numpad).clicked() {
+        view.send(Command::GoTo(field.into()));
+    }
 }
 
 /// Whether a field has just been entered: by key, or by a click that gave it the focus, once the button is released, so

@@ -44,7 +44,7 @@ pub(super) struct Card {
 impl Card {
     /// What a screen reader says.
     fn said(&self, simulated: Option<&String>) -> Vec<String> {
-        let instruction = self.instruction.as_ref().map(|(what, rest)| format!("{what} {rest}"));
+        let instruction = self.instruction.as_ref().map(|(what, rest)| format!("{}{rest}", ended(what, rest)));
         let parts = simulated.into_iter().chain([&self.word]).chain(&self.value).chain(&instruction).chain(&self.lines);
         parts.cloned().collect()
     }
@@ -116,11 +116,19 @@ fn line(text: &str, font: &FontId) -> LayoutJob {
     LayoutJob::single_section(text.to_owned(), TextFormat::simple(font.clone(), Color32::PLACEHOLDER))
 }
 
+/// What is to be done before the rest of its sentence, or before a sentence of its own.
+fn ended(what: &str, rest: &str) -> String {
+    let is_sentence = rest.chars().next().is_some_and(char::is_uppercase);
+    if is_sentence { format!("{what}. ") } else { format!("{what} ") }
+}
+
 /// What is to be done, as large as leaves room for the rest of the sentence beside it; else that has a line of its own.
 fn sentence(ui: &Ui, [what, rest]: [&str; 2], largest: f32, width: f32) -> Vec<LayoutJob> {
     let small = theme::font(sizes().body);
+    let ended = ended(what, rest);
+    let joined = ended.trim_end();
     let beside = ui.painter().layout_no_wrap(format!(" {rest}"), small.clone(), Color32::PLACEHOLDER).size().x;
-    let size = largest.min((width - beside) * largest / word_width(ui, what, largest).max(1.0)).floor();
+    let size = largest.min((width - beside) * largest / word_width(ui, joined, largest).max(1.0)).floor();
     if size < FIRST[0] {
         return vec![line(what, &theme::bold(FIRST[0].min(largest))), line(rest, &small)];
     }
@@ -131,7 +139,7 @@ fn sentence(ui: &Ui, [what, rest]: [&str; 2], largest: f32, width: f32) -> Vec<L
         let ascent = galley.rows.first().and_then(|row| row.glyphs.first()).map_or(0.0, |glyph| glyph.pos.y);
         (galley.size().y, ascent)
     });
-    let mut job = line(what, &large);
+    let mut job = line(joined, &large);
     // A text stands in the middle of a line that is higher than it.
     let line_height = Some(2.0 * (high.0 - high.1 + low.1) - low.0);
     job.append(&format!(" {rest}"), 0.0, TextFormat { line_height, ..TextFormat::simple(small, Color32::PLACEHOLDER) });
@@ -222,7 +230,7 @@ pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Op
             }
         });
         if let Some(foot) = foot {
-            let line = control(ui).min(space(9.0));
+            let line = control(ui);
             let above =
                 card.height - f32::from(MARGIN) * 2.0 - ui.min_rect().height() - line - ui.spacing().item_spacing.y;
             ui.add_space(above.max(0.0));
@@ -242,7 +250,7 @@ pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
 
 /// The height of the line at the foot of a card, with the gap above it.
 pub(super) fn foot_height(ui: &Ui) -> f32 {
-    control(ui).min(space(9.0)) + space(1.0)
+    control(ui) + space(1.0)
 }
 
 /// The same of a card in a width.

@@ -133,7 +133,11 @@ impl View<'_> {
         }
         // A key that is held on a button answers no question either.
         if response.clicked() && !(action == PartsAction::NextPart.into() && is_held(ui)) {
-            self.act(action);
+            if self.session.answers().contains(&action) {
+                self.send(Command::Answer(action));
+            } else {
+                self.act(action);
+            }
         }
         response
     }

@@ -403,6 +403,18 @@ fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
     assert!(alone.limits(&"450 R7".parse().unwrap(), None).is_err());
 }
 
+/// The built-in tables are compared with published ones cell by cell: what a plan of usual classes needs is the same.
+#[test]
+fn a_set_of_usual_classes_has_the_built_in_tables() {
+    let set = make(&[feature("25 H7", ["0", "0", "0"])], Control::Tnc640, Dialogue::En);
+    for (number, built_in) in [3, 4].into_iter().zip(shipped_tables()) {
+        let file = &set.files[number];
+        let table = read_table(&file.bytes, &file.name, &file.name, false).unwrap().0.unwrap();
+        assert_eq!(table.ends(), built_in.ends(), "{}", file.name);
+        assert_eq!(table.columns(), built_in.columns(), "{}", file.name);
+    }
+}
+
 #[test]
 fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     let few = ["25 ZA8", "25 U7"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();

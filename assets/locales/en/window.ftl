@@ -141,7 +141,7 @@ lot-doubted = { $count ->
    *[other] { $count } doubtful values
 }
 lot-shown = Shown: { $place } of { $judged }, worst first; line { $line }
-lot-shown-part = Shown: { $place } of { $judged }, worst first; line { $line }, { $part }
+lot-shown-part = Shown: { $place } of { $judged }, worst first; line { $line }, part { $part }
 lot-worst = Worst
 lot-worse = Worse
 lot-better = Better

@@ -141,7 +141,7 @@ lot-doubted = { $count ->
    *[other] { $count } twijfelachtige waarden
 }
 lot-shown = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }
-lot-shown-part = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }, { $part }
+lot-shown-part = Getoond: { $place } van { $judged }, slechtste eerst; regel { $line }, onderdeel { $part }
 lot-worst = Slechtste
 lot-worse = Slechter
 lot-better = Beter

@@ -290,7 +290,7 @@ macro_rules! session {
         /// The pattern of the commands that went to their pages, or were taken apart.
         macro_rules! applied_before {
             () => {
-                $(Command::$page(_))|+ | Command::Answered(..) | Command::Enter(_)
+                $(Command::$page(_))|+ | Command::Answered(..) | Command::Enter(_) | Command::Answer(_)
             };
         }
     };
@@ -376,6 +376,11 @@ impl Session {
         }
         if let Command::Enter(field) = command {
             return self.enter(field, now);
+        }
+        if let Command::Answer(action) = command {
+            // The second click of two comes where the answer has just appeared.
+            let command = if self.asking.is_in_passing(now) { None } else { action.command(self) };
+            return command.map_or_else(Vec::new, |command| self.apply(command, now));
         }
         let was_asking = !self.answers().is_empty();
         self.budget.see_day(now.date());

@@ -116,7 +116,7 @@ fn foot_ui(ui: &mut Ui, view: &View<'_>, (record, said): (&Record, &str), colour
     ui.label(RichText::new(said).font(theme::font(sizes().small)).color(colour));
     let foot = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let text = RichText::new(view.text("why")).font(theme::bold(sizes().body)).color(colour);
-        let button = ui.add(Button::new(text).frame(false).min_size(vec2(0.0, control(ui).min(space(9.0)))));
+        let button = ui.add(Button::new(text).frame(false).min_size(vec2(0.0, control(ui))));
         let popup = Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.width(space(90.0)).show(|ui| why_ui(ui, view, record));
         let offers = !lists_checks(ui) && view.session.can(CheckAction::CorrectCheck);
@@ -134,7 +134,7 @@ fn correct_ui(ui: &mut Ui, view: &View<'_>, colour: Color32) -> bool {
     let width = ui.painter().layout_no_wrap(name.clone(), theme::font(sizes().body), colour).size().x;
     let has_room = width + space(4.5 + 2.0) + ui.spacing().icon_spacing < ui.available_width();
     let button = if has_room { Button::new((icon, text)) } else { Button::new(icon) };
-    let side = control(ui).min(space(9.0));
+    let side = control(ui);
     let shown = ui.add(button.frame(false).min_size(vec2(side, side))).accessible_name(name);
     let hint = action.hint().map_or_else(String::new, |id| view.text(id));
     shown.on_hover_text(hint).clicked()

@@ -32,8 +32,8 @@ pub(super) fn typed_ui(ui: &mut Ui, view: &mut View<'_>) {
                 if field == CheckField::Callout {
                     callout_field_ui(ui, view);
                 } else {
-                    let field = measured_ui(ui, view);
-                    keypad_button_ui(ui, view, field);
+                    let rect = measured_ui(ui, view);
+                    keypad_button_ui(ui, view, CheckField::Measured, rect);
                 }
                 error_ui(ui, view, field);
             });
@@ -73,8 +73,8 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>, is_typed_above: b
     if let Some(rect) = features {
         feature_ui(ui, view, rect);
     }
-    if let Some(field) = field {
-        keypad_button_ui(ui, view, field);
+    if let Some(rect) = field {
+        keypad_button_ui(ui, view, CheckField::Measured, rect);
         error_ui(ui, view, CheckField::Measured);
     }
     measure_ui(ui, view);
@@ -172,9 +172,6 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) -> Rect {
 /// How a value comes, and the buttons.
 fn measure_ui(ui: &mut Ui, view: &mut View<'_>) {
     let width = ui.available_width();
-    if view.session.check().is_repeated {
-        quiet(ui, view.text("measured-once"));
-    }
     segments_ui(ui, view, &[MeasureBy::Typing, MeasureBy::Simulating].map(CheckAction::MeasureBy), width);
     ui.add_space(space(0.5));
     ui.horizontal(|ui| {
@@ -182,6 +179,10 @@ fn measure_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.main_button(ui, CheckAction::Measure, vec2((width - clear).max(width * 0.5), control(ui) + space(2.0)));
         view.sized_button(ui, CheckAction::ClearResult, vec2(0.0, control(ui) + space(2.0)));
     });
+    // Below the buttons, which stay where they are.
+    if view.session.check().is_repeated {
+        quiet(ui, view.text("measured-once"));
+    }
 }
 
 fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -392,8 +392,7 @@ impl Drawing<'_> {
                 let is_left = matches!(marker, Marker::BeyondLeft(_));
                 let (x, along) = if is_left { (body.left() + 2.0, -14.0) } else { (body.right() - 2.0, 14.0) };
                 triangle(pos2(x, body.center().y), vec2(along, 0.0));
-                let deviation = digits.signed_um(self.words, record.verdict.size.deviation);
-                flag(x, &format!("{value}  ({deviation} µm)"));
+                flag(x, &value);
             }
         }
     }
@@ -416,18 +415,12 @@ impl Drawing<'_> {
             let width = self.painter.layout_no_wrap(text.clone(), theme::bold(sizes().small), ground).size().x;
             if width + space(5.0) < (x - limit).abs() {
                 self.dimension(x, limit, y, &text, ground);
-            } else {
-                // Where there is no room between, the number stands beyond the limit, or beyond a value outside; never at the other
-                // side of the value, where it would be read as the other distance.
+            } else if is_outside {
+                // Where there is no room between, the number stands beyond the value.
                 self.dimension(x, limit, y, "", ground);
-                let end = if is_outside { x } else { limit };
-                let is_left = if is_outside { x < limit } else { limit < x };
-                let room = if is_left { end - self.frame.left() } else { self.frame.right() - end };
-                let (end, is_left) = if width + space(4.0) <= room {
-                    (end, is_left)
-                } else {
-                    (if is_outside { limit } else { x }, !is_left)
-                };
+                let is_left = x < limit;
+                let room = if is_left { x - self.frame.left() } else { self.frame.right() - x };
+                let (end, is_left) = if width + space(4.0) <= room { (x, is_left) } else { (limit, !is_left) };
                 let anchor = if is_left { Align2::RIGHT_CENTER } else { Align2::LEFT_CENTER };
                 let at = pos2(end + if is_left { -space(3.0) } else { space(3.0) }, y);
                 let galley = self.painter.layout_no_wrap(text, theme::bold(sizes().small), self.palette.text.0);
@@ -436,6 +429,9 @@ impl Drawing<'_> {
                 self.painter.hline(end.min(at.x)..=end.max(at.x), y, Stroke::new(1.5, self.palette.zone_edge.0));
                 self.painter.rect_filled(rect.expand2(vec2(4.0, 1.0)), 4.0, self.palette.surface.0);
                 self.painter.galley(rect.min, galley, self.palette.text.0);
+            } else {
+                // Within the zone a number beyond the limit would stand where the value is not: the card has it.
+                self.dimension(x, limit, y, "", ground);
             }
         }
     }

@@ -87,10 +87,21 @@ fn made(
         .map_err(|error| SetError::Shape { table: name, error })
 }
 
-/// A cell is filled if a single value of the source applies in the whole range.
+/// A cell is filled if a single value of the source applies in the whole range: in one of its ranges, or in each of several (ISO 286-1 has R
+/// in finer ranges than the table, with the same values in two of them).
 fn cell(class: ToleranceClass, (over, to): (Length, Length), sources: &Sources) -> Option<Deviations> {
-    let callout = Callout::new(to, class).ok()?;
-    let (deviations, source) = sources.deviations(&callout, None).ok()?;
-    let (from, _) = source.range()?;
-    (from <= over).then_some(deviations)
+    let at = |size: Length| {
+        let (deviations, source) = sources.deviations(&Callout::new(size, class).ok()?, None).ok()?;
+        Some((deviations, source.range()?.0))
+    };
+    let (deviations, mut from) = at(to)?;
+    while over < from {
+        let (below, start) = at(from)?;
+        // A range that does not end at its upper end would be looked at for ever.
+        if below != deviations || from <= start {
+            return None;
+        }
+        from = start;
+    }
+    Some(deviations)
 }

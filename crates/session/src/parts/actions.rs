@@ -271,6 +271,11 @@ impl Actions for PartsAction {
                 let meant = session.parts().meant_here().map_or_else(String::new, |meant| words.number(&meant));
                 Some(words.say(&Message::new(self.row().text).text("meant", meant)))
             }
+            Self::TakeValue => {
+                let question = session.parts().walking.question.as_ref()?;
+                let measured = words.mm(question.measured, 3);
+                Some(words.say(&message!("judge-anyway").text("measured", measured)))
+            }
             Self::TakeMeantValue => {
                 let meant = session.parts().walking.question.as_ref().and_then(|question| question.doubt.meant());
                 let meant = meant.map_or_else(String::new, |meant| words.mm(meant, 3));

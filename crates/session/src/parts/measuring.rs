@@ -87,6 +87,9 @@ impl PartsPage {
     fn take_typed(&mut self, shared: &mut Shared, now: DateTime) {
         let asked_about = self.walking.question.take();
         let Some(at) = self.walking.at else { return };
+        if self.texts.text(WalkField::Value).trim().is_empty() && self.walking.begin_asked() {
+            return;
+        }
         // A value is of the size that it was typed for, and of no other one.
         if let Some(typed_at) = self.walking.typed_elsewhere() {
             let [name, asked] = [typed_at, at].map(|at| self.walking.name(at));

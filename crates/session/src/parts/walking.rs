@@ -429,6 +429,11 @@ impl Walking {
     }
 
     /// Whatever was asked or refused is over.
+    /// Nothing more is said of the value that came last: the page is about the size that is asked for. Whether it was about another one.
+    pub(super) fn begin_asked(&mut self) -> bool {
+        self.resting.take().is_some_and(|at| self.at != Some(at))
+    }
+
     pub(super) fn quiet(&mut self) {
         self.question = None;
         self.refusal = None;

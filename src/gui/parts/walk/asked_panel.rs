@@ -296,7 +296,7 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>, asked: &Size<'_>)
     let hint = RichText::new(judged_text(view)).color(palette(ui.ctx()).quiet.0);
     let look = FieldStyle { hint, ..FieldStyle::large(ui.available_width()) };
     let field = value_field_ui(ui, view, WalkField::Value, name.id, look);
-    keypad_button_ui(ui, view, field);
+    keypad_button_ui(ui, view, WalkField::Value, field);
     next_size_ui(ui, view, asked);
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
