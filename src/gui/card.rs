@@ -1,10 +1,10 @@
 //! What is around every card: an answer at which one look is enough. A screen reader says it whenever it changes.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Stroke, StrokeKind, Ui, UiBuilder};
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, UiBuilder};
 
 use super::room::is_low;
-use super::shapes;
+use super::shapes::{self, Edge};
 use super::theme::{self, palette};
 use super::view::live;
 
@@ -49,16 +49,6 @@ fn in_frame_ui<T>(ui: &mut Ui, frame: Frame, content: impl FnOnce(&mut Ui) -> T)
     shown
 }
 
-/// What is drawn around a card.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Edge {
-    None,
-    /// Nobody measured.
-    Dashes,
-    /// The rule accepts what lies beyond a limit.
-    Line,
-}
-
 /// The card of a verdict in its colours; its content returns what is said of it, part by part.
 pub(super) fn verdict_ui(
     ui: &mut Ui,
@@ -95,13 +85,7 @@ fn around_ui(
         content(ui)
     });
     let rect = shown.response.rect;
-    match edge {
-        Edge::None => {}
-        Edge::Dashes => shapes::dashed_frame(ui.painter(), rect, colour),
-        Edge::Line => {
-            ui.painter().rect_stroke(rect, 12.0, Stroke::new(4.0, colour), StrokeKind::Inside);
-        }
-    }
+    shapes::edge(ui.painter(), (rect, 12.0), edge, colour);
     let response = ui.interact(rect, ui.scope_id().with(id), Sense::hover());
     live(ui, &response, &shown.inner.join(". "), politeness);
 }

@@ -48,11 +48,13 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
         || session.palette.is_some();
     let notice = session.notice().filter(|notice| !notice.asks() && !is_covered);
     let is_looked_at = ui.data(|data| data.get_temp(looked_at_id())) == Some(true);
-    let Some(notice) = notice.filter(|_| !is_looked_at) else { return };
+    if notice.is_none() || is_looked_at {
+        return;
+    }
     let now = ui.input(|input| input.time);
     let id = Id::unique("notice-since");
-    let this = (session.notices().len(), view.words.say(&notice.message));
-    let kept: Option<(f64, (usize, String))> = ui.data(|data| data.get_temp(id));
+    let this = (session.notices_told(), session.notices().len());
+    let kept: Option<(f64, (u64, usize))> = ui.data(|data| data.get_temp(id));
     let since = match kept {
         Some((since, which)) if which == this => since,
         _ => {

@@ -4,6 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
 use super::theme::{Icon, Weight, palette};
+use crate::journal::Record;
 use crate::text::long;
 use crate::tolerance::Feature;
 use crate::tolerance::fit::FitKind;
@@ -54,6 +55,43 @@ pub(super) fn ratio(part: usize, all: usize) -> f32 {
 pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(2.0, palette(ui.ctx()).focus.0);
     ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
+}
+
+/// What is drawn around a verdict that is not what it looks like at first sight; its ground is pale then.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Edge {
+    #[default]
+    None,
+    /// Nobody measured.
+    Dashes,
+    /// The rule accepts what lies beyond a limit.
+    Line,
+}
+
+impl Edge {
+    pub fn of(record: &Record) -> Self {
+        if record.verdict.is_beyond_limits() {
+            Self::Line
+        } else {
+            Self::of_simulated(record.measurement.origin.is_simulated())
+        }
+    }
+
+    pub const fn of_simulated(is_simulated: bool) -> Self {
+        if is_simulated { Self::Dashes } else { Self::None }
+    }
+}
+
+/// Draws it around a verdict with such corners.
+pub(super) fn edge(painter: &Painter, (rect, corner): (Rect, f32), edge: Edge, colour: Color32) {
+    match edge {
+        Edge::None => {}
+        Edge::Dashes => dashed_frame(painter, rect, colour),
+        Edge::Line => {
+            let width = if rect.height() < 60.0 { 2.0 } else { 4.0 };
+            painter.rect_stroke(rect, corner, Stroke::new(width, colour), StrokeKind::Inside);
+        }
+    }
 }
 
 /// The frame of a simulated verdict: nobody measured it.

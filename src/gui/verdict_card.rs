@@ -4,9 +4,9 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align2, Color32, FontId, Label, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use super::card::{Edge, MARGIN, verdict_ui};
+use super::card::{MARGIN, verdict_ui};
 use super::room::{is_low, is_tiny};
-use super::shapes;
+use super::shapes::{self, Edge};
 use super::theme::{self, Palette, control, palette, sizes, space};
 use super::view::{Digits, View, doubt_text};
 use crate::length::{Length, Unit};
@@ -25,10 +25,8 @@ pub(super) fn status_id(status: Option<Status>) -> &'static str {
 pub(super) struct Card {
     /// Colour and shape; `None` is no result.
     pub status: Option<Status>,
-    /// Whether the value was simulated: nobody measured it.
-    pub is_simulated: bool,
-    /// Whether the size lies beyond a limit and the rule accepts it.
-    pub is_beyond_limits: bool,
+    /// Whether nobody measured it, or the rule accepts what lies beyond a limit.
+    pub edge: Edge,
     pub word: String,
     pub value: Option<String>,
     /// What is to be done, readable from as far as the word, and the rest of that sentence.
@@ -201,14 +199,9 @@ pub(super) type Foot<'a> = &'a mut dyn FnMut(&mut Ui, Color32);
 
 /// The same with a line at its foot.
 pub(super) fn footed_card_ui(ui: &mut Ui, view: &View<'_>, card: &Card, foot: Option<Foot<'_>>) {
-    let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated || card.is_beyond_limits);
-    let simulated = card.is_simulated.then(|| view.text("simulated"));
-    let edge = match card {
-        Card { is_simulated: true, .. } => Edge::Dashes,
-        Card { is_beyond_limits: true, .. } => Edge::Line,
-        _ => Edge::None,
-    };
-    verdict_ui(ui, (fill, colour), edge, Margin::same(MARGIN), |ui| {
+    let (fill, colour) = colours(palette(ui.ctx()), card.status, card.edge);
+    let simulated = (card.edge == Edge::Dashes).then(|| view.text("simulated"));
+    verdict_ui(ui, (fill, colour), card.edge, Margin::same(MARGIN), |ui| {
         // What is asked or not there yet takes what it needs.
         let least = if foot.is_some() || card.status.is_none() { 0.0 } else { least_height(ui) };
         let least = least.max(card.height - f32::from(MARGIN) * 2.0);
@@ -266,7 +259,7 @@ pub(super) fn card_height_in(ui: &Ui, view: &View<'_>, card: &Card, width: f32) 
         heights.push(text(&card.word, theme::bold(setting.word)));
         heights.push(setting.shape);
     }
-    if card.is_simulated {
+    if card.edge == Edge::Dashes {
         heights.push(text(&view.text("simulated"), theme::bold(sizes().body)));
     }
     heights.extend(setting.lines.into_iter().map(|mut line| {
@@ -332,7 +325,12 @@ fn word_ui(ui: &mut Ui, card: &Card, setting: &Setting, colour: Color32) {
 
 /// A small verdict: shape, text and colour.
 pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
-    let (fill, colour) = palette(ui.ctx()).of_status(Some(status));
+    edged_chip_ui(ui, (status, Edge::None), text)
+}
+
+/// The same of one value.
+pub(super) fn edged_chip_ui(ui: &mut Ui, (status, edge): (Status, Edge), text: &str) -> Response {
+    let (fill, colour) = colours(palette(ui.ctx()), Some(status), edge);
     let galley = ui.painter().layout_no_wrap(text.to_owned(), theme::bold(sizes().small), colour);
     let mark = space(3.5);
     let gap = space(1.5);
@@ -340,6 +338,7 @@ pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let inner = rect.shrink2(vec2(8.0, 4.0));
     ui.painter().rect_filled(rect, 6.0, fill);
+    shapes::edge(ui.painter(), (rect, 6.0), edge, colour);
     let shape = Align2::LEFT_CENTER.align_size_within_rect(vec2(mark, mark), inner);
     shapes::status(ui.painter(), shape, Some(status), colour);
     let at = Align2::RIGHT_CENTER.align_size_within_rect(galley.size(), inner);
@@ -353,8 +352,8 @@ pub(super) fn strip_height(ui: &Ui) -> f32 {
 }
 
 /// A verdict in one line of its own: shape, text and colour, as wide as there is room.
-pub(super) fn strip_ui(ui: &mut Ui, status: Option<Status>, is_simulated: bool, text: &str) {
-    let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
+pub(super) fn strip_ui(ui: &mut Ui, status: Option<Status>, edge: Edge, text: &str) {
+    let (fill, colour) = colours(palette(ui.ctx()), status, edge);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), strip_height(ui)), Sense::hover());
     ui.painter().rect_filled(rect, 8.0, fill);
     let inner = rect.shrink2(vec2(space(2.0), space(1.0)));
@@ -373,18 +372,16 @@ pub(super) fn strip_ui(ui: &mut Ui, status: Option<Status>, is_simulated: bool, 
     }
     let is_cut = galley.elided;
     ui.painter().galley(pos2(mark.right() + space(2.0), inner.center().y - galley.size().y / 2.0), galley, colour);
-    if is_simulated {
-        shapes::dashed_frame(ui.painter(), rect, colour);
-    }
+    shapes::edge(ui.painter(), (rect, 8.0), edge, colour);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
     if is_cut {
         response.on_hover_text(text);
     }
 }
 
-/// The fill of a verdict and the colour on it: pale where nobody measured.
-pub(super) const fn colours(palette: &Palette, status: Option<Status>, is_simulated: bool) -> (Color32, Color32) {
-    if is_simulated { palette.of_simulated(status) } else { palette.of_status(status) }
+/// The fill of a verdict and the colour on it: pale within an edge.
+pub(super) const fn colours(palette: &Palette, status: Option<Status>, edge: Edge) -> (Color32, Color32) {
+    if matches!(edge, Edge::None) { palette.of_status(status) } else { palette.of_pale(status) }
 }
 
 /// What to remove of a size, up to what, and how much of it on each side where the size is a diameter.

@@ -65,6 +65,8 @@ impl Notice {
 #[derive(Debug, Default)]
 pub(crate) struct Notices {
     open: Vec<Notice>,
+    /// How many were told so far.
+    told: u64,
     /// What was closed and asked for a look, newest first.
     earlier: VecDeque<Notice>,
     pub shows_earlier: bool,
@@ -86,11 +88,18 @@ impl Notices {
     pub fn push(&mut self, notice: Notice) {
         self.open.retain(|earlier| earlier.before.is_none() && earlier.message.id != "copied");
         self.open.push(notice);
+        self.told += 1;
+    }
+
+    /// How many were told so far: one that says what another said is another one.
+    pub const fn told(&self) -> u64 {
+        self.told
     }
 
     /// Before the notice that asked for it.
     pub fn push_first(&mut self, notice: Notice) {
         self.open.insert(0, notice);
+        self.told += 1;
     }
 
     pub fn retain(&mut self, stays: impl FnMut(&Notice) -> bool) {

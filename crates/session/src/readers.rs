@@ -194,6 +194,11 @@ impl Session {
         self.shared.notices.open()
     }
 
+    /// How many were told so far.
+    pub fn notices_told(&self) -> u64 {
+        self.shared.notices.told()
+    }
+
     /// The one that is shown.
     pub fn notice(&self) -> Option<&Notice> {
         self.shared.notices.shown()

@@ -6,6 +6,7 @@ use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::{lists_checks, worth_lines};
 use crate::gui::limits::limits_text;
 use crate::gui::room::is_tiny;
+use crate::gui::shapes::Edge;
 use crate::gui::theme::{self, Icon, Weight, control, sizes, space};
 use crate::gui::verdict_card::{
     self, Card, card_height_in, card_ui, chip_ui, fitted, foot_height, footed_card_ui, half, lines_below_ui,
@@ -289,8 +290,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     }
     Card {
         status: Some(status),
-        is_simulated: record.measurement.origin.is_simulated(),
-        is_beyond_limits: record.verdict.is_beyond_limits(),
+        edge: Edge::of(record),
         word: words.told(&record.verdict),
         value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
         instruction: removal

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use eframe::egui::{Id, Ui};
 
 use crate::gui::key_names::part_id;
+use crate::gui::shapes::Edge;
 use crate::gui::table::{Cell, Column, Row, Table, Zoned};
 use crate::gui::view::{Digits, View};
 use crate::journal::Record;
@@ -104,7 +105,7 @@ fn row(view: &View<'_>, id: RecordId, record: &Record) -> Row<RecordId> {
         Some(_) => Cell::Text(status),
         None => Cell::Verdict {
             status: Some(record.verdict.status()),
-            is_simulated: record.measurement.origin.is_simulated(),
+            edge: Edge::of(record),
             word: status,
             beside: String::new(),
         },

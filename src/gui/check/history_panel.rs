@@ -7,7 +7,7 @@ use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetIn
 use super::history_list::{self, list_ui};
 use super::rows_panel;
 use crate::gui::field::{self, FieldStyle, field_ui};
-use crate::gui::shapes;
+use crate::gui::shapes::{self, Edge};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::top_bar::export_ui;
 use crate::gui::verdict_card::colours;
@@ -132,7 +132,8 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn last_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
     let status = record.verdict.status();
     let is_simulated = record.measurement.origin.is_simulated();
-    let (fill, colour) = colours(palette(ui.ctx()), Some(status), is_simulated);
+    let edge = Edge::of(record);
+    let (fill, colour) = colours(palette(ui.ctx()), Some(status), edge);
     let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
     let mut shown = format!("{}  {value}", callout(record));
     if is_simulated {
@@ -146,8 +147,6 @@ fn last_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
         let said = format!("{}, {}, {value} mm", status_text(record, view.words), callout(record));
         label.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
     });
-    if is_simulated {
-        shapes::dashed_frame(ui.painter(), chip.response.rect, colour);
-    }
+    shapes::edge(ui.painter(), (chip.response.rect, 3.0), edge, colour);
     chip.response.on_hover_text(status_text(record, view.words));
 }

@@ -8,6 +8,7 @@ use super::grouped;
 use super::row_texts::fate_text;
 use crate::exchange::batch::Picked;
 use crate::gui::key_names::part_id;
+use crate::gui::shapes::Edge;
 use crate::gui::table::{Cell, Column, Row, Table, joined};
 use crate::gui::view::View;
 use crate::length::Length;
@@ -125,7 +126,7 @@ impl LargeFileCells {
         let [line, part, callout, measured, deviation, what] =
             [line, part, callout, measured, deviation, what].map(Cell::Text);
         let verdict =
-            Cell::Verdict { status: row.fate.status(), is_simulated: false, word: status, beside: String::new() };
+            Cell::Verdict { status: row.fate.status(), edge: Edge::None, word: status, beside: String::new() };
         Row::new(row.number, vec![line, part, callout, measured, deviation, verdict, what], said)
     }
 

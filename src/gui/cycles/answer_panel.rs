@@ -6,6 +6,7 @@ use crate::gui::check::mask_chooser_ui;
 use crate::gui::check::recorded_ui;
 use crate::gui::popup::popup_ui;
 use crate::gui::room::is_tiny;
+use crate::gui::shapes::Edge;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{Card, card_height, card_ui, half, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};
@@ -60,7 +61,7 @@ fn largest_card(words: &Words) -> Card {
     let um = |id: &'static str| words.say(&Message::new(id).text("um", words.number("888.8")));
     Card {
         status: Some(Status::Rework),
-        is_simulated: true,
+        edge: Edge::Dashes,
         word: words.told(&Status::Rework),
         value: Some(format!("{} mm", words.number("888.8888"))),
         instruction: Some(remove(words, &words.number("888.8"), Some(words.number("888.8")))),
@@ -81,7 +82,7 @@ fn run_card(view: &View<'_>, run: Option<&CycleRun>) -> Card {
         Some(Err(problem)) => {
             Card { word: view.text("cycles-word-stopped"), lines: vec![words.say(problem)], ..Card::default() }
         }
-        Some(Ok(result)) => Card { is_simulated, ..card(words, result) },
+        Some(Ok(result)) => Card { edge: Edge::of_simulated(is_simulated), ..card(words, result) },
     }
 }
 

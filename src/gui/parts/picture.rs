@@ -10,7 +10,7 @@ use eframe::egui::{
     TextureOptions, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use crate::gui::shapes::{self, screen};
+use crate::gui::shapes::{self, Edge, screen};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, problem, quiet};
@@ -231,7 +231,7 @@ fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused
     let radius = control(ui) * 0.36;
     let (fill, text) = match balloon.status {
         None => (palette.surface.0, palette.text.0),
-        status => colours(palette, status, balloon.is_simulated),
+        status => colours(palette, status, Edge::of_simulated(balloon.is_simulated)),
     };
     if balloon.is_next {
         painter.circle_filled(at, radius * 1.3 + space(1.75), palette.data.0);

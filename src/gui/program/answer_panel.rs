@@ -3,10 +3,10 @@
 use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, Sense, Ui, vec2};
 
 use super::tools_panel::changes_ui;
-use crate::gui::card::{self, Edge, MARGIN};
+use crate::gui::card::{self, MARGIN};
 use crate::gui::check::recorded_ui;
 use crate::gui::popup;
-use crate::gui::shapes;
+use crate::gui::shapes::{self, Edge};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, by_limits_ui, heading, marked_ui, quiet};
@@ -14,7 +14,8 @@ use crate::message::{Message, message};
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
 use crate::session::ProgramCommand;
-use crate::session::program::Run;
+use crate::session::program::{Agreement, Run};
+use crate::verdict::Status;
 use crate::words::Words;
 
 /// The most windows and cycles that are drawn; the last ones count.
@@ -54,10 +55,14 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         status => view.text(status_id(status)),
     };
     let is_simulated = run.is_some() && view.session.program().is_simulated();
-    let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
+    let contested = status.and_then(|status| contested(view, status));
+    // A verdict that does not stand has no colour of one.
+    let coloured = status.filter(|_| contested.is_none());
+    let (fill, colour) = colours(palette(ui.ctx()), coloured, Edge::of_simulated(is_simulated));
     let simulated = (is_simulated && status.is_some()).then(|| view.text("simulated"));
-    let size = if status.is_some() { sizes().status * 0.5 } else { sizes().figure };
-    let edge = if simulated.is_some() { Edge::Dashes } else { Edge::None };
+    let size = if coloured.is_some() { sizes().status * 0.5 } else { sizes().figure };
+    let word = contested.unwrap_or(word);
+    let edge = Edge::of_simulated(simulated.is_some());
     card::verdict_ui(ui, (fill, colour), edge, Margin::symmetric(MARGIN, 8), |ui| {
         // As high before the run as after it: nothing below moves.
         let line = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::bold(size)));
@@ -69,7 +74,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         ui.horizontal_wrapped(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(space(9.0), space(9.0)), Sense::hover());
-            shapes::status(ui.painter(), rect, status, colour);
+            shapes::status(ui.painter(), rect, coloured, colour);
             ui.label(RichText::new(&word).font(theme::bold(size)).color(colour));
             if let Some(measured) = &measured {
                 ui.label(RichText::new(measured).font(theme::bold(sizes().limits)).color(colour));
@@ -79,6 +84,20 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     let slip = view.session.program().run.as_ref().and_then(|run| run.record);
     recorded_ui(ui, view, slip.and_then(|slip| view.session.recording().of_slip(slip)));
+}
+
+/// Why a program's verdict does not stand: Fitcheck's is another one, or the program did not come to its end.
+fn contested(view: &View<'_>, status: Status) -> Option<String> {
+    let program = view.session.program();
+    let said = |id: &'static str| Message::new(id).text("program", view.words.told(&status));
+    let own = program.verdict(view.session.sources()).map(|(_, verdict)| verdict.status);
+    let message = match (own, program.agreement(view.session.sources())) {
+        _ if program.run.as_ref().is_some_and(|run| run.fault.is_some()) => said("program-page-stopped-at"),
+        (Some(own), _) if own != status => said("program-page-contested").text("own", view.words.told(&own)),
+        (_, Some(Agreement::Differs(_))) => said("program-page-contested-limits"),
+        _ => return None,
+    };
+    Some(view.words.say(&message))
 }
 
 /// The diameter that a cycle measured, or else what it compared first, or its first result.

@@ -1,8 +1,9 @@
 //! The texts of a row of the list.
 
+use crate::gui::shapes::Edge;
 use crate::gui::table::{Cell, Row, Zoned, joined};
 use crate::gui::view::Digits;
-use crate::journal::entry::Checked;
+use crate::journal::entry::{Check, Checked};
 use crate::message::message;
 use crate::session::RecordRow;
 use crate::session::records::RowTexts;
@@ -27,7 +28,7 @@ pub(super) struct RecordCells {
     pub who: String,
     /// The verdict, for colour and shape.
     pub verdict: Option<Status>,
-    pub is_simulated: bool,
+    pub edge: Edge,
     /// Another entry stands in its place, or takes it back.
     pub is_struck: bool,
     /// Whether it is a check that may have a verdict.
@@ -88,8 +89,8 @@ impl RecordCells {
                 words.say(&message!("records-page-instead").text("number", correction.target.number))
             }),
             who: about.who.clone(),
-            verdict: check.and_then(crate::journal::entry::Check::status),
-            is_simulated: check.is_some_and(crate::journal::entry::Check::is_simulated),
+            verdict: check.and_then(Check::status),
+            edge: check.map_or(Edge::None, edge_of),
             is_struck: row.corrected_by.is_some(),
             is_check: check.is_some(),
         }
@@ -100,8 +101,8 @@ impl RecordCells {
         let said = self.said(words, is_chosen);
         let name = words.say(&message!("records-page-choose-record").text("number", number));
         let status = if self.is_check && !self.is_struck {
-            let Self { verdict: status, is_simulated, status: word, instead_of: beside, .. } = self;
-            Cell::Verdict { status, is_simulated, word, beside }
+            let Self { verdict: status, edge, status: word, instead_of: beside, .. } = self;
+            Cell::Verdict { status, edge, word, beside }
         } else {
             Cell::Text(self.status)
         };
@@ -125,5 +126,13 @@ impl RecordCells {
         let what = [&self.callout, &measured, &self.deviation, &self.status, &self.instead_of, &self.who];
         let said = joined(who.into_iter().chain(what));
         if is_chosen { words.say(&message!("history-row-chosen").text("row", said)) } else { said }
+    }
+}
+
+/// The edge of a check's verdict.
+fn edge_of(check: &Check) -> Edge {
+    match &check.what {
+        Checked::Size(record) => Edge::of(record),
+        Checked::Cycle(_) => Edge::of_simulated(check.is_simulated()),
     }
 }

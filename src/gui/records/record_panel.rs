@@ -6,9 +6,9 @@ use super::cells::RecordCells;
 use super::correction_panel::correction_ui;
 use super::reasons::{Line, lines};
 use crate::gui::columns::column_ui;
-use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::verdict_card::chip_ui;
+use crate::gui::shapes::Edge;
+use crate::gui::theme::{self, sizes, space};
+use crate::gui::verdict_card::edged_chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::{Message, message};
 use crate::session::RecordsAction;
@@ -55,11 +55,8 @@ fn verdict_ui(ui: &mut Ui, words: &Words, row: &RecordRow) {
     let cells = RecordCells::of(words, row);
     ui.horizontal_wrapped(|ui| {
         if let Some(status) = cells.verdict.filter(|_| cells.is_check) {
-            let word = words.told(&status);
-            let chip = chip_ui(ui, status, &word);
-            if cells.is_simulated {
-                shapes::dashed_frame(ui.painter(), chip.rect, palette(ui.ctx()).text.0);
-            }
+            let word = if cells.edge == Edge::Line { words.get("status-accepted") } else { words.told(&status) };
+            edged_chip_ui(ui, (status, cells.edge), &word);
         } else {
             ui.label(&cells.status);
         }
@@ -71,7 +68,7 @@ fn verdict_ui(ui: &mut Ui, words: &Words, row: &RecordRow) {
             ui.label(&cells.deviation);
         }
     });
-    if cells.is_simulated {
+    if cells.edge == Edge::Dashes {
         ui.label(RichText::new(words.get("records-page-simulated")).font(theme::bold(sizes().body)));
     }
 }

@@ -9,7 +9,7 @@ use eframe::egui::{Color32, FontId, Painter, Rangef, Rect, Sense, Stroke, Stroke
 
 use super::columns::{Across, Kind};
 use super::{Seen, Table, Zoned};
-use crate::gui::shapes::{self, times};
+use crate::gui::shapes::{self, Edge, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::colours;
 use crate::gui::view::View;
@@ -54,10 +54,10 @@ pub(in crate::gui) enum Cell {
     },
     /// Where a value lies in its zone; nothing where there is none.
     Zone(Option<Zoned>),
-    /// A verdict; a simulated one is pale and framed by dashes.
+    /// A verdict.
     Verdict {
         status: Option<Status>,
-        is_simulated: bool,
+        edge: Edge,
         word: String,
         /// What is said beside it, where there is room.
         beside: String,
@@ -132,10 +132,10 @@ fn row_ui<K: Copy + Debug + Hash>(
             (Some(room), Cell::Found { name, line }) => {
                 found_ui(ui.painter(), room.shrink2(vec2(PAD, 0.0)), name, line);
             }
-            (Some(room), Cell::Verdict { status, is_simulated, word, beside }) => {
-                let colours = colours(palette, *status, *is_simulated);
+            (Some(room), Cell::Verdict { status, edge, word, beside }) => {
+                let colours = colours(palette, *status, *edge);
                 let word = (column.kind == Kind::Verdict).then_some(word.as_str());
-                let chip = verdict(ui.painter(), room, (*status, *is_simulated), colours, word);
+                let chip = verdict(ui.painter(), room, (*status, *edge), colours, word);
                 is_cut |= !beside.is_empty() && !beside_ui(ui.painter(), room, chip, beside);
             }
             (Some(room), Cell::Zone(zoned)) => {
@@ -258,7 +258,7 @@ pub(super) fn text_in(
 fn verdict(
     painter: &Painter,
     cell: Rect,
-    (status, is_simulated): (Option<Status>, bool),
+    (status, edge): (Option<Status>, Edge),
     (fill, colour): (Color32, Color32),
     word: Option<&str>,
 ) -> Rect {
@@ -280,9 +280,7 @@ fn verdict(
     } else {
         shapes::status(painter, rect.shrink(1.0), status, colour);
     }
-    if is_simulated {
-        shapes::dashed_frame(painter, rect, colour);
-    }
+    shapes::edge(painter, (rect, corner), edge, colour);
     rect
 }
 

@@ -106,8 +106,8 @@ impl Palette {
         }
     }
 
-    /// The same for a simulated verdict.
-    pub const fn of_simulated(&self, status: Option<Status>) -> (Color32, Color32) {
+    /// The same within an edge.
+    pub const fn of_pale(&self, status: Option<Status>) -> (Color32, Color32) {
         let fill = match status {
             Some(Status::Good) => self.pale_good,
             Some(Status::Rework) => self.pale_rework,

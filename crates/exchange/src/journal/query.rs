@@ -181,7 +181,7 @@ impl Query {
                 || (wanted.simulated && origin.is_simulated())
                 || (wanted.typed && *origin == Origin::Typed)
         };
-        !(self.only_bad && status == Status::Good) && self.words.iter().all(has)
+        !(self.only_bad && status == Status::Good && !record.verdict.is_beyond_limits()) && self.words.iter().all(has)
     }
 
     /// What a record is compared by, and then its number.

@@ -14,6 +14,7 @@ use fitcheck_exchange::journal::query::RecordId;
 use fitcheck_exchange::journal::{Record, status_window};
 use jiff::civil::DateTime;
 
+use super::inputs::SIMULATION;
 use super::{
     CheckAction, CheckCommand, CheckField, CheckInputs, CheckPage, DoubtedText, MeasureBy, Question, RuleChoice,
     RuleFields, ShownCheck, UncertaintyFrom, class_text, measuring, nominal_text, worth,
@@ -450,9 +451,8 @@ impl CheckPage {
         }
         self.judged.ask(now);
         let asked_about = self.question.take();
-        // What stands in the fields is what is meant.
-        self.own.clear();
-        self.own_judging = None;
+        // Who only looked at a record judges by the own rule and names the own part; a simulation is that of the fields.
+        self.own.retain(|field, _| !SIMULATION.contains(field));
         self.edited(&shared.sources);
         self.asks = self.asked.doubted.is_some();
         if self.asks {

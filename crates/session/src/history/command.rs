@@ -1,6 +1,6 @@
 //! What can be done with the list of checks, and doing it.
 
-use fitcheck_core::verdict::Status;
+use fitcheck_core::verdict::{Status, Verdict};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::query::{Column, Query, Records as _, Sort};
 
@@ -47,7 +47,8 @@ impl History {
             }
             ListCommand::ChooseBad => {
                 let listed = self.records.page(0..self.records.count()).into_iter();
-                let bad = listed.filter(|(_, record)| record.verdict.status() != Status::Good).map(|(id, _)| id);
+                let is_bad = |verdict: &Verdict| verdict.status() != Status::Good || verdict.is_beyond_limits();
+                let bad = listed.filter(|(_, record)| is_bad(&record.verdict)).map(|(id, _)| id);
                 self.chosen = bad.filter(|id| self.records.replaced_by(*id).is_none()).collect();
                 self.count_hidden();
             }

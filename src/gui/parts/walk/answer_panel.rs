@@ -7,6 +7,7 @@ use eframe::egui::{Id, Ui, vec2};
 use super::part_panel;
 use crate::gui::check::{check_card, recorded_ui};
 use crate::gui::room::is_tiny;
+use crate::gui::shapes::Edge;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{
     Card, card_height, card_ui, fitted, lines_below_ui, question_card, status_id, strip_height, strip_ui,
@@ -97,8 +98,7 @@ fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
             let name = Message::new(if serial.is_empty() { "walk-page-whole" } else { "walk-page-whole-serial" });
             Card {
                 status: whole.status,
-                is_simulated: whole.is_simulated,
-                is_beyond_limits: whole.is_beyond_limits,
+                edge: if whole.is_beyond_limits { Edge::Line } else { Edge::of_simulated(whole.is_simulated) },
                 word: match whole.status {
                     None => view.text("walk-page-not-complete"),
                     Some(_) if whole.is_beyond_limits => view.text("status-accepted"),
@@ -134,7 +134,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
                     words.say(&message!("walk-page-strip-part").text("status", word))
                 },
             );
-            strip_ui(ui, status, is_simulated, &text);
+            strip_ui(ui, status, Edge::of_simulated(is_simulated), &text);
         }
         (Headline::Part(_), Some((at, value))) => {
             let record = &value.record;
@@ -145,7 +145,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
             strip_ui(
                 ui,
                 Some(status),
-                is_simulated,
+                Edge::of(record),
                 &words.say(&text.text("status", simulated(words.told(&record.verdict), is_simulated))),
             );
         }

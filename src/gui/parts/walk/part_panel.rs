@@ -3,8 +3,9 @@
 use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::check::check_card;
+use crate::gui::shapes::Edge;
 use crate::gui::theme::{self, control, space};
-use crate::gui::verdict_card::chip_ui;
+use crate::gui::verdict_card::{chip_ui, edged_chip_ui};
 use crate::gui::view::{Digits, View, heading, problem, quiet};
 use crate::message::{Say as _, message};
 use crate::session::parts::{WalkCommand, Walking};
@@ -36,7 +37,7 @@ pub(super) fn values_ui(ui: &mut Ui, view: &View<'_>, at: usize, is_contradicted
             }
             ui.label(format!("{} mm", Digits::of(record).mm(words, record.measurement.diameter, 3)));
             let status = record.verdict.status();
-            chip_ui(ui, status, &words.told(&record.verdict));
+            edged_chip_ui(ui, (status, Edge::of(record)), &words.told(&record.verdict));
             if record.measurement.origin.is_simulated() {
                 quiet(ui, view.text("walk-page-row-simulated"));
             }

@@ -6,6 +6,7 @@ use eframe::egui::{Color32, Id, Ui};
 
 use super::asked_text;
 use crate::gui::key_names::part_id;
+use crate::gui::shapes::Edge;
 use crate::gui::table::{Cell, Column, PAD, Row, Table, joined};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{Digits, View, quiet};
@@ -125,7 +126,7 @@ fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow
     let said = joined([&name, &asked, &word, &measured, &deviation, &remark]);
     let is_left_out = record.is_none() && step.skipped.is_some();
     let mark = if status.is_some() || is_left_out {
-        Cell::Verdict { status, is_simulated, word, beside: String::new() }
+        Cell::Verdict { status, edge: record.map_or(Edge::None, Edge::of), word, beside: String::new() }
     } else {
         Cell::Text(String::new())
     };
