@@ -25,7 +25,8 @@ struct Packed {
     code: &'static str,
     name: &'static str,
     decimal_sign: char,
-    is_packed: bool,
+    /// Whether the texts are as they are read.
+    is_plain: bool,
     texts: &'static [u8],
 }
 
@@ -37,7 +38,7 @@ pub fn languages() -> impl ExactSizeIterator<Item = (&'static str, &'static str,
 /// The texts of a language in the order of [`NAMES`], with a zero between two of them; an empty one is missing.
 pub fn texts(code: &str) -> Option<Cow<'static, str>> {
     let language = LANGUAGES.iter().find(|language| language.code == code)?;
-    if !language.is_packed {
+    if language.is_plain {
         return std::str::from_utf8(language.texts).ok().map(Cow::Borrowed);
     }
     let mut texts = String::new();

@@ -67,7 +67,7 @@ impl Bundle {
         let before = NAMES.files.iter().take(at).map(Vec::len).sum();
         let names = NAMES.files.get(at).into_iter().flatten();
         let named = names.zip(texts.split('\0').skip(before)).filter(|(_, text)| !text.is_empty());
-        named.map(|(name, text)| format!("{name} = {text}\n")).collect()
+        named.fold(String::new(), |all, (name, text)| all + name + " = " + text + "\n")
     }
 
     fn parsed(&self, at: usize) -> FluentBundle<FluentResource> {
