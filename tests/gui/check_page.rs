@@ -33,7 +33,7 @@ fn a_hole_too_small_is_rework_with_the_amount_to_remove() {
 fn a_hole_too_large_is_scrap() {
     let mut window = window();
     check(&mut window, "25 H7", "25.030");
-    assert_eq!(verdict(&window), "SCRAP. 25.030 mm. 30 µm above minimum. 9 µm above maximum");
+    assert_eq!(verdict(&window), "SCRAP. 25.030 mm. Set the part aside. No material can be put back. 9 µm above maximum");
 }
 
 #[test]
@@ -211,7 +211,7 @@ fn many_imported_rows_are_counted_and_the_worst_is_shown_first() {
     for label in ["parts.csv: 4 rows", "GOOD 1", "REWORK 1", "SCRAP 1", "1 not judged"] {
         window.get_by_label(label);
     }
-    window.get_by_label("Shown: 1 of 3, worst first; line 3, A2");
+    window.get_by_label("Shown: 1 of 3, worst first; line 3, part A2");
     assert!(verdict(&window).starts_with("SCRAP. 25.030 mm"), "{}", verdict(&window));
     window.get_by_role_and_label(Role::Button, "Better").click();
     window.run();

@@ -47,7 +47,7 @@ fn a_value_in_a_guard_band_is_measured_again() {
     window.get_by_label("Decision rule: ISO 14253-1:2017, 95 %");
     check(&mut window, "25 H7", "25.0195");
     let said = verdict(&window);
-    assert!(said.starts_with("RE-MEASURE. 25.0195 mm. Measure again The value lies in a guard band"), "{said}");
+    assert!(said.starts_with("RE-MEASURE. 25.0195 mm. Measure again. The value lies in a guard band"), "{said}");
     assert!(said.contains("Not proven by the rule"), "{said}");
     assert!(band(&window).contains("The rule accepts from 1.974 to 19.026 µm."), "{}", band(&window));
     unfold(&mut window, "Why?");
@@ -143,7 +143,7 @@ fn what_is_accepted_beyond_a_limit_is_not_called_good() {
         let said = verdict(&window);
         assert!(said.starts_with(&format!("{word}. ")), "{size}: {said}");
         assert_eq!(
-            said.contains("Outside the limits Accepted by the rule, since it is not proven"),
+            said.contains("Outside the limits. Accepted by the rule, since it is not proven"),
             word == "ACCEPTED"
         );
         assert!(window.query_by_label(title).is_some(), "{size}: {title}");

@@ -249,6 +249,7 @@ fn the_keypad_leaves_the_value_of_a_walk_in_sight() {
 #[test]
 fn a_notice_leaves_the_rail_below_the_page_free() {
     let mut window = open(vec2(800.0, 1600.0), Language::En);
+    send(&mut window, Command::OpenPage(Page::Settings));
     send(&mut window, Command::SetTheme(Theme::Dark));
     let undo = window.query_all_by_role_and_label(Role::Button, "Undo").map(|node| node.rect().bottom());
     let lowest = undo.fold(0.0, f32::max);

@@ -368,7 +368,7 @@ fn the_part_says_what_is_to_do_and_leads_there() {
     for count in ["1 SCRAP", "1 REWORK", "1 GOOD"] {
         page.get_by_label(count);
     }
-    page.get_by_role_and_label(Role::Button, "A: SCRAP");
+    page.get_by_role_and_label(Role::Button, "A: Set the part aside");
     assert!(page.query_by_label_contains("C: GOOD").is_none(), "nothing is to do with what is good");
     click(&mut page, Role::Button, "B: Remove 10 µm");
     press(&mut page, Key::F6);
