@@ -218,7 +218,7 @@ fn many_imported_rows_are_counted_and_the_worst_is_shown_first() {
     assert!(verdict(&window).starts_with("REWORK. 24.998 mm"), "{}", verdict(&window));
     window.key_press_modifiers(Modifiers::ALT, Key::End);
     window.run();
-    window.get_by_label("Shown: 3 of 3, worst first; line 2, A1");
+    window.get_by_label("Shown: 3 of 3, worst first; line 2, part A1");
     assert_eq!(window.state().session().text(CheckField::Measured), "");
 }
 
