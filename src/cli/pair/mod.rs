@@ -81,16 +81,16 @@ The columns are found as fitcheck import finds them; only names and measured siz
 callout only says hole or shaft, if it can be read: a shaft among the holes is refused. In a file
 without a header, names must not be numbers, or the rows are read as contacts.
 
-Fitcheck makes as many pairs as possible and, among these, chooses the narrowest band around the
-middle of the wanted clearances. Each hole, from the smallest, gets the smallest remaining shaft
-within that band; parts of equal size are taken in the order of their file.
+Fitcheck makes as many pairs as possible. Of all ways to do so, it takes those with the narrowest
+band around the middle of the wanted clearances and, of these, the one with the least sum of squared
+distances from the middle. Parts of equal size are taken in the order of their file.
 
 --classes: a size at the end of a group belongs to the next group; the last group includes both ends.
 Clearances of a group are those that its measured parts can have. At most {MOST_GROUPS} groups.
 
 Grinding may save leftover parts: amounts from 1 µm in steps of 1 µm, at most {MOST_AMOUNTS} µm, off
 all leftover shafts or out of all leftover holes, which is the same. The answer gives the smallest
-amount that makes the most additional pairs; existing pairs are kept.
+amount that makes the most additional pairs, chosen in the same way; existing pairs are kept.
 
 CSV has a row per result (pair, leftover, grinding, saved, group, refused) and these columns:
 {}.

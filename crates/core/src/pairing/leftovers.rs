@@ -1,9 +1,10 @@
 //! What is left over, and the one amount of grinding that saves most of it.
 //!
 //! Shafts made smaller by an amount and holes made larger by it have the same clearances, so one answer holds for both. The pairs
-//! that are made stay as they are: only leftovers go with leftovers.
+//! that are made stay as they are: only leftovers go with leftovers, in the same way as the pairs before them.
 
-use super::matching::{Window, matched, walk};
+use super::matching::{best, count};
+use super::wanted::Window;
 use super::{Pair, PairClearances, Pairing};
 use crate::length::Length;
 
@@ -98,9 +99,7 @@ impl<'a> Ground<'a> {
     }
 
     fn count(&self, holes: &[Length]) -> usize {
-        let mut pairs = 0;
-        walk(holes, self.shafts, self.window, |_, _| pairs += 1);
-        pairs
+        count(holes, self.shafts, self.window)
     }
 
     /// The pairs with the positions that the parts have in the lists.
@@ -113,6 +112,6 @@ impl<'a> Ground<'a> {
                 clearance: Length::from_nanometres(apart + self.amount).ok()?,
             })
         };
-        matched(holes, self.shafts, self.window).iter().filter_map(pair).collect()
+        best(holes, self.shafts, self.window).iter().filter_map(pair).collect()
     }
 }

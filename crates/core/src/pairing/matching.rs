@@ -1,13 +1,15 @@
-//! As many pairs as possible, and among these the ones whose clearances are closest to the middle of what is wanted.
+//! As many pairs as possible, in the narrowest band around the middle of what is wanted, and of these the closest ones.
 //!
 //! The shafts that fit a hole are those from `hole − maximum` to `hole − minimum`: an interval of sizes, and both ends rise with
 //! the hole. So the greedy walk in order of size finds as many pairs as there can be: each hole, from the smallest,
 //! takes the smallest shaft that is left and fits. Exchanging partners of any other matching turns it into this one.
 //!
 //! The same walk with narrower clearances tells the narrowest band around the middle that still has as many pairs; the band
-//! is found by halving. The walk pairs in order of size. Parts of equal size come in the order in which they were given.
+//! is found by halving. Which of the parts go together within it is `closest`.
 
 use super::PairClearances;
+use super::closest::closest;
+use super::wanted::Window;
 use crate::length::Length;
 
 /// A hole and a shaft that go together.
@@ -34,7 +36,10 @@ pub struct Pairing {
     pub shafts: Vec<usize>,
 }
 
-/// The most pairs of holes and shafts with a wanted clearance, in the narrowest band around its middle.
+/// The most pairs of holes and shafts with a wanted clearance, in the narrowest band around its middle, and of all ways to
+/// pair as many within that band, the one with the least sum of squared distances from the middle.
+///
+/// Which of several such ways is taken follows from the sizes alone; of parts of equal size, those that were given first.
 ///
 /// ```
 /// use fitcheck_core::length::Length;
@@ -51,8 +56,7 @@ pub fn pair(holes: &[Length], shafts: &[Length], wanted: PairClearances) -> Pair
     let sorted_shafts = Sorted::of(shafts);
     let holes = &sorted_holes.sizes;
     let shafts = &sorted_shafts.sizes;
-    let most = count(holes, shafts, Window::of(wanted));
-    let found = matched(holes, shafts, narrowest(holes, shafts, wanted, most));
+    let found = best(holes, shafts, Window::of(wanted));
     let pairs: Vec<Pair> = found
         .iter()
         .filter_map(|&(hole, shaft)| {
@@ -94,65 +98,35 @@ impl Sorted {
     }
 }
 
-/// Clearances in nanometres, both ends included; for the walk only, so they may lie anywhere.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Window {
-    pub(super) low: i64,
-    pub(super) high: i64,
+/// The pairs as ranks, in order of size; both lists are in ascending order.
+pub(super) fn best(holes: &[Length], shafts: &[Length], window: Window) -> Vec<(usize, usize)> {
+    closest(holes, shafts, narrowest(holes, shafts, window))
 }
 
-impl Window {
-    pub(super) const fn of(wanted: PairClearances) -> Self {
-        Self { low: wanted.minimum().nanometres(), high: wanted.maximum().nanometres() }
-    }
-
-    /// What of the wanted clearances lies in a band of this width around their middle.
-    const fn around_middle(wanted: PairClearances, band: i64) -> Self {
-        let Self { low, high } = Self::of(wanted);
-        // Ends of the band on a half nanometre: inwards, where the last whole one is.
-        let inwards = (high - low - band).div_euclid(2) + (high - low - band).rem_euclid(2);
-        Self { low: low + inwards, high: high - inwards }
-    }
-}
-
-/// The narrowest band of clearances around the middle with this many pairs.
-fn narrowest(holes: &[Length], shafts: &[Length], wanted: PairClearances, most: usize) -> Window {
-    let all = Window::of(wanted);
+/// The narrowest band of clearances around the middle of the window with as many pairs as the window has.
+fn narrowest(holes: &[Length], shafts: &[Length], window: Window) -> Window {
+    let most = count(holes, shafts, window);
     let mut too_narrow = -1;
-    let mut enough = all.high - all.low;
+    let mut enough = window.high - window.low;
     while too_narrow + 1 < enough {
         let band = too_narrow.midpoint(enough);
-        if count(holes, shafts, Window::around_middle(wanted, band)) == most {
+        if count(holes, shafts, window.around_middle(band)) == most {
             enough = band;
         } else {
             too_narrow = band;
         }
     }
-    Window::around_middle(wanted, enough)
+    window.around_middle(enough)
 }
 
-fn count(holes: &[Length], shafts: &[Length], window: Window) -> usize {
-    let mut pairs = 0;
-    walk(holes, shafts, window, |_, _| pairs += 1);
-    pairs
-}
-
-/// The pairs as ranks, in order of size.
-pub(super) fn matched(holes: &[Length], shafts: &[Length], window: Window) -> Vec<(usize, usize)> {
-    let mut pairs = Vec::new();
-    walk(holes, shafts, window, |hole, shaft| pairs.push((hole, shaft)));
-    pairs
-}
-
-/// The greedy walk over sizes in ascending order.
-pub(super) fn walk(holes: &[Length], shafts: &[Length], window: Window, mut take: impl FnMut(usize, usize)) {
-    let mut free = shafts.iter().enumerate().peekable();
-    for (hole_rank, hole) in holes.iter().enumerate() {
+/// The most pairs there can be: a greedy walk over sizes in ascending order.
+pub(super) fn count(holes: &[Length], shafts: &[Length], window: Window) -> usize {
+    let mut free = shafts.iter().peekable();
+    let takes_one = |hole: &&Length| {
         let clearance = |shaft: &Length| hole.nanometres() - shaft.nanometres();
         // A shaft that is too small for this hole is too small for all larger ones.
-        while free.next_if(|(_, shaft)| window.high < clearance(shaft)).is_some() {}
-        if let Some((shaft_rank, _)) = free.next_if(|(_, shaft)| window.low <= clearance(shaft)) {
-            take(hole_rank, shaft_rank);
-        }
-    }
+        while free.next_if(|shaft| window.high < clearance(shaft)).is_some() {}
+        free.next_if(|shaft| window.low <= clearance(shaft)).is_some()
+    };
+    holes.iter().filter(takes_one).count()
 }

@@ -3,16 +3,20 @@
 //! | file | what |
 //! |---|---|
 //! | here | the wanted clearances |
-//! | `matching` | as many pairs as possible, their clearances as close to the middle as possible |
+//! | `wanted` | those that a search may choose from |
+//! | `matching` | as many pairs as possible, in the narrowest band around the middle |
+//! | `closest` | of these the ones closest to the middle |
 //! | `groups` | sorting into groups of equal width, for those who assemble from bins |
 //! | `leftovers` | the amount of grinding that saves most of what is left over |
 //!
 //! Sizes come in as lengths and go out as positions in the given lists; names, files and texts are the caller's. A
 //! clearance is hole minus shaft; a negative one is an interference.
 
+mod closest;
 mod groups;
 mod leftovers;
 mod matching;
+mod wanted;
 
 use std::str::FromStr;
 
