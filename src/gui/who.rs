@@ -1,9 +1,10 @@
 //! Who is measuring: in the top bar, with the last names and a field for another one.
 
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{Button, PopupCloseBehavior, RichText, Ui};
+use eframe::egui::{Button, Id, PopupCloseBehavior, RichText, Ui};
 
-use super::field::{FieldStyle, field_ui};
+use super::field::{self, FieldStyle, field_ui};
+use super::over_page::just_opened;
 use super::theme::{self, Icon, Weight, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
@@ -59,7 +60,11 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = quiet(ui, view.text("records-page-new-name"));
     let look = FieldStyle::text(space(46.0));
     let before = view.commands.len();
-    field_ui(ui, view, RecordsField::Who, name.id, look);
+    if just_opened(ui, Id::unique("who-names")) {
+        ui.memory_mut(|memory| memory.request_focus(field::id(RecordsField::Who)));
+    }
+    // A menu draws what is in it without an edge.
+    theme::looking(ui, theme::edged, |ui| field_ui(ui, view, RecordsField::Who, name.id, look));
     view.sized_button(ui, WindowAction::TakeName, eframe::egui::vec2(0.0, control(ui)));
     let is_taken = view
         .commands

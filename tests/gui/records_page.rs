@@ -20,7 +20,7 @@ use fitcheck::words::Language;
 use jiff::tz::{TimeZone, offset};
 
 use crate::fake_journal::Fake;
-use crate::harness::{Window, check, click, cursor, moment, press, rows, type_into, unfold, verdict};
+use crate::harness::{Window, check, click, cursor, moment, press, rows, scan, type_into, unfold, verdict};
 use crate::pictures::can_paint;
 
 fn records(journals: impl Journals + 'static, folder: &Path) -> Records {
@@ -524,8 +524,9 @@ fn who_measures_is_chosen_once_and_changed_with_two_touches() {
     let store = Store::at(&folder.path().join("state.toml"));
     let mut window = Window { store: store.clone(), ..at(folder.path()) }.open();
     click(&mut window, Role::Button, "No name is chosen. Choose a name");
-    type_into(&mut window, "Another name", "Anna");
-    press(&mut window, Key::Enter);
+    // The field has the keys at once.
+    scan(&mut window, "Anna⏎");
+    assert!(window.query_by_role_and_label(Role::TextInput, "Another name").is_none(), "the menu has closed");
     click(&mut window, Role::Button, "Measured by Anna");
     type_into(&mut window, "Another name", "Bert");
     click(&mut window, Role::Button, "Use this name");

@@ -21,7 +21,7 @@ use eframe::egui::{Color32, ColorImage, Context, FontFamily, FontId, Id, Stroke,
 
 pub use icon::{Icon, Weight};
 use style::style;
-pub use style::{install, looking, plain, tonal};
+pub use style::{edged, install, looking, plain, tonal};
 pub use tokens::{Hex, Palette, Sizes, Tokens};
 
 /// The embedded theme. A test proves that it can be read, so the message is for people who edit the file.

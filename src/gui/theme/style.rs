@@ -149,3 +149,8 @@ pub fn plain(ui: &mut Ui) {
         widget.weak_bg_fill = Color32::TRANSPARENT;
     }
 }
+
+/// Draws fields with their edge, also where a menu takes it from everything.
+pub fn edged(ui: &mut Ui) {
+    ui.visuals_mut().widgets = ui.ctx().global_style().visuals.widgets.clone();
+}
