@@ -335,3 +335,27 @@ fn by_touch_the_topics_and_buttons_are_high_enough() {
         assert!(44.0 <= window.get_by_role_and_label(Role::Button, name).rect().height() + 0.1, "{name}");
     }
 }
+
+#[test]
+fn escape_and_back_return_to_the_field_where_help_was_called() {
+    let mut window = Window::default().open();
+    for escapes in [true, false] {
+        type_into(&mut window, "Measured value", "25");
+        press(&mut window, Key::F1);
+        assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Fields"));
+        if escapes {
+            // What is typed is searched for; Escape ends the search first.
+            scan(&mut window, "guard⎋");
+            assert_eq!(page(&window), Page::Help);
+            press(&mut window, Key::Escape);
+        } else {
+            click(&mut window, Role::Row, "Reports");
+            click(&mut window, Role::Button, "Back");
+            assert_eq!((page(&window), cursor(&window).as_str()), (Page::Help, "Fields"));
+            click(&mut window, Role::Button, "Back");
+        }
+        assert_eq!(page(&window), Page::Check);
+        scan(&mut window, ".01⏎");
+        assert_eq!(window.state().session().text(CheckField::Measured), ".01");
+    }
+}

@@ -38,7 +38,7 @@ impl Actions for HelpAction {
                 .when(|session| !session.help().found.is_empty()),
             Self::BackInHelp => on(Page::Help, "help-page-back", HelpCommand::Back)
                 .key(Shortcut { held: Held::Alt, key: Key::Left })
-                .when(|session| !session.help().before.is_empty()),
+                .when(|session| session.help().goes_back()),
             Self::MoveTopic(step) => within(TOPICS, "help-page-move", HelpCommand::Move(step))
                 .when(|session| !session.help().found.is_empty())
                 .key(keys(step)),

@@ -5,6 +5,7 @@ use jiff::civil::DateTime;
 
 use super::search::search;
 use super::{CONTENTS, HelpCommand, HelpField, HelpPage, HelpPlace, HelpTopic};
+use crate::command::Command;
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::saved::Saved;
@@ -34,6 +35,8 @@ impl PageState for HelpPage {
             within: None,
             explains: false,
             from_field: None,
+            is_called: false,
+            is_searching: false,
             is_walking: false,
         }
     }
@@ -42,20 +45,16 @@ impl PageState for HelpPage {
         match command {
             HelpCommand::Type(HelpField::Search, text) => {
                 self.found = search(&text);
+                self.is_searching = !text.is_empty();
                 self.query = text;
                 self.lists_topics = true;
             }
-            HelpCommand::ForPage if shared.page == Page::Help => {
-                shared.open(self.from);
-                return self.from_field.take().map(Effect::Focus).into_iter().collect();
-            }
+            HelpCommand::ForPage if shared.page == Page::Help => return self.leave(shared),
             HelpCommand::ForPage => {
-                let at = self.at.take();
-                self.from_field = at.as_ref().map(|(field, _)| *field);
                 let page = || HelpPlace::of(HelpTopic::Manual(shared.page.manual()));
-                let place = at.map(|(_, place)| place).or_else(|| self.within.take());
-                self.go_to(place.unwrap_or_else(page));
-                shared.open(Page::Help);
+                let at = self.at.as_ref().map(|(_, place)| place.clone());
+                let place = at.or_else(|| self.within.take());
+                self.call(place.unwrap_or_else(page), shared);
             }
             HelpCommand::At(at) => {
                 self.explains &= self.at.as_ref().map(|(field, _)| field) == at.as_ref().map(|(field, _)| field);
@@ -63,12 +62,8 @@ impl PageState for HelpPage {
             }
             HelpCommand::Within(place) => self.within = place,
             HelpCommand::Explain(explains) => self.explains = explains && self.at.is_some(),
-            HelpCommand::Open(place) => {
-                self.go_to(place);
-                if shared.page != Page::Help {
-                    shared.open(Page::Help);
-                }
-            }
+            HelpCommand::Open(place) if shared.page == Page::Help => self.go_to(place),
+            HelpCommand::Open(place) => self.call(place, shared),
             HelpCommand::Select(number) => {
                 if let Some(found) = self.found.get(number) {
                     self.go_to(found.place.clone());
@@ -78,6 +73,8 @@ impl PageState for HelpPage {
             HelpCommand::Back => {
                 if let Some(place) = self.before.pop() {
                     self.show(place);
+                } else if self.is_called && shared.page == Page::Help {
+                    return self.leave(shared);
                 }
             }
             HelpCommand::Scroll(step) => self.scrolled = (self.scrolled.0 + 1, step),
@@ -94,10 +91,13 @@ impl PageState for HelpPage {
     fn follow(&mut self, news: &News, _shared: &mut Shared) {
         if let News::Opened(page) = news {
             self.explains = false;
+            self.is_searching = false;
             if *page == Page::Help {
                 self.found = search(&self.query);
             } else {
                 self.from = *page;
+                self.from_field = None;
+                self.is_called = false;
             }
         }
     }
@@ -114,12 +114,32 @@ impl PageState for HelpPage {
         None
     }
 
+    fn closes(&self) -> Option<Command> {
+        let clear = HelpCommand::Type(HelpField::Search, String::new());
+        Some(if self.is_searching { clear } else { HelpCommand::ForPage }.into())
+    }
+
     fn is_free_text(&self, _field: HelpField) -> bool {
         true
     }
 }
 
 impl HelpPage {
+    /// Opens the help from another page, at a place. What was read before that is not gone back to: the page that called is.
+    fn call(&mut self, place: HelpPlace, shared: &mut Shared) {
+        self.from_field = self.at.take().map(|(field, _)| field);
+        self.before.clear();
+        self.show(place);
+        self.is_called = true;
+        shared.open(Page::Help);
+    }
+
+    /// Goes back to the page and the field where one was.
+    fn leave(&mut self, shared: &mut Shared) -> Vec<Effect> {
+        shared.open(self.from);
+        self.from_field.take().map(Effect::Focus).into_iter().collect()
+    }
+
     /// Shows a place; the one before can be gone back to.
     fn go_to(&mut self, place: HelpPlace) {
         if self.shown != place {

@@ -24,7 +24,7 @@ pub enum HelpCommand {
     Select(usize),
     /// Goes to another one of what was found.
     Move(Step),
-    /// Shows what was read before.
+    /// Shows what was read before; where nothing was read since the help was called from a page, goes back there.
     Back,
     /// Scrolls the text.
     Scroll(Step),

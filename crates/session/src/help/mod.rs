@@ -124,11 +124,20 @@ pub struct HelpPage {
     pub explains: bool,
     /// The field from which the help was opened.
     from_field: Option<Field>,
+    /// Whether it was called from a page, to which one goes back behind what was read since.
+    is_called: bool,
+    /// Whether something was searched for since the help is open.
+    is_searching: bool,
     /// Whether the keys go through the topics: those in between are not come back to.
     is_walking: bool,
 }
 
 impl HelpPage {
+    /// Whether there is something to go back to: what was read before, or the page that called.
+    pub const fn goes_back(&self) -> bool {
+        self.is_called || !self.before.is_empty()
+    }
+
     /// The place of what is shown among what was found.
     pub fn selected(&self) -> Option<usize> {
         let topic = self.shown.topic;
