@@ -6,7 +6,7 @@ use eframe::egui::{Button, Id, PopupCloseBehavior, RichText, Ui};
 use super::field::{self, FieldStyle, field_ui};
 use super::over_page::just_opened;
 use super::theme::{self, Icon, Weight, control, sizes, space};
-use super::view::{View, quiet};
+use super::view::{View, focus_soon, quiet, take_focus};
 use crate::message::Message;
 use crate::session::WindowAction;
 use crate::session::{Command, RecordsCommand, RecordsField};
@@ -60,8 +60,10 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = quiet(ui, view.text("records-page-new-name"));
     let look = FieldStyle::text(space(46.0));
     let before = view.commands.len();
-    if just_opened(ui, Id::unique("who-names")) {
-        ui.memory_mut(|memory| memory.request_focus(field::id(RecordsField::Who)));
+    take_focus(ui, field::id(RecordsField::Who));
+    // While its size is found out, nothing in a menu can have the focus.
+    if !ui.is_sizing_pass() && just_opened(ui, Id::unique("who-names")) {
+        focus_soon(ui, field::id(RecordsField::Who));
     }
     // A menu draws what is in it without an edge.
     theme::looking(ui, theme::edged, |ui| field_ui(ui, view, RecordsField::Who, name.id, look));
