@@ -6,8 +6,8 @@ use eframe::egui::{self, Event, EventFilter, Ui};
 
 use super::key_names::{held, is_repeated, of_window, part_id, pressed_key};
 use super::view::View;
+use crate::session::PartsAction;
 use crate::session::action::{Keeps, Key, Part, Shortcut};
-use crate::session::{CheckAction, PartsAction};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
@@ -17,6 +17,7 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
         return;
     }
     let keys = view.session.keys(part, ui.ctx().text_edit_focused());
+    let has_list = egui::Popup::is_any_open(ui.ctx());
     let mut pressed = Vec::new();
     ui.input_mut(|input| {
         input.events.retain(|event| {
@@ -24,17 +25,16 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
             let is_it =
                 |shortcut: &Shortcut| modifiers.matches_exact(held(shortcut.held)) && key == of_window(shortcut.key);
             let Some((shortcut, action)) = keys.iter().find(|(shortcut, _)| is_it(shortcut)) else { return true };
-            // A key that is held answers no question.
-            if !(*action == PartsAction::NextPart.into() && is_repeated(event)) {
+            let is_escape = shortcut.key == Key::Escape;
+            // The Escape that closes a list or a menu does nothing else, and a key that is held answers no question.
+            let is_of_list = is_escape && has_list;
+            if !is_of_list && !(*action == PartsAction::NextPart.into() && is_repeated(event)) {
                 pressed.push(*action);
             }
-            // An open list closes with the same Escape.
-            shortcut.key == Key::Escape
+            is_escape
         });
     });
-    // The Escape that closes a list ends no run.
-    let closes_list = egui::Popup::is_any_open(ui.ctx());
-    for action in pressed.into_iter().filter(|action| !(closes_list && *action == CheckAction::CancelRows.into())) {
+    for action in pressed {
         view.act(action);
     }
 }
