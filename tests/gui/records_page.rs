@@ -288,9 +288,22 @@ fn a_record_is_corrected_with_a_reason_and_both_stay() {
     let first = rows(&window)[2].clone();
     window.get_by_label(&first).click();
     window.run();
+    // The Escape that closes a menu closes no record.
+    click(&mut window, Role::Button, "Menu");
+    window.get_by_label("Clear history");
+    press(&mut window, Key::Escape);
+    assert!(window.query_by_label("Clear history").is_none());
+    assert!(window.state().session().records().open.is_some());
     click(&mut window, Role::Button, "Correct…");
+    // What is said of the reason moves nothing.
+    let below = |window: &Harness<'_, App>| {
+        let reason = window.get_by_role_and_label(Role::TextInput, "Reason").rect();
+        window.get_by_role_and_label(Role::CheckBox, "Withdraw the record").rect().top() - reason.top()
+    };
+    let before = below(&window);
     click(&mut window, Role::Button, "Record the correction");
     window.get_by_label("A correction needs a reason");
+    assert!((below(&window) - before).abs() < 0.1, "{} {before}", below(&window));
     click(&mut window, Role::Button, "wrong part");
     let reason = window.get_by_role_and_label(Role::TextInput, "Reason").accesskit_node().value();
     assert_eq!(reason.as_deref(), Some("wrong part"));

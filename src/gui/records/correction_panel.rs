@@ -7,7 +7,7 @@ use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::limits::{feature_id, limits_text, source_ui};
 use crate::gui::section::Section;
 use crate::gui::theme::{self, Icon, control, sizes, space};
-use crate::gui::view::{View, heading, problem, quiet};
+use crate::gui::view::{View, heading, problem, quiet, quiet_height};
 use crate::journal::Record;
 use crate::message::message;
 use crate::session::records::Correcting;
@@ -56,7 +56,12 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     let reason = quiet(ui, view.text("records-page-reason"));
     let width = ui.available_width();
     field_ui(ui, view, RecordsField::Reason, reason.id, FieldStyle::text(width));
-    error_ui(ui, view, RecordsField::Reason);
+    // Its room is kept: a second click hits what the first one did.
+    let room = quiet_height(ui, &view.text("records-page-no-reason"), width);
+    ui.allocate_ui(vec2(width, room), |ui| {
+        ui.set_min_size(vec2(width, room));
+        error_ui(ui, view, RecordsField::Reason);
+    });
     ui.horizontal_wrapped(|ui| {
         for reason in REASONS {
             let text = view.text(reason);
