@@ -462,3 +462,16 @@ fn another_source_takes_nothing_from_an_open_table() {
     session.apply(Command::SetStandard(Options::default()), now());
     assert_eq!(selected(&session), "H7 18 30 +26/0");
 }
+
+/// On some systems `.tab` beside `.TAB` would be another file.
+#[test]
+fn a_table_is_saved_with_the_ending_that_its_file_has() {
+    let mut session = session();
+    made(&mut session, "H7", "30");
+    save(&mut session, 0, "/shop/FIT_HOLE.TAB").unwrap();
+    for (format, proposed) in [(0, "FIT_HOLE.TAB"), (3, "FIT_HOLE.csv")] {
+        session.apply(Command::OpenDialog(Purpose::SaveTable(format)), now());
+        assert_eq!(session.dialog().map(|dialog| dialog.path.as_str()), Some(proposed));
+        session.apply(Command::Close, now());
+    }
+}

@@ -18,11 +18,14 @@ fn renamed(table: &DeviationTable, name: &str) -> DeviationTable {
 }
 
 impl TablesPage {
-    /// The proposed name of a file in a format of the list.
+    /// The proposed name of a file in a format of the list. An ending that the table's file has is written as there: `.tab` beside `.TAB`
+    /// would be a second file on some systems.
     pub(crate) fn file_name(&self, format: usize) -> String {
         let title = self.shown().map_or("", |document| document.title.as_str());
-        let stem = title.rsplit_once('.').map_or(title, |(stem, _)| stem);
-        let ending = TABLE_FORMATS.get(format).and_then(|format| format.endings.first()).copied().unwrap_or("tab");
+        let (stem, own) = title.rsplit_once('.').unwrap_or((title, ""));
+        let endings = TABLE_FORMATS.get(format).map_or(&["tab"][..], |format| format.endings);
+        let is_of_format = endings.iter().any(|ending| ending.eq_ignore_ascii_case(own));
+        let ending = if is_of_format { own } else { endings.first().copied().unwrap_or("tab") };
         format!("{stem}.{ending}")
     }
 
