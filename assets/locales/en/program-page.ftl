@@ -168,6 +168,7 @@ program-page-create-no-folder = { $name } is a file: name a folder
 program-page-contacts-left = The contacts from { $name } belong to the program before: this one measures a perfect workpiece
 program-page-unfinished = Not compared: the program did not come to its end
 program-page-unknown = { $fault }. To run on without it, switch on Options → Skip unknown blocks
+program-page-missing-file = { $fault }. It was looked for in { $folder }, and among the built-in files. Put it there, beside the program, or open the program in the folder that has it
 program-page-unknown-datum = { $fault }. Without its datum nothing is measured. For a trial, open a copy of the program without the block that sets it, and a workpiece seen from that datum
 program-page-not-written = { $path } would be written on the control. Its text stands under Files; on the command line, fitcheck run --output-folder writes it
 program-page-no-verdict = No limits, no verdict

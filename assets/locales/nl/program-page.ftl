@@ -168,6 +168,7 @@ program-page-create-no-folder = { $name } is een bestand: noem een map
 program-page-contacts-left = De meetpunten uit { $name } horen bij het vorige programma: dit meet een perfect werkstuk
 program-page-unfinished = Niet vergeleken: het programma is niet tot zijn einde gekomen
 program-page-unknown = { $fault }. Zet Opties → Onbekende regels overslaan aan om zonder verder te gaan
+program-page-missing-file = { $fault }. Er is gezocht in { $folder } en onder de ingebouwde bestanden. Zet het daar, naast het programma, of open het programma in de map die het bestand heeft
 program-page-unknown-datum = { $fault }. Zonder het nulpunt wordt er niets gemeten. Open voor een proef een kopie van het programma zonder de NC-regel die het zet, en een werkstuk gezien vanuit dat nulpunt
 program-page-not-written = { $path } zou op de besturing worden geschreven. De tekst staat onder Bestanden; op de opdrachtregel schrijft fitcheck run --output-folder het
 program-page-no-verdict = Geen grensmaten, geen oordeel

@@ -1,9 +1,11 @@
 //! Notes about the program, block by block: warnings of the reader, remarks of the run, and the error that ended it.
 
-use fitcheck_core::message::{Message, Say as _, message};
-use fitcheck_nc::machine::{BlockPlace, Fault, FaultKind, Remark};
+use std::path::Path;
 
-use super::ProgramPage;
+use fitcheck_core::message::{Message, Say as _, message};
+use fitcheck_nc::machine::{BlockPlace, Fault, FaultKind, Remark, StoreError};
+
+use super::{Origin, ProgramPage};
 
 /// An error, a warning or a remark.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,9 +28,12 @@ pub enum NoteKind {
     File,
 }
 
-/// An error, and what can be done about it in the window.
-fn fault_message(fault: &Fault) -> Message {
+/// An error, and what can be done about it in the window; `folder` is that of the program.
+fn fault_message(fault: &Fault, folder: Option<&Path>) -> Message {
     match *fault.kind {
+        FaultKind::Store(StoreError::Missing { .. }) if let Some(folder) = folder => {
+            message!("program-page-missing-file").message("fault", fault.message()).text("folder", folder.display())
+        }
         ref kind if kind.is_of_datum() => message!("program-page-unknown-datum").message("fault", fault.message()),
         FaultKind::UnknownCycle { .. } | FaultKind::UnknownBlock => {
             message!("program-page-unknown").message("fault", fault.message())
@@ -46,6 +51,11 @@ fn remark_message(remark: &Remark) -> Message {
 }
 
 impl ProgramPage {
+    /// The folder of the program that was opened, in which it finds other files.
+    fn folder(&self) -> Option<&Path> {
+        if let Some(Origin::File(path)) = &self.origin { path.parent() } else { None }
+    }
+
     /// How many notes there are.
     pub fn note_count(&self) -> usize {
         let run = self.run.as_ref();
@@ -63,7 +73,11 @@ impl ProgramPage {
         let fault = run.and_then(|run| run.fault.as_ref());
         let Some(number) = number.checked_sub(usize::from(fault.is_some())) else {
             let fault = fault?;
-            return Some(Note { kind: NoteKind::Error, place: fault.place.clone(), message: fault_message(fault) });
+            return Some(Note {
+                kind: NoteKind::Error,
+                place: fault.place.clone(),
+                message: fault_message(fault, self.folder()),
+            });
         };
         if let Some((place, remark)) = run.and_then(|run| run.remark(number)) {
             return Some(self.remark_at(place, remark_message(remark)));
