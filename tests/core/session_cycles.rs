@@ -220,6 +220,21 @@ fn a_workpiece_suits_every_cycle() {
 }
 
 #[test]
+fn a_workpiece_that_suits_stands_in_the_middle_of_its_limits() {
+    let hole = ["Q273=50", "Q274=20", "Q262=25", "Q276=25", "Q275=25.021"];
+    let mut session = with(421, &hole);
+    send(&mut session, CyclesCommand::From(ContactsFrom::Simulated));
+    send(&mut session, WorkpieceCommand::Suit);
+    assert_eq!(session.text(WorkpieceField::Diameter), "25.0105");
+    send(&mut session, CyclesCommand::Run);
+    assert_eq!(status(&session), Some(Status::Good));
+    // Limits that the probe would not reach leave the nominal size.
+    fill(&mut session, &["Q276=60", "Q275=61"]);
+    send(&mut session, WorkpieceCommand::Suit);
+    assert_eq!(session.text(WorkpieceField::Diameter), "25");
+}
+
+#[test]
 fn the_measuring_log_is_shown_or_saved_as_q281_asks() {
     let mut session = with(427, &FACE);
     fill(&mut session, &["Q281=0"]);

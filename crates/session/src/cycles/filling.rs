@@ -1,9 +1,11 @@
 //! What fills fields besides typing: another cycle, NC blocks, what was saved; and the workpiece that suits them.
 
+use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _};
 use fitcheck_core::probing::Source;
+use fitcheck_core::probing::cycle::{Axis, Meaning};
 use fitcheck_core::probing::cycles::cycle;
-use fitcheck_core::probing::simulated::{Probe, Simulation};
+use fitcheck_core::probing::simulated::{Probe, Simulation, Surface, Walls, Workpiece};
 use fitcheck_core::words::Dialogue;
 use fitcheck_nc::control::probe_block;
 use fitcheck_nc::machine::alone;
@@ -83,16 +85,45 @@ impl CyclesPage {
         block.map(|block| block.replace("\r\n", "\n")).map_err(|error| error.message())
     }
 
-    /// A workpiece that suits the cycle; where the ball does not fit into it, the probe is a point.
+    /// A workpiece that suits the cycle, its sizes in the middle of their limits as far as the probe meets them there; where the ball does
+    /// not fit into it, the probe is a point.
     pub(crate) fn suited(&self, shared: &Shared) -> Result<Simulation, Message> {
         let nominal = self.cycle.nominal(&self.inputs).map_err(|error| error.message())?;
-        let simulation = shared.workpiece.form.suited(nominal);
-        let point =
-            Simulation { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..simulation.probe }, ..simulation };
         let runs = |simulation: &Simulation| {
             let prober = Source::Simulated(simulation).prober(self.cycle, &self.inputs);
             prober.is_ok_and(|mut prober| self.cycle.measure(&self.inputs, &mut *prober).is_ok())
         };
-        Ok(if !runs(&simulation) && runs(&point) { point } else { simulation })
+        let suited = |surface| {
+            let ball = shared.workpiece.form.suited(surface);
+            let point = Simulation { probe: Probe { ball_radius: 0.0, calibration_error: 0.0, ..ball.probe }, ..ball };
+            if !runs(&ball) && runs(&point) { point } else { ball }
+        };
+        let middle = suited(self.in_the_middle(nominal));
+        Ok(if runs(&middle) { middle } else { suited(nominal) })
+    }
+
+    /// What is measured in the middle of its limits: a size at a limit would scatter beyond it.
+    fn in_the_middle(&self, nominal: Surface) -> Surface {
+        let limit = |meaning| self.cycle.length_of(&self.inputs, meaning).filter(|limit| Length::ZERO < *limit);
+        let middle = |size: f64, minimum, maximum| match (limit(minimum), limit(maximum)) {
+            (Some(minimum), Some(maximum)) => minimum.midpoint(maximum).to_mm_f64(),
+            _ => size,
+        };
+        match nominal {
+            Surface::Round(round, plane) => {
+                let diameter = middle(round.diameter, Meaning::MinimumDiameter, Meaning::MaximumDiameter);
+                Surface::Round(Workpiece { diameter, ..round }, plane)
+            }
+            Surface::Walls(walls) => {
+                let side = |size, axis| middle(size, Meaning::MinimumSide(axis), Meaning::MaximumSide(axis));
+                let (first, second) = walls.lengths;
+                let lengths = match second {
+                    Some(second) => (side(first, Axis::First), Some(side(second, Axis::Second))),
+                    None => (middle(first, Meaning::MinimumWidth, Meaning::MaximumWidth), None),
+                };
+                Surface::Walls(Walls { lengths, ..walls })
+            }
+            Surface::Face(_) | Surface::Point(_) => nominal,
+        }
     }
 }
