@@ -120,7 +120,13 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     });
     let of_file = [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
     for action in of_columns.chain(of_file) {
-        view.field_button(ui, action);
+        if let Some(purpose) = notice.opens.filter(|_| action == WindowAction::OpenWritten) {
+            let page = purpose.page(view.session.page()).unwrap_or(view.session.page());
+            let text = view.words.say(&message!("notice-open-in").text("page", view.text(page.name())));
+            view.button_as(ui, action, Button::new(text).min_size(vec2(0.0, control(ui))));
+        } else {
+            view.field_button(ui, action);
+        }
     }
 }
 

@@ -351,6 +351,7 @@ import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
    *[other] , { $is-again } { $again }
 }, { $is-scrap } { $scrap }
 notice-show = Show
+notice-open-in = Open in { $page }
 judge-unplanned = Open in Check
 sample-not-recorded = A sample is not recorded.
 limits-own-first = First from own tables: { $names }

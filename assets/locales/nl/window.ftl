@@ -351,6 +351,7 @@ import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
    *[other] , { $is-again } { $again }
 }, { $is-scrap } { $scrap }
 notice-show = Tonen
+notice-open-in = Openen op de pagina { $page }
 judge-unplanned = Openen op de pagina Controle
 sample-not-recorded = Een voorbeeld wordt niet vastgelegd.
 limits-own-first = Eerst uit eigen tabellen: { $names }

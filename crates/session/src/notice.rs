@@ -8,6 +8,7 @@ use fitcheck_core::message::Message;
 use super::columns::NoticeColumns;
 use super::history::ChangeId;
 use super::page::Page;
+use super::purpose::Purpose;
 use super::saved::Saved;
 
 /// A notice, shown until it is closed.
@@ -21,6 +22,8 @@ pub struct Notice {
     pub is_problem: bool,
     /// The file that was written.
     pub file: Option<PathBuf>,
+    /// What the window itself opens that file as; without one, its own program opens it.
+    pub opens: Option<Purpose>,
     /// The change of the history that it tells of.
     pub change: Option<ChangeId>,
     /// What was kept before the change of a setting that it tells of.
@@ -45,6 +48,7 @@ impl Notice {
             details: Vec::new(),
             is_problem,
             file: None,
+            opens: None,
             change: None,
             before: None,
             records: false,

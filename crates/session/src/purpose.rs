@@ -314,7 +314,7 @@ impl Purpose {
     }
 
     /// The page that is opened for what is read: `None` where the open one shows it.
-    pub(crate) fn page(self, open: Page) -> Option<Page> {
+    pub fn page(self, open: Page) -> Option<Page> {
         let pages = self.row().pages;
         pages.first().copied().filter(|_| !pages.contains(&open))
     }

@@ -73,8 +73,14 @@ impl Session {
             FilesCommand::ForgetRecent => self.shared.places.forget(),
             FilesCommand::Seen { purpose, path, fate } => self.shared.places.seen(purpose, path, fate),
             FilesCommand::Launch(how) => {
-                let written = self.shared.notices.shown().and_then(|notice| notice.file.clone());
-                return written.map(|path| Effect::Launch(path, how)).into_iter().collect();
+                let Some(notice) = self.shared.notices.shown() else { return Vec::new() };
+                let Some(path) = notice.file.clone() else { return Vec::new() };
+                let Some(purpose) = notice.opens.filter(|_| how == Launch::Open) else {
+                    return vec![Effect::Launch(path, how)];
+                };
+                // What it offered is done, and in sight.
+                self.shared.notices.close();
+                return self.open_file(purpose, path, now);
             }
             FilesCommand::Working(working) => self.shared.working = working,
             FilesCommand::StopWorking => return vec![Effect::StopWorking],

@@ -16,6 +16,7 @@ use fitcheck_nc::sets::{Control, NcSet, SetError, Target, single};
 
 use super::ProgramPage;
 use crate::notice::Notice;
+use crate::purpose::Purpose;
 use crate::shared::Shared;
 
 /// What a set is made of.
@@ -236,7 +237,7 @@ pub(crate) fn written(set: &[PathBuf], folder: &std::path::Path) -> Notice {
     let message = message!("program-page-create-written").count("count", set.len());
     let message = message.text("folder", folder.display()).text("names", names.join(", "));
     // Its first file is the main program.
-    Notice { file: set.first().cloned(), ..Notice::of(message, false) }
+    Notice { file: set.first().cloned(), opens: Some(Purpose::OpenProgram), ..Notice::of(message, false) }
 }
 
 /// Why they were not: a file of that name stands where the folder is to be.
