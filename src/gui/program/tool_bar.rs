@@ -12,6 +12,9 @@ use crate::session::program::{EntryKind, Origin, Speed, State, Switch};
 use crate::session::{FilesCommand, ProgramCommand, Purpose};
 use crate::text::Within as _;
 
+/// The width of the list of programs.
+const CHOICE: f32 = 44.0;
+
 /// The width of the list of places to go to.
 const OUTLINE: f32 = 78.0;
 
@@ -77,23 +80,33 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.text("program-page-choice");
     // Where no program is open, none is chosen.
     let shown = view.session.program().main().map_or("", |document| document.title());
-    let list = list_ui(ui, "program-choice", shown, space(36.0), |ui| {
-        for (language, file) in Shipped::main_programs() {
-            let chosen = view.session.program().origin.as_ref() == Some(&Origin::Shipped(file));
-            let text = format!("{file}, {}", language.name());
-            if ui.selectable_label(chosen, text).clicked() {
-                view.send(ProgramCommand::OpenShipped(file));
-            }
+    let list = |ui: &mut Ui| {
+        let entries = |ui: &mut Ui| programs_ui(ui, view);
+        list_ui(ui, "program-choice", shown, space(CHOICE), entries)
+    };
+    let list = of_width(ui, CHOICE, list).accessible_name(name);
+    // A long name is cut.
+    if !shown.is_empty() {
+        list.on_hover_text(shown);
+    }
+}
+
+/// The programs that can be opened: built-in ones, and those that were opened before.
+fn programs_ui(ui: &mut Ui, view: &mut View<'_>) {
+    for (language, file) in Shipped::main_programs() {
+        let chosen = view.session.program().origin.as_ref() == Some(&Origin::Shipped(file));
+        let text = format!("{file}, {}", language.name());
+        if ui.selectable_label(chosen, text).clicked() {
+            view.send(ProgramCommand::OpenShipped(file));
         }
-        for (number, path) in view.session.recent_of(Purpose::OpenProgram) {
-            let is_open = matches!(view.session.program().origin.as_ref(), Some(Origin::File(open)) if open == path);
-            if ui.selectable_label(is_open, path.display().to_string()).clicked() {
-                // It may have changed.
-                view.send(FilesCommand::OpenRecent(number));
-            }
+    }
+    for (number, path) in view.session.recent_of(Purpose::OpenProgram) {
+        let is_open = matches!(view.session.program().origin.as_ref(), Some(Origin::File(open)) if open == path);
+        if ui.selectable_label(is_open, path.display().to_string()).clicked() {
+            // It may have changed.
+            view.send(FilesCommand::OpenRecent(number));
         }
-    });
-    list.accessible_name(name);
+    }
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
