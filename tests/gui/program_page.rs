@@ -228,6 +228,44 @@ fn a_scrap_workpiece_is_scrap_in_both_answers() {
 }
 
 #[test]
+fn six_parameters_are_in_sight_and_signs_stand_in_the_middle_of_their_rows() {
+    for language in Language::all() {
+        let mut page = open(Window { size: DESK, language, ..Window::default() });
+        press(&mut page, Key::F5);
+        press(&mut page, Key::F5);
+        let is_value =
+            |label: Option<String>| label.is_some_and(|label| label.starts_with('Q') && label.contains(" = "));
+        let rows: Vec<Rect> = page
+            .query_all_by(|node| node.role() == Role::Label && is_value(node.value()))
+            .map(|node| node.rect())
+            .filter(|row| row.bottom() <= DESK.y - 16.0)
+            .collect();
+        assert!(6 <= rows.len(), "{language:?}: {rows:?}");
+        let signs = page.query_all_by(|node| {
+            let is_sign = node.label().is_some_and(|label| label.contains(" Q") && !label.starts_with('Q'));
+            node.role() == Role::Button && is_sign
+        });
+        let signs: Vec<Rect> = signs.map(|node| node.rect()).filter(|sign| DESK.x * 0.9 < sign.left()).collect();
+        let has_sign = |row: &Rect| signs.iter().any(|sign| (row.center().y - sign.center().y).abs() < 0.1);
+        assert!(rows.iter().all(has_sign), "{language:?}: {rows:?} {signs:?}");
+    }
+}
+
+#[test]
+fn the_buttons_stand_still_whatever_the_program_is_called() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = page();
+    let before = page.get_by_role_and_label(Role::Button, "Reset").rect();
+    let long = program(folder.path(), "a_program_with_a_very_long_name_indeed.h", "CALL PGM none.h");
+    open_file(&mut page, &long);
+    assert_eq!(page.get_by_role_and_label(Role::Button, "Reset").rect(), before);
+    // What is not found says where it was looked for, and what helps.
+    press(&mut page, Key::F5);
+    let looked = format!("file not found: TNC:\\none.h. It was looked for in {}", folder.path().display());
+    page.get_by_label_contains(&looked);
+}
+
+#[test]
 fn the_simulated_workpiece_is_that_of_the_cycles_page() {
     let mut page = page();
     click(&mut page, Role::ComboBox, "Workpiece");
@@ -718,8 +756,11 @@ fn a_set_for_a_control_is_created_from_the_callout_and_asks_before_it_replaces()
     into_folder(&mut page, &set);
     click(&mut page, Role::Button, "Replace");
     assert_eq!(std::fs::read_to_string(set.join("FIT_MAIN.H")).unwrap(), main);
-    // What was written runs.
-    open_file(&mut page, &set.join("FIT_MAIN.H"));
+    // What was written is opened here, and runs.
+    let notices = page.state().session().notices().len();
+    click(&mut page, Role::Button, "Open in Programs");
+    assert_eq!(page.state().session().program().main().map(|main| main.title()), Some("FIT_MAIN.H"));
+    assert_eq!(page.state().session().notices().len() + 1, notices, "what it offered is done");
     press(&mut page, Key::F5);
     says(&page, "GOOD");
 }

@@ -108,11 +108,15 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
             // The parameters keep a share of the height whatever is above them, before and after a result.
             let height = ui.available_height();
-            let sizes = ((size.y * 0.26).max(space(44.0)), space(32.0)..=(height * 0.8).max(space(44.0)));
+            let rows = if low { 0.0 } else { watch_panel::usual_height(ui).min(height * 0.6) };
+            let usual = (size.y * 0.26).max(space(44.0)).max(rows);
+            let sizes = (usual, space(32.0)..=(height * 0.8).max(space(44.0)));
             panel_ui(ui, view, Side::Bottom, "program-watch", sizes, watch_panel::watch_ui);
             // On the parameters, so that it stays where it is whatever a run finds.
             if !has_card && !low {
-                bar_ui(ui, view, Side::Bottom, "program-create", create_panel::button_ui);
+                let below = Panel::bottom("program-create").resizable(false).show_separator_line(false);
+                let below = below.frame(Frame::new().inner_margin(Side::Bottom.gap()));
+                below.show(ui, |ui| create_panel::button_ui(ui, view));
             }
             rest_ui(ui, view, |ui, view| {
                 column_ui(ui, "program-answers", |ui| answer_panel::answer_ui(ui, view));

@@ -5,6 +5,8 @@ use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::control::variables::Value;
+use crate::gui::card::page_frame;
+use crate::gui::columns::GAP;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
@@ -14,6 +16,17 @@ use crate::session::ProgramAction;
 use crate::session::program::{Name, Watched};
 use crate::session::{ProgramCommand, ProgramField};
 use crate::text::Within as _;
+
+/// The height of a parameter, and how many are in sight where there is room.
+const ROW: f32 = 7.0;
+const ROWS: f32 = 6.0;
+
+/// The height of the panel with that many of them below its two rows of fields.
+pub(super) fn usual_height(ui: &Ui) -> f32 {
+    let fields = 2.0 * (control(ui) + space(1.0));
+    let edges = page_frame(ui).total_margin().sum().y + f32::from(GAP);
+    (fields + space(ROW) * ROWS + edges).ceil()
+}
 
 /// The panel's content.
 pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -32,9 +45,11 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.text(id));
         return;
     }
-    let height = space(7.0);
+    let height = space(ROW);
     ui.spacing_mut().item_spacing.y = 0.0;
     ScrollArea::vertical().id_salt("watch").auto_shrink(false).show_rows(ui, height, watched.len(), |ui, rows| {
+        // A row is lower than what is pressed elsewhere; a sign stands in its middle.
+        ui.spacing_mut().interact_size.y = 0.0;
         for watched in watched.within(rows) {
             row_ui(ui, view, watched, height);
         }
