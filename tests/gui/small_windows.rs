@@ -14,13 +14,15 @@ use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
 use fitcheck::gui::journal::Records;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
-use fitcheck::session::{CheckCommand, CheckField, Command, Density, Field, Page, PartsCommand, Recorded, Theme};
+use fitcheck::session::{
+    Action, CheckAction, CheckCommand, CheckField, Command, Density, Field, Page, PartsCommand, Recorded, Theme,
+};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
 
 use crate::fake_journal::Fake;
-use crate::harness::{Window, click, nowhere, verdict};
+use crate::harness::{Window, click, nowhere, rows, verdict};
 
 const SMALL: Vec2 = vec2(800.0, 600.0);
 const SMALL_DESK: Vec2 = vec2(1024.0, 768.0);
@@ -255,4 +257,23 @@ fn a_notice_leaves_the_rail_below_the_page_free() {
     let lowest = undo.fold(0.0, f32::max);
     let rail = window.query_all_by_label("Settings").map(|node| node.rect().top()).fold(0.0, f32::max);
     assert!(1_000.0 < lowest && lowest < rail, "the notice ends at {lowest}, the rail begins at {rail}");
+}
+
+/// Titles, filter and buttons of the history take one line, so that rows stay in sight.
+#[test]
+fn the_tools_of_the_history_stay_in_one_line() {
+    for language in Language::all() {
+        let mut window = open(SMALL_DESK, language);
+        for value in ["25.012", "25.030", "24.998", "25.031"] {
+            measured(&mut window, value);
+        }
+        let only_bad = Action::from(CheckAction::OnlyBad).command(window.state().session()).unwrap();
+        send(&mut window, only_bad);
+        let words = Words::new(language);
+        let only_bad = window.get_by_role_and_label(Role::CheckBox, &words.get("history-only-bad")).rect();
+        let correct = window.get_by_role_and_label(Role::Button, &words.get("records-page-correct")).rect();
+        assert!(only_bad.y_range().contains(correct.center().y), "{language:?}: {only_bad:?} {correct:?}");
+        assert!(2 <= rows(&window).len(), "{language:?}: {:?}", rows(&window));
+        paint(&mut window, &format!("history {language:?}"));
+    }
 }

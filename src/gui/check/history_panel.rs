@@ -2,13 +2,13 @@
 //! ones.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Button, Color32, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use super::history_list::{self, list_ui};
 use super::rows_panel;
 use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::shapes::{self, Edge};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
 use crate::gui::top_bar::export_ui;
 use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, heading, quiet, remembered};
@@ -55,16 +55,18 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
     ui.horizontal_wrapped(|ui| {
         rows_panel::switch_ui(ui, view);
         title_ui(ui, view, can_fold);
-        count_ui(ui, view);
+        let short = Short::of(ui, view);
+        if short < Short::Count {
+            quiet(ui, count_text(view));
+        }
         if !view.session.history().is_empty() {
             ui.separator();
-            filter_ui(ui, view);
+            filter_ui(ui, view, short);
             view.checkbox(ui, CheckAction::OnlyBad);
-            theme::looking(ui, theme::tonal, |ui| ui.menu_button(view.text("export"), |ui| export_ui(ui, view)));
-            if view.session.recording().is_on() {
-                view.button(ui, CheckAction::CorrectCheck);
+            tools_ui(ui, view, short);
+            if let Some(chosen) = chosen_text(view) {
+                quiet(ui, chosen);
             }
-            chosen_ui(ui, view);
         }
     });
     if view.session.history().is_empty() {
@@ -75,32 +77,104 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
 }
 
 /// How many checks there are, and how many of them are listed.
-fn count_ui(ui: &mut Ui, view: &View<'_>) {
+fn count_text(view: &View<'_>) -> String {
     let history = view.session.history();
     let shown = history.listed().count();
     let count = history.len();
     let said = if shown == count { "history-count" } else { "history-shown" };
-    quiet(ui, view.words.say(&Message::new(said).count("shown", shown).count("count", count)));
+    view.words.say(&Message::new(said).count("shown", shown).count("count", count))
+}
+
+/// What is left of the tools where their line is short: one after the other becomes a sign, and at last the count goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Short {
+    Nothing,
+    Correct,
+    Filter,
+    Export,
+    Count,
+}
+
+impl Short {
+    const ALL: [Self; 5] = [Self::Nothing, Self::Correct, Self::Filter, Self::Export, Self::Count];
+
+    /// The first that fits into what is left of the line.
+    fn of(ui: &Ui, view: &View<'_>) -> Self {
+        let room = ui.available_size_before_wrap().x;
+        Self::ALL.into_iter().find(|short| short.width(ui, view) <= room).unwrap_or(Self::Count)
+    }
+
+    /// The width of the filter.
+    fn filter(self) -> f32 {
+        space(if self < Self::Filter { 40.0 } else { 24.0 })
+    }
+
+    /// How wide everything behind the title is.
+    fn width(self, ui: &Ui, view: &View<'_>) -> f32 {
+        let wide = |text: String, size: f32| {
+            ui.painter().layout_no_wrap(text, theme::font(size), Color32::PLACEHOLDER).size().x
+        };
+        let body = |id: &str| wide(view.text(id), sizes().body);
+        let padded = |width: f32| width + 2.0 * ui.spacing().button_padding.x;
+        let sign = space(5.0);
+        let filter = if self < Self::Filter { body("history-filter") } else { sign };
+        let check = ui.spacing().icon_width + ui.spacing().icon_spacing + body("history-only-bad");
+        let export = padded(if self < Self::Export { body("export") } else { sign });
+        let words = view.width_of(ui, &[CheckAction::CorrectCheck]);
+        let correct = if self < Self::Correct { words } else { padded(sign).max(control(ui)) };
+        let correct = view.session.recording().is_on().then_some(correct);
+        let count = (self < Self::Count).then(|| wide(count_text(view), sizes().small));
+        let chosen = chosen_text(view).map(|chosen| wide(chosen, sizes().small));
+        // A separator is so wide.
+        let all = [Some(6.0), Some(filter), Some(self.filter()), Some(check), Some(export), correct, count, chosen];
+        all.into_iter().flatten().map(|width| width + ui.spacing().item_spacing.x).sum()
+    }
+}
+
+/// What can be done with the checks: in words, or in signs where there is no room.
+fn tools_ui(ui: &mut Ui, view: &mut View<'_>, short: Short) {
+    let name = view.text("export");
+    let shown =
+        if short < Short::Export { RichText::new(&name) } else { Icon::DotsThree.text(Weight::Bold, space(5.0)) };
+    let menu = theme::looking(ui, theme::tonal, |ui| ui.menu_button(shown, |ui| export_ui(ui, view)).response);
+    menu.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    if Short::Export <= short {
+        menu.on_hover_text(name);
+    }
+    if view.session.recording().is_on() {
+        if short < Short::Correct {
+            view.button(ui, CheckAction::CorrectCheck);
+        } else {
+            view.icon_button(ui, CheckAction::CorrectCheck, Icon::PencilSimple);
+        }
+    }
 }
 
 /// How many are chosen for export, and whether some of them are not in sight.
-fn chosen_ui(ui: &mut Ui, view: &View<'_>) {
+fn chosen_text(view: &View<'_>) -> Option<String> {
     let history = view.session.history();
     if history.chosen_count() == 0 {
-        return;
+        return None;
     }
     let mut said = view.words.say(&message!("history-chosen").count("count", history.chosen_count()));
     if 0 < history.hidden_count() {
         let hidden = message!("history-hidden").count("hidden", history.hidden_count());
         said = format!("{said}, {}", view.words.say(&hidden));
     }
-    quiet(ui, said);
+    Some(said)
 }
 
 /// The filter; Escape empties it and goes to the list.
-fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let name = ui.label(view.text("history-filter"));
-    let look = FieldStyle::text(space(40.0));
+fn filter_ui(ui: &mut Ui, view: &mut View<'_>, short: Short) {
+    let text = view.text("history-filter");
+    let name = if short < Short::Filter {
+        ui.label(text)
+    } else {
+        let sign = ui.label(Icon::FunnelSimple.text(Weight::Regular, space(5.0)));
+        sign.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
+        sign
+    };
+    let look = FieldStyle::text(short.filter());
     let filter = field_ui(ui, view, CheckField::HistoryFilter, name.id, look);
     let left = filter.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     // A notice over the page takes Escape first.
