@@ -28,7 +28,8 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
             let is_escape = shortcut.key == Key::Escape;
             // The Escape that closes a list or a menu does nothing else, and a key that is held answers no question.
             let is_of_list = is_escape && has_list;
-            if !is_of_list && !(*action == PartsAction::NextPart.into() && is_repeated(event)) {
+            let is_held = *action == PartsAction::NextPart.into() && is_repeated(event);
+            if !is_of_list && !is_held {
                 pressed.push(*action);
             }
             is_escape

@@ -33,7 +33,10 @@ fn a_hole_too_small_is_rework_with_the_amount_to_remove() {
 fn a_hole_too_large_is_scrap() {
     let mut window = window();
     check(&mut window, "25 H7", "25.030");
-    assert_eq!(verdict(&window), "SCRAP. 25.030 mm. Set the part aside. No material can be put back. 9 µm above maximum");
+    assert_eq!(
+        verdict(&window),
+        "SCRAP. 25.030 mm. Set the part aside. No material can be put back. 9 µm above maximum"
+    );
 }
 
 #[test]

@@ -759,7 +759,10 @@ fn a_set_for_a_control_is_created_from_the_callout_and_asks_before_it_replaces()
     // What was written is opened here, and runs.
     let notices = page.state().session().notices().len();
     click(&mut page, Role::Button, "Open in Programs");
-    assert_eq!(page.state().session().program().main().map(|main| main.title()), Some("FIT_MAIN.H"));
+    assert_eq!(
+        page.state().session().program().main().map(fitcheck::session::program::Document::title),
+        Some("FIT_MAIN.H")
+    );
     assert_eq!(page.state().session().notices().len() + 1, notices, "what it offered is done");
     press(&mut page, Key::F5);
     says(&page, "GOOD");

@@ -123,30 +123,33 @@ fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
             });
         });
     }
-    CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
-        if !low && path_panel::has_room(view) {
-            // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
-            let height = (ui.available_height() * 0.36).max(notes_panel::least(ui));
-            let below = Panel::bottom("program-path").exact_size(height).show_separator_line(false);
-            below.frame(Frame::new().inner_margin(Side::Bottom.gap())).show(ui, |ui| {
-                if 0 < view.session.program().note_count() {
-                    let half = ui.available_width() * 0.5;
-                    let notes = Panel::left("program-notes").exact_size(half).show_separator_line(false);
-                    let notes = notes.frame(Frame::new().inner_margin(Side::Left.gap()));
-                    notes.show(ui, |ui| close_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
-                }
-                let rest = CentralPanel::default().frame(Frame::NONE);
-                rest.show(ui, |ui| close_card_ui(ui, |ui| path_panel::path_ui(ui, view)));
-            });
-        } else if let Some(height) = notes_panel::height(ui, view) {
-            let notes = Panel::bottom("program-notes-below").exact_size(height).show_separator_line(false);
-            let notes = notes.frame(Frame::new().inner_margin(Side::Bottom.gap()));
-            notes.show(ui, |ui| close_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
-        }
-        let rest = CentralPanel::default().frame(Frame::NONE);
-        rest.show(ui, |ui| close_card_ui(ui, |ui| listing::listing_ui(ui, view)));
-    });
+    CentralPanel::default().frame(Frame::NONE).show(ui, |ui| listed_ui(ui, view, low));
     workpiece_window::workpiece_ui(ui, view);
+}
+
+/// The program, and below it the path and the notes; where the window is low, the notes alone.
+fn listed_ui(ui: &mut Ui, view: &mut View<'_>, low: bool) {
+    if !low && path_panel::has_room(view) {
+        // Of one height whatever a run finds: notes stand beside the path, and the listing does not move.
+        let height = (ui.available_height() * 0.36).max(notes_panel::least(ui));
+        let below = Panel::bottom("program-path").exact_size(height).show_separator_line(false);
+        below.frame(Frame::new().inner_margin(Side::Bottom.gap())).show(ui, |ui| {
+            if 0 < view.session.program().note_count() {
+                let half = ui.available_width() * 0.5;
+                let notes = Panel::left("program-notes").exact_size(half).show_separator_line(false);
+                let notes = notes.frame(Frame::new().inner_margin(Side::Left.gap()));
+                notes.show(ui, |ui| close_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
+            }
+            let rest = CentralPanel::default().frame(Frame::NONE);
+            rest.show(ui, |ui| close_card_ui(ui, |ui| path_panel::path_ui(ui, view)));
+        });
+    } else if let Some(height) = notes_panel::height(ui, view) {
+        let notes = Panel::bottom("program-notes-below").exact_size(height).show_separator_line(false);
+        let notes = notes.frame(Frame::new().inner_margin(Side::Bottom.gap()));
+        notes.show(ui, |ui| close_card_ui(ui, |ui| notes_panel::notes_ui(ui, view)));
+    }
+    let rest = CentralPanel::default().frame(Frame::NONE);
+    rest.show(ui, |ui| close_card_ui(ui, |ui| listing::listing_ui(ui, view)));
 }
 
 /// The page opens ready for typing, or for walking through the program where it has no inputs.

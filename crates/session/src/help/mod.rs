@@ -98,6 +98,7 @@ impl HelpPlace {
 }
 
 /// The state of the help page.
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the page")]
 #[derive(Debug)]
 pub struct HelpPage {
     /// What is searched for.
