@@ -34,7 +34,7 @@ pairing-page-groups-hint = Number of groups of equal width into which the parts 
 pairing-page-do-wanted = Type the wanted clearance or a fit.
 pairing-page-do-holes = Open the measured holes, or take them from the history.
 pairing-page-do-shafts = Open the measured shafts, or take them from the history.
-pairing-page-about = Fitcheck makes as many pairs as possible within the wanted clearance. Of all ways to do so, it takes those whose worst pair is closest to the middle and, of these, the one with the least sum of squared distances from the middle. Names and measured sizes are enough. Files can also be dropped here, the holes first.
+pairing-page-about = Fitcheck makes as many pairs as possible within the wanted clearance. Of all ways to do so, it takes the one with the least sum of squared distances from the middle. Names and measured sizes are enough. Files can also be dropped here, the holes first.
 pairing-page-no-side = { $name } is not opened: there are holes and shafts already. Open it as holes or as shafts.
 pairing-page-none-in-history = The history has no checks of { $feature ->
         [hole] holes

@@ -34,7 +34,7 @@ pairing-page-groups-hint = In hoeveel groepen van gelijke breedte de onderdelen 
 pairing-page-do-wanted = Vul de gewenste speling of een passing in.
 pairing-page-do-holes = Open de gemeten boringen, of neem ze over uit de geschiedenis.
 pairing-page-do-shafts = Open de gemeten assen, of neem ze over uit de geschiedenis.
-pairing-page-about = Fitcheck maakt zo veel mogelijk paren binnen de gewenste speling. Van alle mogelijkheden neemt het die waarvan het slechtste paar het dichtst bij het midden ligt, en daarvan die met de kleinste som van de gekwadrateerde afstanden tot het midden. Namen en gemeten maten zijn genoeg. Bestanden kunnen ook hierheen worden gesleept, de boringen eerst.
+pairing-page-about = Fitcheck maakt zo veel mogelijk paren binnen de gewenste speling. Van alle mogelijkheden neemt het die met de kleinste som van de gekwadrateerde afstanden tot het midden. Namen en gemeten maten zijn genoeg. Bestanden kunnen ook hierheen worden gesleept, de boringen eerst.
 pairing-page-no-side = { $name } is niet geopend: er zijn al boringen en assen. Open het bestand als boringen of als assen.
 pairing-page-none-in-history = De geschiedenis heeft geen controles van { $feature ->
         [hole] boringen

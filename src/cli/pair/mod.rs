@@ -81,9 +81,9 @@ The columns are found as fitcheck import finds them; only names and measured siz
 callout only says hole or shaft, if it can be read: a shaft among the holes is refused. In a file
 without a header, names must not be numbers, or the rows are read as contacts.
 
-Fitcheck makes as many pairs as possible. Of all ways to do so, it takes those with the narrowest
-band around the middle of the wanted clearances and, of these, the one with the least sum of squared
-distances from the middle. Parts of equal size are taken in the order of their file.
+Fitcheck makes as many pairs as possible. Of all ways to do so, it takes the one with the least sum
+of squared distances from the middle of the wanted clearances. Parts of equal size are taken in the
+order of their file.
 
 --classes: a size at the end of a group belongs to the next group; the last group includes both ends.
 Clearances of a group are those that its measured parts can have. At most {MOST_GROUPS} groups.

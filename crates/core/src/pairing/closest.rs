@@ -1,4 +1,4 @@
-//! Of all ways to make the most pairs within a band, the one with the least sum of squared distances from its middle.
+//! Of all ways to make the most pairs within bounds, the one with the least sum of squared distances from their middle.
 //!
 //! Put the holes on a line, and the shafts too, moved up by the middle clearance. How far a pair is from the middle is then how far
 //! apart its two parts are on the line. Some best answer has no leftover between the parts of a pair, as that leftover would be at

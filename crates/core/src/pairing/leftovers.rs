@@ -3,7 +3,8 @@
 //! Shafts made smaller by an amount and holes made larger by it have the same clearances, so one answer holds for both. The pairs
 //! that are made stay as they are: only leftovers go with leftovers, in the same way as the pairs before them.
 
-use super::matching::{best, count};
+use super::closest::closest;
+use super::matching::count;
 use super::wanted::Window;
 use super::{Pair, PairClearances, Pairing};
 use crate::length::Length;
@@ -112,6 +113,6 @@ impl<'a> Ground<'a> {
                 clearance: Length::from_nanometres(apart + self.amount).ok()?,
             })
         };
-        best(holes, self.shafts, self.window).iter().filter_map(pair).collect()
+        closest(holes, self.shafts, self.window).iter().filter_map(pair).collect()
     }
 }

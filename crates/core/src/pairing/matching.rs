@@ -1,11 +1,9 @@
-//! As many pairs as possible, in the narrowest band around the middle of what is wanted, and of these the closest ones.
+//! As many pairs as possible, and of all ways to make as many, the one with the least sum of squared distances from the middle.
 //!
 //! The shafts that fit a hole are those from `hole − maximum` to `hole − minimum`: an interval of sizes, and both ends rise with
 //! the hole. So the greedy walk in order of size finds as many pairs as there can be: each hole, from the smallest,
-//! takes the smallest shaft that is left and fits. Exchanging partners of any other matching turns it into this one.
-//!
-//! The same walk with narrower clearances tells the narrowest band around the middle that still has as many pairs; the band
-//! is found by halving. Which of the parts go together within it is `closest`.
+//! takes the smallest shaft that is left and fits. Exchanging partners of any other matching turns it into this one. Which of the
+//! parts go together is `closest`.
 
 use super::PairClearances;
 use super::closest::closest;
@@ -36,8 +34,8 @@ pub struct Pairing {
     pub shafts: Vec<usize>,
 }
 
-/// The most pairs of holes and shafts with a wanted clearance, in the narrowest band around its middle, and of all ways to
-/// pair as many within that band, the one with the least sum of squared distances from the middle.
+/// The most pairs of holes and shafts with a wanted clearance, and of all ways to pair as many, the one with the least sum of
+/// squared distances from its middle.
 ///
 /// Which of several such ways is taken follows from the sizes alone; of parts of equal size, those that were given first.
 ///
@@ -56,7 +54,7 @@ pub fn pair(holes: &[Length], shafts: &[Length], wanted: PairClearances) -> Pair
     let sorted_shafts = Sorted::of(shafts);
     let holes = &sorted_holes.sizes;
     let shafts = &sorted_shafts.sizes;
-    let found = best(holes, shafts, Window::of(wanted));
+    let found = closest(holes, shafts, Window::of(wanted));
     let pairs: Vec<Pair> = found
         .iter()
         .filter_map(|&(hole, shaft)| {
@@ -96,27 +94,6 @@ impl Sorted {
         let ranked = (0..).zip(&self.positions);
         ranked.filter(|(rank, _)| taken.next_if_eq(rank).is_none()).map(|(_, position)| *position).collect()
     }
-}
-
-/// The pairs as ranks, in order of size; both lists are in ascending order.
-pub(super) fn best(holes: &[Length], shafts: &[Length], window: Window) -> Vec<(usize, usize)> {
-    closest(holes, shafts, narrowest(holes, shafts, window))
-}
-
-/// The narrowest band of clearances around the middle of the window with as many pairs as the window has.
-fn narrowest(holes: &[Length], shafts: &[Length], window: Window) -> Window {
-    let most = count(holes, shafts, window);
-    let mut too_narrow = -1;
-    let mut enough = window.high - window.low;
-    while too_narrow + 1 < enough {
-        let band = too_narrow.midpoint(enough);
-        if count(holes, shafts, window.around_middle(band)) == most {
-            enough = band;
-        } else {
-            too_narrow = band;
-        }
-    }
-    window.around_middle(enough)
 }
 
 /// The most pairs there can be: a greedy walk over sizes in ascending order.

@@ -4,8 +4,8 @@
 //! |---|---|
 //! | here | the wanted clearances |
 //! | `wanted` | those that a search may choose from |
-//! | `matching` | as many pairs as possible, in the narrowest band around the middle |
-//! | `closest` | of these the ones closest to the middle |
+//! | `matching` | as many pairs as possible |
+//! | `closest` | of all ways to make as many, the one closest to the middle |
 //! | `groups` | sorting into groups of equal width, for those who assemble from bins |
 //! | `leftovers` | the amount of grinding that saves most of what is left over |
 //!

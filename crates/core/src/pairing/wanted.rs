@@ -13,12 +13,4 @@ impl Window {
     pub(super) const fn of(wanted: PairClearances) -> Self {
         Self { low: wanted.minimum().nanometres(), high: wanted.maximum().nanometres() }
     }
-
-    /// What of these clearances lies in a band of this width around their middle.
-    pub(super) const fn around_middle(self, band: i64) -> Self {
-        let Self { low, high } = self;
-        // Ends of the band on a half nanometre: inwards, where the last whole one is.
-        let inwards = (high - low - band).div_euclid(2) + (high - low - band).rem_euclid(2);
-        Self { low: low + inwards, high: high - inwards }
-    }
 }
