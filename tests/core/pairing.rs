@@ -202,7 +202,7 @@ fn bores_and_shafts_of_a_lot_are_paired_closest_to_the_middle() {
 
 #[test]
 fn the_least_sum_of_squares_is_taken() {
-    // The last pair is at the end of the band, whatever the others do.
+    // The last pair is at the end of what is wanted, whatever the others do.
     check(&[30, 100], &[2, 9, 12, 70], (10, 30), &[(30, 9), (100, 70)]);
     check(&[100, 110, 1_000], &[80, 83, 96, 970], (10, 30), &[(100, 80), (110, 96), (1_000, 970)]);
     // One pair at 5 from the middle and one at none are better than two at 4.
