@@ -133,10 +133,9 @@ impl View<'_> {
         }
         // A key that is held on a button answers no question either.
         if response.clicked() && !(action == PartsAction::NextPart.into() && is_held(ui)) {
-            if self.session.answers().contains(&action) {
-                self.send(Command::Answer(action));
-            } else {
-                self.act(action);
+            match self.session.answers().iter().position(|answer| *answer == action) {
+                Some(place) => self.send(Command::Answer(place)),
+                None => self.act(action),
             }
         }
         response

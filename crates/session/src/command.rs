@@ -47,8 +47,8 @@ macro_rules! command {
             GoTo(Field),
             /// Enter was pressed in a field: does what it is for there, or gives the highlighted answer to what is asked.
             Enter(Field),
-            /// The button of an answer to what is asked was pressed.
-            Answer(crate::Action),
+            /// The button of an answer to what is asked was pressed; the number is its place among the answers.
+            Answer(usize),
             /// Shows or hides the keypad.
             ShowKeypad(bool),
             /// Changes the language of the window.

@@ -377,9 +377,10 @@ impl Session {
         if let Command::Enter(field) = command {
             return self.enter(field, now);
         }
-        if let Command::Answer(action) = command {
+        if let Command::Answer(place) = command {
             // The second click of two comes where the answer has just appeared.
-            let command = if self.asking.is_in_passing(now) { None } else { action.command(self) };
+            let answer = self.answers().get(place).copied().filter(|_| !self.asking.is_in_passing(now));
+            let command = answer.and_then(|action| action.command(self));
             return command.map_or_else(Vec::new, |command| self.apply(command, now));
         }
         let was_asking = !self.answers().is_empty();
