@@ -51,6 +51,12 @@ impl RailShape {
     }
 }
 
+/// How much of the window's width the rail takes.
+pub(super) fn rail_width(ui: &Ui) -> f32 {
+    let shape = RailShape::of(ui);
+    if shape == RailShape::Below { 0.0 } else { shape.width() }
+}
+
 pub(super) fn rail_ui(ui: &mut Ui, view: &mut View<'_>) {
     let shape = RailShape::of(ui);
     let frame = Frame::new().fill(palette(ui.ctx()).canvas.0);

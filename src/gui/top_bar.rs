@@ -4,12 +4,14 @@ use std::path::Path;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Frame, Id, Margin, Panel, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, Frame, Id, Margin, Panel, Rangef, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    vec2,
 };
 
 use super::check::grouped;
 use super::key_names::told;
 use super::pages::page_of;
+use super::rail::rail_width;
 use super::records;
 use super::segments::segments_ui;
 use super::shapes::times;
@@ -47,14 +49,18 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     let palette = palette(ui.ctx());
     let is_low = ui.ctx().content_rect().height() < space(120.0);
     let height = if is_low { control(ui) + space(1.0) } else { space(13.0).max(control(ui) + space(2.0)) };
-    let frame = Frame::new().fill(palette.surface.0).inner_margin(Margin::symmetric(if is_low { 8 } else { 16 }, 0));
+    let margin: i8 = if is_low { 8 } else { 16 };
+    let frame = Frame::new().fill(palette.surface.0).inner_margin(Margin::symmetric(margin, 0));
+    // From the rail to the edge of the window, whatever stands in the bar and however much of it that wants.
+    let window = ui.ctx().content_rect();
+    let across = Rangef::new(window.left() + rail_width(ui), window.right()).shrink(margin.into());
     Panel::top("top").resizable(false).exact_size(height).frame(frame).show(ui, |ui| {
-        ui.horizontal_centered(|ui| bar_ui(ui, view));
+        ui.horizontal_centered(|ui| bar_ui(ui, view, across));
     });
 }
 
-fn bar_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let bar = ui.max_rect();
+fn bar_ui(ui: &mut Ui, view: &mut View<'_>, across: Rangef) {
+    let bar = Rect::from_x_y_ranges(across, ui.max_rect().y_range());
     let page = WindowAction::Open(view.session.page()).text(view.session, view.words);
     ui.label(RichText::new(page).font(theme::bold(sizes().title)));
     if has_sides(ui) {

@@ -426,3 +426,29 @@ fn the_field_of_the_value_stands_still_whatever_the_callout_says() {
         assert_eq!(top(&window), first, "{callout}");
     }
 }
+
+#[test]
+fn the_search_field_stays_in_the_middle_of_the_bar() {
+    let mut window = Window { size: eframe::egui::vec2(1920.0, 1080.0), ..Window::default() }.open();
+    let middle = |window: &Harness<'_, App>| {
+        let rail = window.get_all_by_role_and_label(Role::Button, "Check").map(|node| node.rect().right());
+        let field = window.get_by_role_and_label(Role::Button, "Search or do anything").rect();
+        let bar = f32::midpoint(rail.fold(0.0, f32::max), 1920.0);
+        (field.center().x - bar).round()
+    };
+    assert_eq!(middle(&window), 0.0);
+    check(&mut window, "25 H7", "25.012");
+    let ctx = window.ctx.clone();
+    for rule in fitcheck::verdict::rules::RuleName::ALL {
+        window.state_mut().send(&ctx, CheckCommand::UseRule(rule).into());
+        for frame in 0..4 {
+            window.step();
+            assert_eq!(middle(&window), 0.0, "{rule:?}, frame {frame}");
+        }
+    }
+    for page in Page::ALL {
+        window.state_mut().send(&ctx, Command::OpenPage(page));
+        window.step();
+        assert_eq!(middle(&window), 0.0, "{page:?}");
+    }
+}
