@@ -242,7 +242,7 @@ fn six_parameters_are_in_sight_and_signs_stand_in_the_middle_of_their_rows() {
             .collect();
         assert!(6 <= rows.len(), "{language:?}: {rows:?}");
         let signs = page.query_all_by(|node| {
-            let is_sign = node.label().is_some_and(|label| label.contains(" Q") && !label.starts_with('Q'));
+            let is_sign = node.label().is_some_and(|label| label.contains('Q'));
             node.role() == Role::Button && is_sign
         });
         let signs: Vec<Rect> = signs.map(|node| node.rect()).filter(|sign| DESK.x * 0.9 < sign.left()).collect();

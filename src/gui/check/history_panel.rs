@@ -24,6 +24,9 @@ const LAST: usize = 4;
 /// The room that one of them and the number of checks need: a measured one, and a simulated one, which says so.
 const LEAST: [f32; 2] = [56.0, 84.0];
 
+/// From this height on the tools may take another line.
+const HIGH: f32 = 50.0;
+
 fn unfolded_id() -> Id {
     Id::unique("history-unfolded")
 }
@@ -98,9 +101,12 @@ enum Short {
 impl Short {
     const ALL: [Self; 5] = [Self::Nothing, Self::Correct, Self::Filter, Self::Export, Self::Count];
 
-    /// The first that fits into what is left of the line.
+    /// The first that fits into what is left of the line. A high list has room for another line.
     fn of(ui: &Ui, view: &View<'_>) -> Self {
         let room = ui.available_size_before_wrap().x;
+        if space(HIGH) <= ui.clip_rect().height() {
+            return Self::Nothing;
+        }
         Self::ALL.into_iter().find(|short| short.width(ui, view) <= room).unwrap_or(Self::Count)
     }
 
