@@ -19,7 +19,7 @@ use crate::text::Within as _;
 
 /// The height of a parameter, and how many are in sight where there is room.
 const ROW: f32 = 7.0;
-const ROWS: f32 = 6.0;
+const ROWS: f32 = 4.0;
 
 /// The height of the panel with that many of them below its two rows of fields.
 pub(super) fn usual_height(ui: &Ui) -> f32 {
