@@ -171,11 +171,14 @@ impl Setting {
         if let Some((what, rest)) = &card.instruction {
             if card.is_close {
                 lines.extend(sentence(ui, [what, rest], first.size, width));
+            } else if is_tiny(ui) {
+                // On one line: a second one has no room.
+                let room = width / word_width(ui, what, first.size).max(1.0);
+                let size = (first.size * room.min(1.0)).max(sizes().small).floor();
+                lines.push(line(what, &theme::bold(size)));
             } else {
                 lines.push(line(what, &first));
-                if !is_tiny(ui) {
-                    lines.push(line(rest, &theme::font(sizes().body)));
-                }
+                lines.push(line(rest, &theme::font(sizes().body)));
             }
             value = theme::bold(sizes().figure);
         }
