@@ -149,6 +149,7 @@ fn what_is_accepted_beyond_a_limit_is_not_called_good() {
         assert!(window.query_by_label(title).is_some(), "{size}: {title}");
     }
     assert!(window.query_by_label_contains("25.0220 mm, +22 µm, ACCEPTED").is_some());
+    assert_eq!(window.state().session().history().listed().bad(), 3, "two are accepted and one is scrap");
 }
 
 #[test]

@@ -169,6 +169,11 @@ impl Verdict {
         let is_out = self.size.above_minimum < Length::ZERO || self.size.below_maximum < Length::ZERO;
         is_out && self.status() == Status::Good
     }
+
+    /// Whether somebody has to look at the part: it is not good, or its size lies beyond a limit and the rule accepts that.
+    pub fn asks_for_a_look(&self) -> bool {
+        self.status() != Status::Good || self.is_beyond_limits()
+    }
 }
 
 /// The word for people: that of the status, but another one where the size lies beyond a limit and the rule accepts it.

@@ -23,6 +23,8 @@ pub struct Memory {
     /// Places in `rows` of what the query finds, smallest key first.
     order: Vec<usize>,
     counts: [usize; Status::ALL.len()],
+    /// How many of them ask for a look.
+    bad: usize,
 }
 
 /// A record with what it is searched by.
@@ -163,6 +165,7 @@ impl Memory {
         if let Some(count) = self.counts.get_mut(number_of(row)) {
             *count += 1;
         }
+        self.bad += usize::from(row.record.verdict.asks_for_a_look());
         let at = self.before(row);
         self.order.insert(at, place);
     }
@@ -176,13 +179,16 @@ impl Memory {
 
     fn count_statuses(&mut self) {
         let mut counts = [0; Status::ALL.len()];
+        let mut bad = 0;
         let listed = self.order.iter().filter_map(|place| self.rows.get(*place));
         for row in listed.filter(|row| row.replaced_by.is_none()) {
             if let Some(count) = counts.get_mut(number_of(row)) {
                 *count += 1;
             }
+            bad += usize::from(row.record.verdict.asks_for_a_look());
         }
         self.counts = counts;
+        self.bad = bad;
     }
 
     fn row(&self, id: RecordId) -> Option<(usize, &SearchableRecord)> {
@@ -223,6 +229,10 @@ impl Records for Memory {
 
     fn counts(&self) -> [usize; Status::ALL.len()] {
         self.counts
+    }
+
+    fn bad(&self) -> usize {
+        self.bad
     }
 
     fn page(&self, places: Range<usize>) -> Vec<(RecordId, Arc<Record>)> {

@@ -181,7 +181,7 @@ impl Query {
                 || (wanted.simulated && origin.is_simulated())
                 || (wanted.typed && *origin == Origin::Typed)
         };
-        !(self.only_bad && status == Status::Good && !record.verdict.is_beyond_limits()) && self.words.iter().all(has)
+        (!self.only_bad || record.verdict.asks_for_a_look()) && self.words.iter().all(has)
     }
 
     /// What a record is compared by, and then its number.
@@ -217,6 +217,9 @@ pub trait Records {
 
     /// How many of them stand and have each status, in the order of [`Status::ALL`].
     fn counts(&self) -> [usize; Status::ALL.len()];
+
+    /// How many of them stand and ask for a look.
+    fn bad(&self) -> usize;
 
     /// The records at these places of its answer; places beyond the last are left out.
     fn page(&self, places: Range<usize>) -> Vec<(RecordId, Arc<Record>)>;

@@ -40,7 +40,6 @@ pub use workpiece::WorkpieceAction;
 
 use std::sync::LazyLock;
 
-use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use self::row::{ActionRow, Actions};
@@ -162,8 +161,7 @@ impl Session {
 
     /// How many listed checks are not good.
     fn bad_count(&self) -> usize {
-        let counts = Status::ALL.into_iter().zip(self.history().listed().counts());
-        counts.filter(|(status, _)| *status != Status::Good).map(|(_, count)| count).sum()
+        self.history().listed().bad()
     }
 
     /// The command that closes the topmost thing over the page.

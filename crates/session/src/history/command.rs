@@ -1,6 +1,5 @@
 //! What can be done with the list of checks, and doing it.
 
-use fitcheck_core::verdict::{Status, Verdict};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::query::{Column, Query, Records as _, Sort};
 
@@ -47,8 +46,7 @@ impl History {
             }
             ListCommand::ChooseBad => {
                 let listed = self.records.page(0..self.records.count()).into_iter();
-                let is_bad = |verdict: &Verdict| verdict.status() != Status::Good || verdict.is_beyond_limits();
-                let bad = listed.filter(|(_, record)| is_bad(&record.verdict)).map(|(id, _)| id);
+                let bad = listed.filter(|(_, record)| record.verdict.asks_for_a_look()).map(|(id, _)| id);
                 self.chosen = bad.filter(|id| self.records.replaced_by(*id).is_none()).collect();
                 self.count_hidden();
             }
