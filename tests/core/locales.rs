@@ -360,3 +360,35 @@ fn materials_and_the_entry_of_the_desktop_have_their_names_in_every_language() {
         }
     }
 }
+
+/// The English terms of the tables that say what a thing is and what it is not called.
+fn terms() -> Vec<String> {
+    let text = std::fs::read_to_string(root().join("docs/TERMS.md")).unwrap();
+    let mut terms = Vec::new();
+    let mut is_of_terms = false;
+    for line in text.lines() {
+        is_of_terms = (is_of_terms && line.starts_with('|')) || line == "| English | what it is | not |";
+        let term =
+            line.split('|').nth(1).map(str::trim).filter(|term| is_of_terms && *term != "English" && *term != "---");
+        terms.extend(term.map(str::to_owned));
+    }
+    terms
+}
+
+#[test]
+fn every_language_says_its_terms_and_where_they_come_from() {
+    let terms = terms();
+    assert!(40 < terms.len(), "{terms:?}");
+    for language in Language::all().filter(|language| *language != Language::En) {
+        let file = format!("docs/terms/{language}.tsv");
+        let text = std::fs::read_to_string(root().join(&file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        let mut known = BTreeSet::new();
+        for line in text.lines() {
+            let cells: Vec<&str> = line.split('\t').collect();
+            assert!(cells.len() == 3 && cells.iter().all(|cell| !cell.trim().is_empty()), "{file}: {line:?}");
+            assert!(known.insert(cells[0].to_owned()), "{file} has {} twice", cells[0]);
+        }
+        let missing: Vec<_> = terms.iter().filter(|term| !known.contains(*term)).collect();
+        assert!(missing.is_empty(), "{file} lacks {missing:?}");
+    }
+}

@@ -137,7 +137,10 @@ records-page-correct-hint = Adds a record in place of this one; both stay
 records-page-simulated = Simulated: nobody measured this
 records-page-corrected-by = Corrected or withdrawn by record { $number }
 records-page-corrects = In place of record { $number }
-records-page-callout = { $callout }, { $feature }
+records-page-callout = { $feature ->
+    [hole] { $callout }, hole
+   *[shaft] { $callout }, shaft
+}
 records-page-distance = From the limits
 records-page-importer = Imported by
 records-page-void-why = Void because

@@ -137,7 +137,10 @@ records-page-correct-hint = Voegt een vastlegging toe in plaats van deze; beide 
 records-page-simulated = Gesimuleerd: niemand heeft dit gemeten
 records-page-corrected-by = Gecorrigeerd of ingetrokken door vastlegging { $number }
 records-page-corrects = In plaats van vastlegging { $number }
-records-page-callout = { $callout }, { $feature }
+records-page-callout = { $feature ->
+    [hole] { $callout }, boring
+   *[shaft] { $callout }, as
+}
 records-page-distance = Van de grenzen
 records-page-importer = Geïmporteerd door
 records-page-void-why = Vervallen omdat

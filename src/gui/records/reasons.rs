@@ -1,7 +1,6 @@
 //! Everything that a record says, line by line.
 
 use crate::gui::check::{distances, worth_lines, worth_reasons};
-use crate::gui::limits::feature_id;
 use crate::gui::view::{Digits, View, doubt_text};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, UsedFile};
@@ -10,6 +9,7 @@ use crate::message::{Message, Say as _, message};
 use crate::probing::Origin;
 use crate::session::RecordRow;
 use crate::session::records::local_time;
+use crate::tolerance::Feature;
 
 /// A line of an open record.
 pub(super) enum Line {
@@ -103,7 +103,10 @@ fn size(view: &View<'_>, record: &Record, lines: &mut Vec<Line>) {
     let bounds = record.limits.bounds();
     let limits = format!("{} … {} mm", words.mm(bounds.minimum(), 3), words.mm(bounds.maximum(), 3));
     let callout = message!("records-page-callout").text("callout", crate::journal::query::callout(record));
-    let feature = view.text(feature_id(record.limits.feature)).to_lowercase();
+    let feature = match record.limits.feature {
+        Feature::Hole => "hole",
+        Feature::Shaft => "shaft",
+    };
     lines.push(named("head-callout", words.say(&callout.text("feature", feature))));
     lines.push(named("records-page-limits", limits));
     lines.push(named("records-page-source", words.told(&record.limits.source)));

@@ -1,7 +1,11 @@
 //! What columns state of how a value came about: whether anybody measured it, and whether it was brought to 20 °C already. Both are
 //! read wherever a file has them: a simulated value is no evidence, and a value is corrected once.
 
+use std::sync::LazyLock;
+
 use csv::StringRecord;
+use fitcheck_core::message::Message;
+use fitcheck_core::words::{Language, Words};
 use fitcheck_nc::control::simulated::is_mark;
 
 use super::cells;
@@ -73,32 +77,67 @@ pub(super) fn yes_or_no(text: &str) -> Option<bool> {
     }
 }
 
-/// Words of a value that nobody measured.
+/// Words of a value that nobody measured. What Fitcheck itself writes in its languages is in [`Said`].
 const SIMULATED: &str = "simulated|simulation|simuliert|simulierte|simulierter|simuliertes|gesimuleerd|gesimuleerde|simulatie|simulato|\
-    simulata|simulazione";
+    simulata|simulazione|simulé|simulée|simulado|simulada|simulación|symulacja|symulowany|symulowana|symulowane|simulováno|simulovaný|\
+    simulovaná|simulace";
 
 /// Whether a cell is nothing but such a word.
 pub(super) fn says_simulated(cell: &str) -> bool {
-    let small = cell.trim().to_lowercase();
-    SIMULATED.split('|').any(|known| known == small)
+    is_of_simulation(&cell.trim().to_lowercase())
 }
 
 /// Whether a text has such a word.
 pub(super) fn mentions_simulation(text: &str) -> bool {
     let small = text.to_lowercase();
-    small.split(|c: char| !c.is_alphanumeric()).any(|word| SIMULATED.split('|').any(|known| known == word))
+    small.split(|c: char| !c.is_alphanumeric()).any(is_of_simulation)
 }
 
 /// Words with which the origin of a measured value begins.
 const MEASURED: &str = "measured|measurement|measuring|typed|manual|imported|recorded|contacts|probed|cmm|gauge|gemessen|messung|messwert|\
     getippt|eingegeben|eingetippt|manuell|importiert|aufgezeichnet|antastpunkte|angetastet|gemeten|meting|getypt|ingevoerd|handmatig|\
     geïmporteerd|opgenomen|geregistreerd|meetpunten|misurato|misurata|misura|misurazione|digitato|inserito|manuale|importato|registrato|\
-    contatti|messmaschine|meetmachine|kmg";
+    contatti|messmaschine|meetmachine|kmg|mesuré|mesurée|mesure|saisi|importé|enregistré|medido|medida|medición|escrito|importado|\
+    registrado|zmierzono|zmierzony|pomiar|wpisano|změřeno|naměřeno|měřeno|měření|zadáno|importováno";
+
+/// How Fitcheck says in each of its languages where a value comes from.
+#[derive(Debug, Default)]
+struct Said {
+    /// What comes before the name of a file.
+    of_file: Vec<String>,
+    /// The words of a value that nobody measured.
+    simulated: Vec<String>,
+    /// The first words of a value that was measured.
+    measured: Vec<String>,
+}
+
+static SAID: LazyLock<Said> = LazyLock::new(|| {
+    // A name that no text has.
+    const FILE: &str = "\u{1}";
+    let mut said = Said::default();
+    for words in Language::all().map(Words::new) {
+        let of = |id: &'static str| words.say(&Message::new(id).text("file", FILE)).to_lowercase();
+        for id in ["origin-contacts", "origin-imported"] {
+            let text = of(id);
+            let before = text.split(FILE).next().unwrap_or("").to_owned();
+            said.measured.extend(before.split_whitespace().next().map(str::to_owned));
+            said.of_file.extend(Some(before).filter(|before| !before.is_empty()));
+        }
+        said.measured.extend(Some(of("origin-typed")));
+        let simulated = of("origin-imported-simulation");
+        said.simulated.extend(simulated.rsplit(", ").next().map(str::to_owned));
+    }
+    said
+});
+
+/// Whether a word is of a value that nobody measured.
+fn is_of_simulation(word: &str) -> bool {
+    SIMULATED.split('|').any(|known| known == word) || SAID.simulated.iter().any(|known| known == word)
+}
 
 /// Whether the text of an origin says that nobody measured; an empty one says nothing. `None` where it says neither.
 pub(super) fn is_simulated(text: &str) -> Option<bool> {
     let small = text.trim().to_lowercase();
-    let is_in = |list: &str, word: &str| list.split('|').any(|known| known == word);
     if small.is_empty() {
         return Some(false);
     }
@@ -110,20 +149,41 @@ pub(super) fn is_simulated(text: &str) -> Option<bool> {
         words.map(str::to_owned).collect()
     };
     // A name of a file may have any words; what is said of it stands behind it.
-    let of_file = ["imported from ", "contacts from ", "geïmporteerd uit ", "meetpunten uit "];
-    if of_file.iter().any(|begin| said.starts_with(begin)) {
-        return Some(said.rsplit_once(", ").is_some_and(|(_, last)| is_in(SIMULATED, last)));
+    if SAID.of_file.iter().any(|begin| said.starts_with(begin)) {
+        return Some(said.rsplit_once(", ").is_some_and(|(_, last)| is_of_simulation(last)));
     }
     let words = words(said);
-    if words.iter().any(|word| is_in(SIMULATED, word)) {
+    if words.iter().any(|word| is_of_simulation(word)) {
         return Some(true);
     }
-    words.first().filter(|word| is_in(MEASURED, word)).map(|_| false)
+    let is_measured = |word: &&String| {
+        MEASURED.split('|').any(|known| known == word.as_str()) || SAID.measured.iter().any(|known| known == *word)
+    };
+    words.first().filter(is_measured).map(|_| false)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_said_in_a_language_is_read_in_every_language() {
+        for language in Language::all() {
+            let words = Words::new(language);
+            let of = |id: &'static str| {
+                words.say(&Message::new(id).text("file", "simulated.csv").text("cycle", 421).text("seed", 7))
+            };
+            for (id, expected) in [
+                ("origin-simulated", true),
+                ("origin-contacts", false),
+                ("origin-imported", false),
+                ("origin-imported-simulation", true),
+                ("origin-typed", false),
+            ] {
+                assert_eq!(is_simulated(&of(id)), Some(expected), "{language}: {}", of(id));
+            }
+        }
+    }
 
     #[test]
     fn an_origin_says_measured_or_simulated_or_nothing() {

@@ -1,0 +1,4 @@
+# What a language says of itself
+
+language-name = Čeština
+language-decimal-sign = ,

@@ -1,0 +1,34 @@
+# The window for an operator
+
+operator-mode = Pro koho je toto okno
+operator-mode-about = Obsluha má měření, výsledky a nápovědu velkým písmem; vše ostatní je v úplném okně
+operator-mode-operator = Obsluha
+operator-mode-operator-about = Měření, výsledky a nápověda, pro prsty, rukavice a dva metry.
+operator-mode-full = Vše
+operator-mode-full-about = Všechny stránky, pro práci u stolu.
+operator-question = Pro koho je toto okno?
+operator-question-later = Lze kdykoli změnit v nastavení; obsluha se tam dostane přes „Odejít“.
+operator-leave = Odejít
+operator-report = Zpráva
+operator-undo = Zpět
+operator-measure = Měřit
+operator-results = Výsledky
+operator-one-size = Jeden rozměr
+operator-part = Díl
+operator-last = Poslední výsledky
+operator-no-results = Zatím nic nebylo změřeno.
+operator-features = { $count ->
+    [one] 1 prvek
+    [few] Všechny { $count } prvky
+   *[other] Všech { $count } prvků
+}
+operator-next = Další
+operator-next-part = Další díl
+operator-to-value = Hodnota
+operator-type-callout = Zadejte, co udává výkres, například 25 H7.
+operator-type-value = Změřte a zadejte hodnotu.
+operator-choose-part = Vyberte díl a zadejte jeho sériové číslo.
+operator-hole-or-shaft = Co se měří?
+operator-plans = Díly
+operator-no-plans = V tomto počítači zatím nebyl otevřen žádný plán. Plány se otevírají v úplném okně na stránce Díly.
+operator-go-on-first = Nejprve si přečtěte výrok a stiskněte Další: co bylo zadáno předtím, nebylo převzato

@@ -1,0 +1,4 @@
+# Was eine Sprache von sich selbst sagt
+
+language-name = Deutsch
+language-decimal-sign = ,

@@ -1,0 +1,33 @@
+# The window for an operator
+
+operator-mode = Who this window is for
+operator-mode-about = An operator has measuring, results and help, in large letters; everything else is in the full window
+operator-mode-operator = Operator
+operator-mode-operator-about = Measure, results and help, for fingers, gloves and two metres.
+operator-mode-full = Everything
+operator-mode-full-about = All pages, for a desk.
+operator-question = Who is this window for?
+operator-question-later = It can be changed in the settings at any time; an operator gets there by “Leave”.
+operator-leave = Leave
+operator-report = Report
+operator-undo = Undo
+operator-measure = Measure
+operator-results = Results
+operator-one-size = One size
+operator-part = Part
+operator-last = Last results
+operator-no-results = Nothing was measured yet.
+operator-features = { $count ->
+    [one] 1 feature
+   *[other] All { $count } features
+}
+operator-next = Next
+operator-next-part = Next part
+operator-to-value = Value
+operator-type-callout = Type what the drawing says, such as 25 H7.
+operator-type-value = Measure, and type the value.
+operator-choose-part = Choose a part, and type its serial number.
+operator-hole-or-shaft = Which one is measured?
+operator-plans = Parts
+operator-no-plans = No plan was opened on this computer yet. Plans are opened in the full window, on the page Parts.
+operator-go-on-first = Read the verdict and press Next first: what was typed before that was not taken

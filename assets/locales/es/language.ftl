@@ -1,0 +1,4 @@
+# What a language says of itself
+
+language-name = Español
+language-decimal-sign = ,

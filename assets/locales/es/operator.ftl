@@ -1,0 +1,33 @@
+# The window for an operator
+
+operator-mode = Para quién es esta ventana
+operator-mode-about = Un operario tiene medición, resultados y ayuda, en letra grande; todo lo demás está en la ventana completa
+operator-mode-operator = Operario
+operator-mode-operator-about = Medición, resultados y ayuda, para dedos, guantes y dos metros de distancia.
+operator-mode-full = Todo
+operator-mode-full-about = Todas las páginas, para un escritorio.
+operator-question = ¿Para quién es esta ventana?
+operator-question-later = Se puede cambiar en cualquier momento en la configuración; un operario llega allí con «Salir».
+operator-leave = Salir
+operator-report = Informe
+operator-undo = Deshacer
+operator-measure = Medir
+operator-results = Resultados
+operator-one-size = Una cota
+operator-part = Pieza
+operator-last = Últimos resultados
+operator-no-results = Aún no se ha medido nada.
+operator-features = { $count ->
+    [one] 1 elemento
+   *[other] Los { $count } elementos
+}
+operator-next = Siguiente
+operator-next-part = Pieza siguiente
+operator-to-value = Valor
+operator-type-callout = Escriba lo que indica el plano, como 25 H7.
+operator-type-value = Mida y escriba el valor.
+operator-choose-part = Elija una pieza y escriba su número de serie.
+operator-hole-or-shaft = ¿Qué se mide?
+operator-plans = Piezas
+operator-no-plans = En este ordenador aún no se ha abierto ningún plan. Los planes se abren en la ventana completa, en la página Piezas.
+operator-go-on-first = Lea antes el dictamen y pulse Siguiente: lo escrito antes de eso no se ha tomado

@@ -1,0 +1,127 @@
+# report
+
+## Errors
+report-error-writer = el informe { $format } no se pudo crear: { $reason }
+report-ending-missing = { $file } no tiene terminación que indique el formato del informe: use una de { $endings }
+report-ending-unknown = .{ $ending } no es un formato del informe: use uno de { $endings }
+
+## Sentences about one check
+report-feature-hole = agujero
+report-feature-shaft = eje
+report-side-good = bueno
+report-side-rework = retrabajo
+report-side-scrap = desecho
+report-side-too-small = demasiado pequeño
+report-side-too-large = demasiado grande
+report-source-instead = { $source }; ISO 286 dice aquí { $upper } y { $lower } µm
+report-too-small = { $um } µm demasiado pequeño
+report-too-large = { $um } µm demasiado grande
+report-inside = dentro de los límites
+report-above-minimum = { $um } µm sobre el mínimo
+report-below-minimum = { $um } µm bajo el mínimo
+report-below-maximum = { $um } µm bajo el máximo
+report-above-maximum = { $um } µm sobre el máximo
+report-position-unknown = no medida
+report-position-unmonitored = no supervisada
+report-position-in = DENTRO
+report-position-out = FUERA
+report-axis-unmonitored = { $axis } { $deviation } mm: no supervisado
+report-axis-in = { $axis } { $deviation } mm, admisible ± { $tolerance } mm: DENTRO
+report-axis-out = { $axis } { $deviation } mm, admisible ± { $tolerance } mm: FUERA
+report-cause-position = el centro está fuera de posición; la dimensión sola: { $status }
+report-origin-circle = { $origin }; círculo de mínimos cuadrados por { $contacts } puntos de palpación
+report-centre = centro medido X { $x } mm, Y { $y } mm
+report-band-nominal = dimensión nominal { $size } mm
+report-band-title = Banda de límites, medido { $value }: { $distances }
+report-in-guard-band = no hay nada decidido: el valor está en una banda de guarda de la regla de decisión
+report-corrected = medido { $measured } mm a { $temperature } °C, dilatación { $expansion } · 10⁻⁶/K: corregido en { $change } µm a { $reference } mm a 20 °C
+report-all-corrected = medido a { $temperature } °C, dilatación { $expansion } · 10⁻⁶/K; cada valor se corrige a 20 °C
+report-scales = escalas a { $temperature } °C, { $expansion } · 10⁻⁶/K
+report-scales-none = sin corrección de las escalas
+report-own-uncertainty = u de cada valor junto a su comprobación
+report-accepted-zone = de { $least } a { $most } mm
+report-accepted-none = ninguno: la regla no deja nada de esta tolerancia
+report-proven = demostrado según esta regla
+report-not-proven = no demostrado según esta regla
+report-conformity = conforme con una probabilidad del { $percent } %
+report-budget-made = { $name }, creado el { $date } por { $by }, válido hasta el { $until }
+report-budget-expired = CADUCADO el día de la comprobación
+report-budget-not-yet = AÚN NO VÁLIDO el día de la comprobación
+report-guard-undecided = banda de guarda: remedir
+report-guard-beyond = banda de guarda: aceptado más allá del límite
+report-guard-range = { $what }, de { $from } a { $to } µm
+
+## The page
+report-title = Informe de inspección
+report-part = Pieza
+report-order = Orden
+report-inspector = Inspector
+report-created = Creado
+report-program = Programa
+report-notes = Filas omitidas y advertencias
+report-no-checks = Este informe no tiene comprobaciones.
+report-page-all-good = Ninguna de las { $total } comprobaciones se muestra en esta página: todas son buenas y ninguna es dudosa. Un informe CSV o JSON contiene todas.
+report-page-not-good = Esta página muestra solo las { $listed } de { $total } comprobaciones que no son buenas o son dudosas. Los recuentos incluyen todas; un informe CSV o JSON las contiene todas.
+report-page-first = Esta página muestra solo las primeras { $listed } de { $wanted } comprobaciones que no son buenas o son dudosas, de { $total } en total. Los recuentos incluyen todas; un informe CSV o JSON las contiene todas.
+report-total = Total
+report-check = Comprobación
+report-id = Nombre
+report-callout = Cota
+report-heading-without-callout = { $nominal } mm, límites sin clase
+report-verdict = Dictamen
+report-nominal = Dimensión nominal
+report-maximum = Máximo
+report-minimum = Mínimo
+report-measured = Medido
+report-deviation = Desviación
+report-remove = Por quitar
+report-on-diameter = en diámetro
+report-per-side = por lado
+report-remove-to-limit = hasta el límite más próximo
+report-remove-to-middle = hasta el centro de la zona
+report-remove-to-accepted = hasta los valores aceptados
+report-position = Posición
+report-limits-from = Límites de
+report-measured-from = Valor medido
+report-from = Origen
+report-limits = Límites
+report-missing = Pendientes
+report-skipped = Omitidos
+report-verdict-from = Regla de decisión
+report-temperature = Temperatura
+report-accepted = Valores aceptados
+report-proof = Demostración
+report-budget = Balance de incertidumbre
+report-cannot-tell = Limitaciones de esta medición
+report-contacts = Puntos de palpación
+report-contacts-at-end = al final del informe
+report-contact = N.º
+report-radial = desviación radial
+report-sign-name = Nombre
+report-sign-date = Fecha
+report-sign-signature = Firma
+report-footer = Cada dictamen se basa en valores sin redondear y en los límites y la regla de decisión indicados a su lado.
+
+## Notes
+report-note = { $place }: { $what }
+report-note-line = { $place }, línea { $line }: { $what }
+report-note-more = { $count ->
+    [one] 1 nota más no se muestra
+   *[other] { $count } notas más no se muestran
+}
+
+## A whole part
+report-balloon = Globo
+report-picture-room = { $name } no se muestra aquí: las imágenes de todas las piezas harían la página demasiado grande
+report-picture-beside = { $count ->
+    [one] un elemento no tiene globo en ella
+   *[other] { $count } elementos no tienen globo en ella
+}
+report-part-older = { $count ->
+    [one] Un valor más no se muestra: de cada cota se muestra solo el valor que cuenta
+   *[other] { $count } valores más no se muestran: de cada cota se muestra solo el valor que cuenta
+}
+report-more-parts = { $count ->
+    [one] Una pieza más no se muestra completa; sus valores están en la lista
+   *[other] { $count } piezas más no se muestran completas, solo las primeras { $most }; sus valores están en la lista
+}

@@ -1,0 +1,222 @@
+# tolerance
+
+## Lengths
+length-empty = falta una longitud
+length-not-a-number = { $text } no es un número
+length-ambiguous = { $text } es ambiguo: escriba un solo signo decimal y ningún separador de miles
+length-too-fine = { $text } es más fino que un nanómetro
+length-too-large = { $text } es demasiado grande: como máximo { $max } mm en ambos sentidos
+
+## Callouts and classes
+callout-empty = falta una cota: escriba una dimensión nominal y una clase de tolerancia, como 25 H7
+callout-no-nominal = { $text } no empieza con una dimensión nominal: escríbala, como en 25 H7
+callout-nominal = dimensión nominal: { $error }
+callout-not-positive = la dimensión nominal { $nominal } mm no es mayor que 0
+class-missing = falta una clase de tolerancia, como H7 para un agujero o h7 para un eje
+class-mixed-case = { $text } mezcla mayúsculas y minúsculas: escriba { $upper } para un agujero o { $lower } para un eje
+class-malformed = { $text } no es una clase de tolerancia: escriba letras y un grado, como H7 o js13
+
+## Deviations and limits
+deviations-order = la desviación superior { $upper } mm es menor que la desviación inferior { $lower } mm
+source-choice-iso286 = ISO 286, todas las clases hasta 3150 mm
+source-choice-control = Las tablas del control, 47 clases hasta 400 mm
+source-choice-after-own = Tablas propias, después { $base }
+source-iso286 = ISO 286, más de { $over } hasta { $to } mm
+source-iso286-remark = ISO 286, más de { $over } hasta { $to } mm; { $remark }
+source-shipped-table = tabla integrada { $name }, más de { $over } hasta { $to } mm
+source-table = tabla { $name }, más de { $over } hasta { $to } mm
+figure-own-table = { $class } más de { $over } hasta { $to } mm: la tabla { $table } difiere de ISO 286, que tiene { $upper } y { $lower } mm
+figure-standard = { $class } más de { $over } hasta { $to } mm: { $why }
+source-file = archivo { $name }
+source-iso2768 = ISO 2768-1 clase { $class }, más de { $over } hasta { $to } mm
+source-callout = la propia cota
+source-without-own = { $source }; las tablas propias de { $folder } no se pudieron leer
+source-recorded = { $text }
+limits-own-awaited = Las tablas propias de { $folder } aún se están leyendo
+limits-no-feature = { $callout } no dice si se trata del agujero o del eje
+limits-other-feature = { $feature ->
+    [hole] { $class } es una clase de agujero y no de eje
+   *[shaft] { $class } es una clase de eje y no de agujero
+}
+limits-other-case = { $feature ->
+    [hole] { $class } es una clase de agujero y no está en la tabla { $table }; la clase de eje es { $other }
+   *[shaft] { $class } es una clase de eje y no está en la tabla { $table }; la clase de agujero es { $other }
+}
+limits-unknown-class = { $class } no está en la tabla { $table }, que tiene { $known }
+limits-no-own-table = { $class } no es una clase de tolerancia de ISO 286: escriba letras y un grado, como H7 o js13, o elija tablas propias con una columna { $class }
+limits-no-own-column = { $class } no es una clase de tolerancia de ISO 286, y la tabla { $table } no tiene ninguna columna { $class }: tiene { $known }
+limits-beyond-last-range = la dimensión nominal { $nominal } mm supera la tabla { $table }, cuyo último intervalo es más de { $over } hasta { $to } mm inclusive
+limits-not-defined = { $class } no está definida más de { $over } hasta { $to } mm en la tabla { $table }; { $where }
+limits-defined-nowhere = no está definida en ninguna dimensión
+limits-defined = está definida { $ranges }
+limits-range = más de { $over } hasta { $to } mm
+limits-ranges = { $first }, { $rest }
+limits-too-large = los límites de { $nominal } mm son demasiado grandes
+
+## Zones out of all proportion
+zone-micrometres = una zona de { $width } mm no guarda proporción con { $nominal } mm, cuyo IT 18 es { $widest } mm: si las desviaciones están en micrómetros, escriba { $offer }
+zone-wide = una zona de { $width } mm no guarda proporción con { $nominal } mm, cuyo IT 18 es { $widest } mm: revise la dimensión nominal y los límites
+zone-micrometres-to-zero = el límite mínimo { $minimum } mm no es mayor que 0: si las desviaciones están en micrómetros, escriba { $offer }
+zone-to-zero = el límite mínimo { $minimum } mm no es mayor que 0: revise la dimensión nominal y los límites
+zone-coordinate-micrometres = una zona de { $width } mm es más ancha que { $widest } mm, el máximo para una coordenada: si las desviaciones están en micrómetros, escriba { $offer }
+zone-coordinate = una zona de { $width } mm es más ancha que { $widest } mm, el máximo para una coordenada: revise los límites
+
+shape-no-ranges = la tabla no tiene ningún intervalo de dimensiones
+shape-not-ascending = el intervalo hasta { $end } mm no termina por encima del anterior, { $before } mm
+shape-cells = la columna { $class } tiene { $cells } celdas para { $ranges } intervalos de dimensiones
+shape-twice = la columna { $class } aparece dos veces
+
+## Verdicts
+status-good = BUENO
+status-accepted = ACEPTADO
+status-rework = RETRABAJO
+status-re-measure = REMEDIR
+status-scrap = DESECHO
+rule-simple = sin banda de guarda, los límites pertenecen a la zona
+rule-iso14253-2017 = ISO 14253-1:2017, 95 % de conformidad, { $prover ->
+    [customer] el cliente demuestra la no conformidad
+   *[supplier] el proveedor demuestra la conformidad
+    }; { $u }
+rule-iso14253-1998 = ISO 14253-1:1998, banda de guarda U, { $prover ->
+    [customer] el cliente demuestra la no conformidad
+   *[supplier] el proveedor demuestra la conformidad
+    }; { $u }
+rule-ilac-g8 = ILAC-G8, banda de guarda { $factor } U, { $prover ->
+    [customer] el cliente demuestra la no conformidad
+   *[supplier] el proveedor demuestra la conformidad
+    }; { $u }
+rule-asme-simple = ASME B89.7.3.1, aceptación simple 4:1; { $u }
+rule-asme-stringent = ASME B89.7.3.1, aceptación estricta, banda de guarda { $factor } U; { $u }
+rule-asme-relaxed = ASME B89.7.3.1, aceptación relajada en { $factor } U; { $u }
+rule-fixed = banda de guarda { $width } µm, { $prover ->
+    [customer] el cliente demuestra la no conformidad
+   *[supplier] el proveedor demuestra la conformidad
+    }
+rule-no-uncertainty = la regla { $rule } necesita la incertidumbre del valor medido
+rule-no-factor = la regla { $rule } no tiene factor
+rule-no-width = la regla { $rule } calcula su banda de guarda a partir de la incertidumbre
+rule-width-missing = la regla { $rule } necesita una banda de guarda mayor que 0 µm
+rule-no-prover = la regla { $rule } no depende de la carga de la prueba
+uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
+uncertainty-not-positive = una incertidumbre debe ser mayor que 0 µm
+uncertainty-factor = factor de cobertura { $given }: se esperaba un número de 1 a 10, con tres decimales como máximo
+uncertainty-by-budget = u de cada valor según el balance
+undecided-contacts = con estos { $contacts } puntos de palpación, el diámetro es { $times } veces menos seguro que con { $contacts } puntos en todo el círculo, pero la incertidumbre dada solo vale hasta 3 veces: reparta los puntos en un arco más largo, o indique un balance
+doubt-times-inch = el valor medido es 25,4 veces la dimensión nominal: ¿se convirtió dos veces de pulgadas?
+doubt-inches = el valor medido es la dimensión nominal dividida por 25,4: ¿está en pulgadas?
+doubt-double = el valor medido es el doble de la dimensión nominal: ¿se tomó un diámetro por un radio?
+doubt-half = el valor medido es la mitad de la dimensión nominal: ¿es un radio?
+doubt-decimal-sign = el valor medido es aproximadamente la dimensión nominal con el signo decimal en otro lugar: ¿son { $meant } mm?
+doubt-far = el valor medido está { $distance } mm fuera de los límites: ¿es de esta pieza y está en milímetros?
+
+## Files
+file-is-folder = es una carpeta, no un archivo: { $path }
+file-missing = no existe el archivo o la carpeta: { $path }
+file-exists = ya existe un archivo o una carpeta con este nombre: { $path }
+file-half-set = la escritura de un juego de archivos se detuvo a la mitad, así que unos archivos de la carpeta son nuevos y otros antiguos: escriba de nuevo el juego para terminarla; lo que falta por mover está en { $path }
+file-not-a-file = es una canalización o un dispositivo, no un archivo: { $path }
+file-changed = el archivo cambió mientras se leía; léalo de nuevo: { $path }
+file-stopped = detenido: no se ha escrito nada: { $path }
+file-too-large = el archivo es mayor que { $limit } MiB: { $path }
+file-system = { $reason }: { $path }
+
+## ISO 286
+iso286-grade-missing = { $class } no es una clase de tolerancia de ISO 286: escriba letras y un grado, como H7 o js13
+iso286-no-grade = { $class } no es una clase de tolerancia de ISO 286: los grados son { $grades }
+iso286-no-letter = { $class } no es una clase de tolerancia de ISO 286: la letra { $letters } no existe, solo { $known }
+iso286-too-large = la dimensión nominal { $nominal } mm supera ISO 286, que termina en 3150 mm
+iso286-not-here = { $class } no está definida a { $nominal } mm en ISO 286; { $where }
+iso286-js-rounded = JS redondeado como en 1988
+iso286-contested-ef = discutido: aquí ef es 28 µm, otras fuentes tienen 25 µm
+iso286-older-it5 = experimental; los catálogos antiguos tienen aquí un IT5 menor
+iso286-trial-use = experimental
+
+## Fits
+fit-kind-clearance = ajuste con juego
+fit-kind-transition = ajuste indeterminado
+fit-kind-interference = ajuste con apriete
+fit-basis-hole = agujero base
+fit-basis-shaft = eje base
+fit-basis-both = agujero base y eje base
+fit-preferred-hole-basis = ajuste preferente de agujero base
+fit-preferred-shaft-basis = ajuste preferente de eje base
+fit-function-loose-running = giratorio amplio
+fit-function-free-running = giratorio libre
+fit-function-close-running = giratorio preciso
+fit-function-sliding = deslizante
+fit-function-locational-clearance = posicionamiento con juego
+fit-function-locational-transition = posicionamiento indeterminado
+fit-function-locational-transition-tighter = posicionamiento indeterminado, más apretado
+fit-function-locational-interference = posicionamiento con apriete
+fit-function-medium-drive = apriete medio
+fit-function-force = apriete forzado
+fit-one-sided = { $callout } no es un ajuste: escriba una dimensión, una clase de agujero y una clase de eje, como 25 H7/g6
+fit-not-a-hole = { $minimum } a { $maximum } mm son los límites de un eje: se esperaban los de un agujero
+fit-not-a-shaft = { $minimum } a { $maximum } mm son los límites de un agujero: se esperaban los de un eje
+fit-nominal-sizes = un ajuste tiene una sola dimensión nominal: el agujero tiene { $hole } mm, el eje { $shaft } mm
+fit-too-large = el juego es demasiado grande
+fit-search-order = el juego mínimo { $minimum } mm es mayor que el juego máximo { $maximum } mm
+fit-search-no-classes = las tablas no tienen clases para agujero y eje a { $nominal } mm
+fit-thermal-too-fine = { $text } tiene más de tres decimales
+fit-thermal-temperature = una temperatura de { $text } °C está fuera del intervalo: de -273,15 a 1000 °C
+fit-thermal-expansion = una dilatación de { $text } está fuera del intervalo: de -20 a 500, en millonésimas por kelvin, como 11,5 para el acero
+fit-thermal-expansion-unit = una dilatación de { $text } está en otra unidad: las dilataciones van en millonésimas por kelvin; escriba { $meant }
+
+## Temperatures that are doubted
+thermal-doubt-fahrenheit = { $given } °C está lejos de toda temperatura a la que se miden piezas: si son grados Fahrenheit, escriba { $meant }
+thermal-doubt-kelvin = { $given } °C está lejos de toda temperatura a la que se miden piezas: si son kelvin, escriba { $meant }
+thermal-doubt-far = { $given } °C está lejos de toda temperatura a la que se miden piezas, de { $least } a { $most } °C: revísela
+thermal-doubt-beyond = { $given } °C está fuera de { $least } a { $most } °C, donde vale una dilatación de { $expansion } millonésimas por kelvin: indique la dilatación para esta temperatura
+
+## Materials
+material-published = valor publicado
+material-verify = valor usual, por verificar
+material-own = valor propio
+material-toml = { $reason }
+material-version = no se admite la versión { $found } del archivo de materiales: se esperaba la versión { $known }
+material-too-many = { $count } materiales son demasiados: como máximo { $most }
+material-too-large = un archivo de materiales tiene como máximo { $most } bytes
+material-name = el nombre de un material tiene de 1 a { $longest } caracteres y ningún carácter de control
+material-range = un intervalo de temperaturas empieza por la más baja: escriba dos números en °C, como [-50, 200]
+material-twice = el material { $name } está definido dos veces
+material-unknown = material desconocido { $name }: elija uno de { $known }, o indique la propia dilatación, como 11,5
+## Callouts: deviations, limits, fits and general tolerances
+callout-at = { $reason } (carácter { $at })
+callout-no-tolerance = falta la tolerancia, como H7, h7, H7/g6, m, +0,1 -0,2 o ±0,1
+callout-general-capital = { $capital } no tiene grado: escriba { $offer } para la tolerancia general de ISO 2768-1, o añada un grado, como { $capital }7
+callout-fit-order = el eje está antes que el agujero: escriba { $offer }
+callout-fit-side = { $first } y { $second } no son un agujero y un eje: un ajuste se escribe con mayúsculas y después minúsculas, como 25 H7/g6
+callout-number = { $part }: { $error }
+callout-not-a = { $found } no sirve como { $part }: { $how }
+callout-missing = falta esto: { $part }; { $how }
+callout-part-deviation = desviación
+callout-part-limit = dimensión límite
+callout-part-actual = valor tras @
+callout-how-deviation = escriba un signo y un número, como +0,1 o -0,1
+callout-how-limit = escriba dos dimensiones, la mayor primero, como 12,01/11,985
+callout-how-actual = escriba un número, como 10H7@10,004
+callout-no-sign = { $number } no tiene signo: escriba +{ $number } o -{ $number } para una desviación, sin espacio dentro del número
+callout-no-unit = { $number } no tiene unidad y la otra desviación está en µm: escriba la unidad tras ambas
+callout-deviation-order = la desviación inferior está antes que la superior: escriba { $offer }
+callout-limits-order = el límite menor está antes que el mayor: escriba { $offer }
+callout-limits-apart = { $larger } mm es más del doble de { $smaller } mm, así que probablemente no son límites: escriba desviaciones, como 12 +0,2 0
+callout-limits-or-deviation = es ambiguo: escriba { $limits } para dimensiones límite o { $deviation } para una desviación inferior
+callout-limits-meant = con tal desviación no quedaría ninguna dimensión: escriba { $limits } para dimensiones límite
+callout-minimum-not-positive = el límite mínimo { $minimum } mm no es mayor que 0
+callout-micrometres-meant = el límite mínimo { $minimum } mm no es mayor que 0: si las desviaciones están en micrómetros, escriba { $offer }
+callout-mixed-decimals = { $number } tiene un signo decimal distinto del número anterior: use uno solo
+callout-cycle-sign = { $sign } es para los textos de los ciclos 14xx, no para una cota
+callout-not-in-cycle-text = { $found } no puede estar en un texto de los ciclos 14xx: escriba una clase, una clase general o desviaciones
+callout-too-much = { $found } sobra aquí: el texto está completo sin ello
+callout-too-long = el texto es demasiado largo: como máximo { $most } caracteres
+callout-band-order = la desviación inferior está antes que la superior: escriba QS400 como 0.4-0.1
+callout-lone-order = la desviación inferior está antes que la superior: escriba { $offer }
+general-too-small = la dimensión nominal { $nominal } mm es menor que { $first } mm, donde empieza ISO 2768-1: escriba las desviaciones junto a la dimensión
+general-too-large = la dimensión nominal { $nominal } mm supera ISO 2768-1, que termina en { $last } mm
+general-not-defined = ISO 2768-1 no define la clase { $class } { $range }; está definida { $defined }
+general-range-from = desde { $over } hasta { $to } mm
+
+## Tables made of the standard
+make-no-class = no se ha dado ninguna clase de tolerancia: indique una o varias, como H7 H8 JS9
+make-both-features = { $hole } y { $shaft } no pueden estar en una misma tabla: solo se distinguen por mayúsculas y minúsculas, así que cree una tabla para agujeros y otra para ejes
+make-last-size = la última dimensión es { $to } mm: debe ser mayor que 0 y como máximo 3150 mm

@@ -1,0 +1,127 @@
+# report
+
+## Erreurs
+report-error-writer = le rapport { $format } n'a pas pu être établi : { $reason }
+report-ending-missing = { $file } n'a pas d'extension qui donne le format du rapport : utiliser { $endings }
+report-ending-unknown = .{ $ending } n'est pas un format du rapport : utiliser { $endings }
+
+## Phrases sur un contrôle
+report-feature-hole = alésage
+report-feature-shaft = arbre
+report-side-good = bon
+report-side-rework = retouche
+report-side-scrap = rebut
+report-side-too-small = trop petit
+report-side-too-large = trop grand
+report-source-instead = { $source } ; ISO 286 donne ici { $upper } et { $lower } µm
+report-too-small = { $um } µm trop petit
+report-too-large = { $um } µm trop grand
+report-inside = dans les limites
+report-above-minimum = { $um } µm au-dessus du minimum
+report-below-minimum = { $um } µm sous le minimum
+report-below-maximum = { $um } µm sous le maximum
+report-above-maximum = { $um } µm au-dessus du maximum
+report-position-unknown = non mesurée
+report-position-unmonitored = non surveillée
+report-position-in = DANS
+report-position-out = HORS
+report-axis-unmonitored = { $axis } { $deviation } mm : non surveillé
+report-axis-in = { $axis } { $deviation } mm, admis ± { $tolerance } mm : DANS
+report-axis-out = { $axis } { $deviation } mm, admis ± { $tolerance } mm : HORS
+report-cause-position = le centre est hors position ; la cote seule donne { $status }
+report-origin-circle = { $origin } ; cercle des moindres carrés par { $contacts } points de palpage
+report-centre = centre mesuré X { $x } mm, Y { $y } mm
+report-band-nominal = cote nominale { $size } mm
+report-band-title = Bande des limites, mesuré { $value } : { $distances }
+report-in-guard-band = rien n'est décidé : la valeur est dans une bande de garde de la règle de décision
+report-corrected = mesuré { $measured } mm à { $temperature } °C, dilatation { $expansion } · 10⁻⁶/K : corrigé de { $change } µm à { $reference } mm à 20 °C
+report-all-corrected = mesuré à { $temperature } °C, dilatation { $expansion } · 10⁻⁶/K ; chaque valeur est corrigée à 20 °C
+report-scales = systèmes de mesure à { $temperature } °C, { $expansion } · 10⁻⁶/K
+report-scales-none = sans correction des systèmes de mesure
+report-own-uncertainty = u de chaque valeur à côté de son contrôle
+report-accepted-zone = { $least } à { $most } mm
+report-accepted-none = aucune : la règle ne laisse rien de cette tolérance
+report-proven = prouvé selon cette règle
+report-not-proven = non prouvé selon cette règle
+report-conformity = conforme avec une probabilité de { $percent } %
+report-budget-made = { $name }, créé le { $date } par { $by }, valable jusqu'au { $until }
+report-budget-expired = PÉRIMÉ le jour du contrôle
+report-budget-not-yet = PAS ENCORE VALABLE le jour du contrôle
+report-guard-undecided = bande de garde : remesurer
+report-guard-beyond = bande de garde : accepté au-delà de la limite
+report-guard-range = { $what }, { $from } à { $to } µm
+
+## La page
+report-title = Rapport de contrôle
+report-part = Pièce
+report-order = Ordre de fabrication
+report-inspector = Contrôleur
+report-created = Établi le
+report-program = Programme
+report-notes = Rangées ignorées et avertissements
+report-no-checks = Ce rapport n'a aucun contrôle.
+report-page-all-good = Aucun des { $total } contrôles n'est listé dans cette page : tous sont bons et aucun n'est douteux. Un rapport CSV ou JSON liste chaque contrôle.
+report-page-not-good = Cette page ne liste que les { $listed } contrôles, sur { $total }, non bons ou douteux. Les nombres comprennent tous les contrôles ; un rapport CSV ou JSON les liste tous.
+report-page-first = Cette page ne liste que les { $listed } premiers des { $wanted } contrôles non bons ou douteux, sur { $total } contrôles. Les nombres comprennent tous les contrôles ; un rapport CSV ou JSON les liste tous.
+report-total = Total
+report-check = Contrôle
+report-id = Nom
+report-callout = Cote tolérancée
+report-heading-without-callout = { $nominal } mm, limites sans classe
+report-verdict = Verdict
+report-nominal = Cote nominale
+report-maximum = Maximum
+report-minimum = Minimum
+report-measured = Mesuré
+report-deviation = Écart
+report-remove = À enlever
+report-on-diameter = au diamètre
+report-per-side = par côté
+report-remove-to-limit = jusqu'à la limite la plus proche
+report-remove-to-middle = jusqu'au milieu de l'intervalle
+report-remove-to-accepted = jusqu'aux valeurs acceptées
+report-position = Position
+report-limits-from = Limites selon
+report-measured-from = Valeur mesurée
+report-from = Origine
+report-limits = Limites
+report-missing = Manquant
+report-skipped = Ignoré
+report-verdict-from = Règle de décision
+report-temperature = Température
+report-accepted = Valeurs acceptées
+report-proof = Preuve
+report-budget = Bilan d'incertitude
+report-cannot-tell = Limites de cette mesure
+report-contacts = Points de palpage
+report-contacts-at-end = à la fin du rapport
+report-contact = N°
+report-radial = écart radial
+report-sign-name = Nom
+report-sign-date = Date
+report-sign-signature = Signature
+report-footer = Chaque verdict repose sur des valeurs non arrondies et sur les limites et la règle de décision indiquées à côté.
+
+## Notes
+report-note = { $place } : { $what }
+report-note-line = { $place }, ligne { $line } : { $what }
+report-note-more = { $count ->
+    [one] { $count } autre note n'est pas listée
+   *[other] { $count } autres notes ne sont pas listées
+}
+
+## Une pièce complète
+report-balloon = Bulle
+report-picture-room = { $name } n'est pas affiché ici : les images de toutes les pièces rendraient la page trop grande
+report-picture-beside = { $count ->
+    [one] { $count } élément n'y a pas de bulle
+   *[other] { $count } éléments n'y ont pas de bulle
+}
+report-part-older = { $count ->
+    [one] { $count } autre valeur n'est pas listée : pour chaque cote, seule la valeur qui compte est listée
+   *[other] { $count } autres valeurs ne sont pas listées : pour chaque cote, seule la valeur qui compte est listée
+}
+report-more-parts = { $count ->
+    [one] { $count } autre pièce n'est pas présentée en entier, seulement les { $most } premières ; ses valeurs sont dans la liste
+   *[other] { $count } autres pièces ne sont pas présentées en entier, seulement les { $most } premières ; leurs valeurs sont dans la liste
+}

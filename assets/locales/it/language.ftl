@@ -1,0 +1,4 @@
+# Ciò che una lingua dice di sé
+
+language-name = Italiano
+language-decimal-sign = ,

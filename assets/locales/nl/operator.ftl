@@ -1,0 +1,33 @@
+# Het venster voor een operator
+
+operator-mode = Voor wie dit venster is
+operator-mode-about = Een operator heeft meten, resultaten en hulp, in grote letters; al het andere staat in het volledige venster
+operator-mode-operator = Operator
+operator-mode-operator-about = Meten, resultaten en hulp, voor vingers, handschoenen en twee meter.
+operator-mode-full = Alles
+operator-mode-full-about = Alle pagina’s, voor aan een bureau.
+operator-question = Voor wie is dit venster?
+operator-question-later = Dat kan altijd in de instellingen worden veranderd; een operator komt daar met “Verlaten”.
+operator-leave = Verlaten
+operator-report = Rapport
+operator-undo = Ongedaan
+operator-measure = Meten
+operator-results = Resultaten
+operator-one-size = Eén maat
+operator-part = Onderdeel
+operator-last = Laatste resultaten
+operator-no-results = Er is nog niets gemeten.
+operator-features = { $count ->
+    [one] 1 element
+   *[other] Alle { $count } elementen
+}
+operator-next = Volgende
+operator-next-part = Volgend onderdeel
+operator-to-value = Waarde
+operator-type-callout = Typ wat er op de tekening staat, zoals 25 H7.
+operator-type-value = Meten, en de waarde typen.
+operator-choose-part = Kies een onderdeel en typ het serienummer.
+operator-hole-or-shaft = Wat wordt er gemeten?
+operator-plans = Onderdelen
+operator-no-plans = Op deze computer is nog geen plan geopend. Plannen worden geopend in het volledige venster, op de pagina Onderdelen.
+operator-go-on-first = Lees eerst het oordeel en druk op Volgende: wat daarvoor is getypt, is niet overgenomen

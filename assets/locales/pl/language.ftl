@@ -1,0 +1,4 @@
+# Co język mówi o sobie
+
+language-name = Polski
+language-decimal-sign = ,

@@ -1,0 +1,187 @@
+# Running NC programs.
+
+## Paths and files
+machine-path-empty = ścieżka jest pusta
+machine-path-too-long = ścieżka ma więcej niż { $most } { $most ->
+        [one] znak
+        [few] znaki
+        [many] znaków
+       *[other] znaków
+    }, na co sterowanie nie pozwala
+machine-path-other-root = { $path } nie jest ani ścieżką na TNC:, ani ścieżką od folderu programu
+machine-path-leads-out = { $path } wychodzi poza folder
+machine-path-no-name = { $name } w { $path } nie jest nazwą pliku ani folderu
+machine-store-missing = nie znaleziono pliku: { $path }
+machine-store-outside = { $path } wychodzi poza podane foldery
+machine-store-no-file = { $path } nie jest plikiem
+machine-store-too-large = { $path } jest większy niż { $most } MiB
+machine-store-ambiguous = { $path } istnieje w kilku pisowniach, { $names }, a sterowanie ma tylko jeden plik o danej nazwie: usunąć pozostałe lub zmienić ich nazwy
+machine-store-read-only = nie wybrano folderu wyjściowego
+machine-store-system = { $path }: { $reason }
+
+## Faults
+machine-fault-in-block = { $program }, wiersz NC { $number }, { $text }: { $fault }
+machine-fault-in-line = { $program }, linia { $line }, { $text }: { $fault }
+machine-used-blocks = osiągnięto granicę wierszy NC ({ $most }): możliwa pętla bez końca
+machine-used-label-calls = osiągnięto granicę zagnieżdżenia wywołań labeli ({ $most }): czy program wywołuje sam siebie?
+machine-used-program-calls = osiągnięto granicę zagnieżdżenia wywołań programów ({ $most }): czy program wywołuje sam siebie?
+machine-used-windows = osiągnięto granicę okien ({ $most })
+machine-used-outputs = osiągnięto granicę wydruków do plików ({ $most })
+machine-used-output-files = osiągnięto granicę plików wyjściowych ({ $most })
+machine-used-folders = osiągnięto granicę folderów plików wyjściowych ({ $most })
+machine-used-table-writes = osiągnięto granicę zapisań zmienionych tabel ({ $most })
+machine-used-output = osiągnięto granicę wydrukowanych bajtów ({ $most })
+machine-used-cycles = osiągnięto granicę pomiarów ({ $most })
+machine-used-path = osiągnięto granicę ruchów ({ $most })
+machine-used-files = osiągnięto granicę otwartych programów i zmienionych tabel ({ $most })
+machine-used-traffic = osiągnięto granicę bajtów odczytanych i zapisanych ({ $most })
+machine-used-file-bytes = programy i zmienione tabele mają razem więcej niż { $most } { $most ->
+        [one] bajt
+        [few] bajty
+        [many] bajtów
+       *[other] bajtów
+    }
+machine-text-too-long = liczba znaków tekstu: { $length }, parametr mieści najwyżej { $most }
+machine-unknown-block = nieznany wiersz NC: Fitcheck wykonuje tylko to, co rozumie
+machine-unknown-cycle = Fitcheck nie wykonuje cyklu { $cycle }, także tam, gdzie sterowanie go ma: wykonuje { $known }
+machine-broken = program jest uszkodzony: brakuje { $what }
+machine-no-program = { $path }: { $error }
+machine-no-label = { $parameter } = { $value } nie jest labelem
+machine-undefined = { $parameter } jest niezdefiniowany
+machine-lost = { $parameter } jest niezdefiniowany: może go ustawiać linia { $line }, { $text }, której nie wykonano
+machine-file-unknown = { $path } nie jest czytany: może go zapisywać lub usuwać linia { $line }, { $text }, której nie wykonano
+machine-tools-unknown = narzędzie nie jest korygowane: tabelę narzędzi może zmieniać linia { $line }, { $text }, której nie wykonano
+machine-contacts-unknown = nie wiadomo, które zarejestrowane punkty pomiarowe należą do tego cyklu: część może należeć do linii { $line }, { $text }, której nie wykonano
+machine-not-skipped = ten wiersz NC decyduje, co jest wykonywane dalej lub co dostaje inny program: nie można go pominąć
+machine-whole-only = { $parameter } przyjmuje tylko liczby całkowite, nie { $value }
+machine-no-answer = INPUT „{ $question }” pyta o { $parameter }: podać wartość przed wykonaniem
+machine-no-parameter = parametr { $parameter } nie istnieje: Q i QS sięgają do 1999, QL i QR do 499
+machine-no-variable = zmienna { $variable } nie istnieje: { $family } ma zakres od { $least } do { $most }
+machine-not-number = { $parameter } zawiera tekst: oczekiwana liczba
+machine-not-text = { $parameter } zawiera liczbę: oczekiwany tekst
+machine-division-by-zero = dzielenie przez zero
+machine-negative-root = pierwiastek kwadratowy z { $value } jest niezdefiniowany
+machine-no-result = { $function } { $value } jest niezdefiniowane
+machine-beyond-range = { $value } jest poza zakresem wartości, od -10^10 do 10^10
+machine-not-whole = { $what } = { $value }: oczekiwana liczba całkowita od 0
+machine-counted-row = wiersz
+machine-counted-word = { $word }
+machine-behind-text = liczba znaków tekstu: { $length }; pozycja { $from } jest za jego końcem
+machine-no-number-in-text = { $parameter } = "{ $text }" nie jest liczbą
+machine-unknown-system-text = nieznany tekst systemowy ID{ $id } NR{ $number }: obsługiwane są tylko data i czas (ID10321)
+machine-no-table = żadna tabela nie jest otwarta
+machine-several-columns = { $parameter } = { $text } podaje kilka kolumn: przez parametr tekstowy można czytać tylko jedną
+machine-no-column = tabela { $table } nie ma kolumny { $column }; jej kolumny to { $columns }
+machine-no-row = tabela { $table } nie ma wiersza { $row }: ma wiersze od 0 do { $last }
+machine-no-rows = tabela { $table } nie ma wierszy
+machine-empty-cell = tabela { $table }, wiersz { $row }, kolumna { $column }: komórka jest pusta
+machine-no-number-in-cell = tabela { $table }, wiersz { $row }, kolumna { $column }: { $cell } nie jest liczbą
+machine-touches = tabela { $table }, wiersz { $row }, kolumna { $column }: komórka wchodzi na sąsiednią, więc jej wartość jest niepewna
+machine-table-write = tabela { $table }: { $error }
+machine-mask = maska { $mask }: { $error }
+machine-programmed = program sam się zatrzymał z błędem { $number }
+machine-no-cycle-parameter = cykl { $cycle } nie ma parametru { $parameter }
+machine-cycle-parameter-twice = cykl { $cycle }: { $parameter } podano dwa razy
+machine-cycle-parameter-for = cykl { $cycle }: { $parameter } podano dwa razy, a { $other } wcale: czy drugi to { $other }?
+machine-global-not-number = GLOBAL DEF { $number }: { $parameter } nie ma liczby
+machine-global-twice = GLOBAL DEF { $number }: { $parameter } podano dwa razy
+machine-open-subprogram = program kończy się w podprogramie wywołanym w linii { $line }: brakuje LBL 0
+machine-repeat-ahead = REP powtarza część między labelem a tym wierszem NC, ale label jest dalej, w linii { $line }
+machine-cycle = cykl { $cycle }: { $error }
+machine-workpiece = detal: { $error }
+machine-no-tool-call = przed tym cyklem pomiarowym nie ma TOOL CALL z osią narzędzia
+machine-mode = sterowanie jest w trybie { $mode }: cykle pomiarowe działają tylko w trybie frezowania (FUNCTION MODE MILL)
+machine-changed = od linii { $line }, { $text }, działa { $change }: w tym czasie Fitcheck nie mierzy
+machine-nothing-selected = przed CALL SELECTED PGM nie ma SEL PGM
+machine-change-not-known = nieznany punkt odniesienia
+machine-change-turning = układ obrócony cyklu 800
+machine-change-datum-table = przesunięcie z tabeli punktów zerowych
+machine-change-rotation = obrót
+machine-change-mirror = odbicie lustrzane
+machine-change-scaling = skalowanie
+machine-change-axis-scaling = skalowanie poszczególnych osi
+machine-change-tilt = nachylona płaszczyzna
+
+## Remarks
+machine-file-from = { $path } odczytano z { $file }
+machine-file-given = odczytano { $path }
+machine-file-built-in = { $path } jest wbudowany
+machine-remark-skipped = pominięto nieznany wiersz NC
+machine-remark-measurement-skipped = pominięto ten pomiar: jego wyniki są odtąd niezdefiniowane
+machine-remark-datum-skipped = pominięto ten pomiar: jego wyniki są odtąd niezdefiniowane i nic po nim nie jest mierzone, bo może ustawiać punkt odniesienia
+machine-remark-not-followed = ten wiersz NC nie jest wykonywany i może zmieniać punkt odniesienia: nic po nim nie jest mierzone
+machine-remark-no-system-data = { $parameter } jest odtąd niezdefiniowany: dane systemowe FN 18 zna tylko sterowanie
+machine-remark-axis-assumed = przed tym cyklem nie ma TOOL CALL: pomiar wzdłuż Z pierwszą sondą
+machine-remark-measured-again = zmierzono ponownie po poprawce: liczy się ten pomiar
+machine-remark-spindle-turns = wrzeciono obraca się od M{ $function }: sterowanie by nie próbkowało
+machine-remark-rotary-moved = przed tym cyklem poruszono { $axes }: detal zmierzono tak, jakby nie został obrócony
+machine-remark-other-preset = punkt odniesienia { $number }: przyjęto, że detal leży także tam
+machine-remark-built-in = { $path } nie ma wśród podanych plików: odczytano wbudowany
+machine-remark-other-names = odczytano { $read }, ale istnieje też { $others }: sterowanie ma tylko jeden plik o danej nazwie
+machine-remark-read = { $path }: { $what }
+machine-remark-other-spelling = tabela { $table } nie ma kolumny { $column }: użyto { $other }, drugiej pisowni z NC-Solution 8255
+machine-remark-row-number = tabela { $table }: NR to { $found } w wierszu { $row }: FN 27 i FN 28 liczą wiersze od 0
+machine-remark-length-converted = tabela { $table }: kolumna { $column } jest typu LENGTH i przeliczono ją między mm a calami
+machine-remark-ended-within = M{ $function } w wywołanym programie zakończyło wykonanie: sterowanie na to nie pozwala
+machine-remark-given-wins = { $parameter } = { $value } podano przed wykonaniem i zastępuje wartość z tego wiersza NC
+machine-remark-given-without-effect = { $parameter } podano przed wykonaniem bez skutku: żaden wiersz NC go nie czytał
+machine-remark-doubted = { $what }
+machine-remark-measured = { $what }
+machine-remark-filled = wiersz NC pomija { $parameters }: użyto tych wartości, ale sterowanie może odrzucić ten wiersz
+machine-remark-measurement-behind-end = { $count ->
+        [one] jeden cykl pomiarowy jest
+        [few] { $count } cykle pomiarowe są
+        [many] { $count } cykli pomiarowych jest
+       *[other] { $count } cykli pomiarowych jest
+    } po tym wierszu NC, gdzie sterowanie przestaje czytać: niczego po nim nie zmierzono
+machine-remark-cycle-skipped = ten cykl pomiarowy pominięto zgodnie z ustawieniem, z powodu / przed nim
+machine-remark-rounded = tabela { $table }, kolumna { $column }: { $value } zaokrąglono do { $written }
+machine-remark-not-judged = tu bez oceny: niczego nie porównano z granicami
+machine-remark-not-written = { $path } nie zapisano: nie wybrano folderu wyjściowego
+machine-remark-not-saved = { $path } nie zapisano: { $reason }
+machine-remark-full = { $path } osiągnął granicę kilobajtów ({ $kilobytes }): niczego nie dodano
+machine-remark-table-written = zapisano { $path }
+machine-remark-contacts-left = cykle użyły { $used } z { $count } zarejestrowanych punktów pomiarowych
+machine-remark-more = uwagi poza listą: jeszcze { $count }
+machine-remark-empty-spindle = wywołano narzędzie 0: TNC7 nie ma wtedy sondy we wrzecionie
+machine-remark-no-tool-named = żadne TOOL CALL przed tym cyklem nie podaje narzędzia: pomiar pierwszą sondą
+machine-remark-tool-call-words = TOOL CALL nie przyjmuje { $words }: pominięto
+machine-remark-no-nominal = cykl nie ma wymiaru nominalnego: sonda trafia w idealny detal w połowie K
+machine-remark-other-probe = narzędzia { $tool } nie ma w tabeli sond: użyto sondy { $probe }
+machine-remark-collision = kolizja: { $mover } dotknie elementu { $feature }, przy środku kulki w X { $x } Y { $y } Z { $z } mm
+machine-remark-unchecked = ruchy nie są w pełni sprawdzone względem { $features }
+machine-remark-stylus-unchecked = trzpień nie jest sprawdzany pod kątem kolizji: oś narzędzia to nie Z
+machine-remark-tool-offsets = { $offsets } z TOOL CALL nie zmienia symulowanej sondy
+machine-remark-tool-locked = narzędzie { $tool } jest zablokowane w tabeli narzędzi
+machine-remark-no-probe-tool = narzędzie { $tool } nie jest sondą: TYP = { $kind }, oczekiwane { $probe }
+machine-remark-no-such-tool = narzędzia { $tool } nie ma w tabeli narzędzi
+machine-remark-same-name = { $more ->
+    [one] jeszcze jedno narzędzie ma nazwę { $tool }
+    [few] jeszcze { $more } narzędzia mają nazwę { $tool }
+    [many] jeszcze { $more } narzędzi ma nazwę { $tool }
+   *[other] jeszcze { $more } narzędzi ma nazwę { $tool }
+}: użyto pierwszego w tabeli narzędzi
+machine-remark-content-uncertain = { $parameter } jest tu czytany, ale nie udokumentowano, że zawiera średnicę
+machine-remark-not-waited = { $parameter } jest czytany bez G909 po cyklu: sterowanie czyta wiersze NC z wyprzedzeniem i mogło jeszcze nie zmierzyć
+machine-remark-position-unknown = pozycja przed cyklem jest nieznana: bez D zaczyna się w nominalnym środku, bez WB na wysokości 0
+
+machine-passed-over = bez wpływu na pomiar: { $count } { $count ->
+        [one] wiersz NC
+        [few] wiersze NC
+        [many] wierszy NC
+       *[other] wierszy NC
+    }: { $list }
+
+## Pauses
+machine-pause-stop = program się zatrzymał: STOP lub M0
+machine-pause-optional-stop = program się zatrzymał: M1
+machine-pause-breakpoint = następny wiersz NC ma punkt zatrzymania
+machine-pause-log = protokół pomiaru jest na ekranie (Q281 = 2)
+
+## A block of a measuring cycle without its program
+alone-moved = { $text } przesuwa następny cykl próbkowania lub zmienia jego osie, ale cykl jest wykonywany bez tego: wykonać cały program
+alone-called = { $text } wykonuje wiersze NC, które mogą przesuwać następny cykl próbkowania, ale nie są czytane: wykonać cały program
+alone-not-understood = { $text } jest niezrozumiałe i może przesuwać następny cykl próbkowania: sprawdzić program lub wykonać go w całości
+alone-not-run = program nie wychodzi poza { $text } i nie dochodzi do następnego cyklu próbkowania, więc sterowanie tu nie mierzy: sprawdzić program
+alone-passed = { $text } może ominąć cykl próbkowania, więc sterowanie może tu nie mierzyć: wykonać cały program
+alone-skipped = sterowanie może pominąć cykl próbkowania z powodu / przed nim: jeśli ma być mierzony, usunąć /

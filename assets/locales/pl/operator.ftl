@@ -1,0 +1,35 @@
+# Okno dla operatora
+
+operator-mode = Dla kogo jest to okno
+operator-mode-about = Operator ma pomiar, wyniki i pomoc, w dużych literach; wszystko inne jest w pełnym oknie
+operator-mode-operator = Operator
+operator-mode-operator-about = Pomiar, wyniki i pomoc, dla palców, rękawic i z dwóch metrów.
+operator-mode-full = Wszystko
+operator-mode-full-about = Wszystkie strony, do pracy przy biurku.
+operator-question = Dla kogo jest to okno?
+operator-question-later = Można to zmienić w każdej chwili w ustawieniach; operator dochodzi tam przez „Wyjdź”.
+operator-leave = Wyjdź
+operator-report = Raport
+operator-undo = Cofnij
+operator-measure = Pomiar
+operator-results = Wyniki
+operator-one-size = Jeden wymiar
+operator-part = Część
+operator-last = Ostatnie wyniki
+operator-no-results = Jeszcze niczego nie zmierzono.
+operator-features = { $count ->
+    [one] 1 element
+    [few] Wszystkie { $count } elementy
+    [many] Wszystkie elementy: { $count }
+   *[other] Wszystkie elementy: { $count }
+}
+operator-next = Dalej
+operator-next-part = Następna część
+operator-to-value = Wartość
+operator-type-callout = Wpisać to, co podaje rysunek, np. 25 H7.
+operator-type-value = Zmierzyć i wpisać wartość.
+operator-choose-part = Wybrać część i wpisać jej numer seryjny.
+operator-hole-or-shaft = Co jest mierzone?
+operator-plans = Części
+operator-no-plans = Na tym komputerze nie otwarto jeszcze żadnego planu. Plany otwiera się w pełnym oknie, na stronie Części.
+operator-go-on-first = Najpierw odczytać ocenę i nacisnąć „Dalej”: to, co wpisano wcześniej, nie zostało przyjęte

@@ -1,0 +1,135 @@
+# report
+
+## Errors
+report-error-writer = nie można utworzyć raportu { $format }: { $reason }
+report-ending-missing = { $file } nie ma rozszerzenia, które podaje format raportu: użyć jednego z { $endings }
+report-ending-unknown = .{ $ending } nie jest formatem raportu: użyć jednego z { $endings }
+
+## Sentences about one check
+report-feature-hole = otwór
+report-feature-shaft = wałek
+report-side-good = dobry
+report-side-rework = poprawka
+report-side-scrap = brak
+report-side-too-small = za mały
+report-side-too-large = za duży
+report-source-instead = { $source }; ISO 286 podaje tu { $upper } i { $lower } µm
+report-too-small = { $um } µm za mały
+report-too-large = { $um } µm za duży
+report-inside = w granicach
+report-above-minimum = { $um } µm powyżej minimum
+report-below-minimum = { $um } µm poniżej minimum
+report-below-maximum = { $um } µm poniżej maksimum
+report-above-maximum = { $um } µm powyżej maksimum
+report-position-unknown = niezmierzona
+report-position-unmonitored = niemonitorowana
+report-position-in = W POLU
+report-position-out = POZA
+report-axis-unmonitored = { $axis } { $deviation } mm: niemonitorowana
+report-axis-in = { $axis } { $deviation } mm, dopuszczalna ± { $tolerance } mm: W POLU
+report-axis-out = { $axis } { $deviation } mm, dopuszczalna ± { $tolerance } mm: POZA
+report-cause-position = środek jest poza pozycją; sam wymiar: { $status }
+report-origin-circle = { $origin }; okrąg średniokwadratowy, punkty pomiarowe: { $contacts }
+report-centre = zmierzony środek X { $x } mm, Y { $y } mm
+report-band-nominal = wymiar nominalny { $size } mm
+report-band-title = Wykres granic, zmierzono { $value }: { $distances }
+report-in-guard-band = nic nie jest rozstrzygnięte: wartość leży w paśmie ochronnym reguły decyzyjnej
+report-corrected = zmierzono { $measured } mm przy { $temperature } °C, rozszerzalność { $expansion } · 10⁻⁶/K: skorygowano o { $change } µm do { $reference } mm w 20 °C
+report-all-corrected = zmierzono przy { $temperature } °C, rozszerzalność { $expansion } · 10⁻⁶/K; każdą wartość skorygowano do 20 °C
+report-scales = liniały przy { $temperature } °C, { $expansion } · 10⁻⁶/K
+report-scales-none = bez korekcji liniałów
+report-own-uncertainty = u każdej wartości przy jej kontroli
+report-accepted-zone = od { $least } do { $most } mm
+report-accepted-none = żadne: reguła nie zostawia nic z tej tolerancji
+report-proven = wykazane według tej reguły
+report-not-proven = niewykazane według tej reguły
+report-conformity = zgodność z prawdopodobieństwem { $percent } %
+report-budget-made = { $name }, utworzono { $date }, autor: { $by }, ważny do { $until }
+report-budget-expired = WYGASŁ w dniu kontroli
+report-budget-not-yet = JESZCZE NIEWAŻNY w dniu kontroli
+report-guard-undecided = pasmo ochronne: powtórzyć
+report-guard-beyond = pasmo ochronne: przyjęty poza granicą
+report-guard-range = { $what }, od { $from } do { $to } µm
+
+## The page
+report-title = Raport z kontroli
+report-part = Część
+report-order = Zlecenie
+report-inspector = Kontroler
+report-created = Utworzono
+report-program = Program
+report-notes = Pominięte wiersze i ostrzeżenia
+report-no-checks = Ten raport nie ma kontroli.
+report-page-all-good = Na tej stronie nie ma żadnej z kontroli ({ $total }): wszystkie są dobre i żadna nie budzi wątpliwości. Raport CSV lub JSON podaje każdą kontrolę.
+report-page-not-good = Ta strona podaje tylko kontrole niedobre lub budzące wątpliwości: { $listed } z { $total }. Liczby obejmują każdą kontrolę; raport CSV lub JSON podaje wszystkie.
+report-page-first = Ta strona podaje tylko pierwsze { $listed } z { $wanted } kontroli niedobrych lub budzących wątpliwości, spośród { $total } kontroli. Liczby obejmują każdą kontrolę; raport CSV lub JSON podaje wszystkie.
+report-total = Razem
+report-check = Kontrola
+report-id = Nazwa
+report-callout = Wymiar tol.
+report-heading-without-callout = { $nominal } mm, granice bez klasy
+report-verdict = Ocena
+report-nominal = Wymiar nominalny
+report-maximum = Maksimum
+report-minimum = Minimum
+report-measured = Zmierzono
+report-deviation = Odchyłka
+report-remove = Do zebrania
+report-on-diameter = na średnicy
+report-per-side = na stronę
+report-remove-to-limit = do najbliższej granicy
+report-remove-to-middle = do środka pola tolerancji
+report-remove-to-accepted = do wartości przyjmowanych
+report-position = Pozycja
+report-limits-from = Granice z
+report-measured-from = Wartość zmierzona
+report-from = Źródło
+report-limits = Granice
+report-missing = Brakuje
+report-skipped = Pominięto
+report-verdict-from = Reguła decyzyjna
+report-temperature = Temperatura
+report-accepted = Wartości przyjmowane
+report-proof = Dowód
+report-budget = Budżet niepewności
+report-cannot-tell = Ograniczenia tego pomiaru
+report-contacts = Punkty pomiarowe
+report-contacts-at-end = na końcu raportu
+report-contact = Nr
+report-radial = odchyłka promieniowa
+report-sign-name = Nazwisko
+report-sign-date = Data
+report-sign-signature = Podpis
+report-footer = Każda ocena opiera się na wartościach niezaokrąglonych oraz na podanych przy niej granicach i regule decyzyjnej.
+
+## Notes
+report-note = { $place }: { $what }
+report-note-line = { $place }, linia { $line }: { $what }
+report-note-more = { $count ->
+    [one] jeszcze 1 informacja jest poza listą
+    [few] jeszcze { $count } informacje są poza listą
+    [many] jeszcze { $count } informacji jest poza listą
+   *[other] jeszcze { $count } informacji jest poza listą
+}
+
+## A whole part
+report-balloon = Balonik
+report-picture-room = { $name } nie jest tu pokazany: z obrazami wszystkich części strona byłaby za duża
+report-picture-beside = { $count ->
+    [one] jeden element nie ma na nim balonika
+    [few] { $count } elementy nie mają na nim balonika
+    [many] { $count } elementów nie ma na nim balonika
+   *[other] { $count } elementów nie ma na nim balonika
+}
+report-part-older = { $count ->
+    [one] Jeszcze jedna wartość jest poza listą: dla każdego wymiaru podana jest tylko wartość, która się liczy
+    [few] Jeszcze { $count } wartości są poza listą: dla każdego wymiaru podana jest tylko wartość, która się liczy
+    [many] Jeszcze { $count } wartości jest poza listą: dla każdego wymiaru podana jest tylko wartość, która się liczy
+   *[other] Jeszcze { $count } wartości jest poza listą: dla każdego wymiaru podana jest tylko wartość, która się liczy
+}
+report-more-parts = { $count ->
+    [one] Jeszcze jedna część nie jest pokazana w całości; jej wartości są na liście
+    [few] Jeszcze { $count } części nie są pokazane w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
+    [many] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
+   *[other] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
+}
