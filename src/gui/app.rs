@@ -18,7 +18,7 @@ use super::rail::rail_ui;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{crash, dialogs, field, field_help, keys, palette, parts, top_bar, zoom};
+use super::{crash, dialogs, field, field_help, keys, operator, palette, parts, top_bar, zoom};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, RowHeight, Session, Theme};
@@ -294,6 +294,11 @@ const LOW: f32 = 700.0;
 fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     field::arrive(ui.ctx(), view);
     keys::keys_ui(ui, view);
+    if view.session.is_for_operators() {
+        operator::operator_ui(ui, view);
+        dialogs::dialogs_ui(ui, view, 0.0);
+        return;
+    }
     rail_ui(ui, view);
     // What lies over the page leaves a rail below it free.
     let below = ui.ctx().content_rect().bottom() - ui.available_rect_before_wrap().bottom();
@@ -305,4 +310,5 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     dialogs::dialogs_ui(ui, view, below);
     palette::palette_ui(ui, view);
     field_help::follow_ui(ui, view);
+    operator::question_ui(ui, view);
 }

@@ -22,7 +22,8 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>, below: f32) {
         leaving_ui(ui, view);
     } else if let Some(name) = session.asks_about() {
         discarding_ui(ui, view, &name);
-    } else if let Some(dialog) = session.dialog() {
+    } else if let Some(dialog) = session.dialog().filter(|dialog| !(session.is_for_operators() && dialog.is_waiting()))
+    {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
     } else if let Some(open) = session.open_columns() {
         Modal::new(Id::unique("columns-panel")).show(ui, |ui| columns_ui(ui, view, open));

@@ -82,7 +82,25 @@ impl FieldStyle {
     }
 }
 
-/// Draws the field alone. `name` is what a screen reader says.
+/// What a screen reader says of a field.
+enum Said<'a> {
+    /// The text beside it.
+    By(Id),
+    Name(&'a str),
+}
+
+/// Draws a field without a text beside it; `name` is what a screen reader says.
+pub(super) fn named_field_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    field: impl Into<Field>,
+    name: &str,
+    look: FieldStyle,
+) -> Response {
+    edit_ui(ui, view, field.into(), &Said::Name(name), look)
+}
+
+/// Draws the field alone. `name` is the text beside it, which a screen reader says.
 ///
 /// Tab or a click into the field selects its text, so that typing replaces it; Enter measures and keeps the focus, so
 /// that the next value can come at once.
@@ -93,7 +111,10 @@ pub(super) fn field_ui(
     name: Id,
     look: FieldStyle,
 ) -> Response {
-    let field = field.into();
+    edit_ui(ui, view, field.into(), &Said::By(name), look)
+}
+
+fn edit_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, said: &Said<'_>, look: FieldStyle) -> Response {
     let mut text = view.session.text(field).to_owned();
     let id = id(field);
     let culprit = view.session.culprit(field);
@@ -119,7 +140,10 @@ pub(super) fn field_ui(
     if culprit.is_some() {
         edit = edit.layouter(&mut layouter);
     }
-    let response = ui.add(edit).labelled_by(name);
+    let response = match said {
+        Said::By(name) => ui.add(edit).labelled_by(*name),
+        Said::Name(name) => ui.add(edit).accessible_name(*name),
+    };
     if response.changed() {
         view.send(field.typed(text.clone()));
     }
@@ -158,7 +182,9 @@ pub(super) fn field_ui(
     } else if !look.unit.is_empty() {
         ui.ctx().accesskit_node_builder(id, |node| node.set_description(look.unit));
     }
-    field_help_ui(ui, view, field, &response);
+    if !view.session.is_for_operators() {
+        field_help_ui(ui, view, field, &response);
+    }
     response
 }
 

@@ -11,6 +11,7 @@
 //! | `crash` | the report that a panic leaves |
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
+//! | `operator` | the window for an operator |
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts`, `help`, `settings` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
 //! | `over_page`, `palette` | what lies over a page; everything that can be done, found by its name |
@@ -73,6 +74,7 @@ mod limits;
 mod material;
 mod measurements;
 mod notices;
+mod operator;
 mod over_page;
 mod page;
 mod pages;

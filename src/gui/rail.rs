@@ -168,7 +168,7 @@ fn item_ui(ui: &mut Ui, view: &mut View<'_>, page: Page, size: eframe::egui::Vec
     }
 }
 
-fn paint_item(ui: &Ui, rect: Rect, response: &Response, (icon, name): (Icon, Option<&str>), is_on: bool) {
+pub(super) fn paint_item(ui: &Ui, rect: Rect, response: &Response, (icon, name): (Icon, Option<&str>), is_on: bool) {
     let palette = palette(ui.ctx());
     let ground = rect.shrink2(vec2(6.0_f32.min(rect.width() * 0.1), 1.0));
     let fill = match (is_on, response.hovered()) {

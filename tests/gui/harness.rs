@@ -12,7 +12,7 @@ use fitcheck::gui::journal::Records;
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::journal::entry::Moment;
 use fitcheck::message::Message;
-use fitcheck::session::{Command, Purpose};
+use fitcheck::session::{Command, Mode, Purpose};
 use fitcheck::words::{Language, Words};
 use jiff::ToSpan as _;
 use jiff::tz::{TimeZone, offset};
@@ -118,6 +118,7 @@ impl Window {
         harness.state_mut().send(&ctx, Command::SetTheme(theme));
         if !self.is_first {
             harness.state_mut().send(&ctx, Command::Welcome(false));
+            harness.state_mut().send(&ctx, Command::SetMode(Mode::Full));
         }
         harness.run();
         harness

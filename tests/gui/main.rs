@@ -18,6 +18,7 @@ mod help_page;
 mod history;
 mod keeping;
 mod keyboard;
+mod operator;
 mod pairing_page;
 mod palette;
 mod parts;

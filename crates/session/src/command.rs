@@ -20,7 +20,7 @@ use super::palette::PaletteCommand;
 use super::parts::{PartsCommand, WalkCommand};
 use super::purpose::Purpose;
 use super::rows::RowsCommand;
-use super::settings::{DecimalSign, Density, RowHeight, Theme};
+use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::settings_page::Section;
 use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
@@ -51,6 +51,10 @@ macro_rules! command {
             Answer(usize),
             /// Shows or hides the keypad.
             ShowKeypad(bool),
+            /// Chooses whom the window is for.
+            SetMode(Mode),
+            /// Goes on from a verdict that has been read to the next value.
+            GoOn,
             /// Changes the language of the window.
             SetLanguage(Language),
             /// Chooses light, dark, or the system's setting.

@@ -160,7 +160,7 @@ pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
-pub use settings::{DecimalSign, Density, RowHeight, Theme};
+pub use settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 pub use settings_page::{
     Control, KeyRow, KeysOfPlace, SETTINGS, Section, Setting, SettingsAction, SettingsCommand, SettingsField,
     SettingsPage, Told,
@@ -308,6 +308,7 @@ impl Session {
     /// with it; until the answer of the first comes, nothing is judged by a class.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme, saved.records.clone());
+        shared.mode = saved.mode;
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files.clone());
         shared.density = saved.density;
@@ -341,6 +342,7 @@ impl Session {
         let mut saved = Saved {
             language: self.shared.language,
             theme: self.shared.theme,
+            mode: self.shared.mode,
             keypad: self.shared.keypad,
             density: self.shared.density,
             rows: self.shared.rows,
@@ -383,7 +385,7 @@ impl Session {
             let command = answer.and_then(|action| action.command(self));
             return command.map_or_else(Vec::new, |command| self.apply(command, now));
         }
-        let was_asking = !self.answers().is_empty();
+        let asked_before = self.asks_for_enter();
         self.budget.see_day(now.date());
         self.records.see_time(now);
         self.shared.recording.named = self.check.named();
@@ -416,7 +418,7 @@ impl Session {
         effects.extend(errands);
         effects.extend(shared.recording.take_errands());
         let effects = shared.in_order(effects);
-        if !was_asking && !self.answers().is_empty() {
+        if !asked_before && self.asks_for_enter() {
             self.asking.ask(now);
         }
         effects
@@ -424,6 +426,9 @@ impl Session {
 
     /// Enter was pressed in a field. A scanner or gauge that ends its line with two signs answers no question with the second one.
     fn enter(&mut self, field: Field, now: DateTime) -> Vec<Effect> {
+        if self.is_for_operators() && self.rests() {
+            return if self.asking.is_in_passing(now) { Vec::new() } else { self.apply(Command::GoOn, now) };
+        }
         let Some(action) = self.on_enter(field) else { return Vec::new() };
         if self.answers().contains(&action) && self.asking.is_in_passing(now) {
             return Vec::new();
@@ -438,6 +443,25 @@ impl Session {
             effects.push(Effect::Focus(CheckField::Measured.into()));
         }
         effects
+    }
+
+    /// The verdict has been read: the next value is asked for.
+    fn go_on(&mut self) -> Vec<Effect> {
+        if self.shared.page == Page::Parts { self.parts.go_on() } else { self.check.go_on(&self.shared.sources) }
+    }
+
+    /// Whether Enter would answer something: a question, or a verdict that has to be read.
+    fn asks_for_enter(&self) -> bool {
+        !self.answers().is_empty() || self.is_for_operators() && self.rests()
+    }
+
+    /// Whether a verdict stands on screen, and Enter goes on from it.
+    pub fn rests(&self) -> bool {
+        match self.page() {
+            Page::Parts => self.parts.walking.rests(),
+            Page::Check => self.check.would_repeat(),
+            _ => false,
+        }
     }
 
     /// Applies a command that belongs to no page.
@@ -465,26 +489,23 @@ impl Session {
             }
             Command::OpenPage(page) => shared.open(page),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
-            Command::ShowKeypad(shown) => shared.keypad = shown,
-            Command::SetLanguage(language) => shared.set_language(language),
-            Command::SetTheme(theme) => shared.theme = theme,
-            Command::SetDensity(density) => shared.density = density,
-            Command::SetRows(rows) => shared.rows = rows,
-            Command::SetDecimal(decimal) => shared.set_decimal(decimal),
-            Command::SetZoom(zoom) => shared.zoom = zoom,
-            Command::Welcome(welcomes) => {
-                shared.welcomes = welcomes;
-                if welcomes {
-                    shared.open(Page::Check);
-                }
-            }
-            Command::Touched(is_touched) => shared.is_touched = is_touched,
+            Command::GoOn => return self.go_on(),
+            Command::SetMode(_)
+            | Command::ShowKeypad(_)
+            | Command::SetLanguage(_)
+            | Command::SetTheme(_)
+            | Command::SetDensity(_)
+            | Command::SetRows(_)
+            | Command::SetDecimal(_)
+            | Command::SetZoom(_)
+            | Command::Welcome(_)
+            | Command::Touched(_) => shared.look(&command),
             Command::SetMask(language) => {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
             }
             Command::Files(command) => return self.apply_files(command, now),
             Command::Columns(command) => return self.apply_columns(command, now),
-            Command::OpenDialog(purpose) => self.open_dialog(purpose, now),
+            Command::OpenDialog(purpose) => return self.ask_for_file(purpose, now),
             Command::TypePath(path) => {
                 if let Some(dialog) = &mut shared.dialog {
                     dialog.type_path(path);

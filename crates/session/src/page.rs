@@ -67,6 +67,11 @@ macro_rules! page {
                 }
             }
 
+            /// Whether an operator has it.
+            pub const fn is_for_operators(self) -> bool {
+                matches!(self, Self::Check | Self::Parts | Self::Records | Self::Help)
+            }
+
             /// The digit that opens it with Ctrl; only the first nine have one.
             pub fn digit(self) -> Option<char> {
                 let place = Self::ALL.iter().position(|page| *page == self)?;

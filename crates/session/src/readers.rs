@@ -18,7 +18,7 @@ use super::notice::Notice;
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
-use super::settings::{DecimalSign, Density, RowHeight, Theme};
+use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::shared::{MaskChoice, ProgramFiles};
 use super::workpiece::{OpenPart, RecordedContacts};
 use super::zoom::Zoom;
@@ -59,6 +59,20 @@ impl Session {
         self.shared.theme
     }
 
+    /// Whom the window is for.
+    pub fn mode(&self) -> Mode {
+        self.shared.mode.unwrap_or(Mode::Full)
+    }
+
+    /// Whether it is asked whom the window is for: a finger touched it, and nobody has said it.
+    pub const fn asks_for_mode(&self) -> bool {
+        self.shared.asks_for_mode
+    }
+
+    pub fn is_for_operators(&self) -> bool {
+        self.shared.is_for_operators()
+    }
+
     /// How high everything is that is pressed, as it was chosen.
     pub const fn density(&self) -> Density {
         self.shared.density
@@ -95,8 +109,9 @@ impl Session {
     }
 
     /// Whether what is pressed is high enough for fingers.
-    pub const fn is_for_touch(&self) -> bool {
+    pub fn is_for_touch(&self) -> bool {
         match self.shared.density {
+            _ if self.is_for_operators() => true,
             Density::ByUse => self.shared.is_touched,
             Density::Mouse => false,
             Density::Touch => true,

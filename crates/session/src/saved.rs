@@ -12,7 +12,7 @@ use fitcheck_exchange::exchange::Remembered;
 use serde::{Deserialize, Serialize};
 
 use super::check::{MeasureBy, RuleChoice};
-use super::settings::{DecimalSign, Density, RowHeight, Theme};
+use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::zoom::Zoom;
 
 /// The version that is written.
@@ -27,6 +27,8 @@ pub struct Saved {
     pub language: Language,
     /// Light or dark.
     pub theme: Theme,
+    /// Whom the window is for; `None` until somebody has said it.
+    pub mode: Option<Mode>,
     /// Whether the keypad is shown.
     pub keypad: bool,
     /// How high everything is that is pressed.
@@ -155,6 +157,7 @@ impl Default for Saved {
             version: VERSION,
             language: Language::default(),
             theme: Theme::default(),
+            mode: None,
             keypad: false,
             density: Density::default(),
             rows: RowHeight::default(),

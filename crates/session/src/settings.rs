@@ -20,6 +20,22 @@ impl Theme {
     pub const ALL: [Self; 5] = [Self::System, Self::Light, Self::Dark, Self::Contrast, Self::Inverted];
 }
 
+/// Who the window is for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Mode {
+    /// Everything, for a desk.
+    #[default]
+    Full,
+    /// Measuring, results and help, for fingers and two metres.
+    Operator,
+}
+
+impl Mode {
+    /// Every choice.
+    pub const ALL: [Self; 2] = [Self::Full, Self::Operator];
+}
+
 /// What stands before the decimals of a number in the window.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -22,6 +22,7 @@ use fitcheck_nc::machine::{NcPath, Store};
 use super::budget::OpenBudget;
 use super::check::RuleFields;
 use super::columns::Columns;
+use super::command::Command;
 use super::effect::Effect;
 use super::files::{Dialog, DialogId, Places, Working};
 use super::history::History;
@@ -30,7 +31,7 @@ use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
 use super::saved::SavedRecords;
-use super::settings::{DecimalSign, Density, RowHeight, Theme};
+use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
 use super::zoom::Zoom;
@@ -153,6 +154,8 @@ pub(super) struct Shared {
     pub page: Page,
     pub language: Language,
     pub theme: Theme,
+    /// Whom the window is for; `None` until somebody has said it.
+    pub mode: Option<Mode>,
     /// Whether the keypad is shown.
     pub keypad: bool,
     pub density: Density,
@@ -163,6 +166,8 @@ pub(super) struct Shared {
     pub welcomes: bool,
     /// Whether a finger was used last.
     pub is_touched: bool,
+    /// Whether it is asked whom the window is for.
+    pub asks_for_mode: bool,
     pub mask: MaskChoice,
     /// The user's own mask of the last time.
     pub own_mask: OwnMask,
@@ -233,9 +238,58 @@ impl Shared {
         self.news.pop_front()
     }
 
+    /// Opens a page; in the operator's mode only one of its own.
     pub fn open(&mut self, page: Page) {
+        if self.is_for_operators() && !page.is_for_operators() {
+            return;
+        }
         self.page = page;
         self.spread(News::Opened(page));
+    }
+
+    pub fn is_for_operators(&self) -> bool {
+        self.mode == Some(Mode::Operator)
+    }
+
+    pub fn set_mode(&mut self, mode: Mode) {
+        self.mode = Some(mode);
+        self.asks_for_mode = false;
+        // An operator has the keypad at first.
+        self.keypad |= mode == Mode::Operator;
+        if self.is_for_operators() && !self.page.is_for_operators() {
+            self.open(Page::Check);
+        }
+    }
+
+    /// How the window looks from now on, and whom it is for.
+    pub fn look(&mut self, command: &Command) {
+        match *command {
+            Command::SetMode(mode) => self.set_mode(mode),
+            Command::ShowKeypad(shown) => self.keypad = shown,
+            Command::SetLanguage(language) => self.set_language(language),
+            Command::SetTheme(theme) => self.theme = theme,
+            Command::SetDensity(density) => self.density = density,
+            Command::SetRows(rows) => self.rows = rows,
+            Command::SetDecimal(decimal) => self.set_decimal(decimal),
+            Command::SetZoom(zoom) => self.zoom = zoom,
+            Command::Welcome(welcomes) => {
+                self.welcomes = welcomes;
+                if welcomes {
+                    self.open(Page::Check);
+                }
+            }
+            Command::Touched(is_touched) => {
+                self.is_touched = is_touched;
+                // A mouse that moves while it is asked is no answer.
+                self.asks_for_mode |= is_touched && self.mode.is_none();
+            }
+            _ => {}
+        }
+    }
+
+    /// A verdict that is not good waits until somebody says that he has read it: what is typed before that is told, and not taken.
+    pub fn tell_to_go_on(&mut self) {
+        self.note(message!("operator-go-on-first"), Vec::new());
     }
 
     pub fn set_language(&mut self, language: Language) {

@@ -54,11 +54,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
 
 /// The same, no higher than the room: lines that have no place in it stand below.
 pub(super) fn answer_within_ui(ui: &mut Ui, view: &mut View<'_>, height: f32, most: f32) {
-    if let Some(doubted) = view.session.check().doubted() {
-        return doubted_ui(ui, view, doubted);
-    }
-    if let Some(question) = view.session.check().question.as_ref() {
-        return question_ui(ui, view, question);
+    if asks_ui(ui, view) {
+        return;
     }
     let record = view.session.check().shown.as_ref().map(|shown| shown.record.as_ref());
     let card = record.map_or_else(|| no_card(view), |record| card(view.words, record, true));
@@ -175,6 +172,18 @@ pub(super) fn rest_of_card_ui(ui: &mut Ui, view: &View<'_>) {
     } else if view.session.check().question.is_none() {
         lines_below_ui(ui, &no_card(view));
     }
+}
+
+/// What is asked about a text or a value before anything is judged; whether anything is.
+pub(in crate::gui) fn asks_ui(ui: &mut Ui, view: &mut View<'_>) -> bool {
+    if let Some(doubted) = view.session.check().doubted() {
+        doubted_ui(ui, view, doubted);
+    } else if let Some(question) = view.session.check().question.as_ref() {
+        question_ui(ui, view, question);
+    } else {
+        return false;
+    }
+    true
 }
 
 /// What is asked about a typed value before it is judged.
@@ -304,7 +313,8 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     }
 }
 
-fn why_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
+/// Why a record has its verdict: limits, measurement, rule, and what the measurement cannot tell.
+pub(in crate::gui) fn why_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
     let words = view.words;
     let said = |id: &'static str, what: &dyn Say| words.say(&Message::new(id).message("what", what.message()));
     ui.label(said("why-limits", &record.limits.source));

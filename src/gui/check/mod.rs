@@ -28,7 +28,7 @@ mod rule_panel;
 mod status_panel;
 mod worth_lines;
 
-pub(super) use answer_panel::{card as check_card, distances};
+pub(super) use answer_panel::{asks_ui, card as check_card, distances, why_ui};
 pub(super) use band_plot::band_of_ui;
 use std::ops::RangeInclusive;
 

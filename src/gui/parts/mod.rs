@@ -22,11 +22,15 @@ use super::view::View;
 use crate::gui::page::{Group, PageView, ending, open};
 use crate::session::parts::PartsView;
 use crate::session::{Action, Command, PartsAction, Purpose};
+pub(super) use picture::walk_picture_ui;
 pub(super) use plan::grid::focus as focus_table;
 pub(super) use plan::grid_id as plan_id;
 #[cfg(test)]
 pub(super) use walk::SIZES;
-pub(super) use walk::sizes_id;
+pub(super) use walk::{
+    asked_text, catch_typing, features_ui, has_picture as has_walk_picture, headline_card, recorded_of, sizes_id,
+    skip_ui, value_card, value_question_ui,
+};
 
 pub(super) const PAGE: PageView =
     PageView { sides: &SIDES, action, opened, dropped, ..PageView::of(Group::Measure, Icon::Cube, parts_ui) };

@@ -32,7 +32,7 @@ pub(super) fn plan_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// The picture of the part that is measured; a balloon leads to its feature.
-pub(super) fn walk_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
+pub(in crate::gui) fn walk_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
     let balloons = view.session.parts().walk_balloons();
     let sight = view.session.parts().walk_sight();
     let clicked = picture_ui(ui, view, (sight, &balloons), false);

@@ -8,6 +8,7 @@
 //! | here | what is asked of an action: its name, whether it is possible, its command |
 //! | `row` | what is to be known of an action, and how a list of actions is written |
 //! | `window`, `workpiece` | the actions of every page, and of the pages that measure a workpiece |
+//! | `operator` | what an operator can do |
 //! | `status` | the status window that is written as text |
 //! | `possible` | conditions that several pages share |
 //! | `place` | where an action applies |
@@ -25,6 +26,7 @@
 //! 4. Write a new key into the tables of `docs/manual/window.md`: the test `session_actions` compares them.
 
 mod keys;
+mod operator;
 mod place;
 pub(crate) mod possible;
 pub(crate) mod row;
@@ -148,15 +150,15 @@ impl Action {
 
     /// The command that it sends now; `None` where it is not possible.
     pub fn command(self, session: &Session) -> Option<Command> {
-        let row = self.row();
-        if (row.possible)(session) { row.sends.command(session) } else { None }
+        if session.can(self) { self.row().sends.command(session) } else { None }
     }
 }
 
 impl Session {
     /// Whether something can be done now.
     pub fn can(&self, action: impl Into<Action>) -> bool {
-        (action.into().row().possible)(self)
+        let action = action.into();
+        (!self.is_for_operators() || action.is_for_operators()) && (action.row().possible)(self)
     }
 
     /// How many listed checks are not good.

@@ -52,6 +52,9 @@ impl PageState for CheckPage {
                 self.texts.set(CheckField::RowsFilter, text);
                 return self.filter_rows(shared);
             }
+            CheckCommand::Type(CheckField::Measured, _) if shared.is_for_operators() && self.waits() => {
+                shared.tell_to_go_on();
+            }
             CheckCommand::Type(field, text) => self.type_text(field, text, &shared.sources),
             CheckCommand::ChooseClass(class) => {
                 let nominal = nominal_text(self.text(CheckField::Callout));
@@ -86,11 +89,7 @@ impl PageState for CheckPage {
             }
             CheckCommand::TakeText => self.take_text(shared, now),
             CheckCommand::KeepText => self.keep_text(shared, now),
-            CheckCommand::Clear => {
-                self.texts.set(CheckField::Measured, "");
-                self.measured_is_used = false;
-                self.clear(&shared.sources);
-            }
+            CheckCommand::Clear => self.clear_value(&shared.sources),
             CheckCommand::CopyStatus => {
                 return self.status_text().map(Effect::Copy).into_iter().collect();
             }
@@ -208,6 +207,23 @@ impl PageState for CheckPage {
 }
 
 impl CheckPage {
+    /// The verdict has been read: the next value is asked for.
+    pub(crate) fn go_on(&mut self, sources: &Sources) -> Vec<Effect> {
+        self.clear_value(sources);
+        vec![Effect::Focus(CheckField::Measured.into())]
+    }
+
+    fn clear_value(&mut self, sources: &Sources) {
+        self.texts.set(CheckField::Measured, "");
+        self.measured_is_used = false;
+        self.clear(sources);
+    }
+
+    /// Whether a verdict is shown that asks for a look.
+    fn waits(&self) -> bool {
+        self.would_repeat() && self.shown.as_ref().is_some_and(|shown| shown.record.verdict.asks_for_a_look())
+    }
+
     /// Lists what the filter says in the language of the window.
     fn filter(&self, shared: &mut Shared) {
         shared.history.filter(self.text(CheckField::HistoryFilter), &shared.words());

@@ -112,6 +112,12 @@ impl Session {
         Vec::new()
     }
 
+    /// Asks which file is meant; an operator is asked for no name and no folder.
+    pub(super) fn ask_for_file(&mut self, purpose: Purpose, now: DateTime) -> Vec<Effect> {
+        self.open_dialog(purpose, now);
+        if self.is_for_operators() { self.confirm(now) } else { Vec::new() }
+    }
+
     pub(super) fn open_dialog(&mut self, purpose: Purpose, now: DateTime) {
         let path = match purpose {
             Purpose::Export(_) | Purpose::ExportRows(_) if self.lists_rows() => {

@@ -44,6 +44,9 @@ impl PageState for PartsPage {
     fn apply(&mut self, command: PartsCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         let mut effects = Vec::new();
         match command {
+            PartsCommand::Type(WalkField::Value, _) if shared.is_for_operators() && self.walking.waits() => {
+                shared.tell_to_go_on();
+            }
             PartsCommand::Type(field, text) => {
                 match field {
                     WalkField::Value => self.type_value(&text),

@@ -83,6 +83,12 @@ impl PartsPage {
         Vec::new()
     }
 
+    /// The verdict has been read: the next size is asked for.
+    pub(crate) fn go_on(&mut self) -> Vec<Effect> {
+        self.walking.begin_asked();
+        self.walking.at.map(|_| Effect::Focus(WalkField::Value.into())).into_iter().collect()
+    }
+
     /// Reads the field, asks about a doubtful value, and takes it.
     fn take_typed(&mut self, shared: &mut Shared, now: DateTime) {
         let asked_about = self.walking.question.take();

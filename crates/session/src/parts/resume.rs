@@ -15,6 +15,7 @@ use super::planned::{Away, Planned, Sizes};
 use super::walking::Value;
 use crate::effect::Effect;
 use crate::notice::Notice;
+use crate::parts::WalkField;
 use crate::purpose::Purpose;
 use crate::recording::{Keeping, Recorded};
 use crate::records::RecordRow;
@@ -255,9 +256,14 @@ impl PartsPage {
         let is_undone = |value: &Value| {
             value.id.is_some_and(|id| ids.contains(&id)) || value.number.is_some_and(|number| numbers.contains(&number))
         };
-        if self.walking.has(is_undone) {
+        let at = self.walking.place_where(is_undone);
+        if let Some(at) = at {
             self.walking.remove(is_undone);
             self.stay_open();
+            if self.texts.text(WalkField::Value).trim().is_empty() {
+                // What was undone is measured anew.
+                self.walking.go(at);
+            }
         }
     }
 

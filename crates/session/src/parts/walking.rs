@@ -215,6 +215,21 @@ impl Walking {
         Some((at, self.counting(at)?))
     }
 
+    /// The value whose verdict is new, until the next one is begun.
+    fn resting(&self) -> Option<&Value> {
+        self.counting(self.resting?)
+    }
+
+    /// Whether a verdict is new.
+    pub fn rests(&self) -> bool {
+        self.resting().is_some()
+    }
+
+    /// Whether it asks for a look.
+    pub(super) fn waits(&self) -> bool {
+        self.resting().is_some_and(|value| value.record.verdict.asks_for_a_look())
+    }
+
     /// Does something with that size as the plan has it.
     pub fn faced_size(&self) -> Option<Size<'_>> {
         self.plan.as_deref()?.sizes().nth(self.faced()?)
@@ -285,6 +300,11 @@ impl Walking {
 
     pub(super) fn has(&self, is_it: impl Fn(&Value) -> bool) -> bool {
         self.values.iter().flatten().any(is_it)
+    }
+
+    /// The last size that has a value of which something is true.
+    pub(super) fn place_where(&self, is_it: impl Fn(&Value) -> bool) -> Option<usize> {
+        self.values.iter().rposition(|values| values.iter().any(&is_it))
     }
 
     /// Takes a value out and puts another one in its place; returns the name of its size.
@@ -428,12 +448,12 @@ impl Walking {
         steps.filter_map(|(name, step)| Some((name.as_str(), step.skipped.as_deref()?)))
     }
 
-    /// Whatever was asked or refused is over.
     /// Nothing more is said of the value that came last: the page is about the size that is asked for. Whether it was about another one.
     pub(super) fn begin_asked(&mut self) -> bool {
         self.resting.take().is_some_and(|at| self.at != Some(at))
     }
 
+    /// Whatever was asked or refused is over.
     pub(super) fn quiet(&mut self) {
         self.question = None;
         self.refusal = None;

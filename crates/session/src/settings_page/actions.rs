@@ -12,7 +12,7 @@ use crate::command::Command;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
 use crate::purpose::Purpose;
-use crate::settings::{DecimalSign, RowHeight};
+use crate::settings::{DecimalSign, Mode, RowHeight};
 use crate::shared::MaskChoice;
 use crate::zoom::Zoom;
 
@@ -33,6 +33,8 @@ actions! {
     ImportSettings;
     /// Opens the manual at what is built in, and its licences.
     ShowLicences;
+    /// Chooses whom the window is for.
+    UseMode(Mode): Mode::ALL;
     /// Changes the language of the window.
     UseLanguage(Language): Language::all();
     ZoomOut;
@@ -77,6 +79,13 @@ impl Actions for SettingsAction {
                 .when(|session| session.notices().iter().any(|notice| notice.before.is_some())),
             Self::ExportSettings => everywhere("settings-page-export", Command::OpenDialog(Purpose::ExportSettings)),
             Self::ImportSettings => everywhere("settings-page-import", Command::OpenDialog(Purpose::ImportSettings)),
+            Self::UseMode(mode) => {
+                let text = match mode {
+                    Mode::Full => "operator-mode-full",
+                    Mode::Operator => "operator-mode-operator",
+                };
+                everywhere(text, Command::SetMode(mode))
+            }
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
             Self::ZoomOut => scaled("settings-page-zoom-out", |session| Command::SetZoom(session.zoom().smaller()))
                 .when(|session| Zoom::LEAST < session.zoom()),
@@ -129,6 +138,7 @@ impl Actions for SettingsAction {
                 let page = session.settings_page();
                 page.found.is_none() && page.section == section
             }
+            Self::UseMode(mode) => session.mode() == mode,
             Self::UseLanguage(language) => session.language() == language,
             Self::UseDecimal(decimal) => session.decimal() == decimal,
             Self::UseRows(rows) => session.rows() == rows,

@@ -117,7 +117,7 @@ impl SettingsFile {
         }
         // What else a state file has is known, and no setting.
         let known = table_of(&Saved::default()).map_err(said)?;
-        unknown.retain(|key, _| key == "inputs" || (!known.contains_key(key) && key != "budget"));
+        unknown.retain(|key, _| key == "inputs" || (!known.contains_key(key) && key != "budget" && key != "mode"));
         let wanted = all.try_into().map_err(|error: toml::de::Error| said(broken(&error.message())))?;
         Ok(Self { wanted, unknown })
     }

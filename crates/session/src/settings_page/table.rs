@@ -12,7 +12,7 @@ use crate::field::Field;
 use crate::page::Page;
 use crate::parts::PartsAction;
 use crate::records::{RecordsAction, RecordsField};
-use crate::settings::{DecimalSign, Density, RowHeight, Theme};
+use crate::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 
 /// A setting: a row of the page.
 #[derive(Debug, Clone, Copy)]
@@ -107,6 +107,12 @@ pub const SETTINGS: &[Setting] = &[
         "language",
         "settings-page-language-about",
         Control::OneOf(|| of(Language::all(), SettingsAction::UseLanguage), None),
+    ),
+    row(
+        Section::General,
+        "operator-mode",
+        "operator-mode-about",
+        Control::OneOf(|| of(Mode::ALL, SettingsAction::UseMode), Some(action(SettingsAction::UseMode(Mode::Full)))),
     ),
     row(Section::General, "keypad", "settings-page-keypad-about", Control::Switch(window(WindowAction::Keypad))),
     row(

@@ -53,7 +53,7 @@ fn below_id() -> Id {
 }
 
 /// What is asked about a typed value; as high as card, strip and record together.
-fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question, room: f32) {
+pub(in crate::gui) fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question, room: f32) {
     let gap = ui.spacing().item_spacing.y;
     let record = if view.session.recording().is_on() { sizes().small * 1.4 + gap } else { 0.0 };
     let buttons = f32::from(u8::try_from(view.session.answers().len()).unwrap_or(u8::MAX));
@@ -65,7 +65,7 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question, room: f32)
     view.answers_ui(ui, size);
 }
 
-fn recorded_of<'a>(view: &View<'a>, value: &Value) -> Option<Recorded<'a>> {
+pub(in crate::gui) fn recorded_of<'a>(view: &View<'a>, value: &Value) -> Option<Recorded<'a>> {
     let of_check = value.id.and_then(|id| view.session.recording().of_check(id));
     of_check.or(value.number.map(Recorded::Kept))
 }
@@ -83,7 +83,7 @@ fn no_card(view: &View<'_>, lines: Vec<String>) -> Card {
 }
 
 /// The card of what the one look is for.
-fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
+pub(in crate::gui) fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
     if let Some(refusal) = walking.refusal.as_ref() {
         return no_card(view, vec![view.words.say(refusal)]);
     }
@@ -112,8 +112,13 @@ fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
     }
 }
 
+/// The card of a value of a size, which the page names beside it.
+pub(in crate::gui) fn value_card(view: &View<'_>, walking: &Walking, at: usize, value: &Value) -> Card {
+    check_card(view.words, &value.record, walking.is_round(at))
+}
+
 fn size_card(view: &View<'_>, walking: &Walking, at: usize, value: &Value) -> Card {
-    let card = check_card(view.words, &value.record, walking.is_round(at));
+    let card = value_card(view, walking, at, value);
     Card { value: card.value.map(|mm| format!("{}: {mm}", walking.name(at))), ..card }
 }
 

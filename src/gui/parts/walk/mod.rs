@@ -22,9 +22,11 @@ mod watch_panel;
 use eframe::egui::{Event, Popup, Ui};
 
 use crate::session::WalkField;
+pub(in crate::gui) use answer_panel::{headline_card, question_ui as value_question_ui, recorded_of, value_card};
 #[cfg(test)]
 pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
-pub(in crate::gui) use sizes_list::id as sizes_id;
+pub(in crate::gui) use sizes_list::{id as sizes_id, sizes_ui as features_ui};
+pub(in crate::gui) use skip_panel::skip_ui;
 
 use crate::gui::columns::{Page, Shape, THREE, columns_ui, of_height, scaled};
 use crate::gui::theme::space;
@@ -46,7 +48,7 @@ const AROUND: f32 = 15.0;
 const LIST: f32 = 36.0;
 
 /// What a size asks for: its callout, or the deviations of a point.
-fn asked_text(words: &Words, size: &Size<'_>) -> String {
+pub(in crate::gui) fn asked_text(words: &Words, size: &Size<'_>) -> String {
     let deviations = &size.limits.deviations;
     if size.callout.is_none() && deviations.upper() == deviations.lower().negated() {
         return format!("±{} µm", words.um(deviations.upper()));
@@ -56,7 +58,7 @@ fn asked_text(words: &Words, size: &Size<'_>) -> String {
 }
 
 /// Whether the part that is measured has a picture.
-fn has_picture(view: &View<'_>) -> bool {
+pub(in crate::gui) fn has_picture(view: &View<'_>) -> bool {
     let parts = view.session.parts();
     parts.walking.is_begun() && parts.walk_sight().is_some()
 }
@@ -70,7 +72,7 @@ fn asked_over_sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// What a scanner or gauge types while no field has the focus goes into the field of the serial number or of the value.
-fn catch_typing(ui: &Ui, view: &mut View<'_>) {
+pub(in crate::gui) fn catch_typing(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = &session.parts().walking;
     let field = if walking.is_begun() { WalkField::Value } else { WalkField::Serial };

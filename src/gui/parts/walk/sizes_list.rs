@@ -40,7 +40,7 @@ pub(in crate::gui) const COLUMNS: [Column; 6] = [
 const STRETCH: f32 = 1.6;
 
 /// The list in the room that is left.
-pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
+pub(in crate::gui) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
     let walking = &view.session.parts().walking;
     if !walking.is_begun() {
         quiet(ui, view.text("walk-page-no-part"));

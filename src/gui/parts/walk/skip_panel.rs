@@ -13,7 +13,7 @@ use crate::session::{PartsAction, WalkField};
 const USUAL: [&str; 4] =
     ["walk-page-skip-access", "walk-page-skip-gauge", "walk-page-skip-machined", "walk-page-skip-elsewhere"];
 
-pub(super) fn skip_ui(ui: &mut Ui, view: &mut View<'_>) {
+pub(in crate::gui) fn skip_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("walk-page-skip-why"));
     steady(ui, "walk-skip", |ui| {
         for (place, reason) in USUAL.map(|id| view.text(id)).into_iter().enumerate() {

@@ -1,0 +1,153 @@
+//! Right, below the verdict: the band, and what was asked for last below it: the reasons, the features, the picture, the last results; at
+//! the foot three buttons.
+
+use eframe::egui::{Button, Id, Panel, RichText, ScrollArea, Ui, vec2};
+
+use super::{gap, results};
+use crate::gui::card::page_card_ui;
+use crate::gui::check::{band_of_ui, recorded_ui, why_ui};
+use crate::gui::columns::of_height;
+use crate::gui::parts::{features_ui, has_walk_picture, walk_picture_ui};
+use crate::gui::shapes::times;
+use crate::gui::theme::{self, Icon, Weight, sizes, space};
+use crate::gui::view::{View, remembered};
+use crate::journal::Record;
+use crate::message::message;
+use crate::session::{Action, Page, PartsAction, Recorded, WindowAction};
+use crate::tolerance::Limits;
+
+/// The share of the height that the verdict has, and its limits: the word of an operator's window has 104 dots.
+const VERDICT: f32 = 0.28;
+const VERDICT_LIMITS: [f32; 2] = [210.0, 300.0];
+
+/// The height of the band.
+const BAND: [f32; 2] = [150.0, 220.0];
+
+/// The height of a button at the foot.
+const BUTTON: f32 = 56.0;
+
+/// What is shown in the place of the picture.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+enum Shown {
+    #[default]
+    Usual,
+    Why,
+    Features,
+}
+
+fn shown_id() -> Id {
+    Id::unique("operator-shown")
+}
+
+pub(super) fn verdict_height(ui: &Ui) -> f32 {
+    (ui.available_height() * VERDICT).clamp(VERDICT_LIMITS[0], VERDICT_LIMITS[1])
+}
+
+/// What stands below the verdict.
+pub(super) struct Below<'a> {
+    pub limits: Option<&'a Limits>,
+    pub record: Option<&'a Record>,
+    /// What has become of the record.
+    pub recorded: Option<Recorded<'a>>,
+    pub is_part: bool,
+}
+
+pub(super) fn below_ui(ui: &mut Ui, view: &mut View<'_>, below: &Below<'_>) {
+    if matches!(below.recorded, Some(Recorded::Failed(_))) {
+        recorded_ui(ui, view, below.recorded);
+    }
+    let all = ui.available_height();
+    let has_more = BAND[0] + space(24.0) <= all;
+    let shown: Shown = remembered(ui, shown_id());
+    let takes_all = !has_more && shown != Shown::Usual;
+    if let (Some(limits), false) = (below.limits, takes_all) {
+        let height = if has_more { (all * 0.45).clamp(BAND[0], BAND[1]) } else { all };
+        of_height(ui, height, |ui| page_card_ui(ui, |ui| band_of_ui(ui, view, limits, below.record)));
+        if !has_more {
+            return;
+        }
+        ui.add_space(gap(ui) - ui.spacing().item_spacing.y);
+    }
+    page_card_ui(ui, |ui| match (shown, below.record) {
+        (Shown::Why, Some(record)) => {
+            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| why_ui(ui, view, record));
+        }
+        (Shown::Features, _) if below.is_part => features_ui(ui, view),
+        _ if below.is_part && has_walk_picture(view) => walk_picture_ui(ui, view),
+        _ if below.is_part => features_ui(ui, view),
+        _ => results::last_ui(ui, view),
+    });
+}
+
+/// A button of the foot.
+enum Foot {
+    Does(Action, Icon),
+    /// Shows something in the place of the picture, or the picture again.
+    Shows(Shown, &'static str, Icon),
+}
+
+/// Three buttons at the foot of what is left.
+pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Record>, of_part: &[(Action, Icon)]) {
+    let is_part = view.session.page() == Page::Parts;
+    let mut buttons: Vec<Foot> = of_part.iter().map(|(action, icon)| Foot::Does(*action, *icon)).collect();
+    if is_part && view.session.parts().walking.is_begun() {
+        buttons.push(Foot::Shows(Shown::Features, "operator-features", Icon::ListNumbers));
+    } else {
+        let page = if is_part { Page::Check } else { Page::Parts };
+        buttons.push(Foot::Does(WindowAction::Open(page).into(), if is_part { Icon::Ruler } else { Icon::Cube }));
+    }
+    buttons.push(Foot::Shows(Shown::Why, "why", Icon::Question));
+    let gap = gap(ui);
+    let panel = Panel::bottom("operator-actions").resizable(false).show_separator_line(false);
+    #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
+    let margin = eframe::egui::Margin { top: gap as i8, ..eframe::egui::Margin::ZERO };
+    panel.exact_size(BUTTON + gap).frame(eframe::egui::Frame::new().inner_margin(margin)).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = gap;
+            let width = (ui.available_width() - times(gap, buttons.len() - 1)) / times(1.0, buttons.len());
+            for button in buttons {
+                foot_ui(ui, view, &button, (width, record.is_some()));
+            }
+        });
+    });
+}
+
+fn foot_ui(ui: &mut Ui, view: &mut View<'_>, button: &Foot, (width, has_record): (f32, bool)) {
+    let shown: Shown = remembered(ui, shown_id());
+    let (name, icon, is_on, is_possible) = match button {
+        Foot::Does(action, icon) => {
+            let name = match action {
+                Action::Window(WindowAction::Open(Page::Parts)) => view.text("operator-part"),
+                Action::Window(WindowAction::Open(_)) => view.text("operator-one-size"),
+                Action::Parts(PartsAction::ReportPart(_)) => view.text("operator-report"),
+                action => action.text(view.session, view.words),
+            };
+            (name, *icon, false, view.session.can(*action))
+        }
+        Foot::Shows(of, id, icon) => {
+            let count = view.session.parts().walking.count();
+            let name = view.words.say(&message!("operator-features").count("count", count));
+            let name = if *of == Shown::Features { name } else { view.text(id) };
+            (name, *icon, shown == *of, *of != Shown::Why || has_record)
+        }
+    };
+    let font = |size: f32| theme::bold(size);
+    let room = width - space(14.0);
+    let wide =
+        ui.painter().layout_no_wrap(name.clone(), font(sizes().limits), eframe::egui::Color32::PLACEHOLDER).size().x;
+    let size = sizes().limits * (room / wide.max(1.0)).min(1.0);
+    let text = RichText::new(&name).font(font(size));
+    let look =
+        Button::new((icon.text(Weight::Regular, space(5.5)), text)).selected(is_on).min_size(vec2(width, BUTTON));
+    let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, look)).accessible_name(&name);
+    if !response.clicked() {
+        return;
+    }
+    match button {
+        Foot::Does(action, _) => view.act(*action),
+        Foot::Shows(of, ..) => {
+            let next = if is_on { Shown::Usual } else { *of };
+            ui.data_mut(|data| data.insert_temp(shown_id(), next));
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! The window for an operator: one bar, what is asked at the left, and the verdict at the right, for fingers, gloves and two metres.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the frame: bar, left, right |
+//! | `bar` | what can be opened, what is measured, who measures; Undo, keypad, and the way out |
+//! | `check` | one size by its callout |
+//! | `part` | a part, feature by feature |
+//! | `asked` | left: the value and the keypad, over the button that Enter is for |
+//! | `verdict` | the word, as large as its language fits |
+//! | `below` | right, below: the band over what was asked for: reasons, features, the picture, the last results |
+//! | `results` | what was measured last |
+//! | `question` | at the first touch: whom this window is for |
+//!
+//! Pages and their state are those of the full mode. What an operator cannot do is no possible action (`session::action::operator`).
+
+mod asked;
+mod bar;
+mod below;
+mod check;
+mod part;
+mod question;
+mod results;
+mod verdict;
+
+use eframe::egui::{CentralPanel, Frame, Margin, Panel, Ui};
+
+pub(super) use self::question::question_ui;
+
+use super::pages::page_of;
+use super::theme;
+use super::view::View;
+use crate::session::Page;
+
+/// Below this width cards come closer to each other.
+const NARROW: f32 = 900.0;
+
+/// The share of the width that the left column has, and its limits.
+const LEFT: f32 = 0.36;
+const LEFT_LIMITS: [f32; 2] = [284.0, 520.0];
+
+/// Between two cards.
+fn gap(ui: &Ui) -> f32 {
+    if ui.ctx().content_rect().width() < NARROW { 8.0 } else { 12.0 }
+}
+
+/// The bar and the open page.
+pub(super) fn operator_ui(ui: &mut Ui, view: &mut View<'_>) {
+    bar::bar_ui(ui, view);
+    let margin = if ui.ctx().content_rect().width() < NARROW { 8 } else { 12 };
+    let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(margin);
+    CentralPanel::default().frame(canvas).show(ui, |ui| match view.session.page() {
+        Page::Records => results::results_ui(ui, view),
+        Page::Parts => part::part_ui(ui, view),
+        Page::Help => (page_of(Page::Help).ui)(ui, view),
+        _ => check::check_ui(ui, view),
+    });
+}
+
+/// What is asked at the left, and the answer right of it.
+fn sides_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    left: impl FnOnce(&mut Ui, &mut View<'_>),
+    right: impl FnOnce(&mut Ui, &mut View<'_>),
+) {
+    let gap = gap(ui);
+    ui.spacing_mut().item_spacing.y = gap;
+    let width = (ui.available_width() * LEFT).clamp(LEFT_LIMITS[0], LEFT_LIMITS[1]);
+    #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
+    let margin = Margin { right: gap as i8, ..Margin::ZERO };
+    let panel = Panel::left("operator-asked").resizable(false).exact_size(width + gap).show_separator_line(false);
+    panel.frame(Frame::new().inner_margin(margin)).show(ui, |ui| left(ui, view));
+    right(ui, view);
+}

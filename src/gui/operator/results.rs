@@ -1,0 +1,78 @@
+//! What was measured last, newest first.
+
+use eframe::egui::{Align, Layout, RichText, ScrollArea, Sense, Ui, vec2};
+
+use crate::gui::card::page_card_ui;
+use crate::gui::check::check_card;
+use crate::gui::shapes::{self, Edge, lines_of};
+use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::verdict_card::edged_chip_ui;
+use crate::gui::view::{Digits, View, heading, quiet};
+use crate::journal::Record;
+
+/// The height of a row.
+const ROW: f32 = 56.0;
+
+/// As many results are looked through at most.
+const MOST: usize = 200;
+
+pub(super) fn results_ui(ui: &mut Ui, view: &View<'_>) {
+    page_card_ui(ui, |ui| {
+        heading(ui, view.text("operator-results"));
+        let records: Vec<&Record> = newest(view).take(MOST).collect();
+        if records.is_empty() {
+            quiet(ui, view.text("operator-no-results"));
+            return;
+        }
+        ScrollArea::vertical().auto_shrink([false, false]).show_rows(ui, ROW, records.len(), |ui, shown| {
+            for record in records.get(shown).into_iter().flatten() {
+                row_ui(ui, view, record);
+            }
+        });
+    });
+}
+
+/// The last ones, as many as there is room for.
+pub(super) fn last_ui(ui: &mut Ui, view: &View<'_>) {
+    heading(ui, view.text("operator-last"));
+    let count = lines_of(ui.available_height() / (ROW + ui.spacing().item_spacing.y));
+    let records: Vec<&Record> = newest(view).take(count).collect();
+    if records.is_empty() {
+        quiet(ui, view.text("operator-no-results"));
+    }
+    for record in records {
+        row_ui(ui, view, record);
+    }
+}
+
+fn newest<'a>(view: &View<'a>) -> impl Iterator<Item = &'a Record> {
+    view.session.history().iter().rev().map(std::convert::AsRef::as_ref)
+}
+
+/// The shape, the name and the callout, the value, the word, and when it was.
+fn row_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
+    let palette = palette(ui.ctx());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
+    ui.painter().hline(rect.x_range(), rect.bottom(), theme::line(ui.ctx()));
+    let mut row =
+        ui.new_child(eframe::egui::UiBuilder::new().max_rect(rect).layout(Layout::left_to_right(Align::Center)));
+    row.spacing_mut().item_spacing.x = space(3.0);
+    let (mark, _) = row.allocate_exact_size(vec2(space(6.0), space(6.0)), Sense::hover());
+    shapes::status(row.painter(), mark, Some(record.verdict.status()), palette.text.0);
+    let callout = record.callout.map_or_else(String::new, |callout| callout.to_string());
+    let name = if record.id.is_empty() { callout.clone() } else { format!("{}  {callout}", record.id) };
+    let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
+    let word = check_card(view.words, record, true).word;
+    let edge = Edge::of(record);
+    row.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let time = record.time.strftime("%H:%M").to_string();
+        ui.label(RichText::new(&time).font(theme::font(sizes().limits)));
+        edged_chip_ui(ui, (record.verdict.status(), edge), &word);
+        ui.label(RichText::new(format!("{value} mm")).font(theme::bold(sizes().figure)));
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.add(eframe::egui::Label::new(RichText::new(&name).font(theme::font(sizes().limits))).truncate());
+        });
+    });
+    let said = format!("{name}, {value} mm, {word}");
+    response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::ListItem, true, &said));
+}

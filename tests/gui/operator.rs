@@ -1,0 +1,238 @@
+//! The window for an operator: what it has and what it has not, and its rhythm, by keyboard alone and by touch alone.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::App;
+use fitcheck::session::parts::{PlanCommand, WalkCommand};
+use fitcheck::session::{Action, CheckField, Command, Mode, Page, PartsCommand, WalkField};
+use fitcheck::verdict::Status;
+
+use crate::harness::{Window, click, press, scan, verdict};
+
+const PANEL: Vec2 = vec2(1024.0, 768.0);
+
+/// Six features, as a drawing has them.
+const PLAN: &[u8] = b"number;name;callout;x;y;z\n1;BORE;25 H7;40;30;-8\n2;PIN;20 g6;40;90;-8\n3;SEAT;8 H7;10;10;-5\n4;HOLE_1;6 H9;5;5;-5\n\
+    5;HOLE_2;6 H9;15;5;-5\n6;SLEEVE;30 h6;60;60;-8\n";
+
+fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command.into());
+    window.run();
+}
+
+fn open() -> Harness<'static, App> {
+    let mut window = Window { size: PANEL, ..Window::default() }.open();
+    send(&mut window, Command::SetMode(Mode::Operator));
+    window
+}
+
+fn open_plan(window: &mut Harness<'_, App>) {
+    send(window, Command::OpenPage(Page::Parts));
+    let result = Ok(Box::new(fitcheck::part::Document::read(PLAN).unwrap()));
+    send(window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
+}
+
+/// What stands on the button that Enter is for.
+fn main_button(window: &Harness<'_, App>) -> String {
+    let names = ["Judge", "Next", "Next part", "Start part", "Value"];
+    let is_there = |name: &&&str| window.query_by_role_and_label(Role::Button, name).is_some();
+    names.iter().find(is_there).map_or_else(String::new, |name| (*name).to_owned())
+}
+
+#[test]
+fn the_first_touch_asks_whom_the_window_is_for_and_enter_is_the_operator() {
+    let mut window = Window { is_first: true, size: PANEL, ..Window::default() }.open();
+    assert!(window.query_by_label("Who is this window for?").is_none(), "a mouse asks nothing");
+    let touch =
+        |phase| Event::Touch { device_id: TouchDeviceId(1), id: TouchId(1), phase, pos: pos2(5.0, 5.0), force: None };
+    window.event(touch(TouchPhase::Start));
+    window.event(touch(TouchPhase::End));
+    window.run();
+    assert!(window.query_by_label("Who is this window for?").is_some());
+    assert!(window.get_by_role_and_label(Role::Button, "Operator").is_focused());
+    window.event(Event::PointerMoved(pos2(9.0, 9.0)));
+    window.run();
+    assert!(window.query_by_label("Who is this window for?").is_some(), "a mouse that moves is no answer");
+    press(&mut window, Key::Enter);
+    assert_eq!(window.state().session().mode(), Mode::Operator);
+    assert!(window.query_by_label("Who is this window for?").is_none());
+    click(&mut window, Role::Button, "Leave");
+    assert_eq!(window.state().session().mode(), Mode::Full);
+}
+
+#[test]
+fn the_language_is_chosen_where_it_is_asked_whom_the_window_is_for() {
+    let mut window = Window { is_first: true, size: PANEL, ..Window::default() }.open();
+    send(&mut window, Command::Touched(true));
+    click(&mut window, Role::RadioButton, "Deutsch");
+    assert_eq!(window.state().session().language().code(), "de");
+    click(&mut window, Role::Button, "Bediener");
+    assert_eq!(window.state().session().mode(), Mode::Operator);
+}
+
+#[test]
+fn an_operator_reaches_nothing_of_the_full_window() {
+    let mut window = open();
+    for name in ["Settings", "Tables", "Import", "Simulate", "Decision rule", "Status window", "Search"] {
+        assert!(window.query_by_label(name).is_none(), "{name}");
+    }
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::K);
+    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, Key::Num4);
+    window.run();
+    let session = window.state().session();
+    assert!(session.palette.is_none());
+    assert_eq!(session.page(), Page::Check);
+    for action in Action::all().filter(|action| !action.is_for_operators()) {
+        assert!(!session.can(action), "{action:?}");
+    }
+    send(&mut window, Command::OpenPage(Page::Settings));
+    assert_eq!(window.state().session().page(), Page::Check, "no command leads there either");
+}
+
+#[test]
+fn after_good_a_digit_begins_the_next_value_and_after_scrap_it_waits() {
+    let mut window = open();
+    open_plan(&mut window);
+    scan(&mut window, "A-17⏎");
+    scan(&mut window, "25.012⏎");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    assert_eq!(main_button(&window), "Next");
+    scan(&mut window, "2");
+    assert_eq!(window.state().session().text(WalkField::Value), "2", "the next feature has begun");
+    scan(&mut window, "0.01⏎");
+    assert!(verdict(&window).starts_with("REWORK"), "{}", verdict(&window));
+    scan(&mut window, "8");
+    assert_eq!(window.state().session().text(WalkField::Value), "", "a person must have read it");
+    assert!(verdict(&window).starts_with("REWORK"));
+    assert!(window.query_by_label_contains("press Next first").is_some(), "what was not taken is told");
+    scan(&mut window, "⏎8.003⏎");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+}
+
+#[test]
+fn the_same_on_the_page_of_one_size() {
+    let mut window = open();
+    scan(&mut window, "25 H7⏎25.03⏎");
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    scan(&mut window, "25.01");
+    assert_eq!(window.state().session().text(CheckField::Measured), "25.03");
+    scan(&mut window, "⏎");
+    assert_eq!(window.state().session().text(CheckField::Measured), "");
+    scan(&mut window, "25.01⏎");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    scan(&mut window, "25.02⏎");
+    assert_eq!(window.state().session().history().len(), 3, "after GOOD nothing stands between two values");
+}
+
+/// A part of six features, of which the third is typed wrong and taken back, with the report at the end.
+fn walk(window: &mut Harness<'_, App>, enter: &mut dyn FnMut(&mut Harness<'_, App>, &str)) {
+    for value in ["25.012", "19.99", "8.018"] {
+        enter(window, value);
+    }
+    assert!(verdict(window).starts_with("SCRAP"), "{}", verdict(window));
+    click(window, Role::Button, "Why?");
+    assert!(window.query_by_label_contains("ISO 286").is_some(), "the reasons stand in the place of the picture");
+    click(window, Role::Button, "Why?");
+    click(window, Role::Button, "Undo");
+    let walking = &window.state().session().parts().walking;
+    assert_eq!((walking.at, walking.values(2).len()), (Some(2), 0), "back at the feature");
+    for value in ["8.003", "6.01", "6.02", "29.995"] {
+        enter(window, value);
+    }
+    let status = window.state().session().parts().walking.status();
+    assert_eq!(status, Some(Status::Good));
+    assert!(verdict(window).starts_with("GOOD"));
+}
+
+#[test]
+fn a_part_with_a_wrong_value_corrected_by_keys_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window { size: PANEL, home: Some(folder.path().to_owned()), ..Window::default() }.open();
+    send(&mut window, Command::SetMode(Mode::Operator));
+    open_plan(&mut window);
+    scan(&mut window, "A-17⏎");
+    walk(&mut window, &mut |window, value| scan(window, &format!("{value}⏎")));
+    // Nothing has a field any more: the button has the focus half a second later.
+    for _ in 0..4 {
+        window.run();
+    }
+    press(&mut window, Key::Enter);
+    assert_eq!(main_button(&window), "Next part");
+    click(&mut window, Role::Button, "Report");
+    let written: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(written.len(), 1, "{written:?}: no question about a name");
+}
+
+#[test]
+fn a_part_with_a_wrong_value_corrected_by_touch_alone() {
+    let mut window = open();
+    open_plan(&mut window);
+    let key = |window: &mut Harness<'_, App>, sign: char| {
+        let name = if sign == '.' { "Decimal sign".to_owned() } else { format!("Key {sign}") };
+        click(window, Role::Button, &name);
+    };
+    for sign in ["Letters", "Key A", "Figures", "Key 1", "Key 7", "Start part"] {
+        click(&mut window, Role::Button, sign);
+    }
+    assert_eq!(window.state().session().parts().walking.serial(), "A17");
+    walk(&mut window, &mut |window, value| {
+        value.chars().for_each(|sign| key(window, sign));
+        click(window, Role::Button, "Judge");
+    });
+}
+
+#[test]
+fn everything_that_is_pressed_is_48_points_or_more() {
+    for size in [vec2(800.0, 600.0), vec2(1024.0, 600.0), PANEL, vec2(1920.0, 1080.0)] {
+        let mut window = Window { size, ..Window::default() }.open();
+        send(&mut window, Command::SetMode(Mode::Operator));
+        let look = |window: &Harness<'_, App>, what: &str| {
+            for role in [Role::Button, Role::TextInput, Role::RadioButton] {
+                for node in window.query_all_by_role(role) {
+                    let rect = node.rect();
+                    let said = node.accesskit_node().label().unwrap_or_default();
+                    assert!(47.5 <= rect.width() && 47.5 <= rect.height(), "{size:?}, {what}: {said} {rect:?}");
+                }
+            }
+        };
+        look(&window, "one size");
+        open_plan(&mut window);
+        look(&window, "before a part");
+        send(&mut window, WalkCommand::Begin);
+        look(&window, "a part");
+        send(&mut window, Command::OpenPage(Page::Records));
+        look(&window, "results");
+    }
+}
+
+#[test]
+fn the_keypad_covers_nothing_and_the_page_does_not_move_when_a_verdict_comes() {
+    for size in [vec2(800.0, 600.0), vec2(1024.0, 600.0), PANEL, vec2(1920.0, 1080.0)] {
+        let mut window = Window { size, ..Window::default() }.open();
+        send(&mut window, Command::SetMode(Mode::Operator));
+        scan(&mut window, "25 H7⏎");
+        let places = |window: &Harness<'_, App>| {
+            let band = window.get_by_role_and_label(Role::Figure, "Limit band").rect();
+            let value = window.get_by_role_and_label(Role::TextInput, "Measured value").rect();
+            let keys = ["Key 7", "Empty"].map(|key| window.get_by_role_and_label(Role::Button, key).rect());
+            [band, value, keys[0].union(keys[1])]
+        };
+        let is_same = |one: &[Rect; 3], other: &[Rect; 3]| {
+            one.iter().zip(other).all(|(one, other)| one.min.distance(other.min) + one.max.distance(other.max) < 0.5)
+        };
+        let before = places(&window);
+        for value in ["25.012⏎", "⏎24.99⏎", "⏎25.03⏎"] {
+            scan(&mut window, value);
+            let now = places(&window);
+            assert!(is_same(&now, &before), "{size:?} {value}: {now:?}, {before:?}");
+        }
+        let [band, value, keys] = before;
+        let verdict = window.get_by_role(Role::Status).rect();
+        assert!(!keys.intersects(value) && !keys.intersects(band) && !keys.intersects(verdict), "{size:?}");
+        let screen = Rect::from_min_size(eframe::egui::Pos2::ZERO, size);
+        assert!(screen.contains_rect(keys) && screen.contains_rect(band), "{size:?}: {keys:?} {band:?}");
+    }
+}
