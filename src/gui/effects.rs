@@ -15,6 +15,7 @@ use super::file_contents::{FileContents, With};
 use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
+use super::pin;
 use super::reading::{is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
@@ -28,7 +29,7 @@ use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
-    RecordsCommand, RowsCommand, Working, WorkpieceCommand,
+    RecordsCommand, RowsCommand, SettingsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
@@ -162,17 +163,7 @@ impl Runner {
         let columns = Arc::clone(columns);
         let errands = self.errands;
         let filters = Filters::of(effect.errand(), words);
-        let may_wait = match effect.errand() {
-            // A large picture takes a while.
-            Effect::Browse { .. }
-            | Effect::List(_)
-            | Effect::Launch(..)
-            | Effect::Pair { .. }
-            | Effect::ReadPicture(_) => true,
-            // What is judged waits for it, and nothing else has to.
-            Effect::Read(purpose, _) => purpose.is_folder(),
-            _ => false,
-        };
+        let may_wait = may_wait(effect.errand());
         let works = Arc::clone(&self.works);
         let errand: Errand = Box::new(move || {
             let begins = |path: &Path, is_writing: bool| {
@@ -247,6 +238,23 @@ impl Runner {
     }
 }
 
+/// Whether an errand may wait for a user, a network or a large file: then it has a thread for itself.
+fn may_wait(effect: &Effect) -> bool {
+    match effect {
+        // A large picture takes a while, and so does the hash of a PIN.
+        Effect::Browse { .. }
+        | Effect::List(_)
+        | Effect::Launch(..)
+        | Effect::Pair { .. }
+        | Effect::ReadPicture(_)
+        | Effect::HashPin(_)
+        | Effect::TryPin { .. } => true,
+        // What is judged waits for it, and nothing else has to.
+        Effect::Read(purpose, _) => purpose.is_folder(),
+        _ => false,
+    }
+}
+
 fn on_thread(name: &str, errand: Errand) {
     if let Err(error) = std::thread::Builder::new().name(name.to_owned()).spawn(errand) {
         log::error!("no thread for {name}: {error}");
@@ -316,6 +324,8 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let result = picture::read(&path).map(Arc::new);
             vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
         }
+        Effect::HashPin(pin) => vec![SettingsCommand::PinHashed(pin::hash(&pin)).into()],
+        Effect::TryPin { pin, hash } => vec![SettingsCommand::PinTried(pin::is_it(&pin, &hash)).into()],
         Effect::Copy(_)
         | Effect::AskForClipboard
         | Effect::Focus(_)

@@ -37,6 +37,8 @@ pub(super) struct FieldStyle {
     pub unit: String,
     /// The room behind that, for what is drawn over the field.
     pub beside: f32,
+    /// Whether what is typed is not shown.
+    pub is_hidden: bool,
 }
 
 impl FieldStyle {
@@ -55,6 +57,7 @@ impl FieldStyle {
             height: 0.0,
             unit: String::new(),
             beside: 0.0,
+            is_hidden: false,
         }
     }
 
@@ -129,6 +132,7 @@ fn edit_ui(ui: &mut Ui, view: &mut View<'_>, field: Field, said: &Said<'_>, look
         .font(look.font)
         .desired_width(look.width)
         .align(Align2([look.align, Align::Center]))
+        .password(look.is_hidden)
         .hint_text(look.hint)
         .min_size(vec2(look.width, control(ui).max(look.height)));
     if !look.unit.is_empty() {

@@ -22,6 +22,7 @@
 //! | `zoom` | the scale of the window |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
+//! | `pin` | the PIN that locks the operator's window |
 //! | `table` | a list of rows with heads |
 //! | `columns`, `split`, `room` | three columns, a list with what is open of it, and how both fold |
 //! | `empty` | what stands where there is nothing yet |
@@ -82,6 +83,7 @@ mod pairing;
 mod palette;
 mod parts;
 mod picture;
+mod pin;
 mod popup;
 mod program;
 mod rail;

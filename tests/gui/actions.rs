@@ -10,7 +10,7 @@ use fitcheck::session::action::{Held, Part, Shortcut};
 use fitcheck::session::parts::{PartsView, PlanCommand};
 use fitcheck::session::program::Speed;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, HelpCommand, Page, Paired,
+    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, HelpCommand, Mode, Page, Paired,
     PairingCommand, PairingField, PaletteCommand, PartsCommand, ProgramCommand, Purpose, RecordsCommand, Session,
     SettingsField, Step, TablesCommand, Theme,
 };
@@ -33,6 +33,7 @@ impl Pair {
         pair.apply(RecordsCommand::Begin { usual: None, station: nowhere.station, zone: nowhere.zone }.into());
         pair.apply(Command::SetTheme(Theme::Light));
         pair.apply(Command::Welcome(false));
+        pair.apply(Command::SetMode(Mode::Full));
         pair.send(Command::OpenPage(page));
         pair
     }

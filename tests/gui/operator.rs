@@ -6,7 +6,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
-use fitcheck::session::{Action, CheckField, Command, Mode, Page, PartsCommand, WalkField};
+use fitcheck::session::{
+    Action, CheckField, Command, Field, Mode, Page, PartsCommand, SettingsCommand, SettingsField, Theme, WalkField,
+};
 use fitcheck::verdict::Status;
 
 use crate::harness::{Window, click, press, scan, verdict};
@@ -127,6 +129,20 @@ fn the_same_on_the_page_of_one_size() {
     assert_eq!(window.state().session().history().len(), 3, "after GOOD nothing stands between two values");
 }
 
+#[test]
+fn what_a_code_reader_types_goes_where_it_belongs_by_its_shape() {
+    let mut window = open();
+    scan(&mut window, "25 H7⏎A-0102⏎");
+    let session = window.state().session();
+    assert_eq!(session.text(CheckField::Serial), "A-0102");
+    assert_eq!((session.text(CheckField::Measured), session.history().len()), ("", 0));
+    assert!(window.query_by_label_contains("A-0102 is no value").is_some(), "it is told");
+    scan(&mut window, "30 h6⏎");
+    assert_eq!(window.state().session().text(CheckField::Callout), "30 h6");
+    scan(&mut window, "29.O99⏎");
+    assert!(window.state().session().error(CheckField::Measured).is_some(), "a mistyped value is no code");
+}
+
 /// A part of six features, of which the third is typed wrong and taken back, with the report at the end.
 fn walk(window: &mut Harness<'_, App>, enter: &mut dyn FnMut(&mut Harness<'_, App>, &str)) {
     for value in ["25.012", "19.99", "8.018"] {
@@ -234,5 +250,98 @@ fn the_keypad_covers_nothing_and_the_page_does_not_move_when_a_verdict_comes() {
         assert!(!keys.intersects(value) && !keys.intersects(band) && !keys.intersects(verdict), "{size:?}");
         let screen = Rect::from_min_size(eframe::egui::Pos2::ZERO, size);
         assert!(screen.contains_rect(keys) && screen.contains_rect(band), "{size:?}: {keys:?} {band:?}");
+    }
+}
+
+#[test]
+fn a_pin_locks_the_way_out_and_escape_stays() {
+    let mut window = Window { size: PANEL, ..Window::default() }.open();
+    send(&mut window, Field::from(SettingsField::NewPin).typed("471".to_owned()));
+    send(&mut window, SettingsCommand::SetPin);
+    assert!(window.state().session().error(SettingsField::NewPin).is_some(), "three signs are too few");
+    send(&mut window, Field::from(SettingsField::NewPin).typed("4711".to_owned()));
+    send(&mut window, SettingsCommand::SetPin);
+    let saved = window.state().session().saved();
+    assert!(saved.pin.is_some_and(|hash| hash.starts_with("$argon2id$")), "only its hash is kept");
+    send(&mut window, Command::SetMode(Mode::Operator));
+    click(&mut window, Role::Button, "Leave");
+    press(&mut window, Key::Escape);
+    assert!(window.query_by_role_and_label(Role::Button, "Unlock").is_none(), "back where one was");
+    click(&mut window, Role::Button, "Leave");
+    scan(&mut window, "4712⏎");
+    window.run();
+    assert_eq!(window.state().session().mode(), Mode::Operator);
+    assert!(window.query_by_label("This is not the PIN").is_some());
+    for key in ["Key 4", "Key 7", "Key 1", "Key 1"] {
+        click(&mut window, Role::Button, key);
+    }
+    click(&mut window, Role::Button, "Unlock");
+    window.run();
+    assert_eq!(window.state().session().mode(), Mode::Full);
+}
+
+/// How a colour looks to somebody with protanopia, deuteranopia or tritanopia, in linear light (Machado, Oliveira and Fernandes 2009,
+/// severity 1), and in grey (the luminance of sRGB).
+const SEEN: [[[f64; 3]; 3]; 4] = [
+    [[0.152_286, 1.052_583, -0.204_868], [0.114_503, 0.786_281, 0.099_216], [-0.003_882, -0.048_116, 1.051_998]],
+    [[0.367_322, 0.860_646, -0.227_968], [0.280_085, 0.672_501, 0.047_413], [-0.011_820, 0.042_940, 0.968_881]],
+    [[1.255_528, -0.076_749, -0.178_779], [-0.078_411, 0.930_809, 0.147_602], [0.004_733, 0.691_367, 0.303_900]],
+    [[0.2126, 0.7152, 0.0722], [0.2126, 0.7152, 0.0722], [0.2126, 0.7152, 0.0722]],
+];
+
+/// Lightness of what is left of a colour, 0 to 100, and its two opponent colours (CIE L*a*b*, D65).
+fn lab(pixel: image::Rgba<u8>, seen: &[[f64; 3]; 3]) -> [f64; 3] {
+    let linear = |value: u8| {
+        let value = f64::from(value) / 255.0;
+        if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+    };
+    let rgb = [pixel[0], pixel[1], pixel[2]].map(linear);
+    let [red, green, blue] =
+        seen.map(|row| row.iter().zip(rgb).map(|(share, of)| share * of).sum::<f64>().clamp(0.0, 1.0));
+    let shares = [
+        (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.9505,
+        0.2126 * red + 0.7152 * green + 0.0722 * blue,
+        (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.089,
+    ];
+    let [first, light, third] = shares.map(|of| if 0.008_856 < of { of.cbrt() } else { 7.787 * of + 16.0 / 116.0 });
+    [116.0 * light - 16.0, 500.0 * (first - light), 200.0 * (light - third)]
+}
+
+/// Two verdicts are told apart by anybody: the cards as they are drawn differ, in light and in dark, in more than their fill.
+#[test]
+fn verdicts_as_they_are_drawn_differ_in_grey_and_for_three_kinds_of_colour_blindness() {
+    for theme in [Theme::Light, Theme::Dark] {
+        let mut window = open();
+        send(&mut window, Command::SetTheme(theme));
+        scan(&mut window, "25 H7⏎");
+        let mut cards = Vec::new();
+        for (value, word) in [("25.012⏎", "GOOD"), ("⏎24.99⏎", "REWORK"), ("⏎25.03⏎", "SCRAP")] {
+            scan(&mut window, value);
+            assert!(verdict(&window).starts_with(word));
+            let rect = window.get_by_role(Role::Status).rect();
+            let picture = window.render().unwrap();
+            #[expect(
+                clippy::as_conversions,
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "dots of a picture"
+            )]
+            let [x, y, w, h] = [rect.left(), rect.top(), rect.width(), rect.height()].map(|side| side.round() as u32);
+            cards.push((word, image::imageops::crop_imm(&picture, x, y, w, h).to_image()));
+        }
+        for (place, (one_word, one)) in cards.iter().enumerate() {
+            for (other_word, other) in &cards[place + 1..] {
+                for (seen, kind) in SEEN.iter().zip(["protanopia", "deuteranopia", "tritanopia", "grey"]) {
+                    let differs = |(one, other): (&image::Rgba<u8>, &image::Rgba<u8>)| {
+                        let [a, b] = [lab(*one, seen), lab(*other, seen)];
+                        10.0 < a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+                    };
+                    let count = one.pixels().zip(other.pixels()).filter(|pair| differs(*pair)).count();
+                    let share = f64::from(u32::try_from(count).unwrap()) / f64::from(one.width() * one.height());
+                    // Word and shape alone are a tenth of the card.
+                    assert!(0.08 < share, "{theme:?}, {kind}: {one_word} and {other_word} differ in {share:.3}");
+                }
+            }
+        }
     }
 }

@@ -86,7 +86,8 @@ fn a_rule_is_taken_from_its_list() {
 #[test]
 fn the_language_changes_the_whole_page() {
     let mut window = page(Window::default());
-    click(&mut window, Role::RadioButton, "Nederlands");
+    click(&mut window, Role::ComboBox, "Language");
+    click(&mut window, Role::Button, "Nederlands");
     assert_eq!(window.state().session().language(), Language::Nl);
     window.get_by_role_and_label(Role::TextInput, "Instelling zoeken");
 }

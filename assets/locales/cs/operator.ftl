@@ -32,3 +32,18 @@ operator-hole-or-shaft = Co se měří?
 operator-plans = Díly
 operator-no-plans = V tomto počítači zatím nebyl otevřen žádný plán. Plány se otevírají v úplném okně na stránce Díly.
 operator-go-on-first = Nejprve si přečtěte výrok a stiskněte Další: co bylo zadáno předtím, nebylo převzato
+
+## The PIN
+operator-pin = PIN okna obsluhy
+operator-pin-about = Zadává ho ten, kdo okno obsluhy opouští. Uchovává se jen jeho hash se solí
+operator-pin-use = Zamknout tímto PINem
+operator-pin-remove = Odebrat PIN
+operator-pin-try = Odemknout
+operator-stay = Zůstat
+operator-pin-short = PIN má nejméně { $least } znaky
+operator-pin-set = Okno obsluhy je nyní zamčené PINem
+operator-pin-removed = Okno obsluhy už není zamčené
+operator-pin-wrong = Toto není správný PIN
+operator-pin-not-hashed = Hash PINu nelze vypočítat: { $why }
+operator-pin-asked = Zadejte PIN pro opuštění okna obsluhy.
+operator-pin-forgotten = Zapomenutý? Příručka říká, jak se dostane dovnitř správce: The operator’s window, The PIN.

@@ -821,3 +821,7 @@ working-writing = Zapisuje se { $name }: { $done } MB, { $seconds } s
 working-progress = Průběh čtení
 working-stop = Zastavit
 working-stopped = Zastaveno, přečteno řádků: { $rows }; ze souboru { $name } se nic neimportovalo
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } je předpis a byl tak převzat
+scanned-serial = { $given } není hodnota: převzato jako sériové číslo dalších kontrol

@@ -31,3 +31,18 @@ operator-hole-or-shaft = Was wird gemessen?
 operator-plans = Teile
 operator-no-plans = Auf diesem Computer wurde noch kein Plan geöffnet. Pläne werden im vollen Fenster geöffnet, auf der Seite Teile.
 operator-go-on-first = Erst das Urteil lesen und Weiter drücken: was davor eingegeben wurde, ist nicht übernommen
+
+## The PIN
+operator-pin = PIN des Bedienerfensters
+operator-pin-about = Wer das Bedienerfenster verlässt, gibt sie ein. Gespeichert wird nur ein Hash mit Salt
+operator-pin-use = Mit dieser PIN sperren
+operator-pin-remove = PIN entfernen
+operator-pin-try = Entsperren
+operator-stay = Bleiben
+operator-pin-short = eine PIN hat mindestens { $least } Zeichen
+operator-pin-set = Das Bedienerfenster ist jetzt mit einer PIN gesperrt
+operator-pin-removed = Das Bedienerfenster ist nicht mehr gesperrt
+operator-pin-wrong = Das ist nicht die PIN
+operator-pin-not-hashed = Der Hash der PIN konnte nicht gebildet werden: { $why }
+operator-pin-asked = PIN eingeben, um das Bedienerfenster zu verlassen.
+operator-pin-forgotten = Vergessen? Das Handbuch sagt, wie ein Administrator hineinkommt: The operator’s window, The PIN.

@@ -428,7 +428,7 @@ tables-upper = Oberes
 tables-lower = Unteres
 tables-head-table = Tabelle, µm
 tables-head-standard = ISO 286
-tables-head-by = Unterschied
+tables-head-by = Diff.
 tables-cell-agrees = Wie in ISO 286
 tables-cell-off = ISO 286 hat { $upper } / { $lower } µm; die Tabelle weicht um { $upper-by } / { $lower-by } µm ab
 tables-more-differences = und { $count } weitere
@@ -790,3 +790,7 @@ working-writing = { $name } schreiben: { $done } MB, { $seconds } s
 working-progress = Gelesener Anteil
 working-stop = Anhalten
 working-stopped = Angehalten nach { $rows } Zeilen: aus { $name } wurde nichts importiert
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } ist eine Toleranzangabe und wurde als solche übernommen
+scanned-serial = { $given } ist kein Wert: Es wurde als Seriennummer der nächsten Prüfungen übernommen

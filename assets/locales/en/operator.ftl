@@ -31,3 +31,18 @@ operator-hole-or-shaft = Which one is measured?
 operator-plans = Parts
 operator-no-plans = No plan was opened on this computer yet. Plans are opened in the full window, on the page Parts.
 operator-go-on-first = Read the verdict and press Next first: what was typed before that was not taken
+
+## The PIN
+operator-pin = PIN of the operator’s window
+operator-pin-about = Who leaves the operator’s window types it. Only a salted hash of it is kept
+operator-pin-use = Lock with this PIN
+operator-pin-remove = Remove the PIN
+operator-pin-try = Unlock
+operator-stay = Stay
+operator-pin-short = a PIN has { $least } signs or more
+operator-pin-set = The operator’s window is locked with a PIN from now on
+operator-pin-removed = The operator’s window is not locked any more
+operator-pin-wrong = This is not the PIN
+operator-pin-not-hashed = The PIN could not be hashed: { $why }
+operator-pin-asked = Type the PIN to leave the operator’s window.
+operator-pin-forgotten = Forgotten? The manual says how an administrator gets in: The operator’s window, The PIN.

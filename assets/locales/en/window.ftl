@@ -790,3 +790,7 @@ working-writing = Writing { $name }: { $done } MB, { $seconds } s
 working-progress = Reading progress
 working-stop = Stop
 working-stopped = Stopped after { $rows } rows: nothing from { $name } was imported
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } is a callout: it was taken as one
+scanned-serial = { $given } is no value: it was taken as the serial number of the next checks

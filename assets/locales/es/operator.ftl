@@ -31,3 +31,18 @@ operator-hole-or-shaft = ¿Qué se mide?
 operator-plans = Piezas
 operator-no-plans = En este ordenador aún no se ha abierto ningún plan. Los planes se abren en la ventana completa, en la página Piezas.
 operator-go-on-first = Lea antes el dictamen y pulse Siguiente: lo escrito antes de eso no se ha tomado
+
+## The PIN
+operator-pin = PIN de la ventana del operador
+operator-pin-about = Lo escribe quien sale de la ventana del operador. Solo se guarda un hash con sal
+operator-pin-use = Bloquear con este PIN
+operator-pin-remove = Quitar el PIN
+operator-pin-try = Desbloquear
+operator-stay = Quedarse
+operator-pin-short = un PIN tiene { $least } caracteres o más
+operator-pin-set = La ventana del operador está ahora bloqueada con un PIN
+operator-pin-removed = La ventana del operador ya no está bloqueada
+operator-pin-wrong = Este no es el PIN
+operator-pin-not-hashed = No se pudo calcular el hash del PIN: { $why }
+operator-pin-asked = Escribir el PIN para salir de la ventana del operador.
+operator-pin-forgotten = ¿Olvidado? El manual dice cómo entra un administrador: The operator’s window, The PIN.

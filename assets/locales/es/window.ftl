@@ -790,3 +790,7 @@ working-writing = Escribiendo { $name }: { $done } MB, { $seconds } s
 working-progress = Progreso de la lectura
 working-stop = Detener
 working-stopped = Detenido después de { $rows } filas: no se ha importado nada de { $name }
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } es una cota y se ha tomado como tal
+scanned-serial = { $given } no es un valor: se ha tomado como número de serie de las próximas comprobaciones

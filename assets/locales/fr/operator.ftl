@@ -31,3 +31,18 @@ operator-hole-or-shaft = Lequel est mesuré ?
 operator-plans = Pièces
 operator-no-plans = Aucun plan n'a encore été ouvert sur cet ordinateur. Les plans s'ouvrent dans la fenêtre complète, page Pièces.
 operator-go-on-first = Lire d'abord le verdict et appuyer sur Suivant : ce qui a été saisi avant n'a pas été pris
+
+## The PIN
+operator-pin = Code PIN de la fenêtre opérateur
+operator-pin-about = Qui quitte la fenêtre opérateur le saisit. Seul un hachage salé est conservé
+operator-pin-use = Verrouiller avec ce code
+operator-pin-remove = Supprimer le code
+operator-pin-try = Déverrouiller
+operator-stay = Rester
+operator-pin-short = un code PIN a au moins { $least } caractères
+operator-pin-set = La fenêtre opérateur est désormais verrouillée par un code
+operator-pin-removed = La fenêtre opérateur n’est plus verrouillée
+operator-pin-wrong = Ce n’est pas le code PIN
+operator-pin-not-hashed = Impossible de hacher le code PIN : { $why }
+operator-pin-asked = Saisir le code PIN pour quitter la fenêtre opérateur.
+operator-pin-forgotten = Oublié ? Le manuel dit comment un administrateur entre : The operator’s window, The PIN.

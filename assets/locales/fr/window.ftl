@@ -428,7 +428,7 @@ tables-upper = Supérieur
 tables-lower = Inférieur
 tables-head-table = Table, µm
 tables-head-standard = ISO 286
-tables-head-by = différence
+tables-head-by = écart
 tables-cell-agrees = Comme dans ISO 286
 tables-cell-off = ISO 286 donne { $upper } / { $lower } µm ; la table s'en écarte de { $upper-by } / { $lower-by } µm
 tables-more-differences = et { $count } de plus
@@ -790,3 +790,7 @@ working-writing = Écriture de { $name } : { $done } MB, { $seconds } s
 working-progress = Avancement de la lecture
 working-stop = Arrêter
 working-stopped = Arrêté après { $rows } rangées : rien de { $name } n'a été importé
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } est une cote tolérancée et a été prise comme telle
+scanned-serial = { $given } n’est pas une valeur : pris comme numéro de série des prochains contrôles

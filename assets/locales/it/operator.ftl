@@ -31,3 +31,18 @@ operator-hole-or-shaft = Che cosa si misura?
 operator-plans = Pezzi
 operator-no-plans = Su questo computer non è stato ancora aperto alcun piano. I piani si aprono nella finestra completa, nella pagina Pezzi.
 operator-go-on-first = Leggere prima l'esito e premere Avanti: ciò che è stato digitato prima non vale
+
+## The PIN
+operator-pin = PIN della finestra operatore
+operator-pin-about = La digita chi lascia la finestra operatore. Si conserva soltanto un hash con salt
+operator-pin-use = Bloccare con questo PIN
+operator-pin-remove = Rimuovere il PIN
+operator-pin-try = Sbloccare
+operator-stay = Restare
+operator-pin-short = un PIN ha almeno { $least } caratteri
+operator-pin-set = La finestra operatore ora è bloccata con un PIN
+operator-pin-removed = La finestra operatore non è più bloccata
+operator-pin-wrong = Questo non è il PIN
+operator-pin-not-hashed = Impossibile calcolare l’hash del PIN: { $why }
+operator-pin-asked = Digitare il PIN per lasciare la finestra operatore.
+operator-pin-forgotten = Dimenticato? Il manuale dice come entra un amministratore: The operator’s window, The PIN.

@@ -428,7 +428,7 @@ tables-upper = Superiore
 tables-lower = Inferiore
 tables-head-table = Tabella, µm
 tables-head-standard = ISO 286
-tables-head-by = differenza
+tables-head-by = diff.
 tables-cell-agrees = Come in ISO 286
 tables-cell-off = ISO 286 ha { $upper } / { $lower } µm; la tabella differisce di { $upper-by } / { $lower-by } µm
 tables-more-differences = e altre { $count }
@@ -790,3 +790,7 @@ working-writing = Scrittura di { $name }: { $done } MB, { $seconds } s
 working-progress = Avanzamento della lettura
 working-stop = Interrompere
 working-stopped = Interrotto dopo { $rows } righe: nulla è stato importato da { $name }
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } è un’indicazione di tolleranza ed è stata presa come tale
+scanned-serial = { $given } non è un valore: è stato preso come numero di serie dei prossimi controlli

@@ -31,3 +31,18 @@ operator-hole-or-shaft = Wat wordt er gemeten?
 operator-plans = Onderdelen
 operator-no-plans = Op deze computer is nog geen plan geopend. Plannen worden geopend in het volledige venster, op de pagina Onderdelen.
 operator-go-on-first = Lees eerst het oordeel en druk op Volgende: wat daarvoor is getypt, is niet overgenomen
+
+## The PIN
+operator-pin = Pincode van het operatorvenster
+operator-pin-about = Wie het operatorvenster verlaat, typt hem. Alleen een hash met salt ervan wordt bewaard
+operator-pin-use = Met deze pincode vergrendelen
+operator-pin-remove = Pincode weghalen
+operator-pin-try = Ontgrendelen
+operator-stay = Blijven
+operator-pin-short = een pincode heeft { $least } of meer tekens
+operator-pin-set = Het operatorvenster is nu met een pincode vergrendeld
+operator-pin-removed = Het operatorvenster is niet meer vergrendeld
+operator-pin-wrong = Dit is niet de pincode
+operator-pin-not-hashed = De pincode kon niet worden gehasht: { $why }
+operator-pin-asked = Typ de pincode om het operatorvenster te verlaten.
+operator-pin-forgotten = Vergeten? De handleiding zegt hoe een beheerder binnenkomt: The operator’s window, The PIN.

@@ -790,3 +790,7 @@ working-writing = { $name } schrijven: { $done } MB, { $seconds } s
 working-progress = Hoeveel van het bestand gelezen is
 working-stop = Stoppen
 working-stopped = Gestopt na { $rows } rijen: uit { $name } is niets overgenomen
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } is een passing en is als zodanig overgenomen
+scanned-serial = { $given } is geen waarde: het is als serienummer van de volgende controles overgenomen

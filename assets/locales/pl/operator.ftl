@@ -33,3 +33,18 @@ operator-hole-or-shaft = Co jest mierzone?
 operator-plans = Części
 operator-no-plans = Na tym komputerze nie otwarto jeszcze żadnego planu. Plany otwiera się w pełnym oknie, na stronie Części.
 operator-go-on-first = Najpierw odczytać ocenę i nacisnąć „Dalej”: to, co wpisano wcześniej, nie zostało przyjęte
+
+## The PIN
+operator-pin = PIN okna operatora
+operator-pin-about = Wpisuje go ten, kto opuszcza okno operatora. Zapisywany jest tylko jego hash z solą
+operator-pin-use = Zablokuj tym PIN-em
+operator-pin-remove = Usuń PIN
+operator-pin-try = Odblokuj
+operator-stay = Zostań
+operator-pin-short = PIN ma co najmniej { $least } znaki
+operator-pin-set = Okno operatora jest odtąd zablokowane PIN-em
+operator-pin-removed = Okno operatora nie jest już zablokowane
+operator-pin-wrong = To nie jest ten PIN
+operator-pin-not-hashed = Nie można obliczyć hasha PIN-u: { $why }
+operator-pin-asked = Wpisz PIN, aby opuścić okno operatora.
+operator-pin-forgotten = Zapomniany? Podręcznik mówi, jak wchodzi administrator: The operator’s window, The PIN.

@@ -871,3 +871,7 @@ working-stopped = Zatrzymano po { $rows } { $rows ->
         [one] wierszu
        *[other] wierszach
     }: nic z { $name } nie zaimportowano
+
+## What a code reader typed into the field of the value
+scanned-callout = { $given } to wymiar tolerowany i jako taki został przyjęty
+scanned-serial = { $given } nie jest wartością: przyjęto jako numer seryjny następnych kontroli

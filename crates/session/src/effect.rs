@@ -168,6 +168,10 @@ pub enum Effect {
     ReadPicture(PathBuf),
     /// Ask the system for what is on the clipboard; it comes to what has the focus.
     AskForClipboard,
+    /// Hash a PIN with a salt of its own and send `SettingsCommand::PinHashed`.
+    HashPin(String),
+    /// Try a PIN against a hash and send `SettingsCommand::PinTried`.
+    TryPin { pin: String, hash: String },
     /// Close the window.
     Leave,
     /// Put a text on the clipboard.

@@ -204,6 +204,8 @@ rows! {
 rows! {
     SettingsField:
     Find, "settings-page-find", PAGE, "find-a-setting";
+    NewPin, "operator-pin", AT_TIMES, "pin";
+    Pin, "operator-pin", AT_TIMES, "pin";
 }
 
 rows! {

@@ -309,6 +309,7 @@ impl Session {
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme, saved.records.clone());
         shared.mode = saved.mode;
+        shared.pin.clone_from(&saved.pin);
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files.clone());
         shared.density = saved.density;
@@ -343,6 +344,7 @@ impl Session {
             language: self.shared.language,
             theme: self.shared.theme,
             mode: self.shared.mode,
+            pin: self.shared.pin.clone(),
             keypad: self.shared.keypad,
             density: self.shared.density,
             rows: self.shared.rows,
@@ -426,7 +428,7 @@ impl Session {
 
     /// Enter was pressed in a field. A scanner or gauge that ends its line with two signs answers no question with the second one.
     fn enter(&mut self, field: Field, now: DateTime) -> Vec<Effect> {
-        if self.is_for_operators() && self.rests() {
+        if self.is_for_operators() && self.rests() && !matches!(field, Field::Settings(_)) {
             return if self.asking.is_in_passing(now) { Vec::new() } else { self.apply(Command::GoOn, now) };
         }
         let Some(action) = self.on_enter(field) else { return Vec::new() };

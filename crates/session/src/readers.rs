@@ -69,6 +69,11 @@ impl Session {
         self.shared.asks_for_mode
     }
 
+    /// Whether a PIN locks the operator's window.
+    pub const fn has_pin(&self) -> bool {
+        self.shared.pin.is_some()
+    }
+
     pub fn is_for_operators(&self) -> bool {
         self.shared.is_for_operators()
     }

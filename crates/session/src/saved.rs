@@ -29,6 +29,8 @@ pub struct Saved {
     pub theme: Theme,
     /// Whom the window is for; `None` until somebody has said it.
     pub mode: Option<Mode>,
+    /// The salted hash of the PIN that locks the operator's window.
+    pub pin: Option<String>,
     /// Whether the keypad is shown.
     pub keypad: bool,
     /// How high everything is that is pressed.
@@ -158,6 +160,7 @@ impl Default for Saved {
             language: Language::default(),
             theme: Theme::default(),
             mode: None,
+            pin: None,
             keypad: false,
             density: Density::default(),
             rows: RowHeight::default(),

@@ -156,6 +156,8 @@ pub(super) struct Shared {
     pub theme: Theme,
     /// Whom the window is for; `None` until somebody has said it.
     pub mode: Option<Mode>,
+    /// The salted hash of the PIN that locks the operator's window.
+    pub pin: Option<String>,
     /// Whether the keypad is shown.
     pub keypad: bool,
     pub density: Density,

@@ -7,7 +7,7 @@ use crate::gui::field::{FieldStyle, error_ui, named_field_ui};
 use crate::gui::keypad::keys_of_height_ui;
 use crate::gui::theme::{self, Icon, Weight, palette, sizes, space};
 use crate::gui::view::View;
-use crate::session::Field;
+use crate::session::{Field, SettingsField};
 
 /// The height of the button that Enter is for: 15 mm on a panel of ten inches, more where there is room.
 const MAIN: [f32; 2] = [56.0, 88.0];
@@ -48,11 +48,10 @@ pub(super) fn asked_ui(
         let id = ("operator-value", name);
         from_below(ui, id, VALUE, gap, |ui| {
             let width = ui.available_width();
-            let look = FieldStyle {
-                height: VALUE,
-                font: theme::bold(sizes().value * 1.2),
-                ..FieldStyle::value(ui, width).unit("mm")
-            };
+            let is_hidden = field == SettingsField::Pin.into();
+            let unit = if is_hidden { "" } else { "mm" };
+            let font = theme::bold(sizes().value * 1.2);
+            let look = FieldStyle { height: VALUE, font, is_hidden, ..FieldStyle::value(ui, width).unit(unit) };
             named_field_ui(ui, view, field, &view.text(name), look);
         });
     }

@@ -13,7 +13,7 @@ use crate::gui::view::{View, quiet_text};
 use crate::gui::who::who_ui;
 use crate::message::message;
 use crate::session::parts::Walking;
-use crate::session::{Action, Command, Mode, Page, WindowAction};
+use crate::session::{Action, Page, SettingsAction, WindowAction};
 
 const HEIGHT: f32 = 68.0;
 
@@ -201,7 +201,7 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let name = view.text("operator-leave");
     if item_ui(ui, (Icon::LockSimple, &name), None, true).clicked() {
-        view.send(Command::SetMode(Mode::Full));
+        view.act(SettingsAction::LeaveOperator);
     }
 }
 

@@ -10,6 +10,7 @@
 //! | `verdict` | the word, as large as its language fits |
 //! | `below` | right, below: the band over what was asked for: reasons, features, the picture, the last results |
 //! | `results` | what was measured last |
+//! | `lock` | the way out, where a PIN locks it |
 //! | `question` | at the first touch: whom this window is for |
 //!
 //! Pages and their state are those of the full mode. What an operator cannot do is no possible action (`session::action::operator`).
@@ -18,6 +19,7 @@ mod asked;
 mod bar;
 mod below;
 mod check;
+mod lock;
 mod part;
 mod question;
 mod results;
@@ -50,6 +52,7 @@ pub(super) fn operator_ui(ui: &mut Ui, view: &mut View<'_>) {
     let margin = if ui.ctx().content_rect().width() < NARROW { 8 } else { 12 };
     let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(margin);
     CentralPanel::default().frame(canvas).show(ui, |ui| match view.session.page() {
+        _ if view.session.settings_page().asks_for_pin() => lock::lock_ui(ui, view),
         Page::Records => results::results_ui(ui, view),
         Page::Parts => part::part_ui(ui, view),
         Page::Help => (page_of(Page::Help).ui)(ui, view),

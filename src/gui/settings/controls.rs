@@ -11,7 +11,7 @@ use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, one_of_ui, remembered};
 use crate::gui::who::who_ui;
 use crate::message::message;
-use crate::session::{Action, Control, Field, Setting, SettingsAction, Told};
+use crate::session::{Action, Control, Field, Setting, SettingsAction, SettingsField, Told};
 
 /// As many choices stand in sight at most; more of them are a drop-down list.
 const MOST_SEGMENTS: usize = 5;
@@ -139,7 +139,8 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot)
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, (field, unit): (Field, &str), slot: &Slot) {
     if view.session.is_free_text(field) {
         let width = ui.available_width();
-        field_ui(ui, view, field, slot.name, FieldStyle::text(width));
+        let is_hidden = field == SettingsField::NewPin.into();
+        field_ui(ui, view, field, slot.name, FieldStyle { is_hidden, ..FieldStyle::text(width) });
         return;
     }
     line_ui(ui, slot, "field", |ui| {

@@ -51,6 +51,7 @@ use super::files::FilesAction;
 use super::help::HelpCommand;
 use super::page::pages;
 use super::palette::PaletteCommand;
+use super::settings_page::SettingsCommand;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Notice, Page, Session};
 
@@ -171,6 +172,8 @@ impl Session {
         if let Some(palette) = &self.palette {
             let back = if palette.shows_more { PaletteCommand::More(false) } else { PaletteCommand::Show(false) };
             Some(back.into())
+        } else if self.settings_page().asks_for_pin() {
+            Some(SettingsCommand::Stay.into())
         } else if self.is_leaving() {
             Some(Command::Leave(false))
         } else if self.asks_about().is_some() {

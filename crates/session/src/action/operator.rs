@@ -3,6 +3,7 @@
 use super::{Action, WindowAction};
 use crate::check::CheckAction;
 use crate::parts::PartsAction;
+use crate::settings_page::SettingsAction;
 
 /// The report that an operator writes: the one for people.
 const FOR_PEOPLE: usize = 0;
@@ -50,6 +51,9 @@ impl Action {
                     | PartsAction::ReportPart(FOR_PEOPLE)
             ),
             Self::Help(_) => true,
+            Self::Settings(action) => {
+                matches!(action, SettingsAction::LeaveOperator | SettingsAction::TryPin | SettingsAction::Stay)
+            }
             _ => false,
         }
     }

@@ -334,7 +334,7 @@ impl CheckPage {
         }
     }
 
-    fn take_callout(&mut self, callout: &str, sources: &Sources) {
+    pub(super) fn take_callout(&mut self, callout: &str, sources: &Sources) {
         self.texts.set(CheckField::Callout, callout.trim());
         self.callout_changed(true, sources);
     }
@@ -476,6 +476,7 @@ impl CheckPage {
         }
         let record = match measuring::measure(self, shared.budget.as_deref(), now) {
             Ok(record) => record,
+            Err((CheckField::Measured, _)) if self.take_code(shared) => return,
             Err((field, problem)) => {
                 // A typed value has its error beside it, in sight.
                 self.refusal = Some(problem.clone()).filter(|_| self.by == MeasureBy::Simulating);

@@ -10,6 +10,7 @@
 //! | `doubted` | texts that may not mean what they say, and those that do |
 //! | `measuring` | from the fields to a measurement |
 //! | `importing` | from a file to checks and the notice about it |
+//! | `scanned` | a code in the field of the value |
 //! | `worth` | the rule that judges it, its uncertainty, its temperature |
 //! | `inputs` | what a check was made with, besides callout and value |
 //! | `lot` | the rows of an imported file: how many are what, worst first |
@@ -26,6 +27,7 @@ mod inputs;
 mod lot;
 mod measuring;
 mod rows;
+mod scanned;
 mod worth;
 
 use std::collections::BTreeMap;

@@ -9,6 +9,7 @@ use crate::action::row::{ActionRow, Actions, Sends, actions, everywhere, on};
 use crate::action::{ActionScope, Shortcut};
 use crate::check::{CheckCommand, UncertaintyFrom, rule_name_id};
 use crate::command::Command;
+use crate::field::Field;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
 use crate::purpose::Purpose;
@@ -35,6 +36,15 @@ actions! {
     ShowLicences;
     /// Chooses whom the window is for.
     UseMode(Mode): Mode::ALL;
+    /// Locks the operator's window with a PIN.
+    SetPin;
+    RemovePin;
+    /// Leaves the operator's window.
+    LeaveOperator;
+    /// Tries the PIN.
+    TryPin;
+    /// Stays in the operator's window.
+    Stay;
     /// Changes the language of the window.
     UseLanguage(Language): Language::all();
     ZoomOut;
@@ -86,6 +96,17 @@ impl Actions for SettingsAction {
                 };
                 everywhere(text, Command::SetMode(mode))
             }
+            Self::SetPin => everywhere("operator-pin-use", SettingsCommand::SetPin.into())
+                .when(|session| !session.text(SettingsField::NewPin).trim().is_empty()),
+            Self::RemovePin => {
+                everywhere("operator-pin-remove", SettingsCommand::RemovePin.into()).when(Session::has_pin)
+            }
+            Self::LeaveOperator => everywhere("operator-leave", SettingsCommand::LeaveOperator.into())
+                .when(|session| session.is_for_operators() && !session.settings_page().asks_for_pin()),
+            Self::TryPin => everywhere("operator-pin-try", SettingsCommand::TryPin.into())
+                .when(|session| session.settings_page().asks_for_pin()),
+            Self::Stay => everywhere("operator-stay", SettingsCommand::Stay.into())
+                .when(|session| session.settings_page().asks_for_pin()),
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
             Self::ZoomOut => scaled("settings-page-zoom-out", |session| Command::SetZoom(session.zoom().smaller()))
                 .when(|session| Zoom::LEAST < session.zoom()),
@@ -129,6 +150,14 @@ impl Actions for SettingsAction {
 
     fn name(&self, _session: &Session, words: &Words) -> Option<String> {
         self.listed_name(words)
+    }
+
+    fn on_enter(field: Field, _page: Page) -> Option<Self> {
+        match field {
+            Field::Settings(SettingsField::NewPin) => Some(Self::SetPin),
+            Field::Settings(SettingsField::Pin) => Some(Self::TryPin),
+            _ => None,
+        }
     }
 
     fn is_on(&self, session: &Session) -> Option<bool> {

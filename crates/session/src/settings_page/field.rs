@@ -5,4 +5,8 @@
 pub enum SettingsField {
     /// Words of the settings that are looked for.
     Find,
+    /// A PIN that is to lock the operator's window.
+    NewPin,
+    /// The PIN that is asked for where an operator leaves it.
+    Pin,
 }

@@ -7,6 +7,7 @@
 //! | `defaults` | what a first start has |
 //! | `searching` | which settings words find |
 //! | `settings_file`, `importing` | a file of settings for a whole shop, and what it changes |
+//! | `pin` | the PIN that locks the operator's window |
 //! | `keys_list` | every key, by the place where it is heard |
 //! | `field`, `command`, `actions` | what can be done, and what can be set and is no action of another page |
 //!
@@ -18,6 +19,7 @@ mod defaults;
 mod field;
 mod importing;
 mod keys_list;
+mod pin;
 mod searching;
 mod section;
 mod settings_file;
@@ -50,6 +52,12 @@ pub struct SettingsPage {
     pub section: Section,
     /// What is looked for.
     query: String,
+    /// A PIN that is to lock the operator's window, as far as it is typed.
+    new_pin: String,
+    /// The PIN that is tried, as far as it is typed; `None` while none is asked for.
+    pin: Option<String>,
+    /// What is wrong with one of the two.
+    pin_error: Option<(SettingsField, Message)>,
     /// What it finds, as places in [`SETTINGS`]; `None` while nothing is looked for.
     pub found: Option<Vec<usize>>,
     /// The keys of the window; empty while they are not shown.
@@ -92,6 +100,7 @@ impl PageState for SettingsPage {
                 self.section = section;
                 self.query.clear();
             }
+            command => return self.apply_pin(command, shared),
         }
         self.search(shared);
         Vec::new()
@@ -104,16 +113,20 @@ impl PageState for SettingsPage {
         }
     }
 
-    fn typed(SettingsField::Find: SettingsField, text: String) -> SettingsCommand {
-        SettingsCommand::Type(SettingsField::Find, text)
+    fn typed(field: SettingsField, text: String) -> SettingsCommand {
+        SettingsCommand::Type(field, text)
     }
 
-    fn text(&self, SettingsField::Find: SettingsField) -> &str {
-        &self.query
+    fn text(&self, field: SettingsField) -> &str {
+        match field {
+            SettingsField::Find => &self.query,
+            SettingsField::NewPin => &self.new_pin,
+            SettingsField::Pin => self.pin.as_deref().unwrap_or(""),
+        }
     }
 
-    fn error(&self, _field: SettingsField) -> Option<&Message> {
-        None
+    fn error(&self, field: SettingsField) -> Option<&Message> {
+        self.pin_error.as_ref().filter(|(of, _)| *of == field).map(|(_, error)| error)
     }
 
     fn closes(&self) -> Option<Command> {

@@ -4,7 +4,7 @@ use fitcheck_core::tolerance::Base;
 use fitcheck_core::verdict::rules::{Prover, RuleName};
 use fitcheck_core::words::{Dialogue, Language};
 
-use super::{Section, SettingsAction};
+use super::{Section, SettingsAction, SettingsField};
 use crate::Session;
 use crate::action::{Action, WindowAction};
 use crate::check::{CheckField, UncertaintyFrom};
@@ -113,6 +113,16 @@ pub const SETTINGS: &[Setting] = &[
         "operator-mode",
         "operator-mode-about",
         Control::OneOf(|| of(Mode::ALL, SettingsAction::UseMode), Some(action(SettingsAction::UseMode(Mode::Full)))),
+    ),
+    row(
+        Section::General,
+        "operator-pin",
+        "operator-pin-about",
+        Control::Field(
+            Field::Settings(SettingsField::NewPin),
+            "",
+            &[action(SettingsAction::SetPin), action(SettingsAction::RemovePin)],
+        ),
     ),
     row(Section::General, "keypad", "settings-page-keypad-about", Control::Switch(window(WindowAction::Keypad))),
     row(
