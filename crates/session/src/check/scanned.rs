@@ -8,15 +8,17 @@ use crate::effect::Effect;
 use crate::shared::Shared;
 
 impl CheckPage {
-    /// A text in the field of the value that is a callout with a class, or begins with a letter and has a figure, as serial numbers do.
+    /// A text in the field of the value that is a callout with a class that has limits, or begins with a letter and has a figure, as serial numbers do.
     /// Returns whether it was one.
     pub(super) fn take_code(&mut self, shared: &mut Shared) -> bool {
         let text = self.texts.text(CheckField::Measured).trim().to_owned();
         if self.by != MeasureBy::Typing {
             return false;
         }
-        let has_class = |callout: Callout| callout.class().is_some();
-        let taken = if text.parse().is_ok_and(has_class) {
+        // A letter in the place of a figure makes a class that no table has.
+        let is_known =
+            |callout: Callout| callout.class().is_some() && shared.sources.limits(&callout, callout.feature()).is_ok();
+        let taken = if text.parse().is_ok_and(is_known) {
             self.texts.set(CheckField::Measured, "");
             self.take_callout(&text, &shared.sources);
             message!("scanned-callout")
