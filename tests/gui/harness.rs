@@ -228,6 +228,12 @@ pub fn picture_in(window: &mut Harness<'_, App>, name: &str, folder: &str) {
     window.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
 }
 
+/// Compares a picture that was put together with the one of a name in a folder.
+#[expect(clippy::disallowed_methods, reason = "the folder alone; thresholds are those of every picture")]
+pub fn sheet_in(sheet: &image::RgbaImage, name: &str, folder: &str) {
+    egui_kittest::image_snapshot_options(sheet, name, &SnapshotOptions::new().output_path(folder));
+}
+
 /// Whether a picture passes as another one, by the thresholds of every picture.
 #[expect(clippy::disallowed_methods, reason = "the folder alone; thresholds are those of every picture")]
 pub fn passes_as(picture: &image::RgbaImage, expected: &image::RgbaImage) -> bool {

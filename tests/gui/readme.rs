@@ -8,12 +8,16 @@ use std::path::Path;
 use eframe::egui::{Key, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use fitcheck::gui::App;
+use fitcheck::session::help::Sample;
+use fitcheck::session::parts::WalkCommand;
 use fitcheck::session::{
-    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, Purpose,
+    self, BudgetCommand, CheckCommand, CheckField, Command, CycleFile, Field, FilesCommand, MeasureBy, Mode, Page,
+    Purpose, WalkField,
 };
 use fitcheck::verdict::rules::RuleName;
+use fitcheck::words::Language;
 
-use crate::harness::{DESK, Window, check, picture_in, press};
+use crate::harness::{DESK, Window, check, picture_in, press, sheet_in};
 use crate::pictures::can_paint;
 
 /// Takes a picture of a window, if pictures can be made here.
@@ -80,6 +84,63 @@ fn a_value_in_a_guard_band() {
         // The header stays open: the rule had no uncertainty at first, and an error is never folded away.
         check(window, "25 H7", "25.0207");
     });
+}
+
+/// A part with its picture in an operator's window: the first value is good, and another one is looked at.
+fn operator(window: &mut Harness<'static, App>, second: &str) {
+    send(window, Command::SetMode(Mode::Operator));
+    send(window, FilesCommand::Open(Sample::Part.purpose(), Sample::Part.path()));
+    send(window, Command::OpenPage(Page::Parts));
+    send(window, Field::from(WalkField::Serial).typed("A-0102".to_owned()));
+    send(window, WalkCommand::Begin);
+    for value in ["25.012", second] {
+        send(window, Field::from(WalkField::Value).typed(value.to_owned()));
+        send(window, WalkCommand::Take);
+    }
+}
+
+#[test]
+fn the_window_of_an_operator() {
+    taken("operator", Theme::Light, vec2(1024.0, 768.0), |window| operator(window, "7.99"));
+}
+
+/// The panels of ten, fifteen and twenty-four inches, light, dark and in high contrast, in the language of a sheet.
+fn sheet(name: &str, code: &str) {
+    if !can_paint(name) {
+        return;
+    }
+    const WIDTH: u32 = 480;
+    let language = Language::from_code(code).unwrap();
+    let mut rows = Vec::new();
+    for (size, second) in [((1024.0, 600.0), "7.99"), ((1024.0, 768.0), "8.05"), ((1920.0, 1080.0), "8.02")] {
+        let mut row = Vec::new();
+        let mut window = Window { size: size.into(), language, ..Window::default() }.open();
+        operator(&mut window, second);
+        for theme in [session::Theme::Light, session::Theme::Dark, session::Theme::Contrast] {
+            send(&mut window, Command::SetTheme(theme));
+            let picture = window.render().unwrap();
+            let height = WIDTH * picture.height() / picture.width();
+            row.push(image::imageops::resize(&picture, WIDTH, height, image::imageops::FilterType::Triangle));
+        }
+        rows.push(row);
+    }
+    let height = rows.iter().map(|row| row[0].height() + 8).sum();
+    let mut sheet = image::RgbaImage::from_pixel((WIDTH + 8) * 3, height, image::Rgba([255, 255, 255, 255]));
+    let mut top = 0;
+    for row in rows {
+        for (left, picture) in (0..).map(|place| place * i64::from(WIDTH + 8)).zip(&row) {
+            image::imageops::replace(&mut sheet, picture, left, top);
+        }
+        top += i64::from(row[0].height() + 8);
+    }
+    sheet_in(&sheet, name, "docs/screenshots");
+}
+
+#[test]
+fn the_operators_window_on_three_panels_in_four_languages() {
+    for (name, code) in [("operator_en", "en"), ("operator_nl", "nl"), ("operator_de", "de"), ("operator_it", "it")] {
+        sheet(name, code);
+    }
 }
 
 /// A whole program with the contacts that were recorded for it, run to its end.
