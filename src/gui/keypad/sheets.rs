@@ -42,8 +42,8 @@ impl Sheet {
     pub const fn label(self) -> &'static str {
         match self {
             Self::Figures => "123",
-            Self::Holes => "H7",
-            Self::Shafts => "h6",
+            Self::Holes => "H7…",
+            Self::Shafts => "h6…",
             Self::First => "ABC",
             Self::Second => "M–X",
             Self::Signs => "Z /",

@@ -59,7 +59,7 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>) {
         let feature = view.session.check().asked.limits.as_ref().map(|limits| view.text(feature_id(limits.feature)));
         let beside = if feature.is_some() { space(22.0) } else { 0.0 };
         let width = ui.available_width() - beside;
-        let look = FieldStyle { width, hint: RichText::new("25 H7"), ..FieldStyle::callout(ui) };
+        let look = FieldStyle { width, ..FieldStyle::callout(ui) };
         named_field_ui(ui, view, CheckField::Callout, &view.text("callout"), look);
         if let Some(feature) = feature {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
