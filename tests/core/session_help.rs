@@ -55,6 +55,30 @@ fn found(query: &str) -> Vec<String> {
 }
 
 #[test]
+fn the_operators_page_is_in_every_language_block_by_block() {
+    let kinds = |page: &ManualPage| page.blocks.iter().map(std::mem::discriminant).collect::<Vec<_>>();
+    let english = ManualPage::of("operator.md").unwrap();
+    for language in Language::all().filter(|language| *language != Language::En) {
+        let page = ManualPage::told("operator.md", language).unwrap();
+        assert_ne!(page.title, english.title, "{language}");
+        assert_eq!(kinds(page), kinds(english), "{language}");
+        assert!(page.links().eq(english.links()), "{language}");
+        // What it calls a button is what stands on it.
+        let words = fitcheck::words::Words::new(language);
+        let text: String = page.blocks.iter().flat_map(Block::spans).map(|span| span.text.as_str()).collect();
+        for id in ["judge", "keypad", "why", "operator-next", "operator-leave", "operator-report", "operator-next-part"]
+        {
+            let name = words.get(id);
+            assert!(text.contains(name.as_str()), "{language}: {name} ({id})");
+        }
+    }
+    for (code, page) in ManualPage::translated() {
+        let is_known = Language::from_code(code).is_some() && ManualPage::of(page.file).is_some();
+        assert!(is_known, "docs/translated/{code}/{} is of no language or of no page", page.file);
+    }
+}
+
+#[test]
 fn every_page_has_its_page_of_the_manual() {
     for page in Page::ALL {
         assert!(ManualPage::of(page.manual()).is_some(), "{page:?} names {}", page.manual());

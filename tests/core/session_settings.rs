@@ -28,7 +28,7 @@ fn offered() -> Vec<Action> {
         Control::OneOf(choices, _) => choices(),
         Control::Switch(action) => vec![action],
         Control::Buttons(_, actions) | Control::Field(_, _, actions) => actions.to_vec(),
-        Control::Zoom | Control::Who | Control::Told(_) => Vec::new(),
+        Control::Zoom | Control::Ruler | Control::Who | Control::Told(_) => Vec::new(),
     };
     SETTINGS.iter().flat_map(|setting| of_row(setting.control)).collect()
 }

@@ -141,3 +141,14 @@ settings-page-changed = Změněno: { $name }
 settings-page-several-changed = Změněno nastavení: { $count }
 settings-page-take-back = Vrátit poslední změnu nastavení
 settings-page-preview = Příklad s tímto nastavením
+
+## The size of the screen
+ruler = Velikost obrazovky
+ruler-about = Přiložte k obrázku platební kartu a vyrovnejte šířku: tlačítka obsluhy pak mají 20 mm
+ruler-card = Platební karta: zatím neporovnána
+ruler-known = Platební karta, 85,6 mm
+ruler-much-shorter = Mnohem kratší
+ruler-shorter = O něco kratší
+ruler-longer = O něco delší
+ruler-much-longer = Mnohem delší
+ruler-forget = Zapomenout

@@ -140,3 +140,14 @@ settings-page-changed = { $name } wurde geändert
 settings-page-several-changed = { $count } Einstellungen wurden geändert
 settings-page-take-back = Letzte Änderung einer Einstellung rückgängig machen
 settings-page-preview = Beispiel mit diesen Einstellungen
+
+## The size of the screen
+ruler = Größe des Bildschirms
+ruler-about = Eine Bankkarte an das Bild halten und es gleich breit machen: Die Tasten eines Bedieners sind dann 20 mm groß
+ruler-card = Eine Bankkarte: noch nicht verglichen
+ruler-known = Eine Bankkarte, 85,6 mm
+ruler-much-shorter = Viel kürzer
+ruler-shorter = Etwas kürzer
+ruler-longer = Etwas länger
+ruler-much-longer = Viel länger
+ruler-forget = Vergessen

@@ -140,3 +140,14 @@ settings-page-changed = { $name } was changed
 settings-page-several-changed = { $count } settings were changed
 settings-page-take-back = Undo the last change of a setting
 settings-page-preview = Example with these settings
+
+## The size of the screen
+ruler = Size of the screen
+ruler-about = Hold a bank card to the picture and make it as wide: an operator’s buttons are 20 mm then
+ruler-card = A bank card: not compared yet
+ruler-known = A bank card, 85.6 mm
+ruler-much-shorter = Much shorter
+ruler-shorter = A little shorter
+ruler-longer = A little longer
+ruler-much-longer = Much longer
+ruler-forget = Forget

@@ -1,13 +1,13 @@
 # The window for an operator
 
 operator-mode = Para quién es esta ventana
-operator-mode-about = Un operario tiene medición, resultados y ayuda, en letra grande; todo lo demás está en la ventana completa
-operator-mode-operator = Operario
+operator-mode-about = Un operador tiene medición, resultados y ayuda, en letra grande; todo lo demás está en la ventana completa
+operator-mode-operator = Operador
 operator-mode-operator-about = Medición, resultados y ayuda, para dedos, guantes y dos metros de distancia.
 operator-mode-full = Todo
 operator-mode-full-about = Todas las páginas, para un escritorio.
 operator-question = ¿Para quién es esta ventana?
-operator-question-later = Se puede cambiar en cualquier momento en la configuración; un operario llega allí con «Salir».
+operator-question-later = Se puede cambiar en cualquier momento en la configuración; un operador llega allí con «Salir».
 operator-leave = Salir
 operator-report = Informe
 operator-undo = Deshacer

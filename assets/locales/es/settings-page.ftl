@@ -140,3 +140,14 @@ settings-page-changed = Cambiado: { $name }
 settings-page-several-changed = { $count } opciones cambiadas
 settings-page-take-back = Deshacer el último cambio de una opción
 settings-page-preview = Ejemplo con esta configuración
+
+## The size of the screen
+ruler = Tamaño de la pantalla
+ruler-about = Acercar una tarjeta bancaria a la imagen e igualar el ancho: los botones del operador miden entonces 20 mm
+ruler-card = Una tarjeta bancaria: aún sin comparar
+ruler-known = Una tarjeta bancaria, 85,6 mm
+ruler-much-shorter = Mucho más corta
+ruler-shorter = Un poco más corta
+ruler-longer = Un poco más larga
+ruler-much-longer = Mucho más larga
+ruler-forget = Olvidar

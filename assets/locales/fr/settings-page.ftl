@@ -140,3 +140,14 @@ settings-page-changed = { $name } a été modifié
 settings-page-several-changed = { $count } réglages ont été modifiés
 settings-page-take-back = Annuler la dernière modification d'un réglage
 settings-page-preview = Aperçu avec ces réglages
+
+## The size of the screen
+ruler = Taille de l’écran
+ruler-about = Tenir une carte bancaire contre l’image et la rendre aussi large : les boutons d’un opérateur font alors 20 mm
+ruler-card = Une carte bancaire : pas encore comparée
+ruler-known = Une carte bancaire, 85,6 mm
+ruler-much-shorter = Beaucoup plus court
+ruler-shorter = Un peu plus court
+ruler-longer = Un peu plus long
+ruler-much-longer = Beaucoup plus long
+ruler-forget = Oublier

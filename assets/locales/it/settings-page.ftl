@@ -140,3 +140,14 @@ settings-page-changed = { $name }: modifica eseguita
 settings-page-several-changed = { $count } impostazioni modificate
 settings-page-take-back = Annullare l'ultima modifica di un'impostazione
 settings-page-preview = Esempio con queste impostazioni
+
+## The size of the screen
+ruler = Dimensioni dello schermo
+ruler-about = Accostare una carta bancaria all’immagine e renderla larga uguale: i pulsanti dell’operatore sono allora di 20 mm
+ruler-card = Una carta bancaria: non ancora confrontata
+ruler-known = Una carta bancaria, 85,6 mm
+ruler-much-shorter = Molto più corta
+ruler-shorter = Un po’ più corta
+ruler-longer = Un po’ più lunga
+ruler-much-longer = Molto più lunga
+ruler-forget = Dimenticare

@@ -140,3 +140,14 @@ settings-page-changed = { $name } is gewijzigd
 settings-page-several-changed = { $count } instellingen zijn gewijzigd
 settings-page-take-back = Laatste wijziging van een instelling ongedaan maken
 settings-page-preview = Voorbeeld met deze instellingen
+
+## The size of the screen
+ruler = Grootte van het scherm
+ruler-about = Houd een bankpas tegen het plaatje en maak het even breed: knoppen van een operator zijn dan 20 mm
+ruler-card = Een bankpas: nog niet vergeleken
+ruler-known = Een bankpas, 85,6 mm
+ruler-much-shorter = Veel korter
+ruler-shorter = Iets korter
+ruler-longer = Iets langer
+ruler-much-longer = Veel langer
+ruler-forget = Vergeten

@@ -144,3 +144,14 @@ settings-page-changed = Zmieniono: { $name }
 settings-page-several-changed = Zmienione ustawienia: { $count }
 settings-page-take-back = Cofnij ostatnią zmianę ustawienia
 settings-page-preview = Przykład z tymi ustawieniami
+
+## The size of the screen
+ruler = Wielkość ekranu
+ruler-about = Przyłóż kartę bankową do obrazka i wyrównaj szerokość: przyciski operatora mają wtedy 20 mm
+ruler-card = Karta bankowa: jeszcze nieporównana
+ruler-known = Karta bankowa, 85,6 mm
+ruler-much-shorter = Dużo krótsza
+ruler-shorter = Trochę krótsza
+ruler-longer = Trochę dłuższa
+ruler-much-longer = Dużo dłuższa
+ruler-forget = Zapomnij

@@ -20,6 +20,7 @@ use super::palette::PaletteCommand;
 use super::parts::{PartsCommand, WalkCommand};
 use super::purpose::Purpose;
 use super::rows::RowsCommand;
+use super::ruler::Ruler;
 use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::settings_page::Section;
 use super::tools::ToolsCommand;
@@ -53,6 +54,8 @@ macro_rules! command {
             ShowKeypad(bool),
             /// Chooses whom the window is for.
             SetMode(Mode),
+            /// Says how large a millimetre is on this screen.
+            SetRuler(Option<Ruler>),
             /// Goes on from a verdict that has been read to the next value.
             GoOn,
             /// Changes the language of the window.

@@ -205,7 +205,7 @@ rows! {
     SettingsField:
     Find, "settings-page-find", PAGE, "find-a-setting";
     NewPin, "operator-pin", AT_TIMES, "pin";
-    Pin, "operator-pin", AT_TIMES, "pin";
+    Pin, "operator-pin", AT_TIMES, "pin-to-leave";
 }
 
 rows! {

@@ -29,7 +29,7 @@
 //! | `field`, `field_table`, `fields` | every text field; its name, its place, its paragraph of the manual; finding them |
 //! | `treated` | what F1 opens in a field or in a part that folds away |
 //! | `texts`, `typing` | the texts in fields, and what typing does |
-//! | `purpose`, `settings`, `zoom`, `step` | what files are for; how the window looks; every step from one thing to the next |
+//! | `purpose`, `settings`, `zoom`, `ruler`, `step` | what files are for; how the window looks; how large a millimetre is; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
 //! | `palette` | everything that can be done, found by its name |
@@ -85,6 +85,7 @@ mod readers;
 mod recording;
 pub mod records;
 mod rows;
+mod ruler;
 mod saved;
 mod settings;
 mod settings_page;
@@ -157,10 +158,11 @@ pub use purpose::{CycleFile, ImportInto, Purpose};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, RecordsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
+pub use ruler::Ruler;
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
-pub use settings::{DecimalSign, Density, Mode, RowHeight, Theme};
+pub use settings::{DecimalSign, Density, Mode, RowHeight, RulerStep, Theme};
 pub use settings_page::{
     Control, KeyRow, KeysOfPlace, SETTINGS, Section, Setting, SettingsAction, SettingsCommand, SettingsField,
     SettingsPage, Told,
@@ -309,6 +311,7 @@ impl Session {
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme, saved.records.clone());
         shared.mode = saved.mode;
+        shared.ruler = saved.ruler;
         shared.pin.clone_from(&saved.pin);
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files.clone());
@@ -344,6 +347,7 @@ impl Session {
             language: self.shared.language,
             theme: self.shared.theme,
             mode: self.shared.mode,
+            ruler: self.shared.ruler,
             pin: self.shared.pin.clone(),
             keypad: self.shared.keypad,
             density: self.shared.density,
@@ -493,6 +497,7 @@ impl Session {
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::GoOn => return self.go_on(),
             Command::SetMode(_)
+            | Command::SetRuler(_)
             | Command::ShowKeypad(_)
             | Command::SetLanguage(_)
             | Command::SetTheme(_)

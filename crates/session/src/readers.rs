@@ -18,6 +18,7 @@ use super::notice::Notice;
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
+use super::ruler::Ruler;
 use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::shared::{MaskChoice, ProgramFiles};
 use super::workpiece::{OpenPart, RecordedContacts};
@@ -67,6 +68,17 @@ impl Session {
     /// Whether it is asked whom the window is for: a finger touched it, and nobody has said it.
     pub const fn asks_for_mode(&self) -> bool {
         self.shared.asks_for_mode
+    }
+
+    /// How large a millimetre is on this screen, where somebody has said it.
+    pub const fn ruler(&self) -> Option<Ruler> {
+        self.shared.ruler
+    }
+
+    /// The points of a window as it is scaled now that are as long as some millimetres; `None` where nobody has said how large one is.
+    pub fn points(&self, millimetres: f32) -> Option<f32> {
+        let scale = f32::from(self.zoom().percent()) / 100.0;
+        self.ruler().map(|ruler| ruler.millimetre() * millimetres / scale)
     }
 
     /// Whether a PIN locks the operator's window.

@@ -12,6 +12,7 @@ use fitcheck_exchange::exchange::Remembered;
 use serde::{Deserialize, Serialize};
 
 use super::check::{MeasureBy, RuleChoice};
+use super::ruler::Ruler;
 use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::zoom::Zoom;
 
@@ -29,6 +30,8 @@ pub struct Saved {
     pub theme: Theme,
     /// Whom the window is for; `None` until somebody has said it.
     pub mode: Option<Mode>,
+    /// How large a millimetre is on this screen; `None` until somebody has held a card to it.
+    pub ruler: Option<Ruler>,
     /// The salted hash of the PIN that locks the operator's window.
     pub pin: Option<String>,
     /// Whether the keypad is shown.
@@ -160,6 +163,7 @@ impl Default for Saved {
             language: Language::default(),
             theme: Theme::default(),
             mode: None,
+            ruler: None,
             pin: None,
             keypad: false,
             density: Density::default(),

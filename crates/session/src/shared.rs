@@ -30,6 +30,7 @@ use super::notice::{Notice, Notices};
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
+use super::ruler::Ruler;
 use super::saved::SavedRecords;
 use super::settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 use super::tools::OpenTools;
@@ -156,6 +157,8 @@ pub(super) struct Shared {
     pub theme: Theme,
     /// Whom the window is for; `None` until somebody has said it.
     pub mode: Option<Mode>,
+    /// How large a millimetre is on this screen.
+    pub ruler: Option<Ruler>,
     /// The salted hash of the PIN that locks the operator's window.
     pub pin: Option<String>,
     /// Whether the keypad is shown.
@@ -267,6 +270,7 @@ impl Shared {
     pub fn look(&mut self, command: &Command) {
         match *command {
             Command::SetMode(mode) => self.set_mode(mode),
+            Command::SetRuler(ruler) => self.ruler = ruler,
             Command::ShowKeypad(shown) => self.keypad = shown,
             Command::SetLanguage(language) => self.set_language(language),
             Command::SetTheme(theme) => self.theme = theme,

@@ -43,10 +43,10 @@ pub(super) fn article_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
         match view.session.help().shown.topic {
             HelpTopic::Keys => sheet_ui(ui, view),
             HelpTopic::Manual(file) => {
-                if file == CONTENTS {
+                if file == CONTENTS && !view.session.is_for_operators() {
                     samples_ui(ui, view);
                 }
-                let blocks = ManualPage::of(file).map(|page| page.blocks.as_slice());
+                let blocks = ManualPage::told(file, view.session.language()).map(|page| page.blocks.as_slice());
                 for (number, block) in blocks.into_iter().flatten().enumerate() {
                     let mark = mark.as_ref().filter(|mark| mark.block == number);
                     block_ui(ui, view, block, (look, mark));

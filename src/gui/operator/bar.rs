@@ -12,8 +12,12 @@ use crate::gui::verdict_card::colours;
 use crate::gui::view::{View, quiet_text};
 use crate::gui::who::who_ui;
 use crate::message::message;
+use crate::session::help::{HelpPlace, HelpTopic};
 use crate::session::parts::Walking;
-use crate::session::{Action, Page, SettingsAction, WindowAction};
+use crate::session::{Action, HelpCommand, Page, SettingsAction, WindowAction};
+
+/// The operator's page of the manual.
+const PAGE: &str = "operator.md";
 
 const HEIGHT: f32 = 68.0;
 
@@ -70,7 +74,10 @@ fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
     for (page, name, icon, is_on) in pages {
         let name = view.text(name);
         if item_ui(ui, (icon, &name), Some(is_on), true).clicked() && !is_on {
-            view.act(WindowAction::Open(page));
+            match page {
+                Page::Help => view.send(HelpCommand::Open(HelpPlace::of(HelpTopic::Manual(PAGE)))),
+                page => view.act(WindowAction::Open(page)),
+            }
         }
     }
 }

@@ -101,18 +101,20 @@ pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Recor
     let panel = Panel::bottom("operator-actions").resizable(false).show_separator_line(false);
     #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
     let margin = eframe::egui::Margin { top: gap as i8, ..eframe::egui::Margin::ZERO };
-    panel.exact_size(BUTTON + gap).frame(eframe::egui::Frame::new().inner_margin(margin)).show(ui, |ui| {
+    // Below it there is always room for the band.
+    let height = super::target(view).clamp(BUTTON, BUTTON * 1.6);
+    panel.exact_size(height + gap).frame(eframe::egui::Frame::new().inner_margin(margin)).show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = gap;
             let width = (ui.available_width() - times(gap, buttons.len() - 1)) / times(1.0, buttons.len());
             for button in buttons {
-                foot_ui(ui, view, &button, (width, record.is_some()));
+                foot_ui(ui, view, &button, (vec2(width, height), record.is_some()));
             }
         });
     });
 }
 
-fn foot_ui(ui: &mut Ui, view: &mut View<'_>, button: &Foot, (width, has_record): (f32, bool)) {
+fn foot_ui(ui: &mut Ui, view: &mut View<'_>, button: &Foot, (size, has_record): (eframe::egui::Vec2, bool)) {
     let shown: Shown = remembered(ui, shown_id());
     let (name, icon, is_on, is_possible) = match button {
         Foot::Does(action, icon) => {
@@ -132,13 +134,11 @@ fn foot_ui(ui: &mut Ui, view: &mut View<'_>, button: &Foot, (width, has_record):
         }
     };
     let font = |size: f32| theme::bold(size);
-    let room = width - space(14.0);
+    let room = size.x - space(14.0);
     let wide =
         ui.painter().layout_no_wrap(name.clone(), font(sizes().limits), eframe::egui::Color32::PLACEHOLDER).size().x;
-    let size = sizes().limits * (room / wide.max(1.0)).min(1.0);
-    let text = RichText::new(&name).font(font(size));
-    let look =
-        Button::new((icon.text(Weight::Regular, space(5.5)), text)).selected(is_on).min_size(vec2(width, BUTTON));
+    let text = RichText::new(&name).font(font(sizes().limits * (room / wide.max(1.0)).min(1.0)));
+    let look = Button::new((icon.text(Weight::Regular, space(5.5)), text)).selected(is_on).min_size(size);
     let response = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(is_possible, look)).accessible_name(&name);
     if !response.clicked() {
         return;

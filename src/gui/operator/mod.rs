@@ -30,6 +30,7 @@ use eframe::egui::{CentralPanel, Frame, Margin, Panel, Ui};
 pub(super) use self::question::question_ui;
 
 use super::pages::page_of;
+use super::shapes::times;
 use super::theme;
 use super::view::View;
 use crate::session::Page;
@@ -40,6 +41,11 @@ const NARROW: f32 = 900.0;
 /// The share of the width that the left column has, and its limits.
 const LEFT: f32 = 0.36;
 const LEFT_LIMITS: [f32; 2] = [284.0, 520.0];
+
+/// What is pressed is as high as 20 mm where the screen's ruler is known (Colle and Hiszem 2004), and 48 points at least.
+fn target(view: &View<'_>) -> f32 {
+    view.session.points(20.0).map_or(48.0, |points| points.max(48.0))
+}
 
 /// Between two cards.
 fn gap(ui: &Ui) -> f32 {
@@ -69,7 +75,10 @@ fn sides_ui(
 ) {
     let gap = gap(ui);
     ui.spacing_mut().item_spacing.y = gap;
-    let width = (ui.available_width() * LEFT).clamp(LEFT_LIMITS[0], LEFT_LIMITS[1]);
+    // Four keys beside each other; the verdict keeps half of the width.
+    let keys = times(target(view), 4) + times(gap, 4);
+    let most = ui.available_width() * 0.5;
+    let width = (ui.available_width() * LEFT).clamp(LEFT_LIMITS[0], LEFT_LIMITS[1]).max(keys.min(most));
     #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
     let margin = Margin { right: gap as i8, ..Margin::ZERO };
     let panel = Panel::left("operator-asked").resizable(false).exact_size(width + gap).show_separator_line(false);

@@ -1,17 +1,19 @@
 //! How a setting is set, by its kind. Each takes effect at once.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Button, Color32, Id, Label, Layout, RichText, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Align, Align2, Button, Color32, Id, Label, Layout, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
 
 use super::told::told;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::segments::segments_ui;
 use crate::gui::shapes;
-use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, one_of_ui, remembered};
 use crate::gui::who::who_ui;
 use crate::message::message;
-use crate::session::{Action, Control, Field, Setting, SettingsAction, SettingsField, Told};
+use crate::session::{Action, Control, Field, Ruler, RulerStep, Setting, SettingsAction, SettingsField, Told};
 
 /// As many choices stand in sight at most; more of them are a drop-down list.
 const MOST_SEGMENTS: usize = 5;
@@ -38,6 +40,7 @@ pub(super) fn control_ui(ui: &mut Ui, view: &mut View<'_>, setting: &Setting, sl
             buttons_ui(ui, view, actions, slot);
         }
         Control::Zoom => line_ui(ui, slot, "zoom", |ui| zoom_ui(ui, view)),
+        Control::Ruler => ruler_ui(ui, view, slot),
         Control::Who if view.session.recording().is_on() => line_ui(ui, slot, "who", |ui| who_ui(ui, view)),
         Control::Who => told_ui(ui, view, Told::Journal, slot),
         Control::Told(of) => told_ui(ui, view, of, slot),
@@ -163,4 +166,28 @@ fn zoom_ui(ui: &mut Ui, view: &mut View<'_>) {
         let is_enabled = view.session.can(action);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, is_enabled, &said));
     }
+}
+
+/// A bank card as wide as the screen is said to show it, and below it what makes it longer or shorter.
+fn ruler_ui(ui: &mut Ui, view: &mut View<'_>, slot: &Slot) {
+    let palette = palette(ui.ctx());
+    let scale = f32::from(view.session.zoom().percent()) / 100.0;
+    let known = view.session.ruler();
+    let width = known.unwrap_or(Ruler::USUAL).dots() / scale;
+    let (rect, response) = ui.allocate_exact_size(vec2(width, space(13.0)), Sense::hover());
+    let edge = Stroke::new(2.0, if known.is_some() { palette.accent.0 } else { palette.edge.0 });
+    ui.painter().rect(rect, 8.0, palette.sunken.0, edge, StrokeKind::Inside);
+    let said = view.text(if known.is_some() { "ruler-known" } else { "ruler-card" });
+    ui.painter().text(rect.center(), Align2::CENTER_CENTER, &said, theme::font(sizes().small), palette.text.0);
+    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+    line_ui(ui, slot, "ruler", |ui| {
+        let signs = ["−−", "−", "+", "++"];
+        for (step, sign) in RulerStep::ALL.into_iter().zip(signs) {
+            let action = SettingsAction::MoveRuler(step);
+            let name = action.text(view.session, view.words);
+            let button = Button::new(sign).min_size(vec2(control(ui), control(ui)));
+            view.button_as(ui, action, button).accessible_name(&name).on_hover_text(name);
+        }
+        view.field_button(ui, SettingsAction::ForgetRuler);
+    });
 }

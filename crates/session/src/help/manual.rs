@@ -2,6 +2,7 @@
 
 use std::sync::LazyLock;
 
+use fitcheck_core::words::Language;
 use fitcheck_shipped as shipped;
 
 use super::blocks::{Block, Span, plain, read};
@@ -43,7 +44,7 @@ pub(super) struct Line {
 
 static MANUAL: LazyLock<Vec<ManualPage>> = LazyLock::new(|| {
     let files: Vec<&'static str> = shipped::MANUAL.iter().map(|(file, _)| *file).collect();
-    let read = |file: &&'static str| ManualPage::read(file, &files);
+    let read = |file: &&'static str| ManualPage::read(file, &files, shipped::text(shipped::MANUAL, file));
     let mut pages: Vec<ManualPage> = files.iter().map(read).collect();
     let contents = pages.iter().find(|page| page.file == CONTENTS);
     let order: Vec<HelpTopic> =
@@ -54,19 +55,40 @@ static MANUAL: LazyLock<Vec<ManualPage>> = LazyLock::new(|| {
     pages
 });
 
+/// Pages in other languages, block by block as in English, so that what is found there is found here.
+static TRANSLATED: LazyLock<Vec<(&'static str, ManualPage)>> = LazyLock::new(|| {
+    let files: Vec<&'static str> = shipped::MANUAL.iter().map(|(file, _)| *file).collect();
+    let page = |(path, _): &(&'static str, &[u8])| {
+        let (code, file) = path.split_once('/')?;
+        Some((code, ManualPage::read(file, &files, shipped::text(shipped::TRANSLATED, path))))
+    };
+    shipped::TRANSLATED.iter().filter_map(page).collect()
+});
+
 /// Every page of the manual: its contents, and the pages in their order.
 pub fn manual() -> &'static [ManualPage] {
     &MANUAL
 }
 
 impl ManualPage {
-    fn read(file: &'static str, files: &[&'static str]) -> Self {
-        let blocks = read(file, files, shipped::text(shipped::MANUAL, file));
+    fn read(file: &'static str, files: &[&'static str], text: &'static str) -> Self {
+        let blocks = read(file, files, text);
         let title = blocks.iter().find_map(|block| match block {
             Block::Heading { spans, .. } => Some(plain(spans)),
             _ => None,
         });
         Self { file, title: title.unwrap_or_else(|| file.to_owned()), sections: sections(&blocks), blocks }
+    }
+
+    /// The page of a file in a language; in English where it has not been translated.
+    pub fn told(file: &str, language: Language) -> Option<&'static Self> {
+        let is_it = |(code, page): &&(&str, Self)| *code == language.code() && page.file == file;
+        TRANSLATED.iter().find(is_it).map(|(_, page)| page).or_else(|| Self::of(file))
+    }
+
+    /// The pages that have been translated, each with the code of its language.
+    pub fn translated() -> impl Iterator<Item = (&'static str, &'static Self)> {
+        TRANSLATED.iter().map(|(code, page)| (*code, page))
     }
 
     /// The page of a file.

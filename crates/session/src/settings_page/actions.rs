@@ -13,7 +13,8 @@ use crate::field::Field;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
 use crate::purpose::Purpose;
-use crate::settings::{DecimalSign, Mode, RowHeight};
+use crate::ruler::Ruler;
+use crate::settings::{DecimalSign, Mode, RowHeight, RulerStep};
 use crate::shared::MaskChoice;
 use crate::zoom::Zoom;
 
@@ -47,6 +48,10 @@ actions! {
     Stay;
     /// Changes the language of the window.
     UseLanguage(Language): Language::all();
+    /// Says that a bank card is longer or shorter on the screen.
+    MoveRuler(RulerStep): RulerStep::ALL;
+    /// Says nothing of that any more.
+    ForgetRuler;
     ZoomOut;
     ZoomIn;
     /// Draws the window as large as the system says.
@@ -108,6 +113,18 @@ impl Actions for SettingsAction {
             Self::Stay => everywhere("operator-stay", SettingsCommand::Stay.into())
                 .when(|session| session.settings_page().asks_for_pin()),
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
+            Self::MoveRuler(step) => {
+                let (text, command): (_, fn(&Session) -> Command) = match step {
+                    RulerStep::MuchShorter => ("ruler-much-shorter", |session| moved(session, false, true)),
+                    RulerStep::Shorter => ("ruler-shorter", |session| moved(session, false, false)),
+                    RulerStep::Longer => ("ruler-longer", |session| moved(session, true, false)),
+                    RulerStep::MuchLonger => ("ruler-much-longer", |session| moved(session, true, true)),
+                };
+                scaled(text, command)
+            }
+            Self::ForgetRuler => {
+                everywhere("ruler-forget", Command::SetRuler(None)).when(|session| session.ruler().is_some())
+            }
             Self::ZoomOut => scaled("settings-page-zoom-out", |session| Command::SetZoom(session.zoom().smaller()))
                 .when(|session| Zoom::LEAST < session.zoom()),
             Self::ZoomIn => scaled("settings-page-zoom-in", |session| Command::SetZoom(session.zoom().larger()))
@@ -190,6 +207,12 @@ impl SettingsAction {
             _ => return None,
         })
     }
+}
+
+/// The length of a bank card on the screen after a step.
+fn moved(session: &Session, longer: bool, is_large: bool) -> Command {
+    let ruler = session.ruler().unwrap_or(Ruler::USUAL);
+    Command::SetRuler(Some(ruler.moved(longer, is_large)))
 }
 
 /// A step from the scale that there is.

@@ -22,7 +22,7 @@ impl Section {
         let has_default = |control: Control| match control {
             Control::OneOf(_, first) => first.is_some(),
             Control::Switch(_) | Control::Zoom | Control::Field(Field::Check(_), ..) => true,
-            Control::Buttons(..) | Control::Field(..) | Control::Who | Control::Told(_) => false,
+            Control::Buttons(..) | Control::Ruler | Control::Field(..) | Control::Who | Control::Told(_) => false,
         };
         SETTINGS.iter().any(|setting| setting.section == self && has_default(setting.control))
     }
@@ -40,6 +40,11 @@ fn to_default(session: &Session, setting: &Setting) -> Option<Command> {
         }
         Control::Zoom => (session.zoom() != Zoom::NORMAL).then_some(Command::SetZoom(Zoom::NORMAL)),
         // Files, names and addresses are the user's: nothing takes them away in passing.
-        Control::Switch(_) | Control::Buttons(..) | Control::Field(..) | Control::Who | Control::Told(_) => None,
+        Control::Switch(_)
+        | Control::Buttons(..)
+        | Control::Ruler
+        | Control::Field(..)
+        | Control::Who
+        | Control::Told(_) => None,
     }
 }

@@ -23,7 +23,7 @@ fn said(setting: &Setting, words: &Words) -> String {
         Control::OneOf(choices, _) => choices(),
         Control::Switch(action) => vec![action],
         Control::Buttons(_, actions) | Control::Field(_, _, actions) => actions.to_vec(),
-        Control::Zoom | Control::Who | Control::Told(_) => Vec::new(),
+        Control::Zoom | Control::Ruler | Control::Who | Control::Told(_) => Vec::new(),
     };
     let names = choices.into_iter().map(|action| choice(action, words));
     let texts: Vec<String> = ids.into_iter().map(|id| words.get(id)).chain(names).collect();

@@ -118,7 +118,7 @@ impl SettingsFile {
         // What else a state file has is known, and no setting.
         let known = table_of(&Saved::default()).map_err(said)?;
         unknown.retain(|key, _| {
-            key == "inputs" || (!known.contains_key(key) && !["budget", "mode", "pin"].contains(&key))
+            key == "inputs" || (!known.contains_key(key) && !["budget", "mode", "pin", "ruler"].contains(&key))
         });
         let wanted = all.try_into().map_err(|error: toml::de::Error| said(broken(&error.message())))?;
         Ok(Self { wanted, unknown })

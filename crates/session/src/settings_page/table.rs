@@ -40,6 +40,8 @@ pub enum Control {
     Field(Field, &'static str, &'static [Action]),
     /// The scale of the window.
     Zoom,
+    /// How large a millimetre is on the screen.
+    Ruler,
     /// Who measures.
     Who,
     /// What is in force, and set elsewhere.
@@ -138,6 +140,7 @@ pub const SETTINGS: &[Setting] = &[
         Control::OneOf(|| of(Theme::ALL, WindowAction::UseTheme), Some(window(WindowAction::UseTheme(Theme::System)))),
     ),
     row(Section::Appearance, "settings-page-zoom", "settings-page-zoom-about", Control::Zoom),
+    row(Section::Appearance, "ruler", "ruler-about", Control::Ruler),
     row(
         Section::Appearance,
         "density",
@@ -341,6 +344,6 @@ pub(crate) fn setting_of(action: Action) -> Option<&'static Setting> {
             Action::Settings(SettingsAction::ZoomOut | SettingsAction::ZoomIn | SettingsAction::ZoomNormal)
         ),
         Control::Buttons(Told::OwnTables | Told::OwnMask, actions) => actions.contains(&action),
-        Control::Buttons(..) | Control::Field(..) | Control::Who | Control::Told(_) => false,
+        Control::Buttons(..) | Control::Ruler | Control::Field(..) | Control::Who | Control::Told(_) => false,
     })
 }
