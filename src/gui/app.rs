@@ -296,7 +296,7 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     keys::keys_ui(ui, view);
     if view.session.is_for_operators() {
         operator::operator_ui(ui, view);
-        dialogs::dialogs_ui(ui, view, 0.0);
+        dialogs::dialogs_ui(ui, view, operator::FOOT);
         return;
     }
     rail_ui(ui, view);

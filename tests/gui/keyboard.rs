@@ -176,8 +176,8 @@ fn the_keypad_has_letters_for_classes() {
     click_for(&mut window, "Callout", 4);
     for (keys, after) in [
         (["Key 2", "Key 5", "Classes of holes", "Key H7"].as_slice(), "25 H7"),
-        (&["Classes of shafts", "Key g6"], "25 g6"),
-        (&["Letters", "M to X", "Y, Z and signs", "Space", "Figures", "Empty"], ""),
+        (&["Classes of holes", "Classes of shafts", "Key g6"], "25 g6"),
+        (&["Classes of holes", "Letters", "M to X", "Y, Z and signs", "Space", "Figures", "Empty"], ""),
     ] {
         for key in keys {
             window.get_by_role_and_label(Role::Button, key).click();

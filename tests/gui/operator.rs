@@ -1,17 +1,22 @@
 //! The window for an operator: what it has and what it has not, and its rhythm, by keyboard alone and by touch alone.
 
+use std::sync::Arc;
+use std::time::Duration;
+
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
+use fitcheck::gui::journal::Records;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
     Action, CheckField, Command, Field, Mode, Page, PartsCommand, SettingsCommand, SettingsField, Theme, WalkField,
 };
 use fitcheck::verdict::Status;
 
-use crate::harness::{Window, click, press, scan, verdict};
+use crate::fake_journal::Fake;
+use crate::harness::{Window, click, nowhere, press, scan, verdict};
 
 const PANEL: Vec2 = vec2(1024.0, 768.0);
 
@@ -141,6 +146,62 @@ fn what_a_code_reader_types_goes_where_it_belongs_by_its_shape() {
     assert_eq!(window.state().session().text(CheckField::Callout), "30 h6");
     scan(&mut window, "29.O99⏎");
     assert!(window.state().session().error(CheckField::Measured).is_some(), "a mistyped value is no code");
+}
+
+#[test]
+fn what_is_typed_by_touch_after_a_verdict_is_the_next_value_and_no_end_of_the_last_one() {
+    let mut window = open();
+    for key in ["Key 6", "Classes of holes", "Key H9", "Value", "Key 6", "Decimal sign", "Key 0", "Key 2", "Judge"] {
+        click(&mut window, Role::Button, key);
+    }
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    for key in ["Key 6", "Decimal sign", "Key 0", "Key 5"] {
+        click(&mut window, Role::Button, key);
+    }
+    assert_eq!(window.state().session().text(CheckField::Measured), "6.05");
+    click(&mut window, Role::Button, "Judge");
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    click(&mut window, Role::Button, "Undo");
+    assert_eq!(window.state().session().text(CheckField::Measured), "", "what was undone is typed anew");
+    for key in ["Key 6", "Key 7"] {
+        click(&mut window, Role::Button, key);
+    }
+    send(&mut window, Field::from(CheckField::Callout).typed("8 H7".to_owned()));
+    assert_eq!(window.state().session().text(CheckField::Measured), "", "no value goes on to another size");
+}
+
+#[test]
+fn a_name_is_typed_and_older_results_are_reached_by_touch_alone() {
+    let records = Records {
+        usual: Some("/shop/journal.sqlite".into()),
+        journals: Arc::new(Fake::of(1, Duration::ZERO)),
+        ..nowhere()
+    };
+    let mut window = Window { size: PANEL, records, ..Window::default() }.open();
+    send(&mut window, Command::SetMode(Mode::Operator));
+    click(&mut window, Role::Button, "No name is chosen. Choose a name");
+    for key in ["Letters", "Key E", "More letters", "Key V", "Letters", "Key A"] {
+        let name = if key == "More letters" { "M to X" } else { key };
+        if key == "Letters" && window.query_by_role_and_label(Role::Button, "Letters").is_none() {
+            click(&mut window, Role::Button, "Figures");
+        }
+        click(&mut window, Role::Button, name);
+    }
+    click(&mut window, Role::Button, "Use this name");
+    assert_eq!(window.state().session().recording().who(), "EVA");
+    scan(&mut window, "25 H7⏎");
+    for value in 1..20 {
+        scan(&mut window, &format!("25.0{value:02}⏎"));
+    }
+    click(&mut window, Role::Button, "Results");
+    let said = |window: &Harness<'_, App>| -> Vec<String> {
+        let rows = window.query_all_by_role(Role::ListItem);
+        rows.map(|row| row.accesskit_node().label().unwrap_or_default()).collect()
+    };
+    assert!(!said(&window).iter().any(|row| row.contains("25.001")));
+    click(&mut window, Role::Button, "Older");
+    click(&mut window, Role::Button, "Older");
+    assert!(said(&window).iter().any(|row| row.contains("25.001")), "{:?}", said(&window));
 }
 
 /// A part of six features, of which the third is typed wrong and taken back, with the report at the end.

@@ -104,12 +104,14 @@ fn the_window_of_an_operator() {
     taken("operator", Theme::Light, vec2(1024.0, 768.0), |window| operator(window, "7.99"));
 }
 
+/// The width of a picture of a sheet.
+const WIDTH: u32 = 480;
+
 /// The panels of ten, fifteen and twenty-four inches, light, dark and in high contrast, in the language of a sheet.
 fn sheet(name: &str, code: &str) {
     if !can_paint(name) {
         return;
     }
-    const WIDTH: u32 = 480;
     let language = Language::from_code(code).unwrap();
     let mut rows = Vec::new();
     for (size, second) in [((1024.0, 600.0), "7.99"), ((1024.0, 768.0), "8.05"), ((1920.0, 1080.0), "8.02")] {

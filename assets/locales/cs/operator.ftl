@@ -16,6 +16,8 @@ operator-results = Výsledky
 operator-one-size = Jeden rozměr
 operator-part = Díl
 operator-last = Poslední výsledky
+operator-newer = Novější
+operator-older = Starší
 operator-no-results = Zatím nic nebylo změřeno.
 operator-features = { $count ->
     [one] 1 prvek

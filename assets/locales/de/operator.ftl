@@ -16,6 +16,8 @@ operator-results = Ergebnisse
 operator-one-size = Ein Maß
 operator-part = Teil
 operator-last = Letzte Ergebnisse
+operator-newer = Neuere
+operator-older = Ältere
 operator-no-results = Noch nichts wurde gemessen.
 operator-features = { $count ->
     [one] 1 Merkmal

@@ -16,6 +16,8 @@ operator-results = Results
 operator-one-size = One size
 operator-part = Part
 operator-last = Last results
+operator-newer = Newer
+operator-older = Older
 operator-no-results = Nothing was measured yet.
 operator-features = { $count ->
     [one] 1 feature

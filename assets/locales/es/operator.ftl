@@ -16,6 +16,8 @@ operator-results = Resultados
 operator-one-size = Una cota
 operator-part = Pieza
 operator-last = Últimos resultados
+operator-newer = Más recientes
+operator-older = Más antiguos
 operator-no-results = Aún no se ha medido nada.
 operator-features = { $count ->
     [one] 1 elemento

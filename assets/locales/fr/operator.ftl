@@ -16,6 +16,8 @@ operator-results = Résultats
 operator-one-size = Une cote
 operator-part = Pièce
 operator-last = Derniers résultats
+operator-newer = Plus récents
+operator-older = Plus anciens
 operator-no-results = Rien n'a encore été mesuré.
 operator-features = { $count ->
     [one] { $count } élément

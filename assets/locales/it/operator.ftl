@@ -16,6 +16,8 @@ operator-results = Risultati
 operator-one-size = Una quota
 operator-part = Pezzo
 operator-last = Ultimi risultati
+operator-newer = Più recenti
+operator-older = Meno recenti
 operator-no-results = Non è stato ancora misurato nulla.
 operator-features = { $count ->
     [one] 1 elemento

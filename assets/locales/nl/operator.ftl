@@ -16,6 +16,8 @@ operator-results = Resultaten
 operator-one-size = Eén maat
 operator-part = Onderdeel
 operator-last = Laatste resultaten
+operator-newer = Nieuwer
+operator-older = Ouder
 operator-no-results = Er is nog niets gemeten.
 operator-features = { $count ->
     [one] 1 element

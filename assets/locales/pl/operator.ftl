@@ -16,6 +16,8 @@ operator-results = Wyniki
 operator-one-size = Jeden wymiar
 operator-part = Część
 operator-last = Ostatnie wyniki
+operator-newer = Nowsze
+operator-older = Starsze
 operator-no-results = Jeszcze niczego nie zmierzono.
 operator-features = { $count ->
     [one] 1 element

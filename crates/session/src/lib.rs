@@ -158,11 +158,11 @@ pub use purpose::{CycleFile, ImportInto, Purpose};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, RecordsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
-pub use ruler::Ruler;
+pub use ruler::{Ruler, RulerStep};
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
-pub use settings::{DecimalSign, Density, Mode, RowHeight, RulerStep, Theme};
+pub use settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 pub use settings_page::{
     Control, KeyRow, KeysOfPlace, SETTINGS, Section, Setting, SettingsAction, SettingsCommand, SettingsField,
     SettingsPage, Told,

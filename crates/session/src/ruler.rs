@@ -10,6 +10,19 @@ const CARD: f32 = 85.6;
 #[serde(from = "u16", into = "u16")]
 pub struct Ruler(u16);
 
+/// How the length of a bank card on the screen is brought to that of a real one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum RulerStep {
+    MuchShorter,
+    Shorter,
+    Longer,
+    MuchLonger,
+}
+
+impl RulerStep {
+    pub const ALL: [Self; 4] = [Self::MuchShorter, Self::Shorter, Self::Longer, Self::MuchLonger];
+}
+
 impl Ruler {
     /// On a screen of 96 dots an inch.
     pub const USUAL: Self = Self(324);
@@ -31,11 +44,14 @@ impl Ruler {
         self.dots() / CARD
     }
 
-    /// One step longer or shorter.
     #[must_use]
-    pub fn moved(self, longer: bool, is_large: bool) -> Self {
-        let step = if is_large { Self::LARGE } else { Self::STEP };
-        Self::from(if longer { self.0.saturating_add(step) } else { self.0.saturating_sub(step) })
+    pub fn moved(self, step: RulerStep) -> Self {
+        Self::from(match step {
+            RulerStep::MuchShorter => self.0.saturating_sub(Self::LARGE),
+            RulerStep::Shorter => self.0.saturating_sub(Self::STEP),
+            RulerStep::Longer => self.0.saturating_add(Self::STEP),
+            RulerStep::MuchLonger => self.0.saturating_add(Self::LARGE),
+        })
     }
 }
 
@@ -59,6 +75,6 @@ mod tests {
     fn a_card_of_324_dots_is_96_dots_an_inch() {
         assert!((Ruler::USUAL.millimetre() * 25.4 - 96.0).abs() < 0.2);
         assert_eq!(Ruler::from(0), Ruler::from(120));
-        assert_eq!(Ruler::USUAL.moved(true, true).moved(false, true), Ruler::USUAL);
+        assert_eq!(Ruler::USUAL.moved(RulerStep::MuchLonger).moved(RulerStep::MuchShorter), Ruler::USUAL);
     }
 }

@@ -36,19 +36,6 @@ impl Mode {
     pub const ALL: [Self; 2] = [Self::Full, Self::Operator];
 }
 
-/// How the length of a bank card on the screen is brought to that of a real one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum RulerStep {
-    MuchShorter,
-    Shorter,
-    Longer,
-    MuchLonger,
-}
-
-impl RulerStep {
-    pub const ALL: [Self; 4] = [Self::MuchShorter, Self::Shorter, Self::Longer, Self::MuchLonger];
-}
-
 /// What stands before the decimals of a number in the window.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]

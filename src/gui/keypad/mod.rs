@@ -161,6 +161,12 @@ pub(super) fn keys_of_height_ui(ui: &mut Ui, view: &mut View<'_>, room: f32, has
     });
 }
 
+/// Enter was pressed elsewhere for the field: what is typed next replaces what stands there.
+pub(super) fn entered(ui: &Ui, view: &View<'_>, field: Field) {
+    let all = 0..view.session.text(field).chars().count();
+    typing::focus(ui.ctx(), field, all);
+}
+
 /// What stands on a key, and what a screen reader says.
 fn told(view: &View<'_>, key: Key, is_small: bool) -> (String, String) {
     match key {
@@ -189,6 +195,11 @@ fn key_ui(ui: &mut Ui, view: &mut View<'_>, (field, key): (Field, Key), state: &
     }
     match key {
         Key::Show(sheet) => state.sheet = sheet,
+        Key::Class(_) => {
+            // Figures come next.
+            state.sheet = Sheet::Figures;
+            press(ui, view, field, key);
+        }
         Key::Shift => state.is_small = !state.is_small,
         key => press(ui, view, field, key),
     }

@@ -70,11 +70,11 @@ impl Sheet {
         match self {
             Self::Figures => {
                 let classes = if takes_classes(field) { Self::Holes } else { Self::First };
-                let middle = if has_enter { Key::Clear } else { Key::Show(classes) };
-                let [third, fourth] = match (has_enter, takes_classes(field)) {
-                    (true, _) => [Key::Show(classes), Key::Enter],
-                    (false, true) => [Key::Show(Self::First), Key::Clear],
-                    (false, false) => [Key::Type(' '), Key::Clear],
+                // What has a place of its own keeps it, whatever the field is for.
+                let [middle, third, fourth] = match (has_enter, takes_classes(field)) {
+                    (true, _) => [Key::Clear, Key::Show(classes), Key::Enter],
+                    (false, true) => [Key::Show(classes), Key::Show(Self::First), Key::Clear],
+                    (false, false) => [Key::Type('+'), Key::Show(Self::First), Key::Clear],
                 };
                 let mut keys = Vec::new();
                 keys.extend(['7', '8', '9'].map(Key::Type));
@@ -87,7 +87,8 @@ impl Sheet {
             }
             Self::Holes | Self::Shafts => {
                 let (classes, other) = if self == Self::Holes { (HOLES, Self::Shafts) } else { (SHAFTS, Self::Holes) };
-                let ends = [Key::Show(figures), Key::Show(Self::First), Key::Show(other), last];
+                let end = if has_enter { Key::Enter } else { Key::Back };
+                let ends = [Key::Show(figures), Key::Show(Self::First), Key::Show(other), end];
                 classes.map(Key::Class).into_iter().chain(ends).collect()
             }
             Self::First => letters('A').chain([Key::Show(figures), Key::Show(Self::Second), Key::Back, last]).collect(),

@@ -57,7 +57,7 @@ fn selected(ctx: &Context, view: &View<'_>, field: Field) -> Range<usize> {
 }
 
 /// Gives the focus back to the field, with this part of its text selected: in the next frame, when it has its new text.
-fn focus(ctx: &Context, field: Field, selected: Range<usize>) {
+pub(super) fn focus(ctx: &Context, field: Field, selected: Range<usize>) {
     ctx.data_mut(|data| data.insert_temp(focus_id(), Some((field, selected))));
 }
 

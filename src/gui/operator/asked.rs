@@ -12,6 +12,9 @@ use crate::session::{Field, SettingsField};
 /// The height of the button that Enter is for: 15 mm on a panel of ten inches, more where there is room.
 const MAIN: [f32; 2] = [56.0, 88.0];
 
+/// Two taps within this time are one, seconds.
+const TWO_TAPS: f64 = 0.25;
+
 /// The height of the field of the value.
 const VALUE: f32 = 58.0;
 
@@ -49,9 +52,10 @@ pub(super) fn asked_ui(
         from_below(ui, id, VALUE, gap, |ui| {
             let width = ui.available_width();
             let is_hidden = field == SettingsField::Pin.into();
-            let unit = if is_hidden { "" } else { "mm" };
+            let unit = if view.session.is_free_text(field) { "" } else { "mm" };
+            let hint = RichText::new(view.text(name)).size(sizes().limits);
             let font = theme::bold(sizes().value * 1.2);
-            let look = FieldStyle { height: VALUE, font, is_hidden, ..FieldStyle::value(ui, width).unit(unit) };
+            let look = FieldStyle { height: VALUE, font, is_hidden, hint, ..FieldStyle::value(ui, width).unit(unit) };
             named_field_ui(ui, view, field, &view.text(name), look);
         });
     }
@@ -110,5 +114,11 @@ fn main_ui(ui: &mut Ui, main: &Main) -> bool {
         let stroke = eframe::egui::Stroke::new(3.0, palette.focus.0);
         ui.painter().rect_stroke(response.rect, 8.0, stroke, eframe::egui::StrokeKind::Inside);
     }
-    response.clicked()
+    // The second tap of two is none: the word on the button has just changed.
+    let id = eframe::egui::Id::unique("operator-main-word");
+    let now = ui.input(|input| input.time);
+    let (text, since): (String, f64) = ui.data(|data| data.get_temp(id)).unwrap_or((main.text.clone(), f64::MIN));
+    let since = if text == main.text { since } else { now };
+    ui.data_mut(|data| data.insert_temp(id, (main.text.clone(), since)));
+    response.clicked() && since + TWO_TAPS < now
 }

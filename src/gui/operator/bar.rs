@@ -5,16 +5,16 @@ use eframe::egui::{
     Align, Align2, Frame, Layout, Margin, Panel, Rect, Response, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::names;
 use crate::gui::rail::paint_item;
 use crate::gui::shapes::{self, Edge, times};
 use crate::gui::theme::{self, Icon, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
 use crate::gui::view::{View, quiet_text};
-use crate::gui::who::who_ui;
-use crate::message::message;
+use crate::message::{Message, message};
 use crate::session::help::{HelpPlace, HelpTopic};
 use crate::session::parts::Walking;
-use crate::session::{Action, HelpCommand, Page, SettingsAction, WindowAction};
+use crate::session::{Action, Command, HelpCommand, Page, RecordsField, SettingsAction, WindowAction};
 
 /// The operator's page of the manual.
 const PAGE: &str = "operator.md";
@@ -71,9 +71,12 @@ fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
         (Page::Records, "operator-results", Icon::ListChecks, page == Page::Records),
         (Page::Help, "page-help", Icon::Question, page == Page::Help),
     ];
+    let shows_names = names::is_open(ui);
     for (page, name, icon, is_on) in pages {
         let name = view.text(name);
+        let is_on = is_on && !shows_names;
         if item_ui(ui, (icon, &name), Some(is_on), true).clicked() && !is_on {
+            names::open(ui, false);
             match page {
                 Page::Help => view.send(HelpCommand::Open(HelpPlace::of(HelpTopic::Manual(PAGE)))),
                 page => view.act(WindowAction::Open(page)),
@@ -191,11 +194,8 @@ fn balloons_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
 
 fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.x = space(1.0);
-    let is_wide = BALLOONS <= ui.ctx().content_rect().width();
     record_state_ui(ui, view);
-    if is_wide {
-        who_ui(ui, view);
-    }
+    who_ui(ui, view);
     let undo = Action::from(WindowAction::Undo);
     let name = view.text("operator-undo");
     if item_ui(ui, (Icon::ArrowUUpLeft, &name), None, view.session.can(undo)).clicked() {
@@ -209,6 +209,27 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.text("operator-leave");
     if item_ui(ui, (Icon::LockSimple, &name), None, true).clicked() {
         view.act(SettingsAction::LeaveOperator);
+    }
+}
+
+/// Who measures; nothing where nothing is recorded.
+fn who_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let recording = view.session.recording();
+    if !recording.is_on() {
+        return;
+    }
+    let who = recording.who();
+    let shown = if who.is_empty() { view.text("records-page-nobody") } else { who.to_owned() };
+    let is_open = names::is_open(ui);
+    let said = Message::new(if who.is_empty() { "records-page-who-nobody" } else { "records-page-who-is" });
+    let said = view.words.say(&said.text("name", who));
+    let response = item_ui(ui, (Icon::User, &shown), Some(is_open), true);
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, is_open, &said));
+    if response.clicked() {
+        names::open(ui, !is_open);
+        if !is_open {
+            view.send(Command::GoTo(RecordsField::Who.into()));
+        }
     }
 }
 

@@ -5,12 +5,13 @@ use eframe::egui::{Button, Id, Panel, RichText, ScrollArea, Ui, vec2};
 
 use super::{gap, results};
 use crate::gui::card::page_card_ui;
-use crate::gui::check::{band_of_ui, recorded_ui, why_ui};
+use crate::gui::check::{band_of_ui, check_card, recorded_ui, why_ui};
 use crate::gui::columns::of_height;
+use crate::gui::limits::limits_text;
 use crate::gui::parts::{features_ui, has_walk_picture, walk_picture_ui};
 use crate::gui::shapes::times;
 use crate::gui::theme::{self, Icon, Weight, sizes, space};
-use crate::gui::view::{View, remembered};
+use crate::gui::view::{View, heading, remembered};
 use crate::journal::Record;
 use crate::message::message;
 use crate::session::{Action, Page, PartsAction, Recorded, WindowAction};
@@ -70,7 +71,17 @@ pub(super) fn below_ui(ui: &mut Ui, view: &mut View<'_>, below: &Below<'_>) {
     }
     page_card_ui(ui, |ui| match (shown, below.record) {
         (Shown::Why, Some(record)) => {
-            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| why_ui(ui, view, record));
+            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+                // In words of the workshop first, then where the limits come from.
+                let card = check_card(view.words, record, true);
+                heading(ui, format!("{}, {}", card.word, limits_text(view.words, &record.limits)));
+                let what = card.instruction.map(|(what, rest)| format!("{what}: {rest}"));
+                for line in card.lines.into_iter().chain(what) {
+                    ui.label(RichText::new(line).font(theme::font(sizes().limits)));
+                }
+                ui.separator();
+                why_ui(ui, view, record);
+            });
         }
         (Shown::Features, _) if below.is_part => features_ui(ui, view),
         _ if below.is_part && has_walk_picture(view) => walk_picture_ui(ui, view),
@@ -89,6 +100,10 @@ enum Foot {
 /// Three buttons at the foot of what is left.
 pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Record>, of_part: &[(Action, Icon)]) {
     let is_part = view.session.page() == Page::Parts;
+    if record.is_none() && remembered::<Shown>(ui, shown_id()) == Shown::Why {
+        // The reasons were those of another value.
+        ui.data_mut(|data| data.insert_temp(shown_id(), Shown::Usual));
+    }
     let mut buttons: Vec<Foot> = of_part.iter().map(|(action, icon)| Foot::Does(*action, *icon)).collect();
     if is_part && view.session.parts().walking.is_begun() {
         buttons.push(Foot::Shows(Shown::Features, "operator-features", Icon::ListNumbers));

@@ -49,7 +49,12 @@ fn left_ui(ui: &mut Ui, view: &mut View<'_>) {
     };
     let main = Main { text: view.text(text), icon, is_possible: true };
     if asked_ui(ui, view, (Some(value), "measured-value"), &main, size_ui) {
-        view.send(Command::Enter(if session.rests() { value } else { aimed }));
+        if session.rests() {
+            view.send(Command::GoOn);
+        } else {
+            view.send(Command::Enter(aimed));
+            keypad::entered(ui, view, aimed);
+        }
     }
 }
 
@@ -59,7 +64,8 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>) {
         let feature = view.session.check().asked.limits.as_ref().map(|limits| view.text(feature_id(limits.feature)));
         let beside = if feature.is_some() { space(22.0) } else { 0.0 };
         let width = ui.available_width() - beside;
-        let look = FieldStyle { width, ..FieldStyle::callout(ui) };
+        let hint = RichText::new(view.text("callout"));
+        let look = FieldStyle { width, hint, ..FieldStyle::callout(ui) };
         named_field_ui(ui, view, CheckField::Callout, &view.text("callout"), look);
         if let Some(feature) = feature {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -67,7 +73,10 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>) {
             });
         }
     });
-    error_ui(ui, view, CheckField::Callout);
+    // What is still being typed is not wrong yet.
+    if !ui.memory(|memory| memory.has_focus(field::id(CheckField::Callout))) {
+        error_ui(ui, view, CheckField::Callout);
+    }
     if let Some(limits) = &view.session.check().asked.limits {
         limits_ui(ui, view, limits);
     } else if view.session.check().asked.callout.is_some() {

@@ -11,6 +11,7 @@
 //! | `below` | right, below: the band over what was asked for: reasons, features, the picture, the last results |
 //! | `results` | what was measured last |
 //! | `lock` | the way out, where a PIN locks it |
+//! | `names` | who measures |
 //! | `question` | at the first touch: whom this window is for |
 //!
 //! Pages and their state are those of the full mode. What an operator cannot do is no possible action (`session::action::operator`).
@@ -20,6 +21,7 @@ mod bar;
 mod below;
 mod check;
 mod lock;
+mod names;
 mod part;
 mod question;
 mod results;
@@ -34,6 +36,9 @@ use super::shapes::times;
 use super::theme;
 use super::view::View;
 use crate::session::Page;
+
+/// What lies over the page leaves the buttons at its foot free.
+pub(super) const FOOT: f32 = 64.0;
 
 /// Below this width cards come closer to each other.
 const NARROW: f32 = 900.0;
@@ -59,6 +64,7 @@ pub(super) fn operator_ui(ui: &mut Ui, view: &mut View<'_>) {
     let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(margin);
     CentralPanel::default().frame(canvas).show(ui, |ui| match view.session.page() {
         _ if view.session.settings_page().asks_for_pin() => lock::lock_ui(ui, view),
+        _ if names::is_open(ui) => names::names_ui(ui, view),
         Page::Records => results::results_ui(ui, view),
         Page::Parts => part::part_ui(ui, view),
         Page::Help => (page_of(Page::Help).ui)(ui, view),

@@ -8,6 +8,7 @@ use super::check::limits_ui;
 use super::sides_ui;
 use super::verdict::big_card_ui;
 use crate::gui::field::{FieldStyle, error_ui, named_field_ui};
+use crate::gui::keypad;
 use crate::gui::parts::{asked_text, catch_typing, headline_card, recorded_of, skip_ui, value_card, value_question_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, Icon, control, palette, sizes, space};
@@ -47,7 +48,11 @@ fn left_ui(ui: &mut Ui, view: &mut View<'_>) {
     if asked_ui(ui, view, (field, "walk-page-value"), &main, size_ui) {
         match (is_over, walking.at) {
             (true, _) => view.act(PartsAction::NextPart),
-            (false, _) => view.send(Command::Enter(VALUE)),
+            (false, _) if view.session.rests() => view.send(Command::GoOn),
+            (false, _) => {
+                view.send(Command::Enter(VALUE));
+                keypad::entered(ui, view, VALUE);
+            }
         }
     }
 }

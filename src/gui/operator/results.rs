@@ -1,13 +1,14 @@
 //! What was measured last, newest first.
 
-use eframe::egui::{Align, Layout, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::{Align, Button, Id, Layout, RichText, Sense, Ui, vec2};
 
 use crate::gui::card::page_card_ui;
 use crate::gui::check::check_card;
+use crate::gui::columns::of_height;
 use crate::gui::shapes::{self, Edge, lines_of};
-use crate::gui::theme::{self, palette, sizes, space};
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::edged_chip_ui;
-use crate::gui::view::{Digits, View, heading, quiet};
+use crate::gui::view::{Digits, View, heading, quiet, remembered};
 use crate::journal::Record;
 
 /// The height of a row.
@@ -24,11 +25,38 @@ pub(super) fn results_ui(ui: &mut Ui, view: &View<'_>) {
             quiet(ui, view.text("operator-no-results"));
             return;
         }
-        ScrollArea::vertical().auto_shrink([false, false]).show_rows(ui, ROW, records.len(), |ui, shown| {
-            for record in records.get(shown).into_iter().flatten() {
+        let rows =
+            lines_of((ui.available_height() - control(ui) - space(4.0)) / (ROW + ui.spacing().item_spacing.y)).max(1);
+        let last = (records.len() - 1) / rows;
+        let page: usize = remembered::<usize>(ui, page_id()).min(last);
+        let shown = records.iter().skip(page * rows).take(rows);
+        of_height(ui, ui.available_height() - control(ui) - space(3.0), |ui| {
+            for record in shown {
                 row_ui(ui, view, record);
             }
         });
+        pages_ui(ui, view, (page, last));
+    });
+}
+
+fn page_id() -> Id {
+    Id::unique("operator-results-page")
+}
+
+/// Newer and older ones, by buttons: nobody has to drag.
+fn pages_ui(ui: &mut Ui, view: &View<'_>, (page, last): (usize, usize)) {
+    ui.horizontal(|ui| {
+        let width = (ui.available_width() - ui.spacing().item_spacing.x) / 2.0;
+        let newer = page.checked_sub(1);
+        let older = (page < last).then_some(page + 1);
+        for (id, to) in [("operator-newer", newer), ("operator-older", older)] {
+            let text = RichText::new(view.text(id)).font(theme::bold(sizes().limits));
+            let button = Button::new(text).min_size(vec2(width, control(ui)));
+            let pressed = theme::looking(ui, theme::tonal, |ui| ui.add_enabled(to.is_some(), button)).clicked();
+            if let Some(to) = to.filter(|_| pressed) {
+                ui.data_mut(|data| data.insert_temp(page_id(), to));
+            }
+        }
     });
 }
 

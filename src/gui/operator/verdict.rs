@@ -65,14 +65,20 @@ fn first_width(ui: &Ui, first: &str, size: f32) -> f32 {
 fn texts(card: &Card) -> (String, Vec<String>) {
     let value = card.value.iter();
     // What has to be removed outranks the value.
-    let (first, mut lines) = match &card.instruction {
+    let mut lines = card.lines.clone();
+    let first = match &card.instruction {
         Some((what, rest)) if card.status == Some(Status::Rework) => {
-            (what.clone(), std::iter::once(rest).chain(value).cloned().collect::<Vec<_>>())
+            lines.splice(0..0, std::iter::once(rest).chain(value).cloned());
+            what.clone()
         }
-        Some((what, rest)) => (value.cloned().collect(), vec![what.clone(), rest.clone()]),
-        None => (value.cloned().collect(), Vec::new()),
+        // How far it is beyond the limit comes first, then what to do.
+        Some((what, rest)) => {
+            let place = lines.len().min(1);
+            lines.splice(place..place, [what.clone(), rest.clone()]);
+            value.cloned().collect()
+        }
+        None => value.cloned().collect(),
     };
-    lines.extend(card.lines.iter().cloned());
     (first, lines)
 }
 

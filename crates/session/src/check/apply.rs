@@ -52,9 +52,7 @@ impl PageState for CheckPage {
                 self.texts.set(CheckField::RowsFilter, text);
                 return self.filter_rows(shared);
             }
-            CheckCommand::Type(CheckField::Measured, _) if shared.is_for_operators() && self.waits() => {
-                shared.tell_to_go_on();
-            }
+            CheckCommand::Type(field, text) if shared.is_for_operators() => self.type_as_operator(field, text, shared),
             CheckCommand::Type(field, text) => self.type_text(field, text, &shared.sources),
             CheckCommand::ChooseClass(class) => {
                 let nominal = nominal_text(self.text(CheckField::Callout));
@@ -207,6 +205,22 @@ impl PageState for CheckPage {
 }
 
 impl CheckPage {
+    /// What an operator types: a verdict that asks for a look waits until it was read, and no value goes on to another one or another size.
+    fn type_as_operator(&mut self, field: CheckField, text: String, shared: &mut Shared) {
+        let text = match field {
+            CheckField::Measured if self.waits() => return shared.tell_to_go_on(),
+            CheckField::Measured if self.would_repeat() => {
+                text.strip_prefix(self.text(field)).unwrap_or(&text).to_owned()
+            }
+            CheckField::Callout => {
+                self.clear_value(&shared.sources);
+                text
+            }
+            _ => text,
+        };
+        self.type_text(field, text, &shared.sources);
+    }
+
     /// The verdict has been read: the next value is asked for.
     pub(crate) fn go_on(&mut self, sources: &Sources) -> Vec<Effect> {
         self.clear_value(sources);
@@ -255,6 +269,11 @@ impl CheckPage {
         let taken = shared.history.taken_by_undo();
         let standing: Vec<RecordId> = taken.iter().filter_map(|id| shared.history.standing(*id)).collect();
         let Some(undone) = shared.history.take_back() else { return };
+        if shared.is_for_operators() {
+            // What was undone is typed anew.
+            self.clear_value(&shared.sources);
+            self.errands.push(Effect::Focus(CheckField::Measured.into()));
+        }
         self.clear(&shared.sources);
         shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
         // Where records are withdrawn, the journal's answer says what was undone.

@@ -13,8 +13,8 @@ use crate::field::Field;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
 use crate::purpose::Purpose;
-use crate::ruler::Ruler;
-use crate::settings::{DecimalSign, Mode, RowHeight, RulerStep};
+use crate::ruler::{Ruler, RulerStep};
+use crate::settings::{DecimalSign, Mode, RowHeight};
 use crate::shared::MaskChoice;
 use crate::zoom::Zoom;
 
@@ -71,6 +71,7 @@ actions! {
 }
 
 impl Actions for SettingsAction {
+    #[expect(clippy::too_many_lines, reason = "one row for everything that can be done")]
     fn row(&self) -> ActionRow {
         match *self {
             Self::ShowSection(section) => on(Page::Settings, section.name(), SettingsCommand::Show(section)),
@@ -115,10 +116,10 @@ impl Actions for SettingsAction {
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
             Self::MoveRuler(step) => {
                 let (text, command): (_, fn(&Session) -> Command) = match step {
-                    RulerStep::MuchShorter => ("ruler-much-shorter", |session| moved(session, false, true)),
-                    RulerStep::Shorter => ("ruler-shorter", |session| moved(session, false, false)),
-                    RulerStep::Longer => ("ruler-longer", |session| moved(session, true, false)),
-                    RulerStep::MuchLonger => ("ruler-much-longer", |session| moved(session, true, true)),
+                    RulerStep::MuchShorter => ("ruler-much-shorter", |session| moved(session, RulerStep::MuchShorter)),
+                    RulerStep::Shorter => ("ruler-shorter", |session| moved(session, RulerStep::Shorter)),
+                    RulerStep::Longer => ("ruler-longer", |session| moved(session, RulerStep::Longer)),
+                    RulerStep::MuchLonger => ("ruler-much-longer", |session| moved(session, RulerStep::MuchLonger)),
                 };
                 scaled(text, command)
             }
@@ -210,9 +211,8 @@ impl SettingsAction {
 }
 
 /// The length of a bank card on the screen after a step.
-fn moved(session: &Session, longer: bool, is_large: bool) -> Command {
-    let ruler = session.ruler().unwrap_or(Ruler::USUAL);
-    Command::SetRuler(Some(ruler.moved(longer, is_large)))
+fn moved(session: &Session, step: RulerStep) -> Command {
+    Command::SetRuler(Some(session.ruler().unwrap_or(Ruler::USUAL).moved(step)))
 }
 
 /// A step from the scale that there is.
