@@ -70,10 +70,17 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
     }
 }
 
+/// The width of a notice at most; in the operator's window the keypad is never below it.
+fn widest(ui: &Ui, view: &View<'_>) -> f32 {
+    let window = ui.ctx().content_rect().width();
+    let room = if view.session.is_for_operators() { window * 0.56 } else { window - space(16.0) };
+    space(150.0).min(room)
+}
+
 /// What was done, in one line.
 fn toast_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     let palette = palette(ui.ctx());
-    let width = space(150.0).min(ui.ctx().content_rect().width() - space(16.0));
+    let width = widest(ui, view);
     ui.horizontal(|ui| {
         // What closes it stands at its end, however long the text is.
         let close = control(ui) + ui.spacing().item_spacing.x;
@@ -131,7 +138,7 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
 }
 
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
-    ui.set_max_width(space(150.0));
+    ui.set_max_width(widest(ui, view));
     let text = view.words.say(&notice.message);
     if notice.is_problem {
         problem(ui, text);

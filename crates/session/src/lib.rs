@@ -391,6 +391,13 @@ impl Session {
             let command = answer.and_then(|action| action.command(self));
             return command.map_or_else(Vec::new, |command| self.apply(command, now));
         }
+        if matches!(command, Command::Check(CheckCommand::Undo))
+            && let Some(field) = self.half_typed()
+        {
+            let mut effects = self.apply(field.typed(String::new()), now);
+            effects.push(Effect::Focus(field));
+            return effects;
+        }
         let asked_before = self.asks_for_enter();
         self.budget.see_day(now.date());
         self.records.see_time(now);
@@ -435,6 +442,11 @@ impl Session {
         if self.is_for_operators() && self.rests() && !matches!(field, Field::Settings(_)) {
             return if self.asking.is_in_passing(now) { Vec::new() } else { self.apply(Command::GoOn, now) };
         }
+        if self.is_for_operators() && field == CheckField::Callout.into() && self.text(CheckField::Measured).is_empty()
+        {
+            // The value comes next; that it is not there yet is no error.
+            return vec![Effect::Focus(CheckField::Measured.into())];
+        }
         let Some(action) = self.on_enter(field) else { return Vec::new() };
         if self.answers().contains(&action) && self.asking.is_in_passing(now) {
             return Vec::new();
@@ -459,6 +471,16 @@ impl Session {
     /// Whether Enter would answer something: a question, or a verdict that has to be read.
     fn asks_for_enter(&self) -> bool {
         !self.answers().is_empty() || self.is_for_operators() && self.rests()
+    }
+
+    /// A value that an operator has typed and not judged: Undo takes that back first.
+    fn half_typed(&self) -> Option<Field> {
+        let field = match self.page() {
+            Page::Parts => WalkField::Value.into(),
+            Page::Check if !self.check.would_repeat() => CheckField::Measured.into(),
+            _ => return None,
+        };
+        (self.is_for_operators() && !self.text(field).trim().is_empty()).then_some(field)
     }
 
     /// Whether a verdict stands on screen, and Enter goes on from it.

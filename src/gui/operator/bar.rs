@@ -198,7 +198,9 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
     who_ui(ui, view);
     let undo = Action::from(WindowAction::Undo);
     let name = view.text("operator-undo");
-    if item_ui(ui, (Icon::ArrowUUpLeft, &name), None, view.session.can(undo)).clicked() {
+    // What is undone must be in sight.
+    let is_measuring = matches!(view.session.page(), Page::Check | Page::Parts) && !names::is_open(ui);
+    if item_ui(ui, (Icon::ArrowUUpLeft, &name), None, is_measuring && view.session.can(undo)).clicked() {
         view.act(undo);
     }
     let keypad = Action::from(WindowAction::Keypad);

@@ -14,7 +14,7 @@ use crate::gui::theme::{self, Icon, Weight, sizes, space};
 use crate::gui::view::{View, heading, remembered};
 use crate::journal::Record;
 use crate::message::message;
-use crate::session::{Action, Page, PartsAction, Recorded, WindowAction};
+use crate::session::{Action, Page, PartsAction, Purpose, Recorded, WindowAction};
 use crate::tolerance::Limits;
 
 /// The share of the height that the verdict has, and its limits: the word of an operator's window has 104 dots.
@@ -107,7 +107,7 @@ pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Recor
     let mut buttons: Vec<Foot> = of_part.iter().map(|(action, icon)| Foot::Does(*action, *icon)).collect();
     if is_part && view.session.parts().walking.is_begun() {
         buttons.push(Foot::Shows(Shown::Features, "operator-features", Icon::ListNumbers));
-    } else {
+    } else if is_part || has_plans(view) {
         let page = if is_part { Page::Check } else { Page::Parts };
         buttons.push(Foot::Does(WindowAction::Open(page).into(), if is_part { Icon::Ruler } else { Icon::Cube }));
     }
@@ -127,6 +127,11 @@ pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Recor
             }
         });
     });
+}
+
+/// Whether there is a plan to measure a part by.
+fn has_plans(view: &View<'_>) -> bool {
+    view.session.parts().document.plan().is_some() || view.session.recent_of(Purpose::OpenPlan).next().is_some()
 }
 
 fn foot_ui(ui: &mut Ui, view: &mut View<'_>, button: &Foot, (size, has_record): (eframe::egui::Vec2, bool)) {

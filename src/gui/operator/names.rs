@@ -7,7 +7,7 @@ use super::sides_ui;
 use crate::gui::card::page_card_ui;
 use crate::gui::theme::{self, Icon, control, sizes};
 use crate::gui::view::{View, heading, quiet, remembered};
-use crate::session::{Field, RecordsCommand, RecordsField, WindowAction};
+use crate::session::{CheckField, Command, Field, Page, RecordsCommand, RecordsField, WalkField, WindowAction};
 
 fn id() -> Id {
     Id::unique("operator-names")
@@ -20,6 +20,20 @@ pub(super) fn is_open(ui: &Ui) -> bool {
 
 pub(super) fn open(ui: &Ui, is_open: bool) {
     ui.data_mut(|data| data.insert_temp(id(), is_open));
+}
+
+/// Back to what is measured: its field has the focus.
+fn close(ui: &Ui, view: &mut View<'_>) {
+    open(ui, false);
+    let session = view.session;
+    let field = match session.page() {
+        Page::Parts if session.parts().walking.is_begun() => WalkField::Value.into(),
+        Page::Parts => WalkField::Serial.into(),
+        Page::Check if session.check().asked.limits.is_some() => CheckField::Measured.into(),
+        Page::Check => CheckField::Callout.into(),
+        _ => return,
+    };
+    view.send(Command::GoTo(field));
 }
 
 pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -39,7 +53,7 @@ fn left_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     if is_pressed {
         view.act(WindowAction::TakeName);
-        open(ui, false);
+        close(ui, view);
     }
 }
 
@@ -56,7 +70,7 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
                 let size = vec2(ui.available_width(), control(ui));
                 if ui.add(Button::new(text).selected(name == who).min_size(size)).clicked() {
                     view.send(RecordsCommand::UseName(name));
-                    open(ui, false);
+                    close(ui, view);
                 }
             }
         });

@@ -31,6 +31,8 @@ pub(super) fn results_ui(ui: &mut Ui, view: &View<'_>) {
         let page: usize = remembered::<usize>(ui, page_id()).min(last);
         let shown = records.iter().skip(page * rows).take(rows);
         of_height(ui, ui.available_height() - control(ui) - space(3.0), |ui| {
+            // The buttons below keep their place.
+            ui.set_min_height(ui.available_height());
             for record in shown {
                 row_ui(ui, view, record);
             }
