@@ -18,7 +18,7 @@ use super::rail::rail_ui;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{crash, dialogs, field, field_help, keys, operator, palette, parts, top_bar, zoom};
+use super::{crash, dialogs, field, field_help, keys, operator, palette, parts, spoken, top_bar, zoom};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, RowHeight, Session, Theme};
@@ -250,6 +250,7 @@ impl eframe::App for App {
             // Where keys went too far, nothing changes in the state, and the window has to come back.
             zoom::set(ui.ctx(), zoom);
         }
+        spoken::window(ui.ctx());
         let drawn = catch_unwind(AssertUnwindSafe(|| window_ui(ui, &mut view)));
         if let Err(panic) = drawn {
             // What was typed and chosen up to the last frame is not lost with the window.

@@ -5,8 +5,8 @@ use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, U
 
 use super::room::is_low;
 use super::shapes::{self, Edge};
+use super::spoken::live;
 use super::theme::{self, palette};
-use super::view::live;
 
 /// Around the text of a card.
 pub(super) const MARGIN: i8 = 12;

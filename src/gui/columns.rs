@@ -204,6 +204,16 @@ impl Side {
         }
     }
 
+    /// The name of the text that names the edge of its panel.
+    const fn edge(self) -> &'static str {
+        match self {
+            Self::Left => "edge-left",
+            Self::Right => "edge-right",
+            Self::Top => "edge-top",
+            Self::Bottom => "edge-bottom",
+        }
+    }
+
     /// The arrows that make its panel larger and smaller.
     const fn arrows(self) -> [Key; 2] {
         match self {
@@ -302,7 +312,7 @@ pub(super) fn area_ui(
         let size = if matches!(side, Side::Left | Side::Right) { size.x } else { size.y };
         ui.data_mut(|data| data.insert_persisted(kept_id(salt), size));
     }
-    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(view.text("edge")));
+    ui.ctx().accesskit_node_builder(handle, |node| node.set_label(view.text(side.edge())));
     if let Some(edge) = ui.ctx().read_response(handle).filter(|_| ui.memory(|memory| memory.has_focus(handle))) {
         let rect = edge.rect.shrink2(edge.rect.size() * vec2(0.3, 0.0));
         let thin = Rect::from_center_size(rect.center(), rect.size().max(vec2(3.0, 3.0)));

@@ -1,11 +1,12 @@
 //! The columns of a file of measurements: its first rows, above each column what it is taken for, and what that makes of the rows.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, TextStyle, Ui, vec2};
 
 use super::over_page::just_opened;
+use super::spoken::{gap_ui, live};
 use super::theme::{self, control, sizes, space};
-use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
+use super::view::{View, heading, keep_focus, list_ui, problem, quiet};
 use crate::exchange::{ColumnUnit, DecimalSign, Role, Separator};
 use crate::message::{Message, message};
 use crate::session::WindowAction;
@@ -166,7 +167,7 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
 /// The first rows below what their columns are taken for.
 fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     Grid::new("columns-rows").striped(true).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
-        ui.label("");
+        gap_ui(ui, &TextStyle::Body);
         for at in 0..open.width {
             let name = message!("columns-page-column").text("number", at + 1).text("name", open.column_name(at));
             let name = view.words.say(&name).trim().to_owned();

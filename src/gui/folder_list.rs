@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
+use super::spoken;
 use super::theme::{control, palette, space};
 use super::view::{View, problem, quiet, quiet_cut, remembered};
 use crate::files::{Entry, MOST_ENTRIES};
@@ -82,12 +83,15 @@ fn rows_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
                 Some(offset) => area.vertical_scroll_offset(offset),
                 None => area,
             };
+            let name = view.text("dialog-entries");
             let shown = area.show_rows(ui, row, list.len(), |ui, rows| {
-                for number in rows {
-                    if let Some(entry) = list.entry(number) {
-                        row_ui(ui, view, entry, number, list.selected == Some(number));
+                spoken::around_ui(ui, Role::ListBox, &name, |ui| {
+                    for number in rows {
+                        if let Some(entry) = list.entry(number) {
+                            row_ui(ui, view, entry, number, list.selected == Some(number));
+                        }
                     }
-                }
+                });
             });
             ui.data_mut(|data| data.insert_temp(offset_id(), shown.state.clamped_offset().y));
         }

@@ -25,6 +25,7 @@
 //! | `pin` | the PIN that locks the operator's window |
 //! | `table` | a list of rows with heads |
 //! | `columns`, `split`, `room` | three columns, a list with what is open of it, and how both fold |
+//! | `spoken` | what a screen reader says of what is drawn |
 //! | `empty` | what stands where there is nothing yet |
 //! | `card`, `section`, `segments`, `class_chooser`, `field`, `field_help`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
@@ -96,6 +97,7 @@ mod segments;
 mod settings;
 mod shapes;
 mod split;
+mod spoken;
 mod store;
 mod table;
 mod tables;

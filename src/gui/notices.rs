@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{Align2, Button, CollapsingHeader, Frame, Id, Label, Margin, RichText, ScrollArea, Ui, vec2};
 
 use super::over_page::{corner_window, fixed_window};
-use super::section::unfold;
+use super::section::{folded_ui, unfold};
 use super::theme::{self, Icon, control, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::message;
@@ -180,7 +180,8 @@ fn earlier_ui(ui: &Ui, view: &mut View<'_>) {
                 if notice.details.is_empty() {
                     ui.add(Label::new(said).wrap());
                 } else {
-                    CollapsingHeader::new(said).id_salt(number).show(ui, |ui| details_ui(ui, view, notice));
+                    let head = CollapsingHeader::new(said).id_salt(number);
+                    folded_ui(ui, head, |ui| details_ui(ui, view, notice));
                 }
             }
         });

@@ -10,6 +10,7 @@ use super::action_icon::icon_of;
 use super::key_names::told;
 use super::over_page::just_opened;
 use super::pages::page_of;
+use super::spoken;
 use super::theme::{Icon, Weight, control, font, line, looking, palette, plain, sizes, space};
 use super::view::{View, quiet};
 use crate::session::{Palette, PaletteCommand, PaletteEntry, PaletteGroup, Step};
@@ -48,6 +49,7 @@ pub(super) fn palette_ui(ui: &Ui, view: &mut View<'_>) {
         ui.separator();
         foot_ui(ui, view, open);
     });
+    spoken::dialog(ui.ctx(), id, &view.text("palette"));
     if shown.backdrop_response.clicked() {
         view.send(PaletteCommand::Show(false));
     }
@@ -173,15 +175,21 @@ fn list_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
         let last = std::mem::replace(data.get_temp_mut_or_default(Id::unique("palette-at")), at.clone());
         last != at
     });
-    let mut group = None;
-    for (number, entry) in open.found.iter().enumerate() {
-        if group != Some(entry.group) {
-            group = Some(entry.group);
+    let name = view.text("palette");
+    spoken::around_ui(ui, Role::ListBox, &name, |ui| {
+        let mut number = 0;
+        for group in open.found.chunk_by(|one, other| one.group == other.group) {
+            let Some(name) = group.first().map(|first| view.text(first.group.name())) else { continue };
             ui.add_space(space(1.0));
-            quiet(ui, view.text(entry.group.name()));
+            quiet(ui, &name);
+            spoken::around_ui(ui, Role::Group, &name, |ui| {
+                for entry in group {
+                    entry_ui(ui, view, (number, entry), (number == open.at, moved));
+                    number += 1;
+                }
+            });
         }
-        entry_ui(ui, view, (number, entry), (number == open.at, moved));
-    }
+    });
 }
 
 /// What an entry is known by at a glance: its own icon, or that of its page.

@@ -5,6 +5,7 @@ use std::hash::Hash;
 
 use eframe::egui::{Color32, FontId, Frame, Label, Margin, RichText, ScrollArea, Ui};
 
+use super::spoken::icon_ui;
 use super::theme::{self, Icon, Weight, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::Message;
@@ -52,7 +53,7 @@ pub(super) fn frame_ui(ui: &mut Ui, title: String, content: impl FnOnce(&mut Ui)
         ui.set_min_width(ui.available_width());
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = 0.0;
-            ui.label(Icon::AppWindow.text(Weight::Regular, space(4.5)).color(palette.quiet.0));
+            icon_ui(ui, Icon::AppWindow, Weight::Regular, space(4.5), palette.quiet.0);
             ui.label(RichText::new(title).font(theme::bold(sizes().small)));
         });
         content(ui);

@@ -3,9 +3,11 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Align2, Color32, Context, Id, Memory, Popup, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, CollapsingHeader, Color32, Context, Id, Memory, Popup, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    vec2,
 };
 
+use super::shapes::focus_ring;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::View;
 use crate::message::message;
@@ -71,6 +73,14 @@ pub(super) fn entered(ui: &Ui, page: Page) -> Option<String> {
         return None;
     }
     Some(entered.name)
+}
+
+/// The library's head of what folds, with the ring of the focus, which it has none of.
+pub(super) fn folded_ui(ui: &mut Ui, head: CollapsingHeader, content: impl FnOnce(&mut Ui)) {
+    let head = head.show_unindented(ui, content).header_response;
+    if head.has_focus() {
+        focus_ring(ui, head.rect.expand2(vec2(space(0.5), 0.0)));
+    }
 }
 
 impl Section<'_> {

@@ -1,7 +1,7 @@
 //! Shapes that are painted, so that they need no font: verdicts, hole and shaft, hatching.
 
 use eframe::egui::epaint::PathShape;
-use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Response, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
 
 use super::theme::{Icon, Weight, palette};
 use crate::journal::Record;
@@ -55,6 +55,14 @@ pub(super) fn ratio(part: usize, all: usize) -> f32 {
 pub(super) fn focus_ring(ui: &Ui, rect: Rect) {
     let stroke = Stroke::new(2.0, palette(ui.ctx()).focus.0);
     ui.painter().rect_stroke(rect.shrink(1.0), 0.0, stroke, StrokeKind::Inside);
+}
+
+/// The ring of a button without a frame, which the library gives none. On a coloured card it has the colour of the words.
+pub(super) fn ringed(ui: &Ui, button: Response, colour: Color32) -> Response {
+    if button.has_focus() {
+        ui.painter().rect_stroke(button.rect, 4.0, Stroke::new(2.0, colour), StrokeKind::Inside);
+    }
+    button
 }
 
 /// What is drawn around a verdict that is not what it looks like at first sight; its ground is pale then.

@@ -15,6 +15,7 @@ use super::rail::rail_width;
 use super::records;
 use super::segments::segments_ui;
 use super::shapes::times;
+use super::spoken::icon_ui;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
@@ -230,10 +231,8 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, has_words: bool) {
         if is_recorded { (Icon::CheckCircle, Weight::Fill) } else { (Icon::WarningCircle, Weight::Regular) };
     let icon_colour = if is_recorded { palette.accent.0 } else { colour };
     ui.spacing_mut().item_spacing.x = space(1.5);
-    let shown = ui.label(icon.text(weight, space(4.5)).color(icon_colour));
+    let shown = icon_ui(ui, icon, weight, space(4.5), icon_colour);
     if has_words || is_bad {
-        // Read as one.
-        shown.widget_info(|| WidgetInfo::labeled(Role::Image, true, ""));
         ui.label(RichText::new(said).font(theme::font(sizes().small)).color(colour));
     } else {
         shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));

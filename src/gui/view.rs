@@ -4,7 +4,7 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::hash::Hash;
 
-use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Button, Color32, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
@@ -410,7 +410,8 @@ pub(super) fn marked_ui(ui: &mut Ui, (status, colour): (Option<Status>, egui::Co
     let line = ui.horizontal(|ui| {
         let (mark, _) = ui.allocate_exact_size(Vec2::splat(theme::space(4.0)), egui::Sense::hover());
         shapes::status(ui.painter(), mark, status, colour);
-        ui.add(line.frame(false).min_size(vec2(0.0, control(ui))))
+        let line = ui.add(line.frame(false).min_size(vec2(0.0, control(ui))));
+        shapes::ringed(ui, line, theme::palette(ui.ctx()).focus.0)
     });
     line.inner
 }
@@ -430,12 +431,6 @@ pub(super) fn steady<T>(ui: &mut Ui, id: impl Hash + Debug, content: impl FnOnce
 /// What the window remembers under an id. Nobody has put anything there at first: then it is empty, false or zero.
 pub(super) fn remembered<T: Any + Clone + Default + Send + Sync>(ui: &Ui, id: egui::Id) -> T {
     ui.data_mut(|data| data.get_temp_mut_or_default::<T>(id).clone())
-}
-
-/// Makes a widget a live region: a screen reader reads it whenever it changes.
-pub(super) fn live(ui: &Ui, response: &Response, said: &str, politeness: Live) {
-    response.widget_info(|| WidgetInfo::labeled(Role::Status, true, said));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_live(politeness));
 }
 
 /// Gives a list the focus in the next frame: in the frame of a click, whoever looks at the focused widget takes the focus
@@ -464,5 +459,7 @@ pub(super) fn still_plot<'a>(id: &'static str, height: f32) -> Plot<'a> {
         .allow_boxed_zoom(false)
         .allow_double_click_reset(false)
         .show_crosshair(false)
+        // No stop for Tab: there is nothing to do in it.
+        .sense(egui::Sense::hover())
         .label_formatter(|_| None)
 }

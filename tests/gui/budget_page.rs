@@ -60,7 +60,7 @@ fn append(page: &mut Harnessed, more: &str) {
 }
 
 fn description(page: &Harnessed, figure: &str) -> String {
-    let node = page.get_by_role_and_label(Role::Figure, figure);
+    let node = page.get_by_role_and_label(Role::Image, figure);
     node.accesskit_node().data().description().unwrap_or_default().to_owned()
 }
 
@@ -114,7 +114,7 @@ fn an_error_shows_with_line_and_column_and_no_answer_stays_beside_it() {
     append(&mut page, "half_width = 1\n");
     page.get_by_label_contains("line 36, column 1: unknown field `half_width`");
     assert_eq!(verdict(&page), "No answer");
-    assert!(page.query_by_role_and_label(Role::Figure, "Shares of the variance").is_none());
+    assert!(page.query_by_role_and_label(Role::Image, "Shares of the variance").is_none());
     assert_eq!(rows(&page), [""; 0]);
     let node = page.get_by_role_and_label(Role::MultilineTextInput, TEXT);
     let said = node.accesskit_node().data().description().unwrap_or_default().to_owned();

@@ -64,7 +64,7 @@ fn the_verdict_is_a_live_region_and_the_pictures_describe_themselves() {
     check(&mut window, "25 H7", "25.012");
     let status = window.get_by_role(Role::Status);
     assert_eq!(status.accesskit_node().data().live(), Some(Live::Assertive));
-    let band = window.get_by_role_and_label(Role::Figure, "Limit band");
+    let band = window.get_by_role_and_label(Role::Image, "Limit band");
     let said = band.accesskit_node().data().description().unwrap_or_default().to_owned();
     assert_eq!(
         said,
@@ -247,7 +247,7 @@ fn simulating_measures_with_contacts_and_fills_the_history() {
     window.run();
     assert!(verdict(&window).starts_with("SIMULATED. GOOD"), "{}", verdict(&window));
     window.get_by_label("Status window, SIMULATED");
-    let picture = window.get_by_role_and_label(Role::Figure, "Contacts");
+    let picture = window.get_by_role_and_label(Role::Image, "Contacts");
     let said = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
     assert!(said.starts_with("4 contacts seen from above"), "{said}");
     window.get_by_label_contains("no form beyond ovality");

@@ -350,7 +350,7 @@ fn an_error_stands_beside_its_field_and_the_range_shows_on_focus() {
     assert_eq!(verdict(&window), "Not measured. 4 fields cannot be used: see the form");
     window.get_by_label("Q273 CENTER IN 1ST AXIS is missing");
     // Its drawing describes itself.
-    window.get_by_role_and_label(Role::Figure, "Q262: nominal diameter");
+    window.get_by_role_and_label(Role::Image, "Q262: nominal diameter");
 }
 
 #[test]

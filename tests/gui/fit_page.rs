@@ -80,7 +80,7 @@ fn an_empty_page_shows_an_example_until_something_is_typed() {
         "{example}. Clearance fit. +7 … +41 µm. Maximum clearance 41 µm. Minimum clearance 7 µm. Mean clearance 24 µm"
     );
     assert_eq!(verdict(&window), said);
-    let picture = window.get_by_role_and_label(Role::Figure, "Hole and shaft zones");
+    let picture = window.get_by_role_and_label(Role::Image, "Hole and shaft zones");
     let described = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
     assert!(
         described.starts_with("an example: 25 H7/g6. Zero line at 25 mm. Hole H7 from 0 to +21 µm."),
@@ -94,7 +94,7 @@ fn an_empty_page_shows_an_example_until_something_is_typed() {
         type_into(&mut window, field, "3");
         assert_eq!(verdict(&window), "No fit yet", "{field}");
         assert!(window.query_by_label(example).is_none(), "{field}");
-        assert!(window.query_by_role_and_label(Role::Figure, "Hole and shaft zones").is_none(), "{field}");
+        assert!(window.query_by_role_and_label(Role::Image, "Hole and shaft zones").is_none(), "{field}");
         type_into(&mut window, field, "");
         assert_eq!(verdict(&window), said, "{field}");
     }
@@ -116,7 +116,7 @@ fn the_answer_is_polite_and_names_limits_and_their_source() {
 fn the_picture_describes_itself() {
     let mut window = fit("25 H7/g6");
     type_into(&mut window, "Measured hole", "25.010");
-    let picture = window.get_by_role_and_label(Role::Figure, "Hole and shaft zones");
+    let picture = window.get_by_role_and_label(Role::Image, "Hole and shaft zones");
     let said = picture.accesskit_node().data().description().unwrap_or_default().to_owned();
     assert_eq!(
         said,

@@ -62,7 +62,7 @@ fn the_sign_at_a_field_shows_its_paragraph_and_moves_nothing() {
     window.get_by_role_and_label(Role::Button, "Help for Centre X").click();
     window.run();
     window.get_by_label_contains("Where the centre of the hole or shaft should be");
-    window.get_by_role_and_label(Role::Figure, "Q273: nominal centre in the first axis");
+    window.get_by_role_and_label(Role::Image, "Q273: nominal centre in the first axis");
     assert_eq!(window.get_by_role_and_label(Role::TextInput, "Centre X").rect(), before);
     // The field keeps the keys, and Escape closes the paragraph alone.
     scan(&mut window, "41");

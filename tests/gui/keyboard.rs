@@ -244,7 +244,7 @@ fn the_keypad_covers_neither_band_nor_verdict() {
         let keypad = keys[0].union(keys[1]);
         let verdict = window.get_by_role(Role::Status).rect();
         assert!(!keypad.intersects(verdict), "{size:?}: {keypad:?} {verdict:?}");
-        let band = window.query_by_role_and_label(Role::Figure, "Limit band").map(|band| band.rect());
+        let band = window.query_by_role_and_label(Role::Image, "Limit band").map(|band| band.rect());
         assert!(band.is_none_or(|band| !keypad.intersects(band)), "{size:?}: {keypad:?} {band:?}");
         assert!(55.0 <= keys[0].width() && 55.0 <= keys[0].height(), "{size:?}: {:?}", keys[0]);
         let screen = eframe::egui::Rect::from_min_size(eframe::egui::Pos2::ZERO, size.into());
@@ -258,12 +258,12 @@ fn the_edges_of_columns_are_moved_by_arrow_keys_and_stay() {
     let left = |window: &Harness<'_, App>| window.get_by_role_and_label(Role::TextInput, "Callout").rect().width();
     let before = left(&window);
     let edge = |window: &Harness<'_, App>| {
-        let edges = window.get_all_by_label("Edge of the panel: arrow keys move it");
+        let edges = window.get_all_by_label("Edge of the left panel: arrow keys move it");
         edges.map(|edge| edge.rect().center().x).fold(f32::INFINITY, f32::min)
     };
     let at = edge(&window);
     let first = window
-        .get_all_by_label("Edge of the panel: arrow keys move it")
+        .get_all_by_label("Edge of the left panel: arrow keys move it")
         .min_by(|one, other| one.rect().center().x.total_cmp(&other.rect().center().x));
     first.unwrap().focus();
     window.run();
@@ -274,7 +274,7 @@ fn the_edges_of_columns_are_moved_by_arrow_keys_and_stay() {
         assert_eq!((width < left(&window), was < edge(&window)), (is_wider, is_wider), "{key:?}");
     }
     assert!((left(&window) - before).abs() < 1.0 && (edge(&window) - at).abs() < 1.0);
-    assert_eq!(focused(&window), "Edge of the panel: arrow keys move it", "arrows stay on the edge");
+    assert_eq!(focused(&window), "Edge of the left panel: arrow keys move it", "arrows stay on the edge");
     window.key_press(Key::ArrowRight);
     window.run();
     let width = left(&window);

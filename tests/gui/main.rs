@@ -13,6 +13,7 @@ mod dialogs;
 mod fake_journal;
 mod fast_keys;
 mod fit_page;
+mod focus;
 mod harness;
 mod help_page;
 mod history;

@@ -292,7 +292,7 @@ fn the_keypad_covers_nothing_and_the_page_does_not_move_when_a_verdict_comes() {
         send(&mut window, Command::SetMode(Mode::Operator));
         scan(&mut window, "25 H7⏎");
         let places = |window: &Harness<'_, App>| {
-            let band = window.get_by_role_and_label(Role::Figure, "Limit band").rect();
+            let band = window.get_by_role_and_label(Role::Image, "Limit band").rect();
             let value = window.get_by_role_and_label(Role::TextInput, "Measured value").rect();
             let keys = ["Key 7", "Empty"].map(|key| window.get_by_role_and_label(Role::Button, key).rect());
             [band, value, keys[0].union(keys[1])]

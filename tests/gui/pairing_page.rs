@@ -70,7 +70,7 @@ fn usual() -> Harness<'static, App> {
 }
 
 fn description(window: &Harness<'_, App>) -> String {
-    let picture = window.get_by_role_and_label(Role::Figure, FIGURE);
+    let picture = window.get_by_role_and_label(Role::Image, FIGURE);
     picture.accesskit_node().data().description().unwrap_or_default().to_owned()
 }
 

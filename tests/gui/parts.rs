@@ -50,7 +50,7 @@ fn run_to_the_end(page: &mut Harnessed) {
 }
 
 fn figure(page: &Harnessed) -> String {
-    page.get_by_role(Role::Figure).accesskit_node().label().unwrap_or_default()
+    page.get_by_role(Role::Image).accesskit_node().label().unwrap_or_default()
 }
 
 #[test]

@@ -314,7 +314,7 @@ fn balloon(page: &Page, row: usize) -> Option<[f64; 2]> {
 #[test]
 fn balloons_are_dragged_and_moved_by_key() {
     let (_folder, mut page) = plate();
-    let figure = page.get_by_role_and_label(Role::Figure, "Picture of the part");
+    let figure = page.get_by_role_and_label(Role::Image, "Picture of the part");
     assert_eq!(figure.accesskit_node().data().description(), Some("Picture of the part, 2 of 3 balloons placed"));
     let (one, two) = (
         page.get_by_label("Balloon 1, A1, not measured").rect().center(),
@@ -433,7 +433,7 @@ fn a_picture_that_cannot_be_shown_says_why() {
     // However large its sheet is, it is drawn as large as it is shown.
     put(&file, nested.as_bytes());
     let page = open(Window::default(), &path);
-    page.get_by_role_and_label(Role::Figure, "Picture of the part");
+    page.get_by_role_and_label(Role::Image, "Picture of the part");
 }
 
 #[test]
@@ -529,7 +529,7 @@ fn the_picture_stands_over_the_band_and_the_sizes_below_what_is_asked() {
     ] {
         let (_folder, path) = folder(&PLATE.replace("A10", name));
         let page = measured(Window { size, ..Window::default() }, &path);
-        let figure = |name: &str| page.query_by_role_and_label(Role::Figure, name).map(|node| node.rect());
+        let figure = |name: &str| page.query_by_role_and_label(Role::Image, name).map(|node| node.rect());
         let picture = figure("Picture of the part").unwrap();
         let list = page.get_by_role_and_label(Role::Grid, "Sizes of the part").rect();
         let field = page.get_by_role_and_label(Role::TextInput, "Measured value").rect();
@@ -537,7 +537,7 @@ fn the_picture_stands_over_the_band_and_the_sizes_below_what_is_asked() {
         assert_eq!(list.right() < picture.left(), has_list_left, "{size}");
         if has_list_left {
             assert!(field.bottom() < list.top(), "{size}: {list:?}");
-            let band = page.get_by_role_and_label(Role::Figure, "Limit band");
+            let band = page.get_by_role_and_label(Role::Image, "Limit band");
             assert!(picture.bottom() < band.rect().top(), "{size}");
             // The band is of the size whose verdict stands beside it: 19.990 of 20 H7, until the next one is begun.
             let said = band.accesskit_node().data().description().unwrap_or_default().to_owned();

@@ -37,7 +37,7 @@ fn with_rule(name: &str, u: &str) -> Harness<'static, App> {
 }
 
 fn band(window: &Harness<'_, App>) -> String {
-    let band = window.get_by_role_and_label(Role::Figure, "Limit band");
+    let band = window.get_by_role_and_label(Role::Image, "Limit band");
     band.accesskit_node().data().description().unwrap_or_default().to_owned()
 }
 

@@ -188,7 +188,7 @@ fn check_frame(window: &Harness<'_, App>, size: Vec2, what: &str) {
     let screen = Rect::from_min_size(eframe::egui::Pos2::ZERO, size).expand(0.6);
     let status = window.get_by_role(Role::Status);
     assert!(screen.contains_rect(bounds(&status)), "{what}: the verdict {:?} is not in {screen:?}", bounds(&status));
-    for role in [Role::Button, Role::TextInput, Role::ComboBox, Role::RadioButton, Role::CheckBox, Role::Figure] {
+    for role in [Role::Button, Role::TextInput, Role::ComboBox, Role::RadioButton, Role::CheckBox, Role::Image] {
         for node in window.query_all_by_role(role) {
             let rect = bounds(&node);
             let inside = screen.left() <= rect.left() && rect.right() <= screen.right();

@@ -97,7 +97,7 @@ fn is_in_sight(window: &Harness<'_, App>, button: &str) -> bool {
 /// What is wrong with the band: it paints within its own place alone, and where it is cut within less.
 fn fault_of_band(window: &Harness<'_, App>) -> Option<String> {
     let name = Words::new(window.state().session().language()).get("limit-band");
-    let Some(band) = window.query_by_role_and_label(Role::Figure, &name) else { return Some("no band".into()) };
+    let Some(band) = window.query_by_role_and_label(Role::Image, &name) else { return Some("no band".into()) };
     let band = band.rect();
     let is_near = |one: Rect| (one.min - band.min).length() < 1.5 && (one.max - band.max).length() < 1.5;
     if !window.output().shapes.iter().any(|shape| is_near(shape.clip_rect)) {

@@ -39,6 +39,7 @@ cycles-position = Poloha kuličky
 cycles-ball-stands = Kulička stojí na
 cycles-paste-block = Vložit NC blok…
 cycles-copy-block = Kopírovat jako NC blok
+cycles-copy-results = Kopírovat výsledky
 cycles-block-copied = NC blok byl zkopírován
 cycles-block = NC blok
 cycles-block-hint = Vložte blok jako TCH PROBE 427 … Q263=+35 ;TEXT ~ nebo G785 R0 BR0 K2: nahradí formulář

@@ -38,6 +38,7 @@ cycles-position = Kugelposition
 cycles-ball-stands = Kugel steht auf
 cycles-paste-block = NC-Satz einfügen…
 cycles-copy-block = Als NC-Satz kopieren
+cycles-copy-results = Ergebnisse kopieren
 cycles-block-copied = Der NC-Satz wurde kopiert
 cycles-block = NC-Satz
 cycles-block-hint = Einen NC-Satz wie TCH PROBE 427 … Q263=+35 ;TEXT ~ oder G785 R0 BR0 K2 einfügen: er ersetzt das Formular

@@ -38,6 +38,7 @@ cycles-position = Ball position
 cycles-ball-stands = Ball is at
 cycles-paste-block = Paste NC block…
 cycles-copy-block = Copy as NC block
+cycles-copy-results = Copy results
 cycles-block-copied = The NC block was copied
 cycles-block = NC block
 cycles-block-hint = Paste a block such as TCH PROBE 427 … Q263=+35 ;TEXT ~ or G785 R0 BR0 K2: it replaces the form

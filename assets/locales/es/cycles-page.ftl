@@ -38,6 +38,7 @@ cycles-position = Posición de la bola
 cycles-ball-stands = La bola está en
 cycles-paste-block = Pegar frase NC…
 cycles-copy-block = Copiar como frase NC
+cycles-copy-results = Copiar los resultados
 cycles-block-copied = La frase NC se ha copiado
 cycles-block = Frase NC
 cycles-block-hint = Pegue una frase como TCH PROBE 427 … Q263=+35 ;TEXT ~ o G785 R0 BR0 K2: sustituye al formulario

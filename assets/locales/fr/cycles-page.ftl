@@ -38,6 +38,7 @@ cycles-position = Position de la bille
 cycles-ball-stands = Bille à
 cycles-paste-block = Coller la séquence CN…
 cycles-copy-block = Copier en séquence CN
+cycles-copy-results = Copier les résultats
 cycles-block-copied = La séquence CN a été copiée
 cycles-block = Séquence CN
 cycles-block-hint = Coller une séquence telle que TCH PROBE 427 … Q263=+35 ;TEXT ~ ou G785 R0 BR0 K2 : elle remplace le formulaire

@@ -38,6 +38,7 @@ cycles-position = Posizione della sfera
 cycles-ball-stands = Sfera a
 cycles-paste-block = Incollare blocco NC…
 cycles-copy-block = Copiare come blocco NC
+cycles-copy-results = Copiare i risultati
 cycles-block-copied = Il blocco NC è stato copiato
 cycles-block = Blocco NC
 cycles-block-hint = Incollare un blocco come TCH PROBE 427 … Q263=+35 ;TEXT ~ o G785 R0 BR0 K2: sostituisce il modulo

@@ -38,6 +38,7 @@ cycles-position = Plaats van de kogel
 cycles-ball-stands = Kogel staat op
 cycles-paste-block = NC-regel plakken…
 cycles-copy-block = Als NC-regel kopiëren
+cycles-copy-results = Resultaten kopiëren
 cycles-block-copied = De NC-regel is gekopieerd
 cycles-block = NC-regel
 cycles-block-hint = Plak een NC-regel zoals TCH PROBE 427 … Q263=+35 ;TEKST ~ of G785 R0 BR0 K2: die vervangt het formulier

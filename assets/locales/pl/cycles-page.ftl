@@ -40,6 +40,7 @@ cycles-position = Pozycja kulki
 cycles-ball-stands = Kulka jest w
 cycles-paste-block = Wklej wiersz NC…
 cycles-copy-block = Kopiuj jako wiersz NC
+cycles-copy-results = Kopiuj wyniki
 cycles-block-copied = Skopiowano wiersz NC
 cycles-block = Wiersz NC
 cycles-block-hint = Wkleić wiersz NC, np. TCH PROBE 427 … Q263=+35 ;TEXT ~ lub G785 R0 BR0 K2: zastępuje formularz

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Galley, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Galley, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::budget::{Answer, Assessment};
 use crate::gui::shapes::screen;
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading};
 use crate::session::bars;
@@ -51,8 +51,7 @@ pub(super) fn bars_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
         bar.paint(ui, Rect::from_x_y_ranges(rect.x_range(), top..=next));
         top = next;
     }
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &title));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(format!("{}.", said.join(", "))));
+    spoken::picture(ui, &response, title, format!("{}.", said.join(", ")));
 }
 
 impl ContributionBar {

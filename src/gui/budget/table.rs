@@ -4,6 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, FontId, Grid, Label, Layout, Rect, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use crate::budget::{Answer, Assessment, ContributionRow, Evaluation, Law};
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
@@ -46,7 +47,8 @@ pub(super) fn table_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
 }
 
 fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
-    heading(ui, view.text("budget-page-table"));
+    let name = view.text("budget-page-table");
+    heading(ui, &name);
     let rows: Vec<ContributionTexts> = evaluation.rows.iter().map(|row| told(view, row)).collect();
     let heads = [
         view.text("budget-page-column-type"),
@@ -69,13 +71,17 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
     // A short name leaves no gap before its figures.
     let head = view.text("budget-page-column-name");
     let names = rows.iter().map(|row| width(&row.name)).fold(width(&head), f32::max).ceil();
-    if space(WIDE_NAME) <= room(0) {
-        grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: 0, name: names.min(room(0)) });
-    } else if space(LEAST_NAME) <= room(WORDS) {
-        grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: WORDS, name: room(WORDS) });
-    } else {
-        list_ui(ui, &rows);
-    }
+    let (all, with_words_below) = (room(0), room(WORDS));
+    spoken::around_ui(ui, Role::Table, &name, |ui| {
+        if space(WIDE_NAME) <= all {
+            grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: 0, name: names.min(all) });
+        } else if space(LEAST_NAME) <= with_words_below {
+            let columns = Columns { heads: &heads, widths: &widths, from: WORDS, name: with_words_below };
+            grid_ui(ui, view, &rows, &columns);
+        } else {
+            list_ui(ui, &rows);
+        }
+    });
     for row in &evaluation.rows {
         if let Some(geometry) = row.geometry {
             let factor = format!("{:.3}", geometry.factor);

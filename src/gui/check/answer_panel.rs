@@ -6,7 +6,7 @@ use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::{lists_checks, worth_lines};
 use crate::gui::limits::limits_text;
 use crate::gui::room::is_tiny;
-use crate::gui::shapes::Edge;
+use crate::gui::shapes::{self, Edge};
 use crate::gui::theme::{self, Icon, Weight, control, sizes, space};
 use crate::gui::verdict_card::{
     self, Card, card_height_in, card_ui, chip_ui, fitted, foot_height, footed_card_ui, half, lines_below_ui,
@@ -115,6 +115,7 @@ fn foot_ui(ui: &mut Ui, view: &View<'_>, (record, said): (&Record, &str), colour
     let foot = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let text = RichText::new(view.text("why")).font(theme::bold(sizes().body)).color(colour);
         let button = ui.add(Button::new(text).frame(false).min_size(vec2(0.0, control(ui))));
+        let button = shapes::ringed(ui, button, colour);
         let popup = Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         popup.width(space(90.0)).show(|ui| why_ui(ui, view, record));
         let offers = !lists_checks(ui) && view.session.can(CheckAction::CorrectCheck);
@@ -134,6 +135,7 @@ fn correct_ui(ui: &mut Ui, view: &View<'_>, colour: Color32) -> bool {
     let button = if has_room { Button::new((icon, text)) } else { Button::new(icon) };
     let side = control(ui);
     let shown = ui.add(button.frame(false).min_size(vec2(side, side))).accessible_name(name);
+    let shown = shapes::ringed(ui, shown, colour);
     let hint = action.hint().map_or_else(String::new, |id| view.text(id));
     shown.on_hover_text(hint).clicked()
 }

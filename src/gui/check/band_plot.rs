@@ -1,10 +1,10 @@
 //! The limit band: deviation from the nominal size, the zone, both sides named and hatched, the measured value.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
 
 use crate::gui::limits::feature_id;
 use crate::gui::shapes::{self, Hatch, screen};
+use crate::gui::spoken;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
@@ -111,8 +111,7 @@ fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Opt
     let body = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), track));
     Drawing { painter, body, frame: rect, palette, words, band, limits }.draw(record);
     let said = describe(words, limits, record, band);
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("limit-band")));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(said.clone()));
+    spoken::picture(ui, &response, words.get("limit-band"), said);
 }
 
 /// What the picture shows, in words, for users who cannot see it.

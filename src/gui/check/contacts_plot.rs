@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Align2, Stroke, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align, Align2, Stroke, Ui, vec2};
 use egui_plot::{Line, LineStyle, MarkerShape, PlotPoint, PlotPoints, Points};
 
 use crate::gui::shapes::{magnification, screen};
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
@@ -223,8 +223,7 @@ impl Picture {
             .text("factor", words.number(&format!("{}", self.factor)))
             .text("circle", circle_text(words, record));
         let described = words.say(&described);
-        response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("contacts")));
-        ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(described.clone()));
+        spoken::picture(ui, &response.response, words.get("contacts"), described);
     }
 }
 

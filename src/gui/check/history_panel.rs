@@ -8,6 +8,7 @@ use super::history_list::{self, list_ui};
 use super::rows_panel;
 use crate::gui::field::{self, FieldStyle, field_ui};
 use crate::gui::shapes::{self, Edge};
+use crate::gui::spoken::icon_ui;
 use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
 use crate::gui::top_bar::export_ui;
 use crate::gui::verdict_card::colours;
@@ -176,7 +177,7 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>, short: Short) {
     let name = if short < Short::Filter {
         ui.label(text)
     } else {
-        let sign = ui.label(Icon::FunnelSimple.text(Weight::Regular, space(5.0)));
+        let sign = icon_ui(ui, Icon::FunnelSimple, Weight::Regular, space(5.0), palette(ui.ctx()).text.0);
         sign.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
         sign
     };

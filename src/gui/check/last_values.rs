@@ -1,9 +1,9 @@
 //! The last values that were judged by the same limits, newest right, between the limits.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Rect, RichText, Sense, Stroke, Ui, pos2, vec2};
 
 use crate::gui::shapes::{self, screen};
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
@@ -50,8 +50,7 @@ pub(super) fn last_values_ui(ui: &mut Ui, view: &View<'_>) {
         format!("{value} {}", view.words.told(&record.verdict))
     });
     let said = format!("{} {}", view.words.say(&message), said.collect::<Vec<_>>().join(", "));
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("last-values")));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(said.clone()));
+    spoken::picture(ui, &response, view.text("last-values"), said);
 }
 
 /// The zone, its limits in micrometres, and a mark for every value: the shape says the verdict.

@@ -1,9 +1,10 @@
 //! What is recorded with the next checks, and what has become of the shown one.
 
-use eframe::egui::{Label, RichText, Ui};
+use eframe::egui::{Label, RichText, TextStyle, Ui};
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::section::Section;
+use crate::gui::spoken::gap_ui;
 use crate::gui::theme::{self, Icon, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::message;
@@ -49,7 +50,7 @@ pub(in crate::gui) fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, recorded: Op
         return;
     }
     match recorded {
-        None => _ = quiet_cut(ui, " "),
+        None => gap_ui(ui, &TextStyle::Small),
         Some(Recorded::Waiting) => _ = quiet_cut(ui, view.text("records-page-waiting")),
         Some(Recorded::Kept(number)) => {
             _ = quiet_cut(ui, view.words.say(&message!("records-page-record").text("number", number)));

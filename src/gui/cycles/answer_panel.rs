@@ -1,6 +1,6 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
-use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Button, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
 use crate::gui::check::recorded_ui;
@@ -206,7 +206,10 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
     ui.horizontal(|ui| {
         heading(ui, view.text("cycles-results"));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            view.button(ui, CyclesAction::CopyResults);
+            // The heading beside it says what is copied; a screen reader has the whole name.
+            let name = view.text("cycles-copy-results");
+            let button = Button::new(view.text("copy"));
+            view.button_as(ui, CyclesAction::CopyResults, button).accessible_name(name);
         });
     });
     let decimals = decimals(result);

@@ -6,7 +6,7 @@ use eframe::egui::{CollapsingHeader, Id, Rect, Sense, Stroke, StrokeKind, Ui, Ve
 use super::opener_ui;
 use super::parameter_row::{figure_ui, parameter_ui};
 use super::picture::tile_picture;
-use crate::gui::section::Section;
+use crate::gui::section::{Section, folded_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, Icon, control, palette, sizes, space};
 use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet_cut};
@@ -229,7 +229,7 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     if idle().next().is_some() {
         let is_wrong = idle().any(|parameter| view.session.error(CycleField::Parameter(parameter.key)).is_some());
         let header = CollapsingHeader::new(view.text("cycles-without-effect")).id_salt("without-effect");
-        header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
+        folded_ui(ui, header.open(is_wrong.then_some(true)), |ui| {
             for parameter in idle() {
                 if parameter_ui(ui, view, parameter) {
                     focused = Some(parameter.key);
@@ -289,7 +289,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
     let is_wrong = Axis::ALL.iter().any(|axis| view.session.error(CycleField::Position(*axis)).is_some());
     // An error is never folded away.
     let header = CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position");
-    header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
+    folded_ui(ui, header.open(is_wrong.then_some(true)), |ui| {
         for axis in Axis::ALL {
             let name = format!("{} {}", view.text("cycles-ball-stands"), axis.letter());
             figure_ui(ui, view, CycleField::Position(axis), name, "mm");

@@ -5,7 +5,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Button, Id, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, Button, Id, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use super::letter_columns::Columns;
@@ -86,6 +86,8 @@ fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<Tole
     if let Some(class) = chosen {
         ui.ctx().accesskit_node_builder(id, |node| node.set_value(class.as_str()));
     }
+    // The classes stand in their group.
+    let ui = &mut ui.new_child(UiBuilder::new().max_rect(rect).accessibility_parent(id));
     let columns = Columns::of(rect);
     let table = Table { painter: ui.painter().clone(), palette: palette(ui.ctx()), columns, row, chosen, side };
     table.letters(rect.top());
@@ -106,7 +108,7 @@ fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<Tole
         }
     }
     if whole.has_focus() {
-        let ring = Stroke::new(2.0, palette(ui.ctx()).data.0);
+        let ring = Stroke::new(2.0, palette(ui.ctx()).focus.0);
         ui.painter().rect_stroke(rect, 4.0, ring, StrokeKind::Inside);
     }
 }

@@ -1,12 +1,12 @@
 //! The classical picture: zero line, both zones to scale, fundamental deviations, clearances as arrows, actual parts.
 
-use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::PathShape;
-use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Color32, Painter, Pos2, Rangef, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 use super::{example_text, part_text};
 use crate::gui::limits::feature_id;
 use crate::gui::shapes::{self, Hatch, screen};
+use crate::gui::spoken;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
@@ -36,8 +36,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
         let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
         Drawing::new(painter, rect, palette(ui.ctx()), view, &picture).draw(fit);
     }
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("fit-picture")));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, fit, &picture)));
+    spoken::picture(ui, &response, view.text("fit-picture"), describe(view, fit, &picture));
 }
 
 /// What the picture shows, in words, for users who cannot see it.

@@ -1,10 +1,10 @@
 //! Where the zones of one grade lie, letter by letter: the staircase of the textbooks. A click on a column takes it.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use super::letter_columns::Columns;
 use crate::gui::shapes::screen;
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::message;
@@ -63,8 +63,7 @@ pub(super) fn staircase_ui(
         }
     }
     let name = view.words.say(&message!("fit-staircase").text("grade", grade));
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &name));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, map, grade)));
+    spoken::picture(ui, &response, name, describe(view, map, grade));
 }
 
 /// Every zone of the grade in words, for users who cannot see it.

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{CursorIcon, FontId, Galley, Label, Rect, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{
+    CursorIcon, FontId, Galley, Label, Rect, Sense, Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
@@ -30,6 +32,9 @@ fn link_ui(ui: &Ui, view: &mut View<'_>, place: &HelpPlace, name: &str, lines: &
     let id = ui.scope_id().with(("link", first.min.x.to_bits(), first.min.y.to_bits(), name));
     let link = ui.interact(*first, id, Sense::click());
     link.widget_info(|| WidgetInfo::labeled(Role::Link, true, name));
+    if link.gained_focus() {
+        ui.scroll_to_rect(*first, None);
+    }
     let mut is_clicked = link.clicked();
     let mut is_under = link.hovered();
     for (number, line) in lines.iter().enumerate().skip(1) {
@@ -40,10 +45,12 @@ fn link_ui(ui: &Ui, view: &mut View<'_>, place: &HelpPlace, name: &str, lines: &
     if is_under {
         ui.set_cursor_icon(CursorIcon::PointingHand);
     }
-    if is_under || link.has_focus() {
-        let stroke = Stroke::new(2.0, palette(ui.ctx()).focus.0);
-        for line in lines {
-            ui.painter().hline(line.x_range(), line.bottom() - 1.0, stroke);
+    let stroke = Stroke::new(2.0, palette(ui.ctx()).focus.0);
+    for line in lines {
+        if link.has_focus() {
+            ui.painter().rect_stroke(line.expand2(vec2(2.0, 0.0)), 2.0, stroke, StrokeKind::Inside);
+        } else if is_under {
+            ui.painter().hline(line.x_range(), line.bottom() - 1.0, Stroke { width: 1.0, ..stroke });
         }
     }
     if is_clicked {

@@ -189,7 +189,7 @@ fn balloons_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
     }
     let standing = walking.standing();
     let said = view.words.say(&crate::message::Say::message(&standing));
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &said));
 }
 
 fn right_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -1,12 +1,12 @@
 //! Middle: holes on the left, shafts on the right, on one scale of size, with the pairs as lines. Of many parts those around
 //! the selected pair are drawn, and an overview beside them shows all.
 
-use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextWrapping};
-use eframe::egui::{Painter, Pos2, Rangef, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Painter, Pos2, Rangef, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
 use crate::exchange::Size;
 use crate::gui::shapes::{ratio, screen};
+use crate::gui::spoken;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
@@ -44,8 +44,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, paired: &Paired) {
         }
         drawing.draw();
     }
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("pairing-page-picture")));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, paired, &sight)));
+    spoken::picture(ui, &response, view.text("pairing-page-picture"), describe(view, paired, &sight));
 }
 
 /// What the picture shows, in words, for users who cannot see it.

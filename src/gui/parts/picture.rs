@@ -11,6 +11,7 @@ use eframe::egui::{
 };
 
 use crate::gui::shapes::{self, Edge, screen};
+use crate::gui::spoken;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, problem, quiet};
@@ -73,8 +74,7 @@ fn picture_ui(
     let figure = ui.interact(frame, Id::unique(("part-picture", can_move)), Sense::HOVER);
     let on = balloons.len() - beside.len();
     let said = message!("parts-page-picture-said").count("on", on).count("count", balloons.len());
-    figure.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("parts-page-picture")));
-    ui.ctx().accesskit_node_builder(figure.id, |node| node.set_description(view.words.say(&said)));
+    spoken::picture(ui, &figure, view.text("parts-page-picture"), view.words.say(&said));
     ui.advance_cursor_after_rect(frame);
     let mut clicked = None;
     for balloon in balloons {
@@ -251,6 +251,7 @@ fn paint(painter: &Painter, ui: &Ui, (balloon, at): (&Balloon, Pos2), is_focused
         shapes::status(painter, mark.shrink(space(0.5)), None, text);
     }
     if is_focused {
-        painter.circle_stroke(at, radius * 1.3 + space(1.75), Stroke::new(2.0, palette.data.0));
+        // Outside the rings of the next one.
+        painter.circle_stroke(at, radius * 1.3 + space(2.5), Stroke::new(2.0, palette.focus.0));
     }
 }

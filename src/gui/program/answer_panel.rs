@@ -6,6 +6,7 @@ use super::tools_panel::changes_ui;
 use crate::gui::card::{self, MARGIN};
 use crate::gui::check::recorded_ui;
 use crate::gui::popup;
+use crate::gui::section::folded_ui;
 use crate::gui::shapes::{self, Edge};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
@@ -161,7 +162,7 @@ fn outputs_ui(ui: &mut Ui, view: &View<'_>, run: &Run) {
     quiet(ui, view.text("program-page-outputs-hint"));
     for (number, output) in outputs.iter().enumerate().rev().take(MOST) {
         let title = output.path.to_string();
-        CollapsingHeader::new(title).id_salt(("output", number)).show_unindented(ui, |ui| {
+        folded_ui(ui, CollapsingHeader::new(title).id_salt(("output", number)), |ui| {
             let text = RichText::new(output.text.trim_end()).font(theme::mono(sizes().small));
             // A log is wider than the column, and its figures stand at the right: they go to the next line, and are never out of sight.
             ui.add(Label::new(text).wrap().selectable(true));

@@ -3,6 +3,7 @@
 use eframe::egui::{Align2, Id, Key, Label, RichText, ScrollArea, Ui, Vec2, Window, vec2};
 
 use crate::gui::section::{self, Section};
+use crate::gui::spoken::icon_ui;
 use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
 use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
 use crate::message::message;
@@ -93,7 +94,7 @@ fn create_ui(ui: &mut Ui, view: &mut View<'_>) {
             let mut said = creating.said().into_iter();
             if let Some(proven) = said.next() {
                 ui.horizontal_wrapped(|ui| {
-                    ui.label(Icon::CheckCircle.text(Weight::Regular, space(4.5)));
+                    icon_ui(ui, Icon::CheckCircle, Weight::Regular, space(4.5), palette(ui.ctx()).text.0);
                     quiet(ui, view.words.say(&proven));
                 });
             }

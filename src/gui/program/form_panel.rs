@@ -1,7 +1,7 @@
 //! Left: the inputs of 8255, what is measured, and below them program and native answer side by side.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
+use eframe::egui::{Button, Grid, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::create_panel::section_ui;
 use super::part_panel::part_ui;
@@ -9,9 +9,10 @@ use super::tools_panel::tools_ui;
 use crate::gui::field::pairs_ui;
 use crate::gui::limits::source_ui;
 use crate::gui::shapes;
+use crate::gui::spoken::{gap_ui, live};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, live, one_of_ui, problem, quiet};
+use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
 use crate::message::message;
 use crate::session::WorkpieceAction;
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
@@ -98,7 +99,7 @@ fn native_ui(ui: &mut Ui, view: &View<'_>) {
         ("program-page-verdict", word(verdict.map(|(_, verdict)| verdict.status)), word(run.and_then(Run::status))),
     ];
     Grid::new("program-native").num_columns(3).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(ui, |ui| {
-        quiet(ui, "");
+        gap_ui(ui, &TextStyle::Small);
         quiet(ui, "Fitcheck");
         quiet(ui, view.text("program-page-program"));
         ui.end_row();

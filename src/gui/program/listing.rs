@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{Id, Rect, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
+use eframe::egui::{Id, Rect, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
 
 use super::paint;
 use crate::gui::key_names::part_id;
@@ -49,7 +49,7 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.words.say(&name.count("count", document.program.blocks().len()));
     listing.widget_info(|| WidgetInfo::labeled(Role::List, true, &name));
     let area = ScrollArea::both().id_salt(("listing", &document.path)).auto_shrink(false);
-    ui.scope(|ui| {
+    ui.scope_builder(UiBuilder::new().accessibility_parent(id()), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().scroll.fade.strength = 0.0;
         area.show_rows(ui, row_height(), document.program.line_count(), |ui, rows| {

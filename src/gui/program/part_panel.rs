@@ -1,7 +1,7 @@
 //! Left: the simulated part of several features, listed by name, kind, size and place. The list takes the focus as a whole.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{EventFilter, Id, Key, Label, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{EventFilter, Id, Key, Label, Rect, RichText, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{sizes, space};
@@ -32,7 +32,7 @@ pub(super) fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some(offset) = list.has_focus().then(|| asked_offset(ui, id, row, features.len())).flatten() {
         area = area.vertical_scroll_offset(offset);
     }
-    let shown = ui.scope(|ui| {
+    let shown = ui.scope_builder(UiBuilder::new().accessibility_parent(id), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         area.show_rows(ui, row, features.len(), |ui, rows| {
             for feature in features.within(rows) {

@@ -4,8 +4,9 @@ use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::paint;
+use crate::gui::spoken::live;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, list_height, list_ui, live, one_of_ui};
+use crate::gui::view::{View, list_height, list_ui, one_of_ui};
 use crate::nc::machine::Shipped;
 use crate::session::ProgramAction;
 use crate::session::program::{EntryKind, Origin, Speed, State, Switch};

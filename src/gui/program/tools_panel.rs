@@ -4,7 +4,8 @@ use eframe::egui::{Button, Id, RichText, Ui, vec2};
 
 use crate::control::variables::Parameter;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
-use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::shapes::ringed;
+use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::{Say as _, message};
@@ -93,7 +94,9 @@ pub(super) fn changes_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     for changed in changes.iter().skip(changes.len().saturating_sub(MOST)) {
         let text = RichText::new(view.words.say(&changed.change.message())).font(theme::font(sizes().small));
         let button = Button::new(text).frame(false).wrap().min_size(vec2(0.0, control(ui)));
-        if ui.add(button).on_hover_text(view.text("program-page-show-block")).clicked() {
+        let button = ui.add(button);
+        let button = ringed(ui, button, palette(ui.ctx()).focus.0);
+        if button.on_hover_text(view.text("program-page-show-block")).clicked() {
             view.send(ProgramCommand::GoTo(changed.place.clone()));
         }
     }

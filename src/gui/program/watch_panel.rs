@@ -8,6 +8,7 @@ use crate::control::variables::Value;
 use crate::gui::card::page_frame;
 use crate::gui::columns::GAP;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
@@ -164,7 +165,9 @@ fn pin_ui(ui: &mut Ui, view: &mut View<'_>, watched: &Watched<'_>, rect: Rect) {
     let name = view.words.say(&message);
     let text = RichText::new(if watched.is_pinned { "−" } else { "+" });
     let button = Button::new(text).frame(false).min_size(rect.size());
-    if ui.put(rect, button).accessible_name(name.clone()).on_hover_text(name).clicked() {
+    let button = ui.put(rect, button);
+    let button = shapes::ringed(ui, button, palette(ui.ctx()).focus.0);
+    if button.accessible_name(name.clone()).on_hover_text(name).clicked() {
         view.send(ProgramCommand::Pin(watched.parameter, !watched.is_pinned));
     }
 }

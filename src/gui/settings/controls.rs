@@ -179,7 +179,7 @@ fn ruler_ui(ui: &mut Ui, view: &mut View<'_>, slot: &Slot) {
     ui.painter().rect(rect, 8.0, palette.sunken.0, edge, StrokeKind::Inside);
     let said = view.text(if known.is_some() { "ruler-known" } else { "ruler-card" });
     ui.painter().text(rect.center(), Align2::CENTER_CENTER, &said, theme::font(sizes().small), palette.text.0);
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &said));
     line_ui(ui, slot, "ruler", |ui| {
         let signs = ["−−", "−", "+", "++"];
         for (step, sign) in RulerStep::ALL.into_iter().zip(signs) {

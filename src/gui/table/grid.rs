@@ -64,7 +64,8 @@ impl Grid {
     /// The cells below and beside the heads.
     pub fn cells_ui(&self, ui: &mut Ui, rect: Rect, content: impl FnOnce(&mut Ui, &Cells<'_>)) -> Cells<'_> {
         let body = Rect::from_min_max(rect.min + self.head, rect.max);
-        let output = ui.scope_builder(UiBuilder::new().max_rect(body).id_salt((self.id, "body")), |ui| {
+        let builder = UiBuilder::new().max_rect(body).id_salt((self.id, "body")).accessibility_parent(self.id);
+        let output = ui.scope_builder(builder, |ui| {
             // Cut cells look cut already; a fade would cover the selected one.
             ui.spacing_mut().scroll.fade.strength = 0.0;
             let area = ScrollArea::both().id_salt((self.id, self.number)).auto_shrink(false);

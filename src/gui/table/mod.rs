@@ -109,7 +109,8 @@ impl<'a> Table<'a> {
         let top = scrolled(ui, self, rect, bar);
         let fit = lines_of((rect.height() / self.row(ui)).ceil()) + 1;
         seen.places = top.place..(top.place + fit).min(self.count);
-        ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt((self.id, "body")), |ui| {
+        let body = UiBuilder::new().max_rect(rect).id_salt((self.id, "body")).accessibility_parent(self.id);
+        ui.scope_builder(body, |ui| {
             ui.set_clip_rect(rect.intersect(ui.clip_rect()));
             if self.count == 0 {
                 quiet(ui, &self.empty);

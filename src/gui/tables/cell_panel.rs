@@ -1,12 +1,13 @@
 //! Right: the selected cell against ISO 286, and the fields that change it.
 
 use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, vec2};
+use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::grid;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::spoken::{gap_ui, live};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, live, quiet};
+use crate::gui::view::{View, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
 use crate::session::TablesAction;
@@ -63,7 +64,7 @@ fn title_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>) {
 fn figures_ui(ui: &mut Ui, view: &mut View<'_>, selected: &Selected<'_>) {
     let rows = [(TablesField::CellUpper, "tables-upper"), (TablesField::CellLower, "tables-lower")];
     Grid::new("cell-figures").num_columns(4).min_row_height(0.0).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
-        ui.label("");
+        gap_ui(ui, &TextStyle::Body);
         for id in ["tables-head-table", "tables-head-standard", "tables-head-by"] {
             right_ui(ui, sizes().body, |ui| quiet(ui, view.text(id)));
         }

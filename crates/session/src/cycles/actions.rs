@@ -72,7 +72,7 @@ impl Actions for CyclesAction {
                 .when(|session| session.cycles().is_complete()),
             Self::CopyCycleStatus => on(Page::Cycles, "copy", CyclesCommand::CopyStatus)
                 .when(|session| session.cycles().window(session.drawn_with()).is_some_and(|window| window.is_ok())),
-            Self::CopyResults => on(Page::Cycles, "copy", CyclesCommand::CopyResults)
+            Self::CopyResults => on(Page::Cycles, "cycles-copy-results", CyclesCommand::CopyResults)
                 .when(|session| session.cycles().run.as_ref().is_some_and(|run| run.found().is_some())),
             Self::SaveLog => on(Page::Cycles, "cycles-save-log", open(Purpose::SaveCycleLog))
                 .when(|session| session.cycles().log().is_some()),

@@ -1,10 +1,10 @@
 //! One measured value between its limits, along the measuring direction.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use eframe::egui::{Align2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
 
 use super::canvas::Canvas;
 use crate::gui::shapes::screen;
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::{Length, Unit};
@@ -57,7 +57,7 @@ fn draw(ui: &mut Ui, words: &Words, measured: Length, limits: Option<[Length; 2]
         let canvas = Canvas::new(ui.painter(), palette(ui.ctx()), rect);
         Bar { canvas: &canvas, words, span: span(measured, limits) }.draw(measured, limits);
     }
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, said));
+    spoken::picture_named(&response, said);
     ui.label(said);
 }
 

@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Align2, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
+use eframe::egui::{Align, Align2, Painter, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, vec2};
 
 use super::bar;
 use super::canvas::Canvas;
 use super::criteria::plain;
 use crate::gui::shapes::screen;
+use crate::gui::spoken;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::message;
@@ -60,7 +60,7 @@ pub(in crate::gui) fn contacts_picture(
         Drawing::new(&canvas, rect, &picture, view.words).draw();
     }
     let said = describe(view.words, &picture, &factor);
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+    spoken::picture_named(&response, said);
 }
 
 /// How much the picture magnifies deviations, in words; `None` where it has no circle.

@@ -1,11 +1,11 @@
 //! The drawing of a parameter: workpiece, probe, and what the parameter says about them, with its key.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Sense, Ui, vec2};
 
 use super::canvas::Canvas;
 use super::scene::Scene;
 use super::{choice, plan, section};
+use crate::gui::spoken;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::{Message, message};
@@ -47,7 +47,7 @@ pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cy
             ui.painter().galley(rect.left_bottom() + vec2(0.0, space(1.0)), galley, palette.text.0);
         }
     }
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+    spoken::picture_named(&response, said);
 }
 
 /// What the drawing says, in words.

@@ -1,13 +1,13 @@
 //! The path of the ball's centre, from above and from the side: what is done, what is to come, where the ball is.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Rect, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align2, Rect, Sense, Ui, vec2};
 
 use super::canvas::Canvas;
 use super::criteria::plain;
 use super::part;
 use super::scale::{Scale, legend};
 use super::way::{Eye, Way, phase_id, place};
+use crate::gui::spoken;
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
 use crate::message::message;
@@ -46,7 +46,7 @@ pub(in crate::gui) fn path_picture(ui: &mut Ui, view: &View<'_>, path: &[Move], 
         draw(&canvas, &way, view.words);
     }
     let said = [describe(view.words, &moves, step), describe_part(view.words, around.features)].concat();
-    response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
+    spoken::picture_named(&response, said);
 }
 
 /// The height that there is room for; in a list that scrolls, three quarters of the width.

@@ -4,8 +4,10 @@ use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
 
 use super::{column_id, grid, head_id};
+use crate::gui::shapes;
+use crate::gui::spoken::live;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, live, problem, quiet};
+use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
 use crate::part::{Finding, Spot};
 use crate::session::PartsAction;
@@ -101,7 +103,8 @@ pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// A line of the list; whether it was clicked.
 fn line_ui(ui: &mut Ui, text: &str, whole: &str) -> bool {
     let button = Button::new(RichText::new(text).size(sizes().small)).truncate().frame(false);
-    ui.add(button.min_size(vec2(ui.available_width(), control(ui)))).on_hover_text(whole).clicked()
+    let line = ui.add(button.min_size(vec2(ui.available_width(), control(ui))));
+    shapes::ringed(ui, line, palette(ui.ctx()).focus.0).on_hover_text(whole).clicked()
 }
 
 /// What is wrong, and a way there.

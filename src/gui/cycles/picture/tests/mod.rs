@@ -84,7 +84,7 @@ fn can_paint() -> bool {
 fn label_of(cycle: &'static Cycle, key: Key, language: Language) -> String {
     let harness =
         drawn([300.0, 260.0], Theme::Light, language, |ui, view| parameter_picture(ui, view, cycle, key, false));
-    let label = harness.get_by_role(Role::Figure).accesskit_node().label();
+    let label = harness.get_by_role(Role::Image).accesskit_node().label();
     label.unwrap()
 }
 
@@ -162,7 +162,7 @@ fn what_has_no_effect_is_drawn_by_its_range_and_a_key_that_is_none_not_at_all() 
     let nothing = drawn([300.0, 260.0], Theme::Light, Language::En, |ui, view| {
         parameter_picture(ui, view, cycle_named("425").unwrap(), Key::Q(1), false);
     });
-    assert!(nothing.query_by_role(Role::Figure).is_none());
+    assert!(nothing.query_by_role(Role::Image).is_none());
 }
 
 #[test]
@@ -173,8 +173,8 @@ fn a_rectangle_says_every_value_that_was_compared() {
     let harness = drawn([560.0, 400.0], Theme::Light, Language::En, |ui, view| {
         contacts_picture(ui, view, &result, None);
     });
-    says(&harness, Role::Figure, "measured length, 1st side 60.2 mm is above its maximum 60.1 mm: SCRAP");
-    says(&harness, Role::Figure, "measured length, 2nd side 40 mm is within 40 to 40.1 mm");
+    says(&harness, Role::Image, "measured length, 1st side 60.2 mm is above its maximum 60.1 mm: SCRAP");
+    says(&harness, Role::Image, "measured length, 2nd side 40 mm is within 40 to 40.1 mm");
     for step in 0..=result.path.len() {
         assert!(path_label(&result.path, step, Some(nominal), 2.0).starts_with("Path of the probe, "));
     }
@@ -189,7 +189,7 @@ fn path_label(path: &[Move], step: usize, nominal: Option<Surface>, ball_radius:
         std::time::Duration::MAX,
         "a drawing stands still"
     );
-    let label = harness.get_by_role(Role::Figure).accesskit_node().label();
+    let label = harness.get_by_role(Role::Image).accesskit_node().label();
     label.unwrap()
 }
 
@@ -237,7 +237,7 @@ fn contacts_label(result: &CycleResult, evaluation: Option<&Evaluation>, languag
     let harness = drawn([560.0, 400.0], Theme::Light, language, |ui, view| {
         contacts_picture(ui, view, result, evaluation);
     });
-    let label = harness.get_by_role(Role::Figure).accesskit_node().label();
+    let label = harness.get_by_role(Role::Image).accesskit_node().label();
     label.unwrap()
 }
 
