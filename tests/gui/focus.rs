@@ -89,12 +89,16 @@ fn around(window: &mut Harness<'_, App>, mut at_stop: impl FnMut(&mut Harness<'_
     let mut seen = Vec::new();
     loop {
         press(window, Key::Tab);
-        let Some(id) = window.ctx.memory(|memory| memory.focused()) else { continue };
+        let Some(id) = window.ctx.memory(eframe::egui::Memory::focused) else { continue };
         if seen.contains(&id) {
             break;
         }
         seen.push(id);
         let place = window.ctx.read_response(id).unwrap().rect;
+        #[expect(
+            clippy::redundant_closure_for_method_calls,
+            reason = "the method has one lifetime, and all are asked for"
+        )]
         let named = window.query_by(|node| node.is_focused());
         let name = named.and_then(|node| node.accesskit_node().label()).unwrap_or_default();
         at_stop(window, name, place);
@@ -124,7 +128,7 @@ fn whatever_is_under_the_pointer_does_not_look_as_if_it_had_the_focus() {
         let mut places = Vec::new();
         around(&mut window, |_, name, place| places.push((name, place)));
         // The keys are elsewhere, whatever the pointer does.
-        if let Some(id) = window.ctx.memory(|memory| memory.focused()) {
+        if let Some(id) = window.ctx.memory(eframe::egui::Memory::focused) {
             window.ctx.memory_mut(|memory| memory.surrender_focus(id));
         }
         for (name, place) in places {
