@@ -3,7 +3,7 @@
 //! `.ci/bus` looks at the tree of the running program: every control has a name, every picture its figures.
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Color32, Context, Id, Response, Sense, TextStyle, Ui, Vec2, WidgetInfo, accesskit_root_id, vec2};
+use eframe::egui::{Color32, Context, Id, Response, Sense, TextStyle, Ui, Vec2, WidgetInfo, accesskit_root_id};
 
 use super::theme::{Icon, Weight};
 
@@ -50,6 +50,6 @@ pub(super) fn icon_ui(ui: &mut Ui, icon: Icon, weight: Weight, size: f32, colour
 
 /// A cell of a grid, or a line, in which nothing stands, as high as a text.
 pub(super) fn gap_ui(ui: &mut Ui, style: &TextStyle) {
-    let height = ui.text_style_height(style);
-    ui.allocate_exact_size(vec2(0.0, height), Sense::hover());
+    let text = ui.painter().layout_no_wrap(String::new(), style.resolve(ui.style()), Color32::PLACEHOLDER);
+    ui.allocate_exact_size(text.size(), Sense::hover());
 }
