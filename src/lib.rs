@@ -21,6 +21,7 @@
 //! | [`report`] | inspection reports |
 //! | [`files`] | reading and writing files safely |
 //! | [`store`] | where records are kept: a file of one station, the server of a shop |
+//! | [`gauges`] | gauges on serial and USB ports |
 //! | [`watch`] | a folder that files are dropped into |
 //! | `gui` | the window, with the feature `gui` |
 //! | [`session`] | the state of the application |
@@ -34,6 +35,7 @@ pub mod gui;
 pub use fitcheck_core::{budget, length, message, pairing, part, probing, text, tolerance, verdict, words};
 pub use fitcheck_exchange::{batch, exchange, journal, report};
 pub use fitcheck_files as files;
+pub use fitcheck_gauges as gauges;
 pub use fitcheck_nc::{self as nc, control};
 pub use fitcheck_session as session;
 pub use fitcheck_shipped as shipped;

@@ -33,8 +33,8 @@ pub fn source_folders() -> Vec<PathBuf> {
 }
 
 /// Crates whose files are all of one room, but for rooms of their own in it.
-const OF_ONE_ROOM: [(&str, &[&str]); 5] =
-    [("files", &[]), ("nc", &["control"]), ("session", &[]), ("shipped", &[]), ("store", &["watch"])];
+const OF_ONE_ROOM: [(&str, &[&str]); 6] =
+    [("files", &[]), ("gauges", &[]), ("nc", &["control"]), ("session", &[]), ("shipped", &[]), ("store", &["watch"])];
 
 /// The rooms in a crate of one room.
 fn rooms_within(name: &str) -> Option<&'static [&'static str]> {
@@ -84,7 +84,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 
 /// The rooms from the ground up, each with its crate and the rooms of the same crate that it may name: an arrow only
 /// points down. Which crate may name which is in their manifests, and the compiler holds it.
-pub const ROOMS: [(&str, &str, &[&str]); 23] = [
+pub const ROOMS: [(&str, &str, &[&str]); 24] = [
     ("shipped", "shipped", &[]),
     ("core", "message", &[]),
     ("core", "length", &["message"]),
@@ -105,6 +105,7 @@ pub const ROOMS: [(&str, &str, &[&str]); 23] = [
     ("files", "files", &[]),
     ("store", "store", &[]),
     ("store", "watch", &[]),
+    ("gauges", "gauges", &[]),
     ("session", "session", &[]),
     // Neither the command line nor the window names the other, and only the window names the session.
     ("fitcheck", "cli", &[]),

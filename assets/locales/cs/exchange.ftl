@@ -286,3 +286,18 @@ planned-material = přepočteno na 20 °C s materiálem plánu místo zadaného:
 planned-corrected = přepočteno z { $temperature } °C na 20 °C (roztažnost { $expansion } · 10⁻⁶/K)
 planned-not-corrected = nepřepočteno na 20 °C: poloha na dílu není rozměr
 planned-error-already-corrected = soubor udává, že hodnota už platí pro 20 °C: posuďte ji bez teploty
+
+## Gauges
+gauge-no-unit = { $given } neuvádí jednotku: zvolte v nastavení měřidla, zda posílá milimetry, nebo palce
+gauge-other-form = { $given } se od řádku, kterým bylo měřidlo naučeno, { $example }, liší nejen číslicemi
+gauge-other-decimals = { $given } má { $decimals ->
+        [one] 1 desetinné místo
+        [few] { $decimals } desetinná místa
+        [many] { $decimals } desetinného místa
+       *[other] { $decimals } desetinných míst
+    } a řádek, kterým bylo měřidlo naučeno, jich má { $taught }: měřidlo posílá jinou jednotku, nebo se část čísla ztratila
+teach-zero = 0 může být kterákoli nula řádku: k učení použijte řádek s jinou hodnotou
+teach-not-text = { $line } obsahuje znaky, které nejsou text
+teach-nowhere = { $value } mm není v řádku { $line }: zadejte hodnotu, kterou k němu měřidlo ukázalo
+teach-twice = { $value } mm je v řádku { $line } více než jednou: k učení použijte řádek s jinou hodnotou
+teach-other-unit = řádek udává { $given }, a to není { $value } mm: zadejte hodnotu, kterou měřidlo ukázalo, v milimetrech

@@ -282,3 +282,16 @@ planned-material = mit dem Werkstoff des Plans auf 20 °C korrigiert statt dem a
 planned-corrected = von { $temperature } °C auf 20 °C korrigiert (Ausdehnung { $expansion } · 10⁻⁶/K)
 planned-not-corrected = nicht auf 20 °C korrigiert: eine Lage am Teil ist kein Maß
 planned-error-already-corrected = die Datei sagt, dass der Wert schon bei 20 °C gilt: ohne Temperatur beurteilen
+
+## Gauges
+gauge-no-unit = { $given } nennt keine Einheit: in den Einstellungen des Messmittels angeben, ob es Millimeter oder Inch sendet
+gauge-other-form = { $given } unterscheidet sich in mehr als den Ziffern von der Textzeile, mit der das Messmittel angelernt wurde, { $example }
+gauge-other-decimals = { $given } hat { $decimals ->
+        [one] 1 Nachkommastelle
+       *[other] { $decimals } Nachkommastellen
+    }, und die Textzeile, mit der das Messmittel angelernt wurde, hat { $taught }: das Messmittel sendet eine andere Einheit, oder ein Teil der Zahl ging verloren
+teach-zero = 0 kann jede Null der Textzeile sein: das Messmittel mit einer Textzeile eines anderen Werts anlernen
+teach-not-text = { $line } enthält Zeichen, die kein Text sind
+teach-nowhere = { $value } mm steht nicht in der Textzeile { $line }: den Wert eingeben, den das Messmittel dazu anzeigte
+teach-twice = { $value } mm steht mehr als einmal in der Textzeile { $line }: das Messmittel mit einer Textzeile eines anderen Werts anlernen
+teach-other-unit = die Textzeile sagt { $given }, und das ist nicht { $value } mm: den Wert eingeben, den das Messmittel anzeigte, in Millimetern

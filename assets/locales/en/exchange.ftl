@@ -268,6 +268,18 @@ gauge-channel = from channel { $channel }
 gauge-inches = { $given } inches
 gauge-error-text = { $given } may be an error number of the gauge: if it is a size, write it with its unit, { $given } mm
 gauge-opinion = the gauge says { $sign }; the plan's limits decide
+gauge-no-unit = { $given } names no unit: say in the settings of the gauge whether it sends millimetres or inches
+gauge-other-form = { $given } differs from the line that the gauge was taught with, { $example }, in more than its digits
+gauge-other-decimals = { $given } has { $decimals ->
+        [one] 1 decimal
+       *[other] { $decimals } decimals
+    }, and the line that the gauge was taught with has { $taught }: the gauge sends another unit, or a part of the number was lost
+
+teach-zero = 0 could be every zero of the line: teach the gauge with a line of another value
+teach-not-text = { $line } has characters that are no text
+teach-nowhere = { $value } mm does not stand in the line { $line }: type the value that the gauge showed for it
+teach-twice = { $value } mm stands more than once in the line { $line }: teach the gauge with a line of another value
+teach-other-unit = the line says { $given }, which is not { $value } mm: type the value that the gauge showed, in millimetres
 
 mapping-no-value = { $given } assigns no column: write a word, = and a column, such as measured=3
 mapping-word = { $given } is not a known column content: allowed are { $allowed }

@@ -282,3 +282,16 @@ planned-material = corregido a 20 °C con el material del plan en lugar del indi
 planned-corrected = corregido de { $temperature } °C a 20 °C (dilatación { $expansion } · 10⁻⁶/K)
 planned-not-corrected = sin corregir a 20 °C: una ubicación en la pieza no es una dimensión
 planned-error-already-corrected = el archivo dice que el valor ya está a 20 °C: evalúelo sin temperatura
+
+## Gauges
+gauge-no-unit = { $given } no indica ninguna unidad: diga en la configuración del aparato si envía milímetros o pulgadas
+gauge-other-form = { $given } difiere de la línea que se enseñó para el aparato, { $example }, en algo más que las cifras
+gauge-other-decimals = { $given } tiene { $decimals ->
+        [one] 1 decimal
+       *[other] { $decimals } decimales
+    }, y la línea que se enseñó para el aparato tiene { $taught }: el aparato envía otra unidad, o se perdió una parte del número
+teach-zero = 0 puede ser cualquier cero de la línea: use como ejemplo una línea con otro valor
+teach-not-text = { $line } tiene caracteres que no son texto
+teach-nowhere = { $value } mm no está en la línea { $line }: escriba el valor que el aparato mostraba con ella
+teach-twice = { $value } mm está más de una vez en la línea { $line }: use como ejemplo una línea con otro valor
+teach-other-unit = la línea dice { $given }, y eso no son { $value } mm: escriba el valor que el aparato mostraba, en milímetros

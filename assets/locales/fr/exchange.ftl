@@ -282,3 +282,16 @@ planned-material = corrigé à 20 °C avec la matière du plan au lieu de celle 
 planned-corrected = corrigé de { $temperature } °C à 20 °C (dilatation { $expansion } · 10⁻⁶/K)
 planned-not-corrected = non corrigé à 20 °C : une position sur la pièce n'est pas une cote
 planned-error-already-corrected = le fichier dit que la valeur est déjà à 20 °C : la juger sans température
+
+## Gauges
+gauge-no-unit = { $given } n'indique aucune unité : dire dans les réglages de l'instrument s'il envoie des millimètres ou des pouces
+gauge-other-form = { $given } diffère de la ligne apprise pour l'instrument, { $example }, par plus que ses chiffres
+gauge-other-decimals = { $given } a { $decimals ->
+        [one] { $decimals } décimale
+       *[other] { $decimals } décimales
+    }, et la ligne apprise pour l'instrument en a { $taught } : l'instrument envoie une autre unité, ou une partie du nombre s'est perdue
+teach-zero = 0 peut être n'importe quel zéro de la ligne : prendre comme exemple une ligne d'une autre valeur
+teach-not-text = { $line } contient des caractères qui ne sont pas du texte
+teach-nowhere = { $value } mm ne figure pas dans la ligne { $line } : saisir la valeur que l'instrument affichait pour elle
+teach-twice = { $value } mm figure plus d'une fois dans la ligne { $line } : prendre comme exemple une ligne d'une autre valeur
+teach-other-unit = la ligne indique { $given }, ce qui ne fait pas { $value } mm : saisir la valeur que l'instrument affichait, en millimètres

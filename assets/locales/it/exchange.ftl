@@ -282,3 +282,16 @@ planned-material = corretto a 20 °C con il materiale del piano invece di quello
 planned-corrected = corretto da { $temperature } °C a 20 °C (dilatazione { $expansion } · 10⁻⁶/K)
 planned-not-corrected = non corretto a 20 °C: una posizione sul pezzo non è una dimensione
 planned-error-already-corrected = il file dice che il valore è già a 20 °C: valutarlo senza una temperatura
+
+## Gauges
+gauge-no-unit = { $given } non indica l'unità: dire nelle impostazioni dello strumento se invia millimetri o pollici
+gauge-other-form = { $given } differisce non solo nelle cifre dalla linea con cui lo strumento è stato istruito, { $example }
+gauge-other-decimals = { $given } ha { $decimals ->
+        [one] 1 decimale
+       *[other] { $decimals } decimali
+    }, e la linea con cui lo strumento è stato istruito ne ha { $taught }: lo strumento invia un'altra unità, o una parte del numero è andata persa
+teach-zero = 0 può essere ogni zero della linea: istruire lo strumento con una linea di un altro valore
+teach-not-text = { $line } contiene caratteri che non sono testo
+teach-nowhere = { $value } mm non compare nella linea { $line }: digitare il valore che lo strumento mostrava in quel momento
+teach-twice = { $value } mm compare più di una volta nella linea { $line }: istruire lo strumento con una linea di un altro valore
+teach-other-unit = la linea dice { $given }, che non è { $value } mm: digitare il valore che lo strumento mostrava, in millimetri

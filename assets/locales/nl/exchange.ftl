@@ -268,6 +268,18 @@ gauge-channel = van kanaal { $channel }
 gauge-inches = { $given } inch
 gauge-error-text = { $given } kan een foutnummer van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
 gauge-opinion = het meetmiddel zegt { $sign }; de grenzen van het plan beslissen
+gauge-no-unit = { $given } noemt geen eenheid: zeg in de instellingen van het meetmiddel of het millimeters of inches stuurt
+gauge-other-form = { $given } verschilt in meer dan de cijfers van de regel waarmee het meetmiddel is geleerd, { $example }
+gauge-other-decimals = { $given } heeft { $decimals ->
+        [one] 1 decimaal
+       *[other] { $decimals } decimalen
+    }, en de regel waarmee het meetmiddel is geleerd heeft er { $taught }: het meetmiddel stuurt een andere eenheid, of een deel van het getal is verloren gegaan
+
+teach-zero = 0 kan elke nul van de regel zijn: gebruik als voorbeeld een regel met een andere waarde
+teach-not-text = { $line } bevat tekens die geen tekst zijn
+teach-nowhere = { $value } mm staat niet in de regel { $line }: typ de waarde die het meetmiddel daarbij toonde
+teach-twice = { $value } mm staat meer dan eens in de regel { $line }: gebruik als voorbeeld een regel met een andere waarde
+teach-other-unit = de regel zegt { $given }, en dat is geen { $value } mm: typ de waarde die het meetmiddel toonde, in millimeters
 
 mapping-no-value = { $given } wijst geen kolom toe: schrijf een woord, = en een kolom, zoals measured=3
 mapping-word = { $given } is geen bekende inhoud van een kolom: toegestaan zijn { $allowed }

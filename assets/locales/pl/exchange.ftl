@@ -310,3 +310,18 @@ planned-material = skorygowano do 20 °C z materiałem planu zamiast podanego: {
 planned-corrected = skorygowano z { $temperature } °C do 20 °C (rozszerzalność { $expansion } · 10⁻⁶/K)
 planned-not-corrected = bez korekcji do 20 °C: położenie na części nie jest wymiarem
 planned-error-already-corrected = plik mówi, że wartość jest już w 20 °C: ocenić ją bez temperatury
+
+## Gauges
+gauge-no-unit = { $given } nie podaje jednostki: wybrać w ustawieniach przyrządu, czy wysyła milimetry, czy cale
+gauge-other-form = { $given } różni się nie tylko cyframi od linii, której nauczono przyrząd, { $example }
+gauge-other-decimals = { $given } ma { $decimals ->
+        [one] 1 miejsce po przecinku
+        [few] { $decimals } miejsca po przecinku
+        [many] { $decimals } miejsc po przecinku
+       *[other] { $decimals } miejsca po przecinku
+    }, a w linii, której nauczono przyrząd, jest ich { $taught }: przyrząd wysyła inną jednostkę lub część liczby została utracona
+teach-zero = 0 może być każdym zerem linii: do nauki użyć linii z inną wartością
+teach-not-text = { $line } zawiera znaki, które nie są tekstem
+teach-nowhere = { $value } mm nie występuje w linii { $line }: wpisać wartość, którą przyrząd przy niej pokazał
+teach-twice = { $value } mm występuje w linii { $line } więcej niż raz: do nauki użyć linii z inną wartością
+teach-other-unit = linia podaje { $given }, a to nie jest { $value } mm: wpisać wartość, którą pokazał przyrząd, w milimetrach

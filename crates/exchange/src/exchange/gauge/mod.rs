@@ -11,9 +11,18 @@
 //! | `25.012 mm =` `25.012<` | a unit, and the gauge's own opinion of its limits, which is told and decides nothing |
 //! | STX, ETX, CR, LF | left out at the ends; within a text they are between two numbers |
 //! | `911` to `919` | an error of a Mitutoyo gauge or its box, and no value, unless the size asked for is near it |
+//!
+//! What is typed without a unit is in millimetres; of a line from a port [`LineUnit`] says so. Lines of no form above are learnt from an
+//! example: `taught`.
+
+mod shape;
+mod taught;
 
 use fitcheck_core::length::{Length, LengthError, Unit};
 use fitcheck_core::message::Say;
+use serde::{Deserialize, Serialize};
+
+pub use taught::{Taught, TaughtBy, TeachError};
 
 /// What was taken from a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,6 +60,27 @@ pub enum GaugeError {
     Number(#[from] LengthError),
     /// It may be the number of an error: the gauge has not measured.
     ErrorText { given: String },
+    /// It names no unit, and nobody has said which one the gauge sends.
+    NoUnit { given: String },
+    /// It differs from the taught line in more than digits and blanks.
+    OtherForm { given: String, example: String },
+    /// The number has more or fewer decimals than that of the taught line: another unit, or a part of a number.
+    OtherDecimals { given: String, decimals: usize, taught: usize },
+}
+
+/// What a number without a unit is in.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LineUnit {
+    /// Nothing: the line says its unit, or is refused.
+    #[default]
+    Said,
+    Mm,
+    Inch,
+}
+
+impl LineUnit {
+    pub const ALL: [Self; 3] = [Self::Said, Self::Mm, Self::Inch];
 }
 
 /// How far the size asked for may be from a number that could be that of an error, 10 mm.
@@ -73,7 +103,29 @@ const NEAR: Length = Length::from_micrometres(10_000);
 /// # Errors
 /// [`GaugeError`] with what was given.
 pub fn read(text: &str, asked: Option<Length>) -> Result<Gauged, GaugeError> {
-    let gauged = number(text)?;
+    read_line(text, LineUnit::Mm, asked)
+}
+
+/// Reads a line of a gauge of which is known what its numbers without a unit are in.
+///
+/// ```
+/// use fitcheck_exchange::exchange::gauge::{self, LineUnit};
+///
+/// assert!(gauge::read_line("0.98472", LineUnit::Said, None).is_err());
+/// assert_eq!(gauge::read_line("0.98472", LineUnit::Inch, None)?.value, "25.011888".parse()?);
+/// assert_eq!(gauge::read_line("25.012 mm", LineUnit::Inch, None)?.value, "25.012".parse()?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`GaugeError`] with what was given.
+pub fn read_line(text: &str, unit: LineUnit, asked: Option<Length>) -> Result<Gauged, GaugeError> {
+    let gauged = number(text, unit)?;
+    not_an_error(text, gauged, asked)
+}
+
+/// A value, unless its text may be the number of an error.
+fn not_an_error(text: &str, gauged: Gauged, asked: Option<Length>) -> Result<Gauged, GaugeError> {
     let bare = text.trim_matches(FRAME);
     let is_near = asked.is_some_and(|asked| asked.saturating_sub(gauged.value).abs() <= NEAR);
     if is_error_text(bare) && !is_near {
@@ -90,11 +142,11 @@ fn is_error_text(bare: &str) -> bool {
     bare.len() == 3 && bare.starts_with("91") && bare.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-fn number(text: &str) -> Result<Gauged, LengthError> {
+fn number(text: &str, unit: LineUnit) -> Result<Gauged, GaugeError> {
     let mut remarks = Vec::new();
     let bare = text.trim_matches(FRAME);
     if bare.contains(char::is_control) {
-        return Err(LengthError::NotANumber { text: bare.replace(char::is_control, " ") });
+        return Err(LengthError::NotANumber { text: bare.replace(char::is_control, " ") }.into());
     }
     if bare.len() != text.trim_matches(['\r', '\n', '\t', ' ']).len() {
         remarks.push(GaugeRemark::Frame);
@@ -111,21 +163,29 @@ fn number(text: &str) -> Result<Gauged, LengthError> {
     let given = inches.and_then(|unit| number.get(..number.len() - unit.len())).map(str::trim_end);
     // A box that sends a channel tells the unit by its digits alone.
     let given = given.or_else(|| channel.is_some().then_some(number).filter(|number| is_inch_of_channel(number)));
+    let is_said = given.is_some() || channel.is_some() || METRIC.iter().any(|unit| number.ends_with(unit));
+    let given = given.or_else(|| (!is_said && unit == LineUnit::Inch).then_some(number));
     let given_text = || LengthError::NotANumber { text: bare.trim().to_owned() };
     let told = |error: LengthError| if error == LengthError::Empty && !rest.is_empty() { given_text() } else { error };
     let value = match given {
         Some(given) => {
             // A number in inches with a metric unit behind it is neither.
             if given.contains(char::is_alphabetic) {
-                return Err(given_text());
+                return Err(given_text().into());
             }
             remarks.push(GaugeRemark::Inches { given: given.to_owned() });
             Length::parse_in(&joined(given), Unit::Inch).map_err(told)?
         }
         None => Length::parse_in(&joined(number), Unit::Millimetre).map_err(told)?,
     };
+    if !is_said && unit == LineUnit::Said {
+        return Err(GaugeError::NoUnit { given: bare.trim().to_owned() });
+    }
     Ok(Gauged { value, remarks })
 }
+
+/// The units that a length reads by itself.
+const METRIC: [&str; 4] = ["mm", "um", "\u{b5}m", "\u{3bc}m"];
 
 /// The channel before a value, and the rest: two digits and an A.
 fn channel(text: &str) -> (Option<&str>, &str) {
@@ -179,6 +239,29 @@ mod tests {
         ] {
             let gauged = read(text, None).unwrap_or_else(|error| panic!("{text:?}: {error}"));
             assert_eq!((gauged.value, gauged.remarks.len()), (mm.parse().unwrap(), remarks), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_number_without_a_unit_is_in_what_the_gauge_is_said_to_send() {
+        let read_in = |text: &str, unit| read_line(text, unit, None).map(|gauged| gauged.value.to_string());
+        for (text, [said, mm, inch]) in [
+            ("25.012", ["", "25.012", "635.3048"]),
+            ("25.012 mm", ["25.012"; 3]),
+            ("25012 um", ["25.012"; 3]),
+            ("0.98472in", ["25.011888"; 3]),
+            ("01A+0000.123", ["0.123"; 3]),
+            ("01A+00.12345", ["3.13563"; 3]),
+            ("25.012=", ["", "25.012", "635.3048"]),
+        ] {
+            for (unit, wanted) in LineUnit::ALL.into_iter().zip([said, mm, inch]) {
+                match read_in(text, unit) {
+                    Ok(value) => assert_eq!(value, wanted, "{text} {unit:?}"),
+                    Err(error) => {
+                        assert!(wanted.is_empty() && matches!(error, GaugeError::NoUnit { .. }), "{text}: {error}");
+                    }
+                }
+            }
         }
     }
 

@@ -1,0 +1,10 @@
+gauges-line-too-long = řádek je delší než { $most } znaků a přeskočí se: zkontrolujte rychlost a konec řádku měřidla
+gauges-line-not-text = měřidlo posílá { $given }, a to není text: zkontrolujte rychlost, datové bity a paritu
+gauges-line-half = přišla polovina řádku, { $given }, a pak nic: nepoužije se
+gauges-line-joined = port byl otevřen, když přicházel řádek, a jeho začátek může chybět: { $given } se nepoužije
+gauges-port-missing = port { $port } neexistuje: připojte měřidlo, nebo zvolte jiný port
+gauges-port-not-allowed = port { $port } tento uživatel nesmí otevřít: v Linuxu musí být ve skupině dialout
+gauges-port-busy = port { $port } má otevřený jiný program: zavřete jej tam
+gauges-port-unplugged = měřidlo na portu { $port } zmizelo: připojte je znovu
+gauges-port-not-built = toto sestavení Fitcheck porty neotevírá: balíčky ano
+gauges-port-other = port { $port } nelze otevřít: { $reason }

@@ -1,0 +1,10 @@
+gauges-line-too-long = eine Textzeile ist länger als { $most } Zeichen und wird übersprungen: Geschwindigkeit und Zeilenende des Messmittels prüfen
+gauges-line-not-text = das Messmittel sendet { $given }, und das ist kein Text: Geschwindigkeit, Datenbits und Parität prüfen
+gauges-line-half = eine halbe Textzeile kam, { $given }, und danach nichts: sie wird nicht verwendet
+gauges-line-joined = der Port wurde geöffnet, während eine Textzeile kam, und ihr Anfang kann fehlen: { $given } wird nicht verwendet
+gauges-port-missing = es gibt keinen Port { $port }: das Messmittel anschließen oder einen anderen Port wählen
+gauges-port-not-allowed = dieser Benutzer darf den Port { $port } nicht öffnen: unter Linux muss der Benutzer in der Gruppe dialout sein
+gauges-port-busy = ein anderes Programm hat den Port { $port } geöffnet: dort schließen
+gauges-port-unplugged = das Messmittel an { $port } ist weg: wieder anschließen
+gauges-port-not-built = dieser Build von Fitcheck öffnet keine Ports: die Pakete tun es
+gauges-port-other = der Port { $port } kann nicht geöffnet werden: { $reason }

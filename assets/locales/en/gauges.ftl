@@ -1,0 +1,10 @@
+gauges-line-too-long = a line is longer than { $most } characters and is passed over: check speed and line end of the gauge
+gauges-line-not-text = the gauge sends { $given }, which is no text: check speed, data bits and parity
+gauges-line-half = half a line came, { $given }, and then nothing: it is not used
+gauges-line-joined = the port was opened while a line came, and its beginning may be missing: { $given } is not used
+gauges-port-missing = there is no port { $port }: plug the gauge in, or choose another port
+gauges-port-not-allowed = the port { $port } may not be opened by this user: on Linux the user has to be in the group dialout
+gauges-port-busy = another program has the port { $port } open: close it there
+gauges-port-unplugged = the gauge at { $port } is gone: plug it in again
+gauges-port-not-built = this build of Fitcheck opens no ports: the packages do
+gauges-port-other = the port { $port } cannot be opened: { $reason }

@@ -1,0 +1,10 @@
+gauges-line-too-long = una línea tiene más de { $most } caracteres y se omite: revise la velocidad y el fin de línea del aparato
+gauges-line-not-text = el aparato envía { $given }, que no es texto: revise la velocidad, los bits de datos y la paridad
+gauges-line-half = llegó media línea, { $given }, y después nada: no se usa
+gauges-line-joined = el puerto se abrió mientras llegaba una línea, y puede faltar su principio: { $given } no se usa
+gauges-port-missing = no hay ningún puerto { $port }: conecte el aparato, o elija otro puerto
+gauges-port-not-allowed = este usuario no puede abrir el puerto { $port }: en Linux el usuario debe estar en el grupo dialout
+gauges-port-busy = otro programa tiene abierto el puerto { $port }: ciérrelo allí
+gauges-port-unplugged = el aparato de { $port } ya no está: conéctelo de nuevo
+gauges-port-not-built = esta versión de Fitcheck no abre puertos: las de los paquetes sí
+gauges-port-other = el puerto { $port } no se puede abrir: { $reason }

@@ -1,0 +1,10 @@
+gauges-line-too-long = une ligne dépasse { $most } caractères et est ignorée : vérifier la vitesse et la fin de ligne de l'instrument
+gauges-line-not-text = l'instrument envoie { $given }, ce qui n'est pas du texte : vérifier la vitesse, les bits de données et la parité
+gauges-line-half = une moitié de ligne est arrivée, { $given }, puis plus rien : elle n'est pas utilisée
+gauges-line-joined = le port a été ouvert pendant l'arrivée d'une ligne, et son début manque peut-être : { $given } n'est pas utilisé
+gauges-port-missing = il n'y a pas de port { $port } : brancher l'instrument, ou choisir un autre port
+gauges-port-not-allowed = cet utilisateur n'a pas le droit d'ouvrir le port { $port } : sous Linux, il doit être dans le groupe dialout
+gauges-port-busy = un autre programme a ouvert le port { $port } : le fermer là-bas
+gauges-port-unplugged = l'instrument sur { $port } a disparu : le rebrancher
+gauges-port-not-built = cette version de Fitcheck n'ouvre aucun port : celles des paquets le font
+gauges-port-other = le port { $port } ne peut pas être ouvert : { $reason }

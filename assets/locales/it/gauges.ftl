@@ -1,0 +1,10 @@
+gauges-line-too-long = una linea supera { $most } caratteri e viene saltata: controllare velocità e fine linea dello strumento
+gauges-line-not-text = lo strumento invia { $given }, che non è testo: controllare velocità, bit di dati e parità
+gauges-line-half = è arrivata mezza linea, { $given }, e poi nulla: non viene usata
+gauges-line-joined = la porta è stata aperta mentre arrivava una linea, e può mancarne l'inizio: { $given } non viene usato
+gauges-port-missing = non c'è una porta { $port }: collegare lo strumento, o scegliere un'altra porta
+gauges-port-not-allowed = questo utente non può aprire la porta { $port }: su Linux l'utente deve essere nel gruppo dialout
+gauges-port-busy = un altro programma ha aperto la porta { $port }: chiuderla lì
+gauges-port-unplugged = lo strumento su { $port } non c'è più: ricollegarlo
+gauges-port-not-built = questa compilazione di Fitcheck non apre porte: i pacchetti sì
+gauges-port-other = la porta { $port } non si può aprire: { $reason }

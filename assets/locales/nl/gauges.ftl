@@ -1,0 +1,10 @@
+gauges-line-too-long = een regel is langer dan { $most } tekens en wordt overgeslagen: controleer snelheid en regeleinde van het meetmiddel
+gauges-line-not-text = het meetmiddel stuurt { $given }, en dat is geen tekst: controleer snelheid, databits en pariteit
+gauges-line-half = er kwam een halve regel, { $given }, en daarna niets: die wordt niet gebruikt
+gauges-line-joined = de poort werd geopend terwijl er een regel kwam, en het begin kan ontbreken: { $given } wordt niet gebruikt
+gauges-port-missing = er is geen poort { $port }: sluit het meetmiddel aan, of kies een andere poort
+gauges-port-not-allowed = de poort { $port } mag door deze gebruiker niet worden geopend: onder Linux moet de gebruiker in de groep dialout zitten
+gauges-port-busy = een ander programma heeft de poort { $port } geopend: sluit die daar
+gauges-port-unplugged = het meetmiddel aan { $port } is weg: sluit het weer aan
+gauges-port-not-built = deze versie van Fitcheck opent geen poorten: de pakketten wel
+gauges-port-other = de poort { $port } kan niet worden geopend: { $reason }

@@ -1,0 +1,10 @@
+gauges-line-too-long = linia jest dłuższa niż { $most } znaków i zostaje pominięta: sprawdzić prędkość i koniec linii przyrządu
+gauges-line-not-text = przyrząd wysyła { $given }, a to nie jest tekst: sprawdzić prędkość, bity danych i parzystość
+gauges-line-half = przyszła połowa linii, { $given }, a potem nic: nie zostaje użyta
+gauges-line-joined = port otwarto, gdy przychodziła linia, i może brakować jej początku: { $given } nie zostaje użyte
+gauges-port-missing = nie ma portu { $port }: podłączyć przyrząd lub wybrać inny port
+gauges-port-not-allowed = ten użytkownik nie może otworzyć portu { $port }: w systemie Linux musi należeć do grupy dialout
+gauges-port-busy = port { $port } jest otwarty w innym programie: zamknąć go tam
+gauges-port-unplugged = przyrząd na porcie { $port } zniknął: podłączyć go ponownie
+gauges-port-not-built = ta kompilacja Fitcheck nie otwiera portów: pakiety to robią
+gauges-port-other = nie można otworzyć portu { $port }: { $reason }
