@@ -6,5 +6,4 @@ gauges-port-missing = port { $port } neexistuje: připojte měřidlo, nebo zvolt
 gauges-port-not-allowed = port { $port } tento uživatel nesmí otevřít: v Linuxu musí být ve skupině dialout
 gauges-port-busy = port { $port } má otevřený jiný program: zavřete jej tam
 gauges-port-unplugged = měřidlo na portu { $port } zmizelo: připojte je znovu
-gauges-port-not-built = toto sestavení Fitcheck porty neotevírá: balíčky ano
 gauges-port-other = port { $port } nelze otevřít: { $reason }

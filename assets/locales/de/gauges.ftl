@@ -6,5 +6,4 @@ gauges-port-missing = es gibt keinen Port { $port }: das Messmittel anschließen
 gauges-port-not-allowed = dieser Benutzer darf den Port { $port } nicht öffnen: unter Linux muss der Benutzer in der Gruppe dialout sein
 gauges-port-busy = ein anderes Programm hat den Port { $port } geöffnet: dort schließen
 gauges-port-unplugged = das Messmittel an { $port } ist weg: wieder anschließen
-gauges-port-not-built = dieser Build von Fitcheck öffnet keine Ports: die Pakete tun es
 gauges-port-other = der Port { $port } kann nicht geöffnet werden: { $reason }

@@ -6,5 +6,4 @@ gauges-port-missing = there is no port { $port }: plug the gauge in, or choose a
 gauges-port-not-allowed = the port { $port } may not be opened by this user: on Linux the user has to be in the group dialout
 gauges-port-busy = another program has the port { $port } open: close it there
 gauges-port-unplugged = the gauge at { $port } is gone: plug it in again
-gauges-port-not-built = this build of Fitcheck opens no ports: the packages do
 gauges-port-other = the port { $port } cannot be opened: { $reason }

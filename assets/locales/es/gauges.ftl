@@ -6,5 +6,4 @@ gauges-port-missing = no hay ningún puerto { $port }: conecte el aparato, o eli
 gauges-port-not-allowed = este usuario no puede abrir el puerto { $port }: en Linux el usuario debe estar en el grupo dialout
 gauges-port-busy = otro programa tiene abierto el puerto { $port }: ciérrelo allí
 gauges-port-unplugged = el aparato de { $port } ya no está: conéctelo de nuevo
-gauges-port-not-built = esta versión de Fitcheck no abre puertos: las de los paquetes sí
 gauges-port-other = el puerto { $port } no se puede abrir: { $reason }

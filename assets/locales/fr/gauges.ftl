@@ -6,5 +6,4 @@ gauges-port-missing = il n'y a pas de port { $port } : brancher l'instrument, o
 gauges-port-not-allowed = cet utilisateur n'a pas le droit d'ouvrir le port { $port } : sous Linux, il doit être dans le groupe dialout
 gauges-port-busy = un autre programme a ouvert le port { $port } : le fermer là-bas
 gauges-port-unplugged = l'instrument sur { $port } a disparu : le rebrancher
-gauges-port-not-built = cette version de Fitcheck n'ouvre aucun port : celles des paquets le font
 gauges-port-other = le port { $port } ne peut pas être ouvert : { $reason }

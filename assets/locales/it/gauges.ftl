@@ -6,5 +6,4 @@ gauges-port-missing = non c'è una porta { $port }: collegare lo strumento, o sc
 gauges-port-not-allowed = questo utente non può aprire la porta { $port }: su Linux l'utente deve essere nel gruppo dialout
 gauges-port-busy = un altro programma ha aperto la porta { $port }: chiuderla lì
 gauges-port-unplugged = lo strumento su { $port } non c'è più: ricollegarlo
-gauges-port-not-built = questa compilazione di Fitcheck non apre porte: i pacchetti sì
 gauges-port-other = la porta { $port } non si può aprire: { $reason }

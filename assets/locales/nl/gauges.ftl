@@ -6,5 +6,4 @@ gauges-port-missing = er is geen poort { $port }: sluit het meetmiddel aan, of k
 gauges-port-not-allowed = de poort { $port } mag door deze gebruiker niet worden geopend: onder Linux moet de gebruiker in de groep dialout zitten
 gauges-port-busy = een ander programma heeft de poort { $port } geopend: sluit die daar
 gauges-port-unplugged = het meetmiddel aan { $port } is weg: sluit het weer aan
-gauges-port-not-built = deze versie van Fitcheck opent geen poorten: de pakketten wel
 gauges-port-other = de poort { $port } kan niet worden geopend: { $reason }

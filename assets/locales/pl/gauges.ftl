@@ -6,5 +6,4 @@ gauges-port-missing = nie ma portu { $port }: podłączyć przyrząd lub wybrać
 gauges-port-not-allowed = ten użytkownik nie może otworzyć portu { $port }: w systemie Linux musi należeć do grupy dialout
 gauges-port-busy = port { $port } jest otwarty w innym programie: zamknąć go tam
 gauges-port-unplugged = przyrząd na porcie { $port } zniknął: podłączyć go ponownie
-gauges-port-not-built = ta kompilacja Fitcheck nie otwiera portów: pakiety to robią
 gauges-port-other = nie można otworzyć portu { $port }: { $reason }
