@@ -112,8 +112,8 @@ struct Said {
 }
 
 static SAID: LazyLock<Said> = LazyLock::new(|| {
-    // A name that no text has.
-    const FILE: &str = "\u{1}";
+    // A sign that no text has.
+    const FILE: &str = "@";
     let mut said = Said::default();
     for words in Language::all().map(Words::new) {
         let of = |id: &'static str| words.say(&Message::new(id).text("file", FILE)).to_lowercase();
