@@ -1,6 +1,7 @@
 //! What columns state of how a value came about: whether anybody measured it, and whether it was brought to 20 °C already. Both are
 //! read wherever a file has them: a simulated value is no evidence, and a value is corrected once.
 
+use std::collections::HashSet;
 use std::sync::LazyLock;
 
 use csv::StringRecord;
@@ -101,20 +102,21 @@ const MEASURED: &str = "measured|measurement|measuring|typed|manual|imported|rec
     registrado|zmierzono|zmierzony|pomiar|wpisano|změřeno|naměřeno|měřeno|měření|zadáno|importováno";
 
 /// How Fitcheck says in each of its languages where a value comes from.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Said {
     /// What comes before the name of a file.
     of_file: Vec<String>,
     /// The words of a value that nobody measured.
-    simulated: Vec<String>,
+    simulated: HashSet<String>,
     /// The first words of a value that was measured.
-    measured: Vec<String>,
+    measured: HashSet<String>,
 }
 
 static SAID: LazyLock<Said> = LazyLock::new(|| {
     // A sign that no text has.
     const FILE: &str = "@";
-    let mut said = Said::default();
+    let words = |list: &str| list.split('|').map(str::to_owned).collect();
+    let mut said = Said { of_file: Vec::new(), simulated: words(SIMULATED), measured: words(MEASURED) };
     for words in Language::all().map(Words::new) {
         let of = |id: &'static str| words.say(&Message::new(id).text("file", FILE)).to_lowercase();
         for id in ["origin-contacts", "origin-imported"] {
@@ -132,7 +134,7 @@ static SAID: LazyLock<Said> = LazyLock::new(|| {
 
 /// Whether a word is of a value that nobody measured.
 fn is_of_simulation(word: &str) -> bool {
-    SIMULATED.split('|').any(|known| known == word) || SAID.simulated.iter().any(|known| known == word)
+    SAID.simulated.contains(word)
 }
 
 /// Whether the text of an origin says that nobody measured; an empty one says nothing. `None` where it says neither.
@@ -156,9 +158,7 @@ pub(super) fn is_simulated(text: &str) -> Option<bool> {
     if words.iter().any(|word| is_of_simulation(word)) {
         return Some(true);
     }
-    let is_measured = |word: &&String| {
-        MEASURED.split('|').any(|known| known == word.as_str()) || SAID.measured.iter().any(|known| known == *word)
-    };
+    let is_measured = |word: &&String| SAID.measured.contains(*word);
     words.first().filter(is_measured).map(|_| false)
 }
 
