@@ -1,5 +1,5 @@
 gauges-line-too-long = a line is longer than { $most } characters and is passed over: check speed and line end of the gauge
-gauges-line-not-text = the gauge sends { $given }, which is no text: check speed, data bits and parity
+gauges-line-not-text = the gauge sends { $given }, which is not text: check speed, data bits and parity
 gauges-line-half = half a line came, { $given }, and then nothing: it is not used
 gauges-line-joined = the port was opened while a line came, and its beginning may be missing: { $given } is not used
 gauges-port-missing = there is no port { $port }: plug the gauge in, or choose another port

@@ -797,4 +797,4 @@ working-stopped = Stopped after { $rows } rows: nothing from { $name } was impor
 
 ## What a code reader typed into the field of the value
 scanned-callout = { $given } is a callout: it was taken as one
-scanned-serial = { $given } is no value: it was taken as the serial number of the next checks
+scanned-serial = { $given } is not a value: it was taken as the serial number of the next checks

@@ -41,7 +41,11 @@ pub(super) fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {
         }
     };
     let is_free = view.session.is_free_text(field);
-    let (text, cursor) = edited(view.session.text(field), selected(ui.ctx(), view, field), typed, is_free);
+    // After a verdict a key begins the next value of an operator, and never goes on with the one before.
+    let begins = view.session.is_for_operators() && view.session.rests();
+    let all = 0..view.session.text(field).chars().count();
+    let selected = if begins { all } else { selected(ui.ctx(), view, field) };
+    let (text, cursor) = edited(view.session.text(field), selected, typed, is_free);
     view.send(field.typed(text));
     focus(ui.ctx(), field, cursor..cursor);
 }

@@ -39,9 +39,9 @@ pub(super) fn asked_ui(
     main: &Main,
     asked: impl FnOnce(&mut Ui, &mut View<'_>),
 ) -> bool {
-    let gap = super::gap(ui);
+    let gap = f32::from(super::gap(ui));
     let main_height = (ui.available_height() * 0.115).clamp(MAIN[0], MAIN[1]);
-    let is_pressed = from_below(ui, "operator-main", main_height, gap, |ui| main_ui(ui, main));
+    let is_pressed = from_below(ui, "operator-main", main_height, |ui| main_ui(ui, main));
     if view.session.has_keypad() {
         let left = ui.available_height() - ASKED - VALUE - gap * 3.0;
         let height = (left / 4.0).clamp(KEY[0], KEY[1]) * 4.0;
@@ -49,7 +49,7 @@ pub(super) fn asked_ui(
     }
     if let Some(field) = field {
         let id = ("operator-value", name);
-        from_below(ui, id, VALUE, gap, |ui| {
+        from_below(ui, id, VALUE, |ui| {
             let width = ui.available_width();
             let is_hidden = field == SettingsField::Pin.into();
             let unit = if view.session.is_free_text(field) { "" } else { "mm" };
@@ -74,14 +74,13 @@ fn from_below<T>(
     ui: &mut Ui,
     id: impl std::hash::Hash + std::fmt::Debug,
     height: f32,
-    gap: f32,
     content: impl FnOnce(&mut Ui) -> T,
 ) -> T {
-    #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
-    let margin = Margin { top: gap as i8, ..Margin::ZERO };
+    let gap = super::gap(ui);
+    let margin = Margin { top: gap, ..Margin::ZERO };
     let panel =
         Panel::bottom(eframe::egui::Id::unique(("operator-below", id))).resizable(false).show_separator_line(false);
-    panel.exact_size(height + gap).frame(Frame::new().inner_margin(margin)).show(ui, content).inner
+    panel.exact_size(height + f32::from(gap)).frame(Frame::new().inner_margin(margin)).show(ui, content).inner
 }
 
 /// Where there is no field, the button has the focus, but never from an Enter that may still be of what came before.

@@ -51,6 +51,8 @@ pub(super) struct Below<'a> {
     /// What has become of the record.
     pub recorded: Option<Recorded<'a>>,
     pub is_part: bool,
+    /// Whether it is a diameter: half of what is removed is on each side.
+    pub is_round: bool,
 }
 
 pub(super) fn below_ui(ui: &mut Ui, view: &mut View<'_>, below: &Below<'_>) {
@@ -67,13 +69,13 @@ pub(super) fn below_ui(ui: &mut Ui, view: &mut View<'_>, below: &Below<'_>) {
         if !has_more {
             return;
         }
-        ui.add_space(gap(ui) - ui.spacing().item_spacing.y);
+        ui.add_space(f32::from(gap(ui)) - ui.spacing().item_spacing.y);
     }
     page_card_ui(ui, |ui| match (shown, below.record) {
         (Shown::Why, Some(record)) => {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
                 // In words of the workshop first, then where the limits come from.
-                let card = check_card(view.words, record, true);
+                let card = check_card(view.words, record, below.is_round);
                 heading(ui, format!("{}, {}", card.word, limits_text(view.words, &record.limits)));
                 let what = card.instruction.map(|(what, rest)| format!("{what}: {rest}"));
                 for line in card.lines.into_iter().chain(what) {
@@ -112,10 +114,9 @@ pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Recor
         buttons.push(Foot::Does(WindowAction::Open(page).into(), if is_part { Icon::Ruler } else { Icon::Cube }));
     }
     buttons.push(Foot::Shows(Shown::Why, "why", Icon::Question));
-    let gap = gap(ui);
+    let margin = eframe::egui::Margin { top: gap(ui), ..eframe::egui::Margin::ZERO };
+    let gap = f32::from(gap(ui));
     let panel = Panel::bottom("operator-actions").resizable(false).show_separator_line(false);
-    #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
-    let margin = eframe::egui::Margin { top: gap as i8, ..eframe::egui::Margin::ZERO };
     // Below it there is always room for the band.
     let height = super::target(view).clamp(BUTTON, BUTTON * 1.6);
     panel.exact_size(height + gap).frame(eframe::egui::Frame::new().inner_margin(margin)).show(ui, |ui| {

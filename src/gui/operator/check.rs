@@ -119,10 +119,14 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let card = shown.map_or_else(|| waiting(view), |record| check_card(view.words, record, true));
     big_card_ui(ui, view, &card, height);
-    ui.add_space(gap(ui) - ui.spacing().item_spacing.y);
+    ui.add_space(f32::from(gap(ui)) - ui.spacing().item_spacing.y);
     let limits = session.check().asked.limits.as_ref();
     let record = shown.map(std::convert::AsRef::as_ref);
-    below::below_ui(ui, view, &Below { limits, record, recorded: session.check_recorded(), is_part: false });
+    below::below_ui(
+        ui,
+        view,
+        &Below { limits, record, recorded: session.check_recorded(), is_part: false, is_round: true },
+    );
 }
 
 /// What comes next, for who has not typed anything yet.

@@ -53,15 +53,14 @@ fn target(view: &View<'_>) -> f32 {
 }
 
 /// Between two cards.
-fn gap(ui: &Ui) -> f32 {
-    if ui.ctx().content_rect().width() < NARROW { 8.0 } else { 12.0 }
+fn gap(ui: &Ui) -> i8 {
+    if ui.ctx().content_rect().width() < NARROW { 8 } else { 12 }
 }
 
 /// The bar and the open page.
 pub(super) fn operator_ui(ui: &mut Ui, view: &mut View<'_>) {
     bar::bar_ui(ui, view);
-    let margin = if ui.ctx().content_rect().width() < NARROW { 8 } else { 12 };
-    let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(margin);
+    let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(gap(ui));
     CentralPanel::default().frame(canvas).show(ui, |ui| match view.session.page() {
         _ if view.session.settings_page().asks_for_pin() => lock::lock_ui(ui, view),
         _ if names::is_open(ui) => names::names_ui(ui, view),
@@ -79,14 +78,13 @@ fn sides_ui(
     left: impl FnOnce(&mut Ui, &mut View<'_>),
     right: impl FnOnce(&mut Ui, &mut View<'_>),
 ) {
-    let gap = gap(ui);
+    let margin = Margin { right: gap(ui), ..Margin::ZERO };
+    let gap = f32::from(gap(ui));
     ui.spacing_mut().item_spacing.y = gap;
     // Four keys beside each other; the verdict keeps half of the width.
     let keys = times(target(view), 4) + times(gap, 4);
     let most = ui.available_width() * 0.5;
     let width = (ui.available_width() * LEFT).clamp(LEFT_LIMITS[0], LEFT_LIMITS[1]).max(keys.min(most));
-    #[expect(clippy::as_conversions, clippy::cast_possible_truncation, reason = "8 or 12")]
-    let margin = Margin { right: gap as i8, ..Margin::ZERO };
     let panel = Panel::left("operator-asked").resizable(false).exact_size(width + gap).show_separator_line(false);
     panel.frame(Frame::new().inner_margin(margin)).show(ui, |ui| left(ui, view));
     right(ui, view);

@@ -209,7 +209,9 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>) {
     let limits = walking.faced_size().map(|size| size.limits.clone());
     let limits = record.map(|record| record.limits.clone()).or(limits).filter(|_| !is_over);
     let recorded = value.and_then(|(_, value)| recorded_of(view, value));
-    below::below_ui(ui, view, &Below { limits: limits.as_ref(), record, recorded, is_part: walking.is_begun() });
+    let is_round = value.is_some_and(|(at, _)| walking.is_round(at));
+    let is_part = walking.is_begun();
+    below::below_ui(ui, view, &Below { limits: limits.as_ref(), record, recorded, is_part, is_round });
 }
 
 fn waiting(view: &View<'_>, walking: &Walking) -> Card {

@@ -205,39 +205,6 @@ impl PageState for CheckPage {
 }
 
 impl CheckPage {
-    /// What an operator types: a verdict that asks for a look waits until it was read, and no value goes on to another one or another size.
-    fn type_as_operator(&mut self, field: CheckField, text: String, shared: &mut Shared) {
-        let text = match field {
-            CheckField::Measured if self.waits() => return shared.tell_to_go_on(),
-            CheckField::Measured if self.would_repeat() => {
-                text.strip_prefix(self.text(field)).unwrap_or(&text).to_owned()
-            }
-            CheckField::Callout => {
-                self.clear_value(&shared.sources);
-                text
-            }
-            _ => text,
-        };
-        self.type_text(field, text, &shared.sources);
-    }
-
-    /// The verdict has been read: the next value is asked for.
-    pub(crate) fn go_on(&mut self, sources: &Sources) -> Vec<Effect> {
-        self.clear_value(sources);
-        vec![Effect::Focus(CheckField::Measured.into())]
-    }
-
-    fn clear_value(&mut self, sources: &Sources) {
-        self.texts.set(CheckField::Measured, "");
-        self.measured_is_used = false;
-        self.clear(sources);
-    }
-
-    /// Whether a verdict is shown that asks for a look.
-    fn waits(&self) -> bool {
-        self.would_repeat() && self.shown.as_ref().is_some_and(|shown| shown.record.verdict.asks_for_a_look())
-    }
-
     /// Lists what the filter says in the language of the window.
     fn filter(&self, shared: &mut Shared) {
         shared.history.filter(self.text(CheckField::HistoryFilter), &shared.words());
@@ -269,10 +236,10 @@ impl CheckPage {
         let taken = shared.history.taken_by_undo();
         let standing: Vec<RecordId> = taken.iter().filter_map(|id| shared.history.standing(*id)).collect();
         let Some(undone) = shared.history.take_back() else { return };
-        if shared.is_for_operators() {
+        if shared.is_for_operators() && shared.page == Page::Check {
             // What was undone is typed anew.
-            self.clear_value(&shared.sources);
-            self.errands.push(Effect::Focus(CheckField::Measured.into()));
+            let focus = self.go_on(&shared.sources);
+            self.errands.extend(focus);
         }
         self.clear(&shared.sources);
         shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
@@ -315,7 +282,7 @@ impl CheckPage {
         self.own.retain(|field, _| !worth::is_of_rule(*field));
     }
 
-    fn type_text(&mut self, field: CheckField, text: String, sources: &Sources) {
+    pub(super) fn type_text(&mut self, field: CheckField, text: String, sources: &Sources) {
         self.own.remove(&field);
         if worth::is_of_rule(field) {
             self.keep_rule();

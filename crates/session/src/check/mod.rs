@@ -9,6 +9,7 @@
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
 //! | `doubted` | texts that may not mean what they say, and those that do |
 //! | `measuring` | from the fields to a measurement |
+//! | `operating` | what is other for an operator |
 //! | `importing` | from a file to checks and the notice about it |
 //! | `scanned` | a code in the field of the value |
 //! | `worth` | the rule that judges it, its uncertainty, its temperature |
@@ -26,6 +27,7 @@ mod importing;
 mod inputs;
 mod lot;
 mod measuring;
+mod operating;
 mod rows;
 mod scanned;
 mod worth;
