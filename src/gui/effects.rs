@@ -12,6 +12,7 @@ use jiff::civil::DateTime;
 
 use super::errands::Errands;
 use super::file_contents::{FileContents, With};
+use super::gauges::{Listener, PortOrder, Ports};
 use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
@@ -67,6 +68,8 @@ pub(super) struct Runner {
     works: Arc<Works>,
     /// The folder that is watched.
     watching: Watching,
+    /// The ports of gauges.
+    ports: Ports,
     /// Who keeps and reads records.
     desk: Desk,
 }
@@ -77,6 +80,7 @@ impl Drop for Runner {
         self.rows.stop();
         self.works.stop();
         self.watching.stop();
+        self.ports.stop();
     }
 }
 
@@ -91,7 +95,8 @@ impl Runner {
         let rows = Arc::default();
         let works = Arc::default();
         let watching = Watching::default();
-        Self { errands, clock, sender, receiver, files, rows, works, watching, desk }
+        let ports = Ports::default();
+        Self { errands, clock, sender, receiver, files, rows, works, watching, ports, desk }
     }
 
     /// Who keeps and reads records.
@@ -155,6 +160,9 @@ impl Runner {
             }
             Effect::WatchTaken { run, look } => return self.watching.taken(run, look),
             Effect::StopWatch => return self.watching.stop(),
+            Effect::FindPorts => return self.order(ctx, PortOrder::Find),
+            Effect::OpenGauge { run, settings } => return self.order(ctx, PortOrder::Open { run, settings }),
+            Effect::CloseGauge(run) => return self.order(ctx, PortOrder::Close(run)),
             effect => effect,
         };
         let sender = self.sender.clone();
@@ -187,6 +195,12 @@ impl Runner {
         } else {
             self.after_files(errand);
         }
+    }
+
+    /// Does something with ports.
+    fn order(&self, ctx: &Context, order: PortOrder) {
+        let listener = Listener { ctx: ctx.clone(), answers: self.sender.clone() };
+        self.ports.give(self.errands, order, listener);
     }
 
     /// Judges the rows of a large file on a thread; each of its answers asks for one frame.
@@ -347,6 +361,9 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::Watch { .. }
         | Effect::WatchTaken { .. }
         | Effect::StopWatch
+        | Effect::FindPorts
+        | Effect::OpenGauge { .. }
+        | Effect::CloseGauge(_)
         | Effect::ReadRecords(_)
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),

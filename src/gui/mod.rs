@@ -5,6 +5,7 @@
 //! | `app` | one frame: panels, commands, effects |
 //! | `effects`, `errands`, `reading`, `file_contents` | files, dialogs and the clipboard, off the frame's thread |
 //! | `measurements` | files of measurements, and what their columns are taken for |
+//! | `gauges` | the thread that opens the ports of gauges |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
 //! | `store` | the state file |
@@ -65,6 +66,7 @@ mod field_id;
 mod file_contents;
 mod fit;
 mod folder_list;
+mod gauges;
 mod help;
 mod in_turn;
 pub mod journal;

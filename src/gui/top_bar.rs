@@ -4,8 +4,8 @@ use std::path::Path;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Frame, Id, Margin, Panel, Rangef, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    vec2,
+    Align2, Button, Frame, Id, Margin, Panel, Rangef, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    WidgetInfo, vec2,
 };
 
 use super::check::grouped;
@@ -14,6 +14,7 @@ use super::pages::page_of;
 use super::rail::rail_width;
 use super::records;
 use super::segments::segments_ui;
+use super::settings::gauge_state;
 use super::shapes::times;
 use super::spoken::icon_ui;
 use super::theme::{self, Icon, Weight, control, palette, sizes, space};
@@ -21,7 +22,9 @@ use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
-use crate::session::{Action, Command, Density, FilesCommand, Page, Session, Theme};
+use crate::session::{
+    Action, Command, Density, FilesCommand, OpenGauge, Page, Section, Session, SettingsCommand, Theme,
+};
 use crate::session::{CheckAction, WindowAction, row_forms};
 use crate::text::long;
 use crate::tolerance::Base;
@@ -162,6 +165,7 @@ fn right_ui(ui: &mut Ui, view: &mut View<'_>, fold: Fold) {
         view.icon_button(ui, WindowAction::Palette, Icon::MagnifyingGlass);
     }
     messages_ui(ui, view);
+    gauges_ui(ui, view);
     recorded_ui(ui, view, fold < Fold::Words);
     if fold < Fold::Who {
         who_ui(ui, view);
@@ -210,6 +214,26 @@ fn messages_ui(ui: &mut Ui, view: &mut View<'_>) {
     if 0 < count {
         let name = view.words.say(&message!("messages-count").count("count", count));
         view.icon_button_named(ui, WindowAction::Messages, Icon::Bell, &name);
+    }
+}
+
+/// The gauges, while there are any: how the port of each stands. The button leads to them.
+fn gauges_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let gauges = view.session.settings_page().gauges.list();
+    let state = |gauge: &OpenGauge| {
+        let said = message!("gauges-state").text("name", gauge.name()).text("state", gauge_state(view, gauge));
+        view.words.say(&said)
+    };
+    let said: Vec<String> = gauges.iter().filter(|gauge| gauge.is_connected()).map(state).collect();
+    if !said.is_empty() {
+        let name = said.join("; ");
+        let button = Button::new(Icon::LinkSimpleHorizontal.text(Weight::Regular, space(5.0)));
+        let shown = theme::looking(ui, theme::plain, |ui| ui.add(button));
+        shown.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+        if shown.on_hover_text(name).clicked() {
+            view.send(Command::OpenPage(Page::Settings));
+            view.send(SettingsCommand::Show(Section::Gauges));
+        }
     }
 }
 

@@ -119,6 +119,7 @@ mod session_fields;
 mod session_files;
 mod session_filter;
 mod session_fit;
+mod session_gauges;
 mod session_help;
 mod session_history;
 mod session_pairing;

@@ -27,7 +27,10 @@ fn offered() -> Vec<Action> {
     let of_row = |control: Control| match control {
         Control::OneOf(choices, _) => choices(),
         Control::Switch(action) => vec![action],
-        Control::Buttons(_, actions) | Control::Field(_, _, actions) => actions.to_vec(),
+        Control::Buttons(_, actions)
+        | Control::Field(_, _, actions)
+        | Control::Gauge(actions)
+        | Control::Port(actions) => actions.to_vec(),
         Control::Zoom | Control::Ruler | Control::Who | Control::Told(_) => Vec::new(),
     };
     SETTINGS.iter().flat_map(|setting| of_row(setting.control)).collect()

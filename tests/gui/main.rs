@@ -14,6 +14,7 @@ mod fake_journal;
 mod fast_keys;
 mod fit_page;
 mod focus;
+mod gauges;
 mod harness;
 mod help_page;
 mod history;

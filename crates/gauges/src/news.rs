@@ -58,6 +58,8 @@ pub enum Trouble {
     Unplugged {
         port: String,
     },
+    /// This build opens no ports.
+    NotBuilt,
     Other {
         port: String,
         reason: String,

@@ -119,6 +119,12 @@ macro_rules! command {
                 path: PathBuf,
                 result: Result<String, Message>,
             },
+            /// Something came from the port of a gauge.
+            Heard {
+                /// The number of the port.
+                run: u64,
+                news: fitcheck_gauges::News,
+            },
             /// Stops using the user's own tables.
             NoOwnTables,
             /// Looks limits up in another source, after the user's own tables.

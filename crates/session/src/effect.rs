@@ -9,6 +9,7 @@ use fitcheck_exchange::exchange::batch::{ListedRows, Part, Sifting};
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_exchange::report::pairing::PairingRequest;
+use fitcheck_gauges::PortSettings;
 use fitcheck_nc::sets::NcSet;
 
 use super::field::Field;
@@ -166,6 +167,16 @@ pub enum Effect {
     SendAgain,
     /// Read the part's picture and send `PlanCommand::PictureRead`.
     ReadPicture(PathBuf),
+    /// Look for the ports of this computer and send `GaugeCommand::Ports`.
+    FindPorts,
+    /// Open the port of a gauge, now or as soon as it is there, and send `Command::Heard` again and again.
+    OpenGauge {
+        /// The number of the port.
+        run: u64,
+        settings: PortSettings,
+    },
+    /// Close the port of this number.
+    CloseGauge(u64),
     /// Ask the system for what is on the clipboard; it comes to what has the focus.
     AskForClipboard,
     /// Hash a PIN with a salt of its own and send `SettingsCommand::PinHashed`.

@@ -206,6 +206,10 @@ rows! {
     Find, "settings-page-find", PAGE, "find-a-setting";
     NewPin, "operator-pin", AT_TIMES, "pin";
     Pin, "operator-pin", AT_TIMES, "pin-to-leave";
+    GaugeName, "gauges-name", AT_TIMES, "name-of-a-gauge";
+    GaugePort, "gauges-port", AT_TIMES, "port-of-a-gauge";
+    GaugeSpeed, "gauges-speed", AT_TIMES, "speed-of-a-gauge";
+    GaugeGave, "gauges-gave", AT_TIMES, "what-a-line-gave";
 }
 
 rows! {

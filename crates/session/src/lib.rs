@@ -20,6 +20,7 @@
 //! | `parts` | plans of whole parts, and the walk through them |
 //! | `help` | the manual, and the keys |
 //! | `settings_page` | everything that can be set |
+//! | `gauges` | gauges on serial and USB ports: what is set, what came, where values go |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `notice`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
@@ -71,6 +72,7 @@ mod field_table;
 mod fields;
 mod files;
 mod fit;
+mod gauges;
 pub mod help;
 mod history;
 mod notice;
@@ -142,6 +144,7 @@ use fitcheck_core::verdict::Rule;
 use fitcheck_core::words::Language;
 use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::control::shipped_tables;
+pub use gauges::{FromGauge, GaugeAction, GaugeCommand, GaugeLine, Gauges, OpenGauge, PortState};
 pub use help::{HelpAction, HelpCommand, HelpField, HelpPage};
 pub use history::{ChangeId, History, ListCommand, status_text};
 pub use notice::Notice;
@@ -160,7 +163,7 @@ pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, Record
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
 pub use ruler::{Ruler, RulerStep};
 pub use saved::{
-    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
+    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedGauge, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
 pub use settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 pub use settings_page::{
@@ -331,14 +334,15 @@ impl Session {
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
         shared.own_mask = saved.mask.clone().map_or(OwnMask::Settled, OwnMask::Awaited);
-        let session = Self::with_pages(&saved, shared);
+        let mut session = Self::with_pages(&saved, shared);
+        let gauges = session.settings_page.take_errands();
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
         let mask = saved.mask.map(|path| Effect::Read(Purpose::LoadMask, path));
         let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
         // The plan of a part that was interrupted.
         let plan = saved.walk.plan.or_else(|| saved.walk.watched.map(|watched| watched.plan));
         let plan = plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
-        (session, tables.into_iter().chain(mask).chain(budget).chain(plan).collect())
+        (session, tables.into_iter().chain(mask).chain(budget).chain(plan).chain(gauges).collect())
     }
 
     /// What survives a restart.
@@ -415,6 +419,9 @@ impl Session {
         }
         // Who has a verdict needs no first steps any more.
         self.shared.welcomes &= self.shared.history.len() <= checks;
+        if checks < self.shared.history.len() && !self.shared.history.is_newest_good() {
+            self.settings_page.gauges.saw_not_good(now);
+        }
         self.shared.take_worth(self.check.own_worth());
         let errands = self.spread_news();
         if let Some(format) = self.records.report_soon.take() {
@@ -569,6 +576,7 @@ impl Session {
                 return commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
             }
             Command::SettingBack => return self.setting_back(now),
+            Command::Heard { run, news } => return self.heard(run, news, now),
             Command::Saved { path, result } => self.saved_file(&path, result),
         }
         Vec::new()

@@ -34,6 +34,8 @@ pub struct Notice {
     pub columns: Option<NoticeColumns>,
     /// The name of a file that is of no part of the plan: Check can judge it.
     pub unplanned: Option<String>,
+    /// The number of the gauge that it tells of.
+    pub gauge: Option<u64>,
     /// The page that shows what it tells of.
     pub page: Option<Page>,
     /// The part of that page, by its name, where it is folded away there.
@@ -54,6 +56,7 @@ impl Notice {
             records: false,
             columns: None,
             unplanned: None,
+            gauge: None,
             page: None,
             part: None,
         }

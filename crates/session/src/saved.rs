@@ -9,6 +9,8 @@ use fitcheck_core::message::Say;
 use fitcheck_core::tolerance::{Base, iso286};
 use fitcheck_core::words::Language;
 use fitcheck_exchange::exchange::Remembered;
+use fitcheck_exchange::exchange::gauge::{LineUnit, Taught};
+use fitcheck_gauges::PortSettings;
 use serde::{Deserialize, Serialize};
 
 use super::check::{MeasureBy, RuleChoice};
@@ -68,6 +70,22 @@ pub struct Saved {
     pub records: SavedRecords,
     /// The part that is being measured.
     pub walk: SavedWalk,
+    /// The gauges on ports of this computer.
+    pub gauges: Vec<SavedGauge>,
+}
+
+/// What is kept of a gauge.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedGauge {
+    pub name: String,
+    /// Whether its port is open while the window is.
+    pub on: bool,
+    /// What its numbers without a unit are in.
+    pub unit: LineUnit,
+    pub port: PortSettings,
+    /// The form of its lines, where it is not a known one.
+    pub taught: Option<Taught>,
 }
 
 /// What is kept of recording.
@@ -182,6 +200,7 @@ impl Default for Saved {
             columns: Remembered::default(),
             records: SavedRecords::default(),
             walk: SavedWalk::default(),
+            gauges: Vec::new(),
         }
     }
 }

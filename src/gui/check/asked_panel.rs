@@ -183,6 +183,11 @@ fn measure_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.check().is_repeated {
         quiet(ui, view.text("measured-once"));
     }
+    if let Some(gauge) = &view.session.check().gauge {
+        let told = std::iter::once(view.words.say(&gauge.told()));
+        let remarks = gauge.remarks.iter().map(|remark| view.words.told(remark));
+        quiet(ui, told.chain(remarks).collect::<Vec<_>>().join("; "));
+    }
 }
 
 fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {

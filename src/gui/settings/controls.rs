@@ -5,6 +5,7 @@ use eframe::egui::{
     Align, Align2, Button, Color32, Id, Label, Layout, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
+use super::gauge_controls::{gauge_ui, port_ui};
 use super::told::told;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::segments::segments_ui;
@@ -43,6 +44,8 @@ pub(super) fn control_ui(ui: &mut Ui, view: &mut View<'_>, setting: &Setting, sl
         Control::Ruler => ruler_ui(ui, view, slot),
         Control::Who if view.session.recording().is_on() => line_ui(ui, slot, "who", |ui| who_ui(ui, view)),
         Control::Who => told_ui(ui, view, Told::Journal, slot),
+        Control::Gauge(actions) => gauge_ui(ui, view, actions, slot),
+        Control::Port(actions) => port_ui(ui, view, actions, slot),
         Control::Told(of) => told_ui(ui, view, of, slot),
     }
 }
@@ -120,7 +123,7 @@ fn told_ui(ui: &mut Ui, view: &View<'_>, of: Told, slot: &Slot) {
 }
 
 /// What can be done: beside each other where there is room.
-fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot) {
+pub(super) fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot) {
     if actions.is_empty() {
         return;
     }
@@ -139,7 +142,7 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot)
 }
 
 /// A field with its unit; one without a unit and with buttons holds a longer text.
-fn value_ui(ui: &mut Ui, view: &mut View<'_>, (field, unit): (Field, &str), slot: &Slot) {
+pub(super) fn value_ui(ui: &mut Ui, view: &mut View<'_>, (field, unit): (Field, &str), slot: &Slot) {
     if view.session.is_free_text(field) {
         let width = ui.available_width();
         let is_hidden = field == SettingsField::NewPin.into();

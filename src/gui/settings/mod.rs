@@ -6,10 +6,12 @@
 //! | `sections_panel` | left, or above where the window is narrow: the search and the sections |
 //! | `rows_panel` | the settings, a row each |
 //! | `controls` | how a setting is set, by its kind |
+//! | `gauge_controls` | the gauge that is shown, its port, its lines |
 //! | `told` | what is in force |
 //! | `keys_panel` | every key |
 
 mod controls;
+mod gauge_controls;
 mod keys_panel;
 mod rows_panel;
 mod sections_panel;
@@ -26,6 +28,8 @@ use super::over_page::just_opened;
 use super::page::{Group, PageView};
 use super::theme::{Icon, space};
 use super::view::View;
+pub(super) use told::gauge_state;
+
 use crate::session::SettingsField;
 
 /// From this width on the sections stand beside the settings.

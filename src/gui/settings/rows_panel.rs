@@ -3,6 +3,7 @@
 use eframe::egui::{Align, Id, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::controls::{Slot, control_ui};
+use super::gauge_controls::lines_ui;
 use super::keys_panel::keys_ui;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
@@ -38,6 +39,9 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         if page.found.is_none() && page.section == Section::Appearance {
             preview_ui(ui, view);
+        }
+        if page.found.is_none() && page.section == Section::Gauges {
+            lines_ui(ui, view);
         }
         if page.found.is_none() && page.section == Section::Keys {
             keys_ui(ui, view);

@@ -23,6 +23,7 @@ const fn icon_of(section: Section) -> Icon {
         Section::OwnFiles => Icon::Folder,
         Section::Records => Icon::Database,
         Section::ShopServer => Icon::Buildings,
+        Section::Gauges => Icon::LinkSimpleHorizontal,
         Section::Folders => Icon::FolderOpen,
         Section::Keys => Icon::Keyboard,
         Section::About => Icon::Info,

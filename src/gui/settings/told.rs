@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::gui::check::grouped;
 use crate::gui::view::View;
 use crate::message::message;
-use crate::session::{MaskChoice, Told};
+use crate::session::{MaskChoice, OpenGauge, PortState, Told};
 use crate::tolerance::Absent;
 
 /// Which own tables are asked: those of a folder, or a table of the table page that is used until the window is closed.
@@ -18,6 +18,16 @@ fn own_tables(view: &View<'_>) -> String {
         Some(folder) => folder.display().to_string(),
         None if sources.own().is_empty() => view.text("settings-page-not-used"),
         None => sources.own().iter().map(|table| table.name()).collect::<Vec<_>>().join(", "),
+    }
+}
+
+/// How the port of a gauge stands.
+pub(in crate::gui) fn gauge_state(view: &View<'_>, gauge: &OpenGauge) -> String {
+    match &gauge.state {
+        PortState::Closed => view.text("gauges-closed"),
+        PortState::Opening => view.text("gauges-opening"),
+        PortState::Open => view.text("gauges-open"),
+        PortState::Lost(why) => view.words.say(why),
     }
 }
 
@@ -64,6 +74,14 @@ pub(super) fn told(view: &View<'_>, of: Told) -> Option<String> {
             view.words.say(&said)
         }
         Told::Watched => place(session.parts().watched.folder.as_deref(), "settings-page-not-used"),
+        Told::GaugePort => gauge_state(view, session.settings_page().gauges.shown()?),
+        Told::Taught => match &session.settings_page().gauges.shown()?.saved.taught {
+            Some(taught) => {
+                let said = message!("gauges-taught-by").text("line", taught.line());
+                view.words.say(&said.number("value", taught.gave()))
+            }
+            None => view.text("gauges-not-taught"),
+        },
         Told::RecentFiles => {
             view.words.say(&message!("settings-page-recent-count").count("count", session.recent_files().len()))
         }

@@ -21,6 +21,7 @@ use super::{
 };
 use crate::action::Action;
 use crate::effect::Effect;
+use crate::gauges::measured_with;
 use crate::page::Page;
 use crate::recording::used;
 use crate::rows::Rows;
@@ -304,6 +305,7 @@ impl CheckPage {
             CheckField::Measured => {
                 self.by = MeasureBy::Typing;
                 self.measured_is_used = false;
+                self.gauge = None;
             }
             // The name is that of the next part, and the value that of the one before.
             CheckField::Part | CheckField::Serial | CheckField::Remark => self.empty_used(),
@@ -343,6 +345,7 @@ impl CheckPage {
     fn empty_used(&mut self) {
         if std::mem::take(&mut self.measured_is_used) {
             self.texts.set(CheckField::Measured, "");
+            self.gauge = None;
         }
     }
 
@@ -394,6 +397,8 @@ impl CheckPage {
         if 1 < records.len() {
             named.serial.clear();
         }
+        let gauge = self.gauge.as_ref().filter(|_| self.by == MeasureBy::Typing && from.is_none() && labels.is_empty());
+        named.remark = measured_with(&named.remark, gauge, shared);
         let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
         let refused = shared.recording.keep_checks(first, records, labels, &named, |record| {
             let budget = budget.clone().filter(|_| record.budget.is_some());
@@ -420,6 +425,7 @@ impl CheckPage {
         self.texts.set(CheckField::Part, part);
         self.texts.set(CheckField::Serial, serial);
         self.texts.set(CheckField::Measured, "");
+        self.gauge = None;
         self.measured_is_used = false;
         self.edited(&shared.sources);
     }
@@ -565,6 +571,7 @@ impl CheckPage {
         if measured != Some(diameter) {
             let text = self.inputs.typed(id).map_or_else(|| shared.as_typed(&diameter.to_string()), str::to_owned);
             self.texts.set(CheckField::Measured, if is_typed { text } else { String::new() });
+            self.gauge = None;
         }
         self.measured_is_used = is_typed;
     }

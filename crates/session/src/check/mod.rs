@@ -59,6 +59,7 @@ use self::doubted::Meant;
 use self::inputs::Inputs;
 use super::asking::Asking;
 use super::effect::Effect;
+use super::gauges::FromGauge;
 use super::recording::Named;
 use super::rows::Rows;
 use super::saved::SavedInputs;
@@ -114,6 +115,8 @@ pub struct CheckPage {
     measured_is_used: bool,
     /// Whether Enter came once more for a check that is shown already.
     pub is_repeated: bool,
+    /// The gauge that the measured value in its field is from.
+    pub gauge: Option<FromGauge>,
     /// When a typed value was judged last.
     judged: Asking,
     /// What is asked about the typed value before it is judged.
@@ -156,6 +159,7 @@ impl CheckPage {
             refusal: None,
             measured_is_used: false,
             is_repeated: false,
+            gauge: None,
             judged: Asking::default(),
             question: None,
             meant: Meant::default(),
@@ -224,6 +228,11 @@ impl CheckPage {
     /// Whether what stands in the fields was judged already, and nothing was entered since: Enter is no second measurement.
     pub const fn would_repeat(&self) -> bool {
         matches!(self.by, MeasureBy::Typing) && self.measured_is_used && self.shown.is_some()
+    }
+
+    /// Whether somebody is typing a measured value.
+    pub(super) fn is_being_typed(&self) -> bool {
+        self.gauge.is_none() && !self.measured_is_used && !self.text(CheckField::Measured).trim().is_empty()
     }
 
     /// Says that it was asked for once more.

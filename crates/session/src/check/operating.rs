@@ -26,6 +26,7 @@ impl CheckPage {
     pub(super) fn clear_value(&mut self, sources: &Sources) {
         self.texts.set(CheckField::Measured, "");
         self.measured_is_used = false;
+        self.gauge = None;
         self.clear(sources);
     }
 

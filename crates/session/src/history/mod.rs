@@ -16,6 +16,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
+use fitcheck_core::verdict::Status;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::memory::{Memory, Removed};
 use fitcheck_exchange::journal::query::{Query, RecordId, Records};
@@ -95,6 +96,12 @@ impl History {
     /// A check.
     pub fn get(&self, id: RecordId) -> Option<Arc<Record>> {
         self.records.get(id)
+    }
+
+    /// Whether the check that was made last is good, or there is none.
+    pub(super) fn is_newest_good(&self) -> bool {
+        let newest = RecordId(self.next().0.saturating_sub(1));
+        self.get(newest).is_none_or(|record| record.verdict.status() == Status::Good)
     }
 
     /// What the list shows: the answer to the filter, in the chosen order.

@@ -129,7 +129,14 @@ impl PartsPage {
         }
         let (record, remarks) = judged_by(size, record, labels.is_corrected, shared)?;
         let at = self.walking.place_of(&record.id).filter(|_| is_own);
-        Ok(Arriving { at, record: Arc::new(record), remarks, labels: Some(Box::new(labels)), file: None })
+        Ok(Arriving {
+            at,
+            record: Arc::new(record),
+            remarks,
+            labels: Some(Box::new(labels)),
+            file: None,
+            remark: String::new(),
+        })
     }
 
     /// Whether a value without a serial number is of the part that is being measured, by what its file calls that.

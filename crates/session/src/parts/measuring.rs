@@ -7,7 +7,7 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::{Plan, Step};
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::exchange::gauge;
+use fitcheck_exchange::exchange::gauge::{self, GaugeRemark};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::{FileRole, UsedFile};
 use jiff::civil::DateTime;
@@ -18,6 +18,7 @@ use super::walking::Value;
 use super::{PartsPage, WalkCommand};
 use crate::Question;
 use crate::effect::Effect;
+use crate::gauges::{FromGauge, measured_with};
 use crate::parts::WalkField;
 use crate::recording::{Named, Sent, ToKeep, used};
 use crate::shared::Shared;
@@ -119,7 +120,7 @@ impl PartsPage {
             remarks.extend(said);
             Ok((record, remarks))
         });
-        let (record, remarks) = match taken {
+        let (record, mut remarks) = match taken {
             Ok(taken) => taken,
             Err(problem) => {
                 self.errors.insert(WalkField::Value, problem);
@@ -136,14 +137,19 @@ impl PartsPage {
                 return;
             }
         }
+        let gauge = self.gauge.take();
+        let of_gauge =
+            gauge.iter().flat_map(|gauge| gauge.remarks.iter().map(GaugeRemark::message).chain([gauge.told()]));
+        remarks.extend(of_gauge);
         self.clear_value();
         self.walking.settle_seen(at);
-        self.keep_own(vec![(at, record, remarks)], shared);
+        self.keep_own(vec![(at, record, remarks)], gauge.as_ref(), shared);
         self.walking.go_on();
     }
 
     /// A text for the field of the value. What was asked about another one is over.
     pub(super) fn type_value(&mut self, text: &str) {
+        self.gauge = None;
         self.walking.question = None;
         self.walking.typed(text);
     }
@@ -165,6 +171,7 @@ impl PartsPage {
     pub(super) fn clear_value(&mut self) {
         self.texts.set(WalkField::Value, "");
         self.walking.typed("");
+        self.gauge = None;
         self.errors.remove(&WalkField::Value);
     }
 
@@ -192,7 +199,7 @@ impl PartsPage {
         match self.simulated(at, shared, now) {
             Ok(taken) => {
                 self.walking.seed += 1;
-                self.keep_own(taken, shared);
+                self.keep_own(taken, None, shared);
                 self.walking.go(at);
                 self.walking.go_on();
                 self.walking.rest(at, true);
@@ -223,10 +230,12 @@ impl PartsPage {
     }
 
     /// Values of this part that were measured here.
-    fn keep_own(&mut self, taken: Vec<Judged>, shared: &mut Shared) {
+    fn keep_own(&mut self, taken: Vec<Judged>, gauge: Option<&FromGauge>, shared: &mut Shared) {
+        let remark = measured_with("", gauge, shared);
         let mut values = Vec::new();
         for (at, record, remarks) in taken {
-            values.push(Arriving { at: Some(at), record: Arc::new(record), remarks, labels: None, file: None });
+            let remark = remark.clone();
+            values.push(Arriving { at: Some(at), record: Arc::new(record), remarks, labels: None, file: None, remark });
         }
         self.keep(values, shared);
         self.walking.quiet();
@@ -284,7 +293,7 @@ impl PartsPage {
             serial: if serial.is_empty() && is_own { self.walking.serial().to_owned() } else { serial },
             feature: value.record.id.clone(),
             who: said(of_file.map(|labels| &labels.who)),
-            remark: if is_other { remark() } else { String::new() },
+            remark: if is_other { remark() } else { value.remark.clone() },
         }
     }
 
@@ -317,6 +326,8 @@ pub(super) struct Arriving {
     /// What its file says of it.
     pub labels: Option<Box<fitcheck_exchange::exchange::Labels>>,
     pub file: Option<UsedFile>,
+    /// What is kept beside it; empty where there is nothing.
+    pub remark: String,
 }
 
 /// What is asked about a typed value before it is taken, as it was typed.

@@ -63,6 +63,7 @@ use self::resume::Resume;
 use super::asking::Asking;
 use super::document::OpenDocument;
 use super::effect::Effect;
+use super::gauges::FromGauge;
 use super::program::PlanForSet;
 use crate::texts::Texts;
 
@@ -97,6 +98,8 @@ pub struct PartsPage {
     /// The part that is being measured.
     pub walking: Walking,
     asking: Asking,
+    /// The gauge that the value in its field is from.
+    pub gauge: Option<FromGauge>,
     /// The parts that were measured since the window was opened, by their names and serial numbers.
     ended: BTreeSet<(String, String)>,
     /// The serial number that is to be begun once more, after the question about it.

@@ -10,6 +10,7 @@ use crate::action::{ActionScope, Shortcut};
 use crate::check::{CheckCommand, UncertaintyFrom, rule_name_id};
 use crate::command::Command;
 use crate::field::Field;
+use crate::gauges::GaugeAction;
 use crate::help::{HelpCommand, HelpPlace, HelpTopic};
 use crate::page::Page;
 use crate::purpose::Purpose;
@@ -66,6 +67,8 @@ actions! {
     LetProve(Prover): [Prover::Supplier, Prover::Customer];
     /// Chooses how the uncertainty is told.
     TellUncertainty(UncertaintyFrom): UncertaintyFrom::ALL;
+    /// Does something with the gauges.
+    Gauge(GaugeAction): GaugeAction::all();
     /// Draws the status window with a built-in mask; `None` is the mask of the language.
     UseMask(Option<Dialogue>): std::iter::once(None).chain(Dialogue::ALL.map(Some));
 }
@@ -162,6 +165,7 @@ impl Actions for SettingsAction {
                 };
                 everywhere(text, CheckCommand::TellUncertainty(from).into())
             }
+            Self::Gauge(action) => action.row(),
             Self::UseMask(language) => everywhere("mask-choice-of-language", Command::SetMask(language)),
         }
     }
@@ -174,6 +178,10 @@ impl Actions for SettingsAction {
         match field {
             Field::Settings(SettingsField::NewPin) => Some(Self::SetPin),
             Field::Settings(SettingsField::Pin) => Some(Self::TryPin),
+            Field::Settings(SettingsField::GaugePort | SettingsField::GaugeSpeed) => {
+                Some(Self::Gauge(GaugeAction::Connect))
+            }
+            Field::Settings(SettingsField::GaugeGave) => Some(Self::Gauge(GaugeAction::Teach)),
             _ => None,
         }
     }
@@ -193,6 +201,7 @@ impl Actions for SettingsAction {
             Self::LetProve(prover) => judging.prover == prover,
             Self::TellUncertainty(from) => judging.from == from,
             Self::UseMask(language) => mask_is(session, language),
+            Self::Gauge(action) => return action.is_on(session),
             _ => return None,
         })
     }

@@ -3,6 +3,7 @@
 use fitcheck_core::message::Message;
 
 use super::{Section, SettingsField};
+use crate::gauges::GaugeCommand;
 
 /// What can be done on the settings page.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,4 +26,6 @@ pub enum SettingsCommand {
     Stay,
     /// Shows a section, and no longer what was looked for.
     Show(Section),
+    /// Does something with the gauges.
+    Gauge(GaugeCommand),
 }

@@ -22,7 +22,13 @@ impl Section {
         let has_default = |control: Control| match control {
             Control::OneOf(_, first) => first.is_some(),
             Control::Switch(_) | Control::Zoom | Control::Field(Field::Check(_), ..) => true,
-            Control::Buttons(..) | Control::Ruler | Control::Field(..) | Control::Who | Control::Told(_) => false,
+            Control::Buttons(..)
+            | Control::Ruler
+            | Control::Field(..)
+            | Control::Who
+            | Control::Gauge(_)
+            | Control::Port(_)
+            | Control::Told(_) => false,
         };
         SETTINGS.iter().any(|setting| setting.section == self && has_default(setting.control))
     }
@@ -45,6 +51,8 @@ fn to_default(session: &Session, setting: &Setting) -> Option<Command> {
         | Control::Ruler
         | Control::Field(..)
         | Control::Who
+        | Control::Gauge(_)
+        | Control::Port(_)
         | Control::Told(_) => None,
     }
 }

@@ -9,4 +9,12 @@ pub enum SettingsField {
     NewPin,
     /// The PIN that is asked for where an operator leaves it.
     Pin,
+    /// What the gauge that is shown is called.
+    GaugeName,
+    /// Its port, by the name that the system has for it.
+    GaugePort,
+    /// Bits in a second.
+    GaugeSpeed,
+    /// What its newest line gave.
+    GaugeGave,
 }

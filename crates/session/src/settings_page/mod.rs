@@ -41,6 +41,7 @@ pub use table::{Control, SETTINGS, Setting, Told};
 
 use super::command::Command;
 use super::effect::Effect;
+use super::gauges::{GaugeCommand, Gauges};
 use super::saved::Saved;
 use super::shared::{News, Shared};
 use super::state::PageState;
@@ -64,6 +65,8 @@ pub struct SettingsPage {
     pub keys: Vec<KeysOfPlace>,
     /// What the last file of settings had that this version does not know: it is written again.
     unknown: toml::Table,
+    /// The gauges on serial and USB ports.
+    pub gauges: Gauges,
     /// The file that keeps the settings; `None` where nothing is kept.
     pub state_file: Option<PathBuf>,
 }
@@ -89,16 +92,31 @@ impl PageState for SettingsPage {
     type Command = SettingsCommand;
     type Field = SettingsField;
 
-    fn restored(_saved: &Saved, _shared: &Shared) -> Self {
-        Self::default()
+    fn restored(saved: &Saved, _shared: &Shared) -> Self {
+        Self { gauges: Gauges::restored(&saved.gauges), ..Self::default() }
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.gauges = self.gauges.saved();
     }
 
     fn apply(&mut self, command: SettingsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
         match command {
             SettingsCommand::Type(SettingsField::Find, query) => self.query = query,
+            SettingsCommand::Type(
+                field @ (SettingsField::GaugeName
+                | SettingsField::GaugePort
+                | SettingsField::GaugeSpeed
+                | SettingsField::GaugeGave),
+                text,
+            ) => self.gauges.type_text(field, text),
+            SettingsCommand::Gauge(command) => self.gauges.apply(command, shared),
             SettingsCommand::Show(section) => {
                 self.section = section;
                 self.query.clear();
+                if section == Section::Gauges {
+                    self.gauges.apply(GaugeCommand::FindPorts, shared);
+                }
             }
             command => return self.apply_pin(command, shared),
         }
@@ -113,6 +131,10 @@ impl PageState for SettingsPage {
         }
     }
 
+    fn take_errands(&mut self) -> Vec<Effect> {
+        self.gauges.take_errands()
+    }
+
     fn typed(field: SettingsField, text: String) -> SettingsCommand {
         SettingsCommand::Type(field, text)
     }
@@ -122,11 +144,13 @@ impl PageState for SettingsPage {
             SettingsField::Find => &self.query,
             SettingsField::NewPin => &self.new_pin,
             SettingsField::Pin => self.pin.as_deref().unwrap_or(""),
+            field => self.gauges.text(field),
         }
     }
 
     fn error(&self, field: SettingsField) -> Option<&Message> {
-        self.pin_error.as_ref().filter(|(of, _)| *of == field).map(|(_, error)| error)
+        let of_pin = self.pin_error.as_ref().filter(|(of, _)| *of == field).map(|(_, error)| error);
+        of_pin.or_else(|| self.gauges.error(field))
     }
 
     fn closes(&self) -> Option<Command> {
@@ -134,7 +158,7 @@ impl PageState for SettingsPage {
         self.found.is_some().then(clear)
     }
 
-    fn is_free_text(&self, _field: SettingsField) -> bool {
-        true
+    fn is_free_text(&self, field: SettingsField) -> bool {
+        !matches!(field, SettingsField::GaugeSpeed | SettingsField::GaugeGave)
     }
 }

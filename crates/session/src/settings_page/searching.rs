@@ -22,7 +22,10 @@ fn said(setting: &Setting, words: &Words) -> String {
     let choices = match setting.control {
         Control::OneOf(choices, _) => choices(),
         Control::Switch(action) => vec![action],
-        Control::Buttons(_, actions) | Control::Field(_, _, actions) => actions.to_vec(),
+        Control::Buttons(_, actions)
+        | Control::Field(_, _, actions)
+        | Control::Gauge(actions)
+        | Control::Port(actions) => actions.to_vec(),
         Control::Zoom | Control::Ruler | Control::Who | Control::Told(_) => Vec::new(),
     };
     let names = choices.into_iter().map(|action| choice(action, words));

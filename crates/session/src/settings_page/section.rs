@@ -15,6 +15,8 @@ pub enum Section {
     /// Where checks are recorded, and who measures.
     Records,
     ShopServer,
+    /// Gauges on serial and USB ports.
+    Gauges,
     /// Folders that are watched or remembered.
     Folders,
     /// Every key.
@@ -24,13 +26,14 @@ pub enum Section {
 
 impl Section {
     /// Every section in the order of the page.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::General,
         Self::Appearance,
         Self::Rule,
         Self::OwnFiles,
         Self::Records,
         Self::ShopServer,
+        Self::Gauges,
         Self::Folders,
         Self::Keys,
         Self::About,
@@ -45,6 +48,7 @@ impl Section {
             Self::OwnFiles => "settings-page-own-files",
             Self::Records => "settings-page-records",
             Self::ShopServer => "settings-page-shop-server",
+            Self::Gauges => "gauges-section",
             Self::Folders => "settings-page-folders",
             Self::Keys => "settings-page-keys",
             Self::About => "settings-page-about",

@@ -3,12 +3,15 @@
 use fitcheck_core::tolerance::Base;
 use fitcheck_core::verdict::rules::{Prover, RuleName};
 use fitcheck_core::words::{Dialogue, Language};
+use fitcheck_exchange::exchange::gauge::LineUnit;
+use fitcheck_gauges::{DataBits, Parity, StopBits};
 
 use super::{Section, SettingsAction, SettingsField};
 use crate::Session;
 use crate::action::{Action, WindowAction};
 use crate::check::{CheckField, UncertaintyFrom};
 use crate::field::Field;
+use crate::gauges::GaugeAction;
 use crate::page::Page;
 use crate::parts::PartsAction;
 use crate::records::{RecordsAction, RecordsField};
@@ -44,6 +47,10 @@ pub enum Control {
     Ruler,
     /// Who measures.
     Who,
+    /// Which gauge is shown, and what is done about it.
+    Gauge(&'static [Action]),
+    /// The port of the gauge that is shown, and those of this computer.
+    Port(&'static [Action]),
     /// What is in force, and set elsewhere.
     Told(Told),
 }
@@ -66,6 +73,10 @@ pub enum Told {
     Server,
     /// The folder that is watched.
     Watched,
+    /// The port of the gauge that is shown.
+    GaugePort,
+    /// The line that the gauge that is shown was taught with.
+    Taught,
     /// How many files are remembered.
     RecentFiles,
     Version,
@@ -88,6 +99,10 @@ const fn action(action: SettingsAction) -> Action {
     Action::Settings(action)
 }
 
+const fn gauge(action: GaugeAction) -> Action {
+    Action::Settings(SettingsAction::Gauge(action))
+}
+
 const fn window(action: WindowAction) -> Action {
     Action::Window(action)
 }
@@ -100,6 +115,15 @@ const fn of_check(
     unit: &'static str,
 ) -> Setting {
     row(section, names.0, names.1, Control::Field(Field::Check(field), unit, &[]))
+}
+
+/// Something of the gauge that is shown.
+const fn of_gauge(names: (&'static str, &'static str), control: Control) -> Setting {
+    row(Section::Gauges, names.0, names.1, control).when(has_gauge)
+}
+
+fn has_gauge(session: &Session) -> bool {
+    session.settings_page().gauges.shown().is_some()
 }
 
 /// Every setting, in the order of the page.
@@ -299,6 +323,47 @@ pub const SETTINGS: &[Setting] = &[
         Control::Buttons(Told::Server, &[Action::Records(RecordsAction::SendAgain)]),
     ),
     row(
+        Section::Gauges,
+        "gauges-gauge",
+        "gauges-gauge-about",
+        Control::Gauge(&[gauge(GaugeAction::Add), gauge(GaugeAction::Remove)]),
+    ),
+    of_gauge(("gauges-name", "gauges-name-about"), Control::Field(Field::Settings(SettingsField::GaugeName), "", &[])),
+    of_gauge(
+        ("gauges-port", "gauges-port-about"),
+        Control::Port(&[gauge(GaugeAction::Connect), gauge(GaugeAction::FindPorts)]),
+    ),
+    of_gauge(
+        ("gauges-speed", "gauges-speed-about"),
+        Control::Field(Field::Settings(SettingsField::GaugeSpeed), "Bd", &[]),
+    ),
+    of_gauge(
+        ("gauges-bits", "gauges-bits-about"),
+        Control::OneOf(|| DataBits::ALL.map(|of| gauge(GaugeAction::UseBits(of))).to_vec(), None),
+    ),
+    of_gauge(
+        ("gauges-parity", "gauges-parity-about"),
+        Control::OneOf(|| Parity::ALL.map(|of| gauge(GaugeAction::UseParity(of))).to_vec(), None),
+    ),
+    of_gauge(
+        ("gauges-stop", "gauges-stop-about"),
+        Control::OneOf(|| StopBits::ALL.map(|of| gauge(GaugeAction::UseStop(of))).to_vec(), None),
+    ),
+    of_gauge(
+        ("gauges-unit", "gauges-unit-about"),
+        Control::OneOf(|| LineUnit::ALL.map(|of| gauge(GaugeAction::UseUnit(of))).to_vec(), None),
+    )
+    .when(|session| session.settings_page().gauges.shown().is_some_and(|gauge| gauge.saved.taught.is_none())),
+    of_gauge(
+        ("gauges-gave", "gauges-gave-about"),
+        Control::Field(
+            Field::Settings(SettingsField::GaugeGave),
+            "mm",
+            &[gauge(GaugeAction::Teach), gauge(GaugeAction::Forget)],
+        ),
+    ),
+    of_gauge(("gauges-taught", "gauges-taught-about"), Control::Told(Told::Taught)),
+    row(
         Section::Folders,
         "settings-page-watched",
         "settings-page-watched-about",
@@ -344,6 +409,12 @@ pub(crate) fn setting_of(action: Action) -> Option<&'static Setting> {
             Action::Settings(SettingsAction::ZoomOut | SettingsAction::ZoomIn | SettingsAction::ZoomNormal)
         ),
         Control::Buttons(Told::OwnTables | Told::OwnMask, actions) => actions.contains(&action),
-        Control::Buttons(..) | Control::Ruler | Control::Field(..) | Control::Who | Control::Told(_) => false,
+        Control::Buttons(..)
+        | Control::Ruler
+        | Control::Field(..)
+        | Control::Who
+        | Control::Gauge(_)
+        | Control::Port(_)
+        | Control::Told(_) => false,
     })
 }

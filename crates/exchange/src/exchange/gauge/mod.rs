@@ -69,7 +69,7 @@ pub enum GaugeError {
 }
 
 /// What a number without a unit is in.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LineUnit {
     /// Nothing: the line says its unit, or is refused.
