@@ -19,6 +19,7 @@ use super::picture;
 use super::pin;
 use super::reading::{is_read, read};
 use super::rows::Runs;
+use super::sound::Sounds;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
 use crate::control::mask::Mask;
@@ -70,6 +71,7 @@ pub(super) struct Runner {
     watching: Watching,
     /// The ports of gauges.
     ports: Ports,
+    sounds: Sounds,
     /// Who keeps and reads records.
     desk: Desk,
 }
@@ -95,8 +97,8 @@ impl Runner {
         let rows = Arc::default();
         let works = Arc::default();
         let watching = Watching::default();
-        let ports = Ports::default();
-        Self { errands, clock, sender, receiver, files, rows, works, watching, ports, desk }
+        let (ports, sounds) = (Ports::default(), Sounds::default());
+        Self { errands, clock, sender, receiver, files, rows, works, watching, ports, sounds, desk }
     }
 
     /// Who keeps and reads records.
@@ -163,6 +165,7 @@ impl Runner {
             Effect::FindPorts => return self.order(ctx, PortOrder::Find),
             Effect::OpenGauge { run, settings } => return self.order(ctx, PortOrder::Open { run, settings }),
             Effect::CloseGauge(run) => return self.order(ctx, PortOrder::Close(run)),
+            Effect::Sound(rhythm) => return self.sounds.play(self.errands, rhythm, self.listener(ctx)),
             effect => effect,
         };
         let sender = self.sender.clone();
@@ -199,8 +202,11 @@ impl Runner {
 
     /// Does something with ports.
     fn order(&self, ctx: &Context, order: PortOrder) {
-        let listener = Listener { ctx: ctx.clone(), answers: self.sender.clone() };
-        self.ports.give(self.errands, order, listener);
+        self.ports.give(self.errands, order, self.listener(ctx));
+    }
+
+    fn listener(&self, ctx: &Context) -> Listener {
+        Listener { ctx: ctx.clone(), answers: self.sender.clone() }
     }
 
     /// Judges the rows of a large file on a thread; each of its answers asks for one frame.
@@ -364,6 +370,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::FindPorts
         | Effect::OpenGauge { .. }
         | Effect::CloseGauge(_)
+        | Effect::Sound(_)
         | Effect::ReadRecords(_)
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),

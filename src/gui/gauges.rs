@@ -25,7 +25,7 @@ pub(super) struct Listener {
 }
 
 impl Listener {
-    fn say(&self, command: Command) {
+    pub fn say(&self, command: Command) {
         // A closed window hears no answer; that is not an error.
         let _closed = self.answers.send(command);
         self.ctx.request_repaint();

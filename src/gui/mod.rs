@@ -5,7 +5,7 @@
 //! | `app` | one frame: panels, commands, effects |
 //! | `effects`, `errands`, `reading`, `file_contents` | files, dialogs and the clipboard, off the frame's thread |
 //! | `measurements` | files of measurements, and what their columns are taken for |
-//! | `gauges` | the thread that opens the ports of gauges |
+//! | `gauges`, `sound` | the threads of the ports of gauges, and of the sounds of verdicts |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
 //! | `store` | the state file |
@@ -98,6 +98,7 @@ mod section;
 mod segments;
 mod settings;
 mod shapes;
+mod sound;
 mod split;
 mod spoken;
 mod store;

@@ -133,6 +133,7 @@ mod session_rules;
 mod session_saved;
 mod session_settings;
 mod session_settings_file;
+mod session_sounds;
 mod session_tables;
 mod session_tokens;
 mod session_tools;

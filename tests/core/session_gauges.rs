@@ -3,7 +3,7 @@
 use fitcheck::exchange::gauge::{LineUnit, Taught};
 use fitcheck::gauges::{News, PortSettings, Refusal, Trouble};
 use fitcheck::session::{
-    CheckField, Command, Effect, Field, GaugeAction, GaugeCommand, Page, PartsAction, PortState, Purpose, Saved,
+    CheckField, Command, Effect, Field, GaugeAction, GaugeCommand, Mode, Page, PartsAction, PortState, Purpose, Saved,
     SavedGauge, Section, Session, SettingsAction, SettingsCommand, SettingsField, WalkField,
 };
 use fitcheck::words::Language;
@@ -306,4 +306,28 @@ fn a_value_below_a_question_of_the_walk_stays_out() {
         session.apply(PartsAction::TakeValue.command(&session).unwrap(), now().checked_add(9.seconds()).unwrap());
     assert_eq!(kept(&effects).1[0].about.remark, "measured with Bench 1");
     assert_eq!(session.text(WalkField::Value), "");
+}
+
+#[test]
+fn an_operator_reads_a_verdict_that_is_not_good_before_the_next_value_is_taken() {
+    for begin in [checking as fn() -> (Session, u64), || {
+        let mut session = walking_by(PLAN);
+        let run = connected(&mut session, LineUnit::Mm);
+        (session, run)
+    }] {
+        let (mut session, run) = begin();
+        send(&mut session, Command::SetMode(Mode::Operator));
+        let page = session.page();
+        line(&mut session, run, "25.010");
+        line_after(&mut session, run, 2_000, "25.030");
+        assert_eq!(session.history().len(), 2, "after GOOD the next value is taken, {page:?}");
+        line_after(&mut session, run, 9_000, "25.011");
+        assert_eq!(session.history().len(), 2, "SCRAP was not read yet, {page:?}");
+        assert!(session.rests(), "the verdict stays, {page:?}");
+        assert!(noticed(&session).iter().any(|said| said.contains("was not read yet")), "{:?}", noticed(&session));
+        send(&mut session, Command::GoOn);
+        let next = if page == Page::Check { "25.012" } else { "19.990" };
+        line_after(&mut session, run, 12_000, next);
+        assert_eq!(session.history().len(), 3, "{page:?}");
+    }
 }

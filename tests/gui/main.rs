@@ -32,6 +32,7 @@ mod records_page;
 mod rows;
 mod rules;
 mod settings_page;
+mod shift;
 mod sizes;
 mod small_windows;
 mod table_page;

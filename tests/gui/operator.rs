@@ -15,6 +15,7 @@ use fitcheck::session::{
 };
 use fitcheck::verdict::Status;
 
+use crate::dialogs::Dropped;
 use crate::fake_journal::Fake;
 use crate::harness::{Window, click, nowhere, press, scan, verdict};
 
@@ -196,13 +197,47 @@ fn a_name_is_typed_and_older_results_are_reached_by_touch_alone() {
     }
     click(&mut window, Role::Button, "Results");
     let said = |window: &Harness<'_, App>| -> Vec<String> {
-        let rows = window.query_all_by_role(Role::ListItem);
-        rows.map(|row| row.accesskit_node().label().unwrap_or_default()).collect()
+        let rows = window.query_all_by_role(Role::Button);
+        let names = rows.map(|row| row.accesskit_node().label().unwrap_or_default());
+        names.filter(|name| name.contains(" mm, ")).collect()
     };
     assert!(!said(&window).iter().any(|row| row.contains("25.001")));
     click(&mut window, Role::Button, "Older");
     click(&mut window, Role::Button, "Older");
     assert!(said(&window).iter().any(|row| row.contains("25.001")), "{:?}", said(&window));
+    click(&mut window, Role::Button, "25 H7, 25.001 mm, GOOD");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    assert!(window.query_by_label_contains("ISO 286").is_some(), "an older result has its reasons");
+    click(&mut window, Role::Button, "Back to the results");
+    assert!(said(&window).iter().any(|row| row.contains("25.001")), "the list is where it was");
+}
+
+#[test]
+fn a_result_below_the_verdict_opens_with_its_reasons_and_measuring_goes_on() {
+    let mut window = open();
+    scan(&mut window, "25 H7⏎25.030⏎⏎25.010⏎");
+    click(&mut window, Role::Button, "25 H7, 25.030 mm, SCRAP");
+    assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
+    click(&mut window, Role::Button, "Measure");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    click(&mut window, Role::Button, "Results");
+    assert!(window.query_by_label("Back to the results").is_none(), "Results begins with the list");
+}
+
+#[test]
+fn a_file_that_is_dropped_on_an_operators_window_is_told() {
+    let mut window = open();
+    let path = std::path::PathBuf::from("/plans/flange.csv");
+    window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    window.run();
+    window.get_by_label_contains("flange.csv is not opened here");
+}
+
+#[test]
+fn a_serial_number_that_was_scanned_stands_over_the_size() {
+    let mut window = open();
+    scan(&mut window, "25 H7⏎A-0102⏎");
+    window.get_by_label("Serial number A-0102");
 }
 
 /// A part of six features, of which the third is typed wrong and taken back, with the report at the end.

@@ -18,6 +18,8 @@ operator-part = Díl
 operator-last = Poslední výsledky
 operator-newer = Novější
 operator-older = Starší
+operator-back-to-results = Zpět k výsledkům
+operator-dropped = { $name } se zde neotevře: obsluha neotevírá soubory. Nejprve přejděte do úplného okna.
 operator-no-results = Zatím nic nebylo změřeno.
 operator-features = { $count ->
     [one] 1 prvek

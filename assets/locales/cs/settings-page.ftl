@@ -19,6 +19,10 @@ settings-page-defaults-hint = Nastaví tento oddíl jako při prvním spuštěn�
 # General
 settings-page-language-about = Všechny texty okna a jeho desetinný oddělovač.
 settings-page-keypad-about = Velké klávesy pro dotykové obrazovky a rukavice.
+sounds = Zvuky
+sounds-about = Každý výrok je slyšet: jeden dlouhý tón znamená dobrý, dva tóny žádají pohled na obrobek, tři znamenají zmetek. Simulované hodnoty slyšet není.
+sounds-failed = Není slyšet žádný zvuk: { $reason }
+sounds-no-player = Není slyšet žádný zvuk: v tomto počítači není žádný z těchto programů: { $players }
 settings-page-shop = Nastavení pro celou dílnu
 settings-page-shop-about = Jeden soubor pro ostatní stanice. Neobsahuje jméno, adresu serveru ani předpis.
 settings-page-export = Exportovat nastavení…

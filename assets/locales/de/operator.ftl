@@ -18,6 +18,8 @@ operator-part = Teil
 operator-last = Letzte Ergebnisse
 operator-newer = Neuere
 operator-older = Ältere
+operator-back-to-results = Zurück zu den Ergebnissen
+operator-dropped = { $name } wird hier nicht geöffnet: ein Bediener öffnet keine Dateien. Zuerst in das volle Fenster wechseln.
 operator-no-results = Noch nichts wurde gemessen.
 operator-features = { $count ->
     [one] 1 Merkmal

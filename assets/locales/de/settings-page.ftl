@@ -19,6 +19,10 @@ settings-page-defaults-hint = Setzt diesen Abschnitt wie beim ersten Start. Date
 # Allgemein
 settings-page-language-about = Alle Texte des Fensters, und sein Dezimalzeichen.
 settings-page-keypad-about = Große Tasten für Touchscreens und Handschuhe.
+sounds = Töne
+sounds-about = Jedes Urteil ist zu hören: ein langer Ton heißt gut, zwei Töne bitten um einen Blick auf das Werkstück, drei heißen Ausschuss. Simulierte Werte sind nicht zu hören.
+sounds-failed = Es ist kein Ton zu hören: { $reason }
+sounds-no-player = Es ist kein Ton zu hören: Keines dieser Programme ist auf diesem Computer: { $players }
 settings-page-shop = Einstellungen für die ganze Werkstatt
 settings-page-shop-about = Eine Datei für andere Stationen. Ohne Namen, Serveradresse und Toleranzangabe.
 settings-page-export = Einstellungen exportieren…

@@ -77,3 +77,4 @@ gauges-asking = the page asks something: answer it and measure again
 gauges-typing = a value is being typed: press Enter or empty the field
 gauges-not-good = the verdict before it is not good and came less than a second ago: look at it and measure again
 gauges-no-ports = the ports of this computer cannot be listed: { $reason }
+gauges-unread = the verdict before it was not read yet: press Next and measure again

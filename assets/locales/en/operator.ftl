@@ -18,6 +18,8 @@ operator-part = Part
 operator-last = Last results
 operator-newer = Newer
 operator-older = Older
+operator-back-to-results = Back to the results
+operator-dropped = { $name } is not opened here: an operator opens no files. Leave to the full window first.
 operator-no-results = Nothing was measured yet.
 operator-features = { $count ->
     [one] 1 feature

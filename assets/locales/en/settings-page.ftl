@@ -19,6 +19,10 @@ settings-page-defaults-hint = Sets this section as at the first start. Files, na
 # General
 settings-page-language-about = All texts of the window, and its decimal sign.
 settings-page-keypad-about = Large keys for touch screens and gloves.
+sounds = Sounds
+sounds-about = Each verdict is heard: one long tone is good, two tones ask for a look at the part, three are scrap. Simulated values are not heard.
+sounds-failed = No sound is heard: { $reason }
+sounds-no-player = No sound is heard: none of these programs is on this computer: { $players }
 settings-page-shop = Settings for the whole shop
 settings-page-shop-about = One file for other stations. It has no name, no address of a server and no callout.
 settings-page-export = Export settings…

@@ -77,3 +77,4 @@ gauges-asking = la página pregunta algo: responda y mida de nuevo
 gauges-typing = se está escribiendo un valor: pulse Intro o vacíe el campo
 gauges-not-good = el dictamen anterior no es bueno y llegó hace menos de un segundo: mírelo y mida de nuevo
 gauges-no-ports = los puertos de este ordenador no se pueden enumerar: { $reason }
+gauges-unread = el dictamen anterior aún no se ha leído: pulsar Siguiente y medir de nuevo

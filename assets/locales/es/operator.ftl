@@ -18,6 +18,8 @@ operator-part = Pieza
 operator-last = Últimos resultados
 operator-newer = Más recientes
 operator-older = Más antiguos
+operator-back-to-results = Volver a los resultados
+operator-dropped = { $name } no se abre aquí: un operador no abre archivos. Pasar primero a la ventana completa.
 operator-no-results = Aún no se ha medido nada.
 operator-features = { $count ->
     [one] 1 elemento

@@ -19,6 +19,10 @@ settings-page-defaults-hint = Deja esta sección como en el primer inicio. Archi
 # General
 settings-page-language-about = Todos los textos de la ventana, y su signo decimal.
 settings-page-keypad-about = Teclas grandes para pantallas táctiles y guantes.
+sounds = Sonidos
+sounds-about = Cada dictamen se oye: un tono largo es bueno, dos tonos piden mirar la pieza, tres son rechazo. Los valores simulados no se oyen.
+sounds-failed = No se oye ningún sonido: { $reason }
+sounds-no-player = No se oye ningún sonido: ninguno de estos programas está en este ordenador: { $players }
 settings-page-shop = Configuración para todo el taller
 settings-page-shop-about = Un archivo para otros puestos. No contiene ningún nombre, dirección de servidor ni cota.
 settings-page-export = Exportar configuración…

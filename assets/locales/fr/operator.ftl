@@ -18,6 +18,8 @@ operator-part = Pièce
 operator-last = Derniers résultats
 operator-newer = Plus récents
 operator-older = Plus anciens
+operator-back-to-results = Retour aux résultats
+operator-dropped = { $name } ne s'ouvre pas ici : un opérateur n'ouvre pas de fichiers. Passer d'abord à la fenêtre complète.
 operator-no-results = Rien n'a encore été mesuré.
 operator-features = { $count ->
     [one] { $count } élément

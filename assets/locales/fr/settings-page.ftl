@@ -19,6 +19,10 @@ settings-page-defaults-hint = Remet cette section comme au premier démarrage. F
 # Général
 settings-page-language-about = Tous les textes de la fenêtre, et son séparateur décimal.
 settings-page-keypad-about = Grandes touches pour écrans tactiles et gants.
+sounds = Sons
+sounds-about = Chaque verdict s'entend : un son long, c'est bon ; deux sons demandent de regarder la pièce ; trois, c'est rebut. Les valeurs simulées ne s'entendent pas.
+sounds-failed = Aucun son ne s'entend : { $reason }
+sounds-no-player = Aucun son ne s'entend : aucun de ces programmes n'est sur cet ordinateur : { $players }
 settings-page-shop = Réglages pour tout l'atelier
 settings-page-shop-about = Un fichier pour les autres postes. Sans nom, sans adresse de serveur et sans cote tolérancée.
 settings-page-export = Exporter les réglages…

@@ -18,6 +18,8 @@ operator-part = Pezzo
 operator-last = Ultimi risultati
 operator-newer = Più recenti
 operator-older = Meno recenti
+operator-back-to-results = Torna ai risultati
+operator-dropped = { $name } non si apre qui: un operatore non apre file. Passare prima alla finestra completa.
 operator-no-results = Non è stato ancora misurato nulla.
 operator-features = { $count ->
     [one] 1 elemento

@@ -19,6 +19,10 @@ settings-page-defaults-hint = Riporta questa sezione come al primo avvio. File, 
 # Generale
 settings-page-language-about = Tutti i testi della finestra, e il suo segno decimale.
 settings-page-keypad-about = Tasti grandi per schermi tattili e guanti.
+sounds = Suoni
+sounds-about = Ogni esito si sente: un suono lungo è buono, due suoni chiedono di guardare il pezzo, tre sono scarto. I valori simulati non si sentono.
+sounds-failed = Non si sente alcun suono: { $reason }
+sounds-no-player = Non si sente alcun suono: nessuno di questi programmi è su questo computer: { $players }
 settings-page-shop = Impostazioni per tutta l'officina
 settings-page-shop-about = Un solo file per altre stazioni. Senza nome, indirizzo di server e indicazione.
 settings-page-export = Esportare impostazioni…

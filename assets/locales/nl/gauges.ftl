@@ -77,3 +77,4 @@ gauges-asking = de pagina vraagt iets: beantwoord dat en meet opnieuw
 gauges-typing = er wordt een waarde getypt: druk op Enter of maak het veld leeg
 gauges-not-good = het oordeel ervoor is niet goed en kwam minder dan een seconde geleden: bekijk het en meet opnieuw
 gauges-no-ports = de poorten van deze computer kunnen niet worden opgesomd: { $reason }
+gauges-unread = het oordeel ervoor is nog niet gelezen: druk op Volgende en meet opnieuw

@@ -18,6 +18,8 @@ operator-part = Onderdeel
 operator-last = Laatste resultaten
 operator-newer = Nieuwer
 operator-older = Ouder
+operator-back-to-results = Terug naar de resultaten
+operator-dropped = { $name } wordt hier niet geopend: een operator opent geen bestanden. Ga eerst naar het volledige venster.
 operator-no-results = Er is nog niets gemeten.
 operator-features = { $count ->
     [one] 1 element

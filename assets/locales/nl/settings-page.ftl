@@ -19,6 +19,10 @@ settings-page-defaults-hint = Zet deze groep terug zoals bij de eerste start. Be
 # General
 settings-page-language-about = Alle teksten van het venster, en het decimaalteken.
 settings-page-keypad-about = Grote toetsen voor aanraakschermen en handschoenen.
+sounds = Geluid
+sounds-about = Elk oordeel klinkt: één lange toon is goed, twee tonen vragen om een blik op het werkstuk, drie zijn afkeur. Gesimuleerde waarden klinken niet.
+sounds-failed = Er klinkt geen geluid: { $reason }
+sounds-no-player = Er klinkt geen geluid: geen van deze programma’s staat op deze computer: { $players }
 settings-page-shop = Instellingen voor de hele werkplaats
 settings-page-shop-about = Eén bestand voor andere stations. Zonder naam, serveradres en passing.
 settings-page-export = Instellingen exporteren…

@@ -18,6 +18,8 @@ operator-part = Część
 operator-last = Ostatnie wyniki
 operator-newer = Nowsze
 operator-older = Starsze
+operator-back-to-results = Wróć do wyników
+operator-dropped = { $name } nie otworzy się tutaj: operator nie otwiera plików. Najpierw przejść do pełnego okna.
 operator-no-results = Jeszcze niczego nie zmierzono.
 operator-features = { $count ->
     [one] 1 element

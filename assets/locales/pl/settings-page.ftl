@@ -19,6 +19,10 @@ settings-page-defaults-hint = Ustawia tę sekcję jak przy pierwszym uruchomieni
 # Ogólne
 settings-page-language-about = Wszystkie teksty okna i jego znak dziesiętny.
 settings-page-keypad-about = Duże klawisze do ekranów dotykowych i rękawic.
+sounds = Dźwięki
+sounds-about = Każdą ocenę słychać: jeden długi ton to dobry, dwa tony proszą o spojrzenie na detal, trzy to brak. Wartości symulowanych nie słychać.
+sounds-failed = Nie słychać dźwięku: { $reason }
+sounds-no-player = Nie słychać dźwięku: na tym komputerze nie ma żadnego z tych programów: { $players }
 settings-page-shop = Ustawienia dla całego warsztatu
 settings-page-shop-about = Jeden plik dla innych stanowisk. Nie ma w nim nazwiska, adresu serwera ani wymiaru tolerowanego.
 settings-page-export = Eksportuj ustawienia…

@@ -52,10 +52,16 @@ macro_rules! command {
             Answer(usize),
             /// Shows or hides the keypad.
             ShowKeypad(bool),
+            /// Makes a sound for each verdict, or none.
+            UseSounds(bool),
+            /// No sound could be played.
+            SoundFailed(Message),
             /// Chooses whom the window is for.
             SetMode(Mode),
             /// Says how large a millimetre is on this screen.
             SetRuler(Option<Ruler>),
+            /// A file of this name was dropped on the operator's window.
+            DroppedOnOperator(String),
             /// Goes on from a verdict that has been read to the next value.
             GoOn,
             /// Changes the language of the window.

@@ -15,6 +15,7 @@ use fitcheck_nc::sets::NcSet;
 use super::field::Field;
 use super::files::{Content, DialogId, Launch};
 use super::purpose::{ImportInto, Purpose};
+use super::sound::Rhythm;
 
 /// What the state asks of the outside world; done at the edge, not on the frame's thread.
 #[derive(Debug, Clone, PartialEq)]
@@ -177,6 +178,8 @@ pub enum Effect {
     },
     /// Close the port of this number.
     CloseGauge(u64),
+    /// Play the sound of a verdict after the one that is heard, and send `Command::SoundFailed` where there is none.
+    Sound(Rhythm),
     /// Ask the system for what is on the clipboard; it comes to what has the focus.
     AskForClipboard,
     /// Hash a PIN with a salt of its own and send `SettingsCommand::PinHashed`.

@@ -92,6 +92,7 @@ mod saved;
 mod settings;
 mod settings_page;
 mod shared;
+mod sound;
 mod state;
 mod step;
 pub mod tables;
@@ -172,6 +173,7 @@ pub use settings_page::{
 };
 pub use shared::MaskChoice;
 use shared::OwnMask;
+pub use sound::Rhythm;
 pub use step::Step;
 pub use tables::{TablesAction, TablesCommand, TablesField, TablesPage};
 pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
@@ -317,6 +319,7 @@ impl Session {
         shared.ruler = saved.ruler;
         shared.pin.clone_from(&saved.pin);
         shared.keypad = saved.keypad;
+        shared.sounds = saved.sounds;
         shared.places = Places::restore(saved.files.clone());
         shared.density = saved.density;
         shared.rows = saved.rows;
@@ -354,6 +357,7 @@ impl Session {
             ruler: self.shared.ruler,
             pin: self.shared.pin.clone(),
             keypad: self.shared.keypad,
+            sounds: self.shared.sounds,
             density: self.shared.density,
             rows: self.shared.rows,
             decimal: self.shared.decimal,
@@ -409,6 +413,9 @@ impl Session {
         self.shared.take_worth(self.check.own_worth());
         let before = self.is_setting(&command).then(|| self.saved());
         let checks = self.shared.history.len();
+        // What a journal had is shown, and was measured before.
+        let is_measuring = !matches!(command, Command::Records(_));
+        let hears = matches!(command, Command::UseSounds(true)).then_some(Rhythm::Long);
         let mut effects = self.apply_command(command, now);
         let copied = effects.iter().find_map(|effect| if let Effect::Copy(text) = effect { Some(text) } else { None });
         if let Some(text) = copied {
@@ -419,9 +426,13 @@ impl Session {
         }
         // Who has a verdict needs no first steps any more.
         self.shared.welcomes &= self.shared.history.len() <= checks;
-        if checks < self.shared.history.len() && !self.shared.history.is_newest_good() {
+        let came = if is_measuring { self.shared.history.len().saturating_sub(checks) } else { 0 };
+        let newest = self.shared.history.newest(came);
+        if newest.iter().any(|record| record.verdict.asks_for_a_look()) {
             self.settings_page.gauges.saw_not_good(now);
         }
+        let heard = newest.iter().filter_map(|record| Rhythm::of(record)).max().or(hears);
+        effects.extend(heard.filter(|_| self.shared.sounds).map(Effect::Sound));
         self.shared.take_worth(self.check.own_worth());
         let errands = self.spread_news();
         if let Some(format) = self.records.report_soon.take() {
@@ -523,11 +534,14 @@ impl Session {
                 return effects;
             }
             Command::OpenPage(page) => shared.open(page),
+            Command::SoundFailed(why) => shared.tell(why),
+            Command::DroppedOnOperator(name) => shared.tell(message!("operator-dropped").text("name", name)),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::GoOn => return self.go_on(),
             Command::SetMode(_)
             | Command::SetRuler(_)
             | Command::ShowKeypad(_)
+            | Command::UseSounds(_)
             | Command::SetLanguage(_)
             | Command::SetTheme(_)
             | Command::SetDensity(_)

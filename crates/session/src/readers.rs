@@ -140,6 +140,11 @@ impl Session {
         self.shared.keypad
     }
 
+    /// Whether a verdict is heard.
+    pub const fn has_sounds(&self) -> bool {
+        self.shared.sounds
+    }
+
     /// All checks, how they are listed, and which are chosen.
     pub const fn history(&self) -> &History {
         &self.shared.history

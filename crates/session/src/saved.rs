@@ -38,6 +38,8 @@ pub struct Saved {
     pub pin: Option<String>,
     /// Whether the keypad is shown.
     pub keypad: bool,
+    /// Whether a verdict is heard.
+    pub sounds: bool,
     /// How high everything is that is pressed.
     pub density: Density,
     /// How high the rows of lists are.
@@ -184,6 +186,7 @@ impl Default for Saved {
             ruler: None,
             pin: None,
             keypad: false,
+            sounds: false,
             density: Density::default(),
             rows: RowHeight::default(),
             decimal: DecimalSign::default(),

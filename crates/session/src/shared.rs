@@ -163,6 +163,8 @@ pub(super) struct Shared {
     pub pin: Option<String>,
     /// Whether the keypad is shown.
     pub keypad: bool,
+    /// Whether a verdict is heard.
+    pub sounds: bool,
     pub density: Density,
     pub decimal: DecimalSign,
     pub rows: RowHeight,
@@ -272,6 +274,7 @@ impl Shared {
             Command::SetMode(mode) => self.set_mode(mode),
             Command::SetRuler(ruler) => self.ruler = ruler,
             Command::ShowKeypad(shown) => self.keypad = shown,
+            Command::UseSounds(sounds) => self.sounds = sounds,
             Command::SetLanguage(language) => self.set_language(language),
             Command::SetTheme(theme) => self.theme = theme,
             Command::SetDensity(density) => self.density = density,

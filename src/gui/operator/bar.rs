@@ -5,7 +5,7 @@ use eframe::egui::{
     Align, Align2, Frame, Layout, Margin, Panel, Rect, Response, RichText, Sense, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::names;
+use super::{names, results};
 use crate::gui::rail::paint_item;
 use crate::gui::shapes::{self, Edge, times};
 use crate::gui::theme::{self, Icon, control, palette, sizes, space};
@@ -14,7 +14,7 @@ use crate::gui::view::{View, quiet_text};
 use crate::message::{Message, message};
 use crate::session::help::{HelpPlace, HelpTopic};
 use crate::session::parts::Walking;
-use crate::session::{Action, Command, HelpCommand, Page, RecordsField, SettingsAction, WindowAction};
+use crate::session::{Action, CheckField, Command, HelpCommand, Page, RecordsField, SettingsAction, WindowAction};
 
 /// The operator's page of the manual.
 const PAGE: &str = "operator.md";
@@ -75,11 +75,15 @@ fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
     for (page, name, icon, is_on) in pages {
         let name = view.text(name);
         let is_on = is_on && !shows_names;
-        if item_ui(ui, (icon, &name), Some(is_on), true).clicked() && !is_on {
+        let is_open = page == Page::Records && results::is_open(ui);
+        if item_ui(ui, (icon, &name), Some(is_on), true).clicked() && (!is_on || is_open) {
             names::open(ui, false);
             match page {
                 Page::Help => view.send(HelpCommand::Open(HelpPlace::of(HelpTopic::Manual(PAGE)))),
-                page => view.act(WindowAction::Open(page)),
+                page => {
+                    results::open(ui, None);
+                    view.act(WindowAction::Open(page));
+                }
             }
         }
     }
@@ -103,7 +107,7 @@ fn item_ui(ui: &mut Ui, (icon, name): (Icon, &str), is_on: Option<bool>, is_poss
     response
 }
 
-/// The part and its serial number; one size has neither.
+/// The part and its serial number, where they are known.
 fn title_ui(ui: &mut Ui, view: &View<'_>, room: f32) {
     let walking = &view.session.parts().walking;
     let is_part = view.session.page() == Page::Parts && walking.is_begun();
@@ -136,21 +140,26 @@ fn titles(view: &View<'_>, is_part: bool) -> [String; 2] {
     if is_part {
         let part = walking.plan.as_ref().map_or_else(String::new, |plan| plan.head.part.clone());
         let name = if part.is_empty() { view.text("operator-part") } else { part };
-        let serial = walking.serial();
-        let serial = if serial.is_empty() {
-            String::new()
-        } else {
-            view.words.say(&message!("walk-page-part-serial").text("serial", serial))
-        };
-        return [name, serial];
+        return [name, serial_text(view, walking.serial())];
     }
     let name = match session.page() {
-        Page::Check => "operator-one-size",
+        Page::Check => {
+            let part = session.text(CheckField::Part).trim();
+            let name = if part.is_empty() { view.text("operator-one-size") } else { part.to_owned() };
+            return [name, serial_text(view, session.text(CheckField::Serial).trim())];
+        }
         Page::Parts => "operator-part",
         Page::Records => "operator-results",
         _ => "page-help",
     };
     [view.text(name), String::new()]
+}
+
+fn serial_text(view: &View<'_>, serial: &str) -> String {
+    if serial.is_empty() {
+        return String::new();
+    }
+    view.words.say(&message!("walk-page-part-serial").text("serial", serial))
 }
 
 const BALLOON: f32 = 26.0;

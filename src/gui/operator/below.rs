@@ -73,23 +73,26 @@ pub(super) fn below_ui(ui: &mut Ui, view: &mut View<'_>, below: &Below<'_>) {
     }
     page_card_ui(ui, |ui| match (shown, below.record) {
         (Shown::Why, Some(record)) => {
-            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-                // In words of the workshop first, then where the limits come from.
-                let card = check_card(view.words, record, below.is_round);
-                heading(ui, format!("{}, {}", card.word, limits_text(view.words, &record.limits)));
-                let what = card.instruction.map(|(what, rest)| format!("{what}: {rest}"));
-                for line in card.lines.into_iter().chain(what) {
-                    ui.label(RichText::new(line).font(theme::font(sizes().limits)));
-                }
-                ui.separator();
-                why_ui(ui, view, record);
-            });
+            let is_round = below.is_round;
+            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| reasons_ui(ui, view, record, is_round));
         }
         (Shown::Features, _) if below.is_part => features_ui(ui, view),
         _ if below.is_part && has_walk_picture(view) => walk_picture_ui(ui, view),
         _ if below.is_part => features_ui(ui, view),
         _ => results::last_ui(ui, view),
     });
+}
+
+/// In words of the workshop first, then where the limits come from.
+pub(super) fn reasons_ui(ui: &mut Ui, view: &View<'_>, record: &Record, is_round: bool) {
+    let card = check_card(view.words, record, is_round);
+    heading(ui, format!("{}, {}", card.word, limits_text(view.words, &record.limits)));
+    let what = card.instruction.map(|(what, rest)| format!("{what}: {rest}"));
+    for line in card.lines.into_iter().chain(what) {
+        ui.label(RichText::new(line).font(theme::font(sizes().limits)));
+    }
+    ui.separator();
+    why_ui(ui, view, record);
 }
 
 /// A button of the foot.

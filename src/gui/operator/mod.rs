@@ -9,7 +9,7 @@
 //! | `asked` | left: the value and the keypad, over the button that Enter is for |
 //! | `verdict` | the word, as large as its language fits |
 //! | `below` | right, below: the band over what was asked for: reasons, features, the picture, the last results |
-//! | `results` | what was measured last |
+//! | `results`, `result` | what was measured last; one of them with its reasons |
 //! | `lock` | the way out, where a PIN locks it |
 //! | `names` | who measures |
 //! | `question` | at the first touch: whom this window is for |
@@ -24,6 +24,7 @@ mod lock;
 mod names;
 mod part;
 mod question;
+mod result;
 mod results;
 mod verdict;
 
@@ -35,7 +36,7 @@ use super::pages::page_of;
 use super::shapes::times;
 use super::theme;
 use super::view::View;
-use crate::session::Page;
+use crate::session::{Command, Page};
 
 /// What lies over the page leaves the buttons at its foot free.
 pub(super) const FOOT: f32 = 64.0;
@@ -59,16 +60,27 @@ fn gap(ui: &Ui) -> i8 {
 
 /// The bar and the open page.
 pub(super) fn operator_ui(ui: &mut Ui, view: &mut View<'_>) {
+    dropped_ui(ui, view);
     bar::bar_ui(ui, view);
     let canvas = Frame::new().fill(theme::palette(ui.ctx()).canvas.0).inner_margin(gap(ui));
     CentralPanel::default().frame(canvas).show(ui, |ui| match view.session.page() {
         _ if view.session.settings_page().asks_for_pin() => lock::lock_ui(ui, view),
         _ if names::is_open(ui) => names::names_ui(ui, view),
+        Page::Records if results::is_open(ui) => result::result_ui(ui, view),
         Page::Records => results::results_ui(ui, view),
         Page::Parts => part::part_ui(ui, view),
         Page::Help => (page_of(Page::Help).ui)(ui, view),
         _ => check::check_ui(ui, view),
     });
+}
+
+/// Files are for the full window: whoever drops one is told.
+fn dropped_ui(ui: &Ui, view: &mut View<'_>) {
+    for file in ui.input(|input| input.raw.dropped_files.clone()) {
+        let path = file.path();
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        view.send(Command::DroppedOnOperator(name));
+    }
 }
 
 /// What is asked at the left, and the answer right of it.

@@ -31,7 +31,7 @@ impl CheckPage {
     }
 
     /// Whether a verdict is shown that asks for a look.
-    fn waits(&self) -> bool {
+    pub(crate) fn waits(&self) -> bool {
         self.would_repeat() && self.shown.as_ref().is_some_and(|shown| shown.record.verdict.asks_for_a_look())
     }
 }

@@ -70,7 +70,13 @@ impl Session {
     fn why_not(&self, now: DateTime) -> Option<Message> {
         let field = self.field_of_values()?;
         let shared = &self.shared;
+        let is_unread = shared.is_for_operators()
+            && match field {
+                Field::Check(_) => self.check.waits(),
+                _ => self.parts.walking.waits(),
+            };
         let is_covered = shared.dialog.is_some()
+            || self.asks_for_mode()
             || self.palette.is_some()
             || shared.leaving
             || shared.columns.open().is_some()
@@ -92,6 +98,8 @@ impl Session {
             Some(message!("gauges-asking"))
         } else if is_typing {
             Some(message!("gauges-typing"))
+        } else if is_unread {
+            Some(message!("gauges-unread"))
         } else {
             is_soon(self.settings_page.gauges.not_good, now).then(|| message!("gauges-not-good"))
         }

@@ -16,7 +16,6 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
-use fitcheck_core::verdict::Status;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::memory::{Memory, Removed};
 use fitcheck_exchange::journal::query::{Query, RecordId, Records};
@@ -98,10 +97,11 @@ impl History {
         self.records.get(id)
     }
 
-    /// Whether the check that was made last is good, or there is none.
-    pub(super) fn is_newest_good(&self) -> bool {
-        let newest = RecordId(self.next().0.saturating_sub(1));
-        self.get(newest).is_none_or(|record| record.verdict.status() == Status::Good)
+    /// The checks that were made last, so many of them.
+    pub(super) fn newest(&self, count: usize) -> Vec<Arc<Record>> {
+        let end = self.next().0;
+        let begin = end.saturating_sub(u64::try_from(count).unwrap_or(end));
+        (begin..end).filter_map(|id| self.get(RecordId(id))).collect()
     }
 
     /// What the list shows: the answer to the filter, in the chosen order.

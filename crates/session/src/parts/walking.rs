@@ -226,7 +226,7 @@ impl Walking {
     }
 
     /// Whether it asks for a look.
-    pub(super) fn waits(&self) -> bool {
+    pub(crate) fn waits(&self) -> bool {
         self.resting().is_some_and(|value| value.record.verdict.asks_for_a_look())
     }
 

@@ -57,6 +57,8 @@ actions! {
     ZoomIn;
     /// Draws the window as large as the system says.
     ZoomNormal;
+    /// Makes a sound for each verdict, or none.
+    Sounds;
     /// Chooses what stands before the decimals of a number.
     UseDecimal(DecimalSign): DecimalSign::ALL;
     /// Chooses how high the rows of lists are.
@@ -134,6 +136,10 @@ impl Actions for SettingsAction {
             Self::ZoomIn => scaled("settings-page-zoom-in", |session| Command::SetZoom(session.zoom().larger()))
                 .when(|session| session.zoom() < Zoom::MOST),
             Self::ZoomNormal => everywhere("settings-page-zoom-normal", Command::SetZoom(Zoom::NORMAL)),
+            Self::Sounds => {
+                let switched = |session: &Session| Command::UseSounds(!session.has_sounds());
+                ActionRow::new(ActionScope::Everywhere, "sounds", Sends::FromState(switched))
+            }
             Self::UseDecimal(decimal) => {
                 let text = match decimal {
                     DecimalSign::OfLanguage => "settings-page-decimal-of-language",
@@ -195,6 +201,7 @@ impl Actions for SettingsAction {
             }
             Self::UseMode(mode) => session.mode() == mode,
             Self::UseLanguage(language) => session.language() == language,
+            Self::Sounds => session.has_sounds(),
             Self::UseDecimal(decimal) => session.decimal() == decimal,
             Self::UseRows(rows) => session.rows() == rows,
             Self::UseRule(rule) => judging.rule == rule,

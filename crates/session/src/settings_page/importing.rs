@@ -55,6 +55,7 @@ impl Session {
                     | Command::SetDecimal(_)
                     | Command::SetZoom(_)
                     | Command::ShowKeypad(_)
+                    | Command::UseSounds(_)
                     | Command::UseSource(_)
                     | Command::SetStandard(_)
                     | Command::BackToDefaults(_)
@@ -101,6 +102,7 @@ fn changes(now: &Saved, wanted: &Saved) -> Vec<Change> {
     change(wanted.language != now.language, "language", Command::SetLanguage(wanted.language));
     change(wanted.theme != now.theme, "settings-page-colours", Command::SetTheme(wanted.theme));
     change(wanted.keypad != now.keypad, "keypad", Command::ShowKeypad(wanted.keypad));
+    change(wanted.sounds != now.sounds, "sounds", Command::UseSounds(wanted.sounds));
     change(wanted.density != now.density, "density", Command::SetDensity(wanted.density));
     change(wanted.rows != now.rows, "settings-page-rows", Command::SetRows(wanted.rows));
     change(wanted.decimal != now.decimal, "settings-page-decimal", Command::SetDecimal(wanted.decimal));

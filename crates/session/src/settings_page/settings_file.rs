@@ -12,10 +12,11 @@ use crate::saved::{Saved, SavedError};
 use crate::texts::KeptField as _;
 
 /// The keys of the state file that the file has besides texts.
-const SHARED: [&str; 11] = [
+const SHARED: [&str; 12] = [
     "language",
     "theme",
     "keypad",
+    "sounds",
     "density",
     "rows",
     "decimal",

@@ -151,6 +151,7 @@ pub const SETTINGS: &[Setting] = &[
         ),
     ),
     row(Section::General, "keypad", "settings-page-keypad-about", Control::Switch(window(WindowAction::Keypad))),
+    row(Section::General, "sounds", "sounds-about", Control::Switch(action(SettingsAction::Sounds))),
     row(
         Section::General,
         "settings-page-shop",
