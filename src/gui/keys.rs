@@ -4,10 +4,11 @@
 
 use eframe::egui::{self, Event, EventFilter, Ui};
 
+use super::field;
 use super::key_names::{held, is_repeated, of_window, part_id, pressed_key};
 use super::view::View;
-use crate::session::PartsAction;
 use crate::session::action::{Keeps, Key, Part, Shortcut};
+use crate::session::{CheckField, Field, Page, PartsAction, WalkField};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
@@ -16,7 +17,7 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     if !ui.input(|input| input.events.iter().any(is_press)) {
         return;
     }
-    let keys = view.session.keys(part, ui.ctx().text_edit_focused());
+    let keys = view.session.keys(part, types_text(ui, view));
     let has_list = egui::Popup::is_any_open(ui.ctx());
     let mut pressed = Vec::new();
     ui.input_mut(|input| {
@@ -38,6 +39,19 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     for action in pressed {
         view.act(action);
     }
+}
+
+/// Whether keys belong to a text that is being typed. The field of the value keeps the focus after its verdict: there is nothing in it any
+/// more that could be undone, but the check can.
+fn types_text(ui: &Ui, view: &View<'_>) -> bool {
+    let session = view.session;
+    let value: Field = match session.page() {
+        Page::Check => CheckField::Measured.into(),
+        Page::Parts => WalkField::Value.into(),
+        _ => return ui.ctx().text_edit_focused(),
+    };
+    let is_settled = session.rests() || session.text(value).trim().is_empty();
+    ui.ctx().text_edit_focused() && !(is_settled && ui.memory(|memory| memory.has_focus(field::id(value))))
 }
 
 /// The part of the page that has the focus as a whole. Arrows stay in it.

@@ -6,8 +6,7 @@ use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, TouchDeviceId, To
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::message::Message;
-use fitcheck::session::{CheckField, Mode, Page, PartsAction, Purpose};
+use fitcheck::session::{Action, CheckField, Mode, Page, PartsAction, Purpose};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
@@ -48,7 +47,10 @@ impl User {
                 self.window.key_press(Key::Space);
             }
             Hand::Touch => {
-                self.window.get_by_role_and_label(role, name).scroll_to_me();
+                match self.window.query_by_role_and_label(role, name) {
+                    Some(node) => node.scroll_to_me(),
+                    None => self.lacks(role, name),
+                }
                 self.window.run();
                 let at = self.window.get_by_role_and_label(role, name).rect().center();
                 self.touch(at);
@@ -69,8 +71,12 @@ impl User {
             }
             scan(&mut self.window, "⇥");
         }
+        self.lacks(role, name);
+    }
+
+    fn lacks(&self, role: Role, name: &str) -> ! {
         let names: Vec<_> = self.window.query_all_by_role(role).map(|node| node.accesskit_node().label()).collect();
-        panic!("Tab does not lead to {role:?} {name:?}; there are {names:?}");
+        panic!("{role:?} {name:?} is not reached; there are {names:?}");
     }
 
     /// What a system tells of a finger: a touch, and the pointer that follows it.
@@ -134,9 +140,9 @@ impl User {
 
     /// The class of a callout, on the sheet of its side.
     fn class(&mut self, class: &str) {
-        let sheet = self.text("key-holes");
+        let (sheet, key) = (self.text("key-holes"), format!("{} {class}", self.text("key")));
         self.press(Role::Button, &sheet);
-        self.press(Role::Button, class);
+        self.press(Role::Button, &key);
     }
 
     fn chooses_language_and_mode(&mut self, mode: Mode) {
@@ -211,7 +217,7 @@ impl User {
         assert!(verdict(&self.window).starts_with(&self.text("status-scrap")), "{}", verdict(&self.window));
         let why = self.text("why");
         self.press(Role::Button, &why);
-        assert!(self.window.query_by_label_contains("ISO 286").is_some(), "the reasons are in sight");
+        assert!(self.window.query_by_label_contains("Grensmaten uit ISO 286").is_some(), "the reasons are in sight");
         self.press(Role::Button, &why);
         match self.hand {
             Hand::Keys => {
@@ -219,7 +225,8 @@ impl User {
                 self.window.run();
             }
             Hand::Touch => {
-                let undo = self.text("operator-undo");
+                let is_operator = self.window.state().session().is_for_operators();
+                let undo = self.text(if is_operator { "operator-undo" } else { "top-undo" });
                 self.press(Role::Button, &undo);
             }
         }
@@ -237,17 +244,17 @@ impl User {
     }
 
     fn writes_the_report(&mut self) {
-        let session = self.window.state().session();
-        let name = if session.is_for_operators() {
-            self.text("operator-report")
-        } else {
-            fitcheck::session::Action::from(PartsAction::ReportPart(0)).text(session, &self.words)
-        };
-        self.press(Role::Button, &name);
-        if self.window.state().session().dialog().is_some() {
-            let write = self.text("save");
-            self.press(Role::Button, &write);
+        if self.window.state().session().is_for_operators() {
+            let report = self.text("operator-report");
+            return self.press(Role::Button, &report);
         }
+        let report = self.text("walk-page-report");
+        self.press(Role::Button, &report);
+        let for_people = Action::from(PartsAction::ReportPart(0)).text(self.window.state().session(), &self.words);
+        self.press(Role::Button, &for_people);
+        // A name is proposed.
+        let save = self.text("dialog-save");
+        self.press(Role::Button, &save);
     }
 }
 
@@ -255,12 +262,10 @@ fn shift(hand: Hand, mode: Mode) {
     let folder = tempfile::tempdir().unwrap();
     let plan = folder.path().join("flange.csv");
     std::fs::write(&plan, PLAN).unwrap();
-    let home = folder.path().join("reports");
-    std::fs::create_dir(&home).unwrap();
     let size = if mode == Mode::Operator { vec2(1024.0, 768.0) } else { vec2(1280.0, 800.0) };
     let window = Window {
         size,
-        home: Some(home.clone()),
+        home: Some(folder.path().to_owned()),
         is_first: true,
         files: vec![(Purpose::OpenPlan, plan)],
         ..Window::default()
@@ -276,8 +281,13 @@ fn shift(hand: Hand, mode: Mode) {
     user.checks_one_size();
     user.walks();
     user.writes_the_report();
-    let written: Vec<_> = std::fs::read_dir(home).unwrap().map(|entry| entry.unwrap().file_name()).collect();
-    assert_eq!(written.len(), 1, "{written:?}");
+    let files = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path());
+    let report = files.filter(|path| path.extension().is_some_and(|ending| ending == "html")).next();
+    let report = std::fs::read_to_string(report.expect("a report was written")).unwrap();
+    for said in ["A17", "SEAT", "8,003"] {
+        assert!(report.contains(said), "{said}");
+    }
+    assert!(!report.contains("8,018"), "what was undone is not in the report");
 }
 
 #[test]

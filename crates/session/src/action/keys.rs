@@ -4,6 +4,7 @@ use super::window::WindowAction;
 use super::{Action, ActionScope, Key, Part, Shortcut};
 use crate::Session;
 use crate::page::Page;
+use crate::parts::PartsView;
 
 impl Action {
     /// All its keys, even those that another action takes first. The first one is shown to the user.
@@ -36,6 +37,11 @@ impl Action {
 }
 
 impl Session {
+    /// While a part is measured the plan is not in sight, and Ctrl+Z takes the last value back.
+    fn undoes_value(&self, action: Action) -> bool {
+        action == WindowAction::Undo.into() && self.page() == Page::Parts && self.parts().view == PartsView::Walk
+    }
+
     /// Whether the dialog for an NC block lies over the page.
     fn block_is_open(&self) -> bool {
         self.page() == Page::Cycles && self.cycles().block.is_some()
@@ -63,7 +69,9 @@ impl Session {
         let mut keys: Vec<_> = heard
             .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))
             .filter(|(shortcut, action)| !(is_typing && shortcut.is_of_text()) && self.can(*action))
-            .filter(|(shortcut, action)| !action.leaves_to_another(*shortcut, self.page()))
+            .filter(|(shortcut, action)| {
+                self.undoes_value(*action) || !action.leaves_to_another(*shortcut, self.page())
+            })
             .collect();
         keys.sort_by_key(|(_, action)| action.place().rank());
         keys

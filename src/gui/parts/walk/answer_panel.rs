@@ -2,10 +2,10 @@
 //!
 //! Card, strip and buttons keep their places, whatever the verdict is: lines for which the card has no room go below.
 
-use eframe::egui::{Id, Ui, vec2};
+use eframe::egui::{Button, Id, Popup, PopupCloseBehavior, Ui, vec2};
 
 use super::part_panel;
-use crate::gui::check::{check_card, recorded_ui};
+use crate::gui::check::{check_card, recorded_ui, why_ui};
 use crate::gui::room::is_tiny;
 use crate::gui::shapes::Edge;
 use crate::gui::theme::{self, control, sizes, space};
@@ -222,6 +222,7 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
             if walking.asked().is_some() {
                 view.field_button(ui, PartsAction::NextPart);
             }
+            reasons_ui(ui, view, walking);
             view.more_ui(ui, |ui, view| {
                 for action in [PartsAction::ImportValuesColumns, PartsAction::WatchFolder] {
                     view.menu_item(ui, action);
@@ -229,6 +230,19 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
             });
         });
     });
+}
+
+/// The reasons of the verdict of the size that is looked at, over what stands below.
+fn reasons_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
+    let value = walking.faced_value();
+    let button = theme::looking(ui, theme::plain, |ui| {
+        let button = Button::new(view.text("why")).min_size(vec2(0.0, control(ui)));
+        ui.add_enabled(value.is_some(), button)
+    });
+    if let Some((_, value)) = value {
+        let popup = Popup::from_toggle_button_response(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        popup.width(space(90.0)).show(|ui| why_ui(ui, view, &value.record));
+    }
 }
 
 /// What is said of a size below the part: what to do, and how far it is from its limits.
