@@ -74,9 +74,9 @@ gauges-not-taken = { $count ->
     }
 gauges-too-soon = hodnota přišla méně než sekundu po jiné hodnotě měřidla
 gauges-no-place = žádná hodnota se nežádá: otevřete stránku Kontrola, nebo měřte díl
-gauges-covered = nad stránkou je otevřeno něco jiného: zavřete to a měřte znovu
-gauges-asking = stránka se na něco ptá: odpovězte a měřte znovu
+gauges-covered = nad stránkou je otevřeno něco jiného: zavřete to a přeměřte
+gauges-asking = stránka se na něco ptá: odpovězte a přeměřte
 gauges-typing = právě se zadává hodnota: stiskněte Enter, nebo pole vyprázdněte
-gauges-not-good = předchozí výrok není DOBRÝ a je mladší než sekunda: přečtěte si jej a měřte znovu
+gauges-not-good = předchozí výrok není DOBRÝ a je mladší než sekunda: přečtěte si jej a přeměřte
 gauges-no-ports = porty tohoto počítače nelze vypsat: { $reason }
 gauges-unread = předchozí výrok ještě nebyl přečten: stisknout Další a změřit znovu

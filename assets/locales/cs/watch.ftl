@@ -24,6 +24,6 @@ watch-older = soubor tohoto názvu byl později importován s jiným obsahem; od
    *[other] { $count } hodnot
 }
 watch-refused = nelze přečíst; Fitcheck to zkouší dál: { $reason }
-watch-copy = stejný obsah byl importován dříve jako { $known }; byl-li díl opravdu měřen znovu, potřebuje jeho soubor čas nebo sériové číslo
+watch-copy = stejný obsah byl importován dříve jako { $known }; byl-li díl opravdu přeměřen, potřebuje jeho soubor čas nebo sériové číslo
 watch-verdicts = soubor obsahuje výroky, které zapsal Fitcheck, ne měření; nic se neimportuje
 watch-other = soubor tohoto názvu byl importován dříve a začínal jinak; tento se importuje celý

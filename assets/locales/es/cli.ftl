@@ -208,7 +208,7 @@ cli-no-journal-folder = este sistema no tiene carpeta para sus datos: indique un
 cli-no-entry = no hay ninguna entrada { $number } en { $path }: la última es { $last }
 cli-no-check = la entrada { $number } no es una comprobación
 cli-already-corrected-by = la entrada { $number } ya fue corregida o retirada por la entrada { $by }: corrija esta, salvo que sea una retirada
-cli-not-typed = el valor de la entrada { $number } no fue escrito: mida de nuevo, o retire la comprobación
+cli-not-typed = el valor de la entrada { $number } no fue escrito: remida, o retire la comprobación
 cli-nothing-corrected = una corrección debe cambiar algo: indique --measured, --who, --part, --serial, --feature-name, --remark o --withdraw
 cli-remark-sent = { $entries ->
     [0] no hubo que enviar nada

@@ -72,9 +72,9 @@ gauges-not-taken = { $count ->
     }
 gauges-too-soon = el valor llegó menos de un segundo después de otro valor del aparato
 gauges-no-place = no se pide ningún valor: abra Comprobación o mida una pieza
-gauges-covered = hay otra cosa abierta sobre la página: ciérrela y mida de nuevo
-gauges-asking = la página pregunta algo: responda y mida de nuevo
+gauges-covered = hay otra cosa abierta sobre la página: ciérrela y remida
+gauges-asking = la página pregunta algo: responda y remida
 gauges-typing = se está escribiendo un valor: pulse Intro o vacíe el campo
-gauges-not-good = el dictamen anterior no es bueno y llegó hace menos de un segundo: mírelo y mida de nuevo
+gauges-not-good = el dictamen anterior no es bueno y llegó hace menos de un segundo: mírelo y remida
 gauges-no-ports = los puertos de este ordenador no se pueden enumerar: { $reason }
 gauges-unread = el dictamen anterior aún no se ha leído: pulsar Siguiente y medir de nuevo

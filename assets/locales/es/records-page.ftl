@@ -130,7 +130,7 @@ records-page-went-back = { $time } (reloj)
 ## An open record
 records-page-close = Volver a la lista
 records-page-reading = Leyendo la entrada
-records-page-measure-again = Medir de nuevo
+records-page-measure-again = Remedir
 records-page-measure-again-hint = Lleva cota, pieza, número de serie y regla a la página de comprobación
 records-page-correct = Corregir…
 records-page-correct-hint = Añade una entrada en lugar de esta; ambas se conservan

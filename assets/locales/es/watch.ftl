@@ -21,6 +21,6 @@ watch-older = un archivo con este nombre se importó después con otro contenido
    *[other] { $count } valores
 }
 watch-refused = no se puede leer; Fitcheck lo sigue intentando: { $reason }
-watch-copy = el mismo contenido se importó antes como { $known }; si de verdad se midió de nuevo una pieza, su archivo necesita una hora o un número de serie
+watch-copy = el mismo contenido se importó antes como { $known }; si de verdad se remidió una pieza, su archivo necesita una hora o un número de serie
 watch-verdicts = el archivo contiene dictámenes escritos por Fitcheck, no mediciones; no se importa nada
 watch-other = un archivo con este nombre se importó antes y empezaba de otra forma; este se importa entero

@@ -72,9 +72,9 @@ gauges-not-taken = { $count ->
     }
 gauges-too-soon = la valeur est arrivée moins d'une seconde après une autre valeur de l'instrument
 gauges-no-place = aucune valeur n'est demandée : ouvrir Contrôle ou mesurer une pièce
-gauges-covered = autre chose est ouvert par-dessus la page : le fermer et mesurer de nouveau
-gauges-asking = la page pose une question : y répondre et mesurer de nouveau
+gauges-covered = autre chose est ouvert par-dessus la page : le fermer et remesurer
+gauges-asking = la page pose une question : y répondre et remesurer
 gauges-typing = une valeur est en cours de saisie : appuyer sur Entrée ou vider le champ
-gauges-not-good = le verdict précédent n'est pas bon et date de moins d'une seconde : le regarder et mesurer de nouveau
+gauges-not-good = le verdict précédent n'est pas bon et date de moins d'une seconde : le regarder et remesurer
 gauges-no-ports = les ports de cet ordinateur ne peuvent pas être listés : { $reason }
 gauges-unread = le verdict d'avant n'a pas encore été lu : appuyer sur Suivant et mesurer de nouveau

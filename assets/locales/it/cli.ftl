@@ -208,7 +208,7 @@ cli-no-journal-folder = questo sistema non ha una cartella per i dati: indicare 
 cli-no-entry = in { $path } non c'è la voce { $number }: l'ultima è { $last }
 cli-no-check = la voce { $number } non è un controllo
 cli-already-corrected-by = la voce { $number } è già stata corretta o ritirata dalla voce { $by }: correggere quella, a meno che sia un ritiro
-cli-not-typed = il valore della voce { $number } non è stato digitato: misurare di nuovo, o ritirare il controllo
+cli-not-typed = il valore della voce { $number } non è stato digitato: rimisurare, o ritirare il controllo
 cli-nothing-corrected = una correzione deve cambiare qualcosa: indicare --measured, --who, --part, --serial, --feature-name, --remark o --withdraw
 cli-remark-sent = { $entries ->
     [0] non c'era nulla da inviare

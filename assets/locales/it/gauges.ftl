@@ -72,9 +72,9 @@ gauges-not-taken = { $count ->
     }
 gauges-too-soon = il valore è arrivato meno di un secondo dopo un altro valore dello strumento
 gauges-no-place = non è richiesto alcun valore: aprire la pagina Controllo o misurare un pezzo
-gauges-covered = c'è altro aperto sopra la pagina: chiuderlo e misurare di nuovo
-gauges-asking = la pagina chiede qualcosa: rispondere e misurare di nuovo
+gauges-covered = c'è altro aperto sopra la pagina: chiuderlo e rimisurare
+gauges-asking = la pagina chiede qualcosa: rispondere e rimisurare
 gauges-typing = si sta digitando un valore: premere Invio o svuotare il campo
-gauges-not-good = l'esito precedente non è buono ed è arrivato meno di un secondo fa: guardarlo e misurare di nuovo
+gauges-not-good = l'esito precedente non è buono ed è arrivato meno di un secondo fa: guardarlo e rimisurare
 gauges-no-ports = non è possibile elencare le porte di questo computer: { $reason }
 gauges-unread = l'esito precedente non è ancora stato letto: premere Avanti e misurare di nuovo

@@ -130,7 +130,7 @@ records-page-went-back = { $time } (orologio)
 ## Una registrazione aperta
 records-page-close = Tornare all'elenco
 records-page-reading = Lettura della registrazione
-records-page-measure-again = Misurare di nuovo
+records-page-measure-again = Rimisurare
 records-page-measure-again-hint = Porta indicazione, pezzo, numero di serie e regola nella pagina Controllo
 records-page-correct = Correggere…
 records-page-correct-hint = Aggiunge una registrazione al posto di questa; restano entrambe

@@ -21,6 +21,6 @@ watch-older = un file con questo nome è stato importato dopo con un altro conte
    *[other] { $count } valori
 }
 watch-refused = non è leggibile; Fitcheck continua a provare: { $reason }
-watch-copy = lo stesso contenuto è già stato importato come { $known }; se un pezzo è stato davvero misurato di nuovo, il suo file richiede un'ora o un numero di serie
+watch-copy = lo stesso contenuto è già stato importato come { $known }; se un pezzo è stato davvero rimisurato, il suo file richiede un'ora o un numero di serie
 watch-verdicts = il file contiene esiti scritti da Fitcheck, non misure; nulla viene importato
 watch-other = un file con questo nome è già stato importato e cominciava in modo diverso; questo viene importato per intero

@@ -235,7 +235,7 @@ cli-no-journal-folder = ten system nie ma folderu na dane: podać dziennik przez
 cli-no-entry = w { $path } nie ma wpisu { $number }: ostatni to { $last }
 cli-no-check = wpis { $number } nie jest kontrolą
 cli-already-corrected-by = wpis { $number } został już skorygowany lub wycofany wpisem { $by }: skorygować tamten, chyba że jest wycofaniem
-cli-not-typed = wartości wpisu { $number } nie wpisano ręcznie: zmierzyć ponownie lub wycofać kontrolę
+cli-not-typed = wartości wpisu { $number } nie wpisano ręcznie: powtórzyć pomiar lub wycofać kontrolę
 cli-nothing-corrected = korekta musi coś zmieniać: podać --measured, --who, --part, --serial, --feature-name, --remark lub --withdraw
 cli-remark-sent = { $entries ->
     [0] nie było nic do wysłania

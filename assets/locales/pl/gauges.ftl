@@ -74,9 +74,9 @@ gauges-not-taken = { $count ->
     }
 gauges-too-soon = wartość przyszła mniej niż sekundę po innej wartości przyrządu
 gauges-no-place = żadna wartość nie jest oczekiwana: otworzyć stronę Kontrola lub mierzyć część
-gauges-covered = coś innego jest otwarte nad stroną: zamknąć to i zmierzyć ponownie
-gauges-asking = strona o coś pyta: odpowiedzieć i zmierzyć ponownie
+gauges-covered = coś innego jest otwarte nad stroną: zamknąć to i powtórzyć pomiar
+gauges-asking = strona o coś pyta: odpowiedzieć i powtórzyć pomiar
 gauges-typing = wartość jest właśnie wpisywana: nacisnąć Enter lub opróżnić pole
-gauges-not-good = poprzednia ocena jest inna niż DOBRY i ma mniej niż sekundę: obejrzeć ją i zmierzyć ponownie
+gauges-not-good = poprzednia ocena jest inna niż DOBRY i ma mniej niż sekundę: obejrzeć ją i powtórzyć pomiar
 gauges-no-ports = nie można wyświetlić listy portów tego komputera: { $reason }
 gauges-unread = poprzednia ocena nie została jeszcze odczytana: nacisnąć Dalej i zmierzyć ponownie

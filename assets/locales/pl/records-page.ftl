@@ -150,7 +150,7 @@ records-page-went-back = { $time } (zegar)
 ## An open record
 records-page-close = Wróć do listy
 records-page-reading = Odczyt zapisu
-records-page-measure-again = Zmierz ponownie
+records-page-measure-again = Powtórz pomiar
 records-page-measure-again-hint = Przenosi wymiar tolerowany, część, numer seryjny i regułę na stronę Kontrola
 records-page-correct = Skoryguj…
 records-page-correct-hint = Dodaje zapis w miejsce tego; oba pozostają

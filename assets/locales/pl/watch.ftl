@@ -25,6 +25,6 @@ watch-older = plik o tej nazwie zaimportowano później z inną treścią; nie z
    *[other] { $count } wartości
 }
 watch-refused = nie można odczytać; Fitcheck próbuje dalej: { $reason }
-watch-copy = tę samą treść zaimportowano już jako { $known }; jeśli część naprawdę zmierzono ponownie, jej plik wymaga czasu lub numeru seryjnego
+watch-copy = tę samą treść zaimportowano już jako { $known }; jeśli pomiar części naprawdę powtórzono, jej plik wymaga czasu lub numeru seryjnego
 watch-verdicts = plik zawiera oceny zapisane przez Fitcheck, a nie pomiary; nic nie jest importowane
 watch-other = plik o tej nazwie już zaimportowano i zaczynał się inaczej; ten jest importowany w całości
