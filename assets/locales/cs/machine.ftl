@@ -139,7 +139,7 @@ machine-remark-no-nominal = cyklus nemá jmenovitý rozměr: sonda narazí na do
 machine-remark-other-probe = nástroj { $tool } není v tabulce dotykových sond: použita byla sonda { $probe }
 machine-remark-collision = možná kolize: { $mover } a { $feature }, se středem kuličky na X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = pohyby se neprověřují úplně vůči { $features }
-machine-remark-stylus-unchecked = kolize dotykového hrotu se neprověřují: osa nástroje není Z
+machine-remark-stylus-unchecked = kolize snímacího hrotu se neprověřují: osa nástroje není Z
 machine-remark-tool-offsets = { $offsets } v TOOL CALL simulovanou sondu nemění
 machine-remark-tool-locked = nástroj { $tool } je v tabulce nástrojů zablokován
 machine-remark-no-probe-tool = nástroj { $tool } není dotyková sonda: TYP = { $kind }, očekává se { $probe }

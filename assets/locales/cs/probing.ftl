@@ -187,8 +187,8 @@ figure-top = horní konec
 figure-bottom = dolní konec
 figure-length = délka stěn
 figure-reach = dosah
-figure-stylus-radius = poloměr dotykového hrotu
+figure-stylus-radius = poloměr snímacího hrotu
 
 ## What of the probe touches.
 mover-ball = kulička
-mover-stylus = dotykový hrot
+mover-stylus = snímací hrot

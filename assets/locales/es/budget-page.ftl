@@ -12,7 +12,7 @@ budget-page-dialog-readings = Lecturas de la pieza patrón
 budget-page-not-saved = { $name }, sin guardar
 
 budget-page-for = Calculado para
-budget-page-size = Dimensión medida
+budget-page-size = Medida de la pieza
 budget-page-contacts = Puntos
 budget-page-touches = Número de puntos
 budget-page-step = Paso
@@ -72,7 +72,7 @@ budget-page-answer = Incertidumbre expandida
 budget-page-no-answer = Sin respuesta
 budget-page-expanded = U = { $um } µm
 budget-page-covered = k = { $k } para 95,45 %
-budget-page-at-size = Para { $size } mm; cada comprobación tiene la incertidumbre de su propia dimensión
+budget-page-at-size = Para { $size } mm; cada comprobación tiene la incertidumbre de su propia medida
 budget-page-covered-by = k = { $k } según { $method }
 budget-page-standard = u = { $um } µm
 budget-page-degrees = Grados efectivos de libertad { $degrees }

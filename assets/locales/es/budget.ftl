@@ -15,14 +15,14 @@ budget-geometry = { $table }: { $error }
 budget-length = { $key }: { $error }
 budget-geometry-touches = { $touches } palpaciones: se esperaban de 3 a { $most }
 budget-geometry-step = { $touches } palpaciones a { $step } grados: se esperaba un paso de 0,01 a { $most } grados
-budget-evaluation-no-size = { $contribution } depende de la dimensión, pero no se ha dado ninguna
+budget-evaluation-no-size = { $contribution } depende de la medida, pero no se ha dado ninguna
 budget-evaluation-no-contacts = { $contribution } depende de los puntos de palpación, pero el balance no tiene touches ni step_deg, y no se han dado puntos
 budget-evaluation-nothing = todas las contribuciones son cero
 budget-calibrated-too-few = { $readings ->
         [one] una lectura
        *[other] { $readings } lecturas
     }: se necesitan al menos 2
-budget-calibrated-far-away = la media de las lecturas, { $mean } mm, está a más de 1 mm de la dimensión calibrada, { $size } mm
+budget-calibrated-far-away = la media de las lecturas, { $mean } mm, está a más de 1 mm de la medida calibrada, { $size } mm
 budget-calibrated-nothing = todas las incertidumbres son cero
 
 budget-warning-expired = el balance ha caducado: era válido hasta el { $until }

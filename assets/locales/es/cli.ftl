@@ -18,12 +18,12 @@ cli-what-shaft-material = material del eje
 cli-what-temperature = temperatura
 cli-what-smallest-clearance = juego mínimo
 cli-what-largest-clearance = juego máximo
-cli-what-nominal-size = dimensión nominal { $text }
+cli-what-nominal-size = medida nominal { $text }
 cli-what-true-diameter = diámetro real
 cli-what-simulated-workpiece = pieza de trabajo simulada
 cli-what-simulated-measurement = medición simulada
-cli-what-perfect-workpiece = pieza de trabajo en dimensión nominal
-cli-what-size = dimensión
+cli-what-perfect-workpiece = pieza de trabajo en medida nominal
+cli-what-size = medida
 cli-what-cycle = ciclo { $code }
 cli-what-log = protocolo
 cli-what-entry = entrada { $number }
@@ -51,7 +51,7 @@ cli-add-far-temperature = { $what }: { $error }; si esta temperatura es intencio
 cli-rework-or-scrap = { $asked }: { $measured } mm está fuera de { $minimum } a { $maximum } mm; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft
 cli-parts-of-several = las piezas medidas son de un solo ajuste: dé una sola cota
 cli-search-with-parts = una búsqueda no admite piezas medidas, materiales ni temperaturas
-cli-search-without-size = una búsqueda necesita una dimensión nominal, como 25
+cli-search-without-size = una búsqueda necesita una medida nominal, como 25
 cli-search-without-clearance = una búsqueda necesita --min-clearance y --max-clearance
 cli-table-ending = { $path }: el nombre de una tabla del control termina en .tab
 cli-format-ending = { $path }: un archivo de formato { $format } termina en .{ $endings }
@@ -96,7 +96,7 @@ cli-check-not-positive = el valor medido { $measured } mm no es mayor que 0
 cli-remark-wrote = escrito { $path }
 cli-remark-wrote-files = escrito { $path } (archivos: { $count })
 cli-remark-simulated = simulado: no se midió nada
-cli-remark-perfect-workpiece = simulado: cada ciclo midió una pieza de trabajo perfecta en dimensión nominal; para otra, use --workpiece FILE.toml
+cli-remark-perfect-workpiece = simulado: cada ciclo midió una pieza de trabajo perfecta en medida nominal; para otra, use --workpiece FILE.toml
 cli-remark-corrected = medido { $measured } mm a { $temperature } °C: { $change } µm, por tanto { $at-reference } mm a 20 °C ({ $material ->
     [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
@@ -169,8 +169,8 @@ cli-verify-table = { $name }: { $classes ->
         [one] { $classes } clase
        *[other] { $classes } clases
     }, { $ranges ->
-        [one] { $ranges } intervalo de dimensiones
-       *[other] { $ranges } intervalos de dimensiones
+        [one] { $ranges } intervalo de medidas
+       *[other] { $ranges } intervalos de medidas
     }, { $cells ->
         [one] { $cells } celda comparada
        *[other] { $cells } celdas comparadas
@@ -183,8 +183,8 @@ cli-verify-nothing = { $name }: { $classes ->
         [one] { $classes } clase
        *[other] { $classes } clases
     }, { $ranges ->
-        [one] { $ranges } intervalo de dimensiones
-       *[other] { $ranges } intervalos de dimensiones
+        [one] { $ranges } intervalo de medidas
+       *[other] { $ranges } intervalos de medidas
     }, { $cells } celdas comparadas: nada que comparar con ISO 286
 cli-verify-own = { $table }; sin comparar, no son clases de ISO 286: { $own }
 

@@ -87,14 +87,14 @@ tables-contradict = { $first } y { $second } se contradicen, { $class } más de 
         [none] sin valor
        *[other] { $other } µm
     }: quite la columna de una de ellas
-deviations-two-range-columns = la tabla tiene BEREICH y BEREIK: solo una puede contener los intervalos de dimensiones
-deviations-inch = la tabla está en pulgadas: escriba los intervalos de dimensiones en milímetros y las desviaciones en micrómetros
+deviations-two-range-columns = la tabla tiene BEREICH y BEREIK: solo una puede contener los intervalos de medidas
+deviations-inch = la tabla está en pulgadas: escriba los intervalos de medidas en milímetros y las desviaciones en micrómetros
 deviations-no-class = ninguna columna es una clase de tolerancia como H7
-deviations-odd-rows = el número de filas es impar ({ $rows }): cada intervalo de dimensiones ocupa dos, primero la desviación superior, después la inferior
-deviations-no-range = falta el final del intervalo de dimensiones
-deviations-other-range = el intervalo de dimensiones hasta { $end } mm tiene { $found } en su segunda fila: repítalo o déjelo en blanco
+deviations-odd-rows = el número de filas es impar ({ $rows }): cada intervalo de medidas ocupa dos, primero la desviación superior, después la inferior
+deviations-no-range = falta el final del intervalo de medidas
+deviations-other-range = el intervalo de medidas hasta { $end } mm tiene { $found } en su segunda fila: repítalo o déjelo en blanco
 deviations-column = columna { $column }: { $error }
-deviations-half = la columna { $class } tiene solo una de las dos desviaciones para el intervalo de dimensiones hasta { $end } mm
+deviations-half = la columna { $class } tiene solo una de las dos desviaciones para el intervalo de medidas hasta { $end } mm
 deviations-touches = la columna { $column } y su vecina se tocan: sepárelas con un espacio
 deviations-no-deviations = omitido, no es una tabla de desviaciones (sin columna BEREICH): { $file }
 deviations-range-alias = BEREIK se leyó como BEREICH

@@ -27,7 +27,7 @@ exchange-no-measured-column = ninguna columna de valores medidos: nómbrela en l
 exchange-several-columns = cada una de las columnas { $columns } puede ser { $role }: elija una con import --columns, como { $word }=3, o nombre las columnas en la primera línea de modo que solo una sirva, como id;callout;measured
 exchange-role-id = el nombre
 exchange-role-tolerance = la cota
-exchange-role-nominal = la dimensión nominal
+exchange-role-nominal = la medida nominal
 exchange-role-measured = el valor medido
 exchange-role-time = la hora
 exchange-role-simulated = la marca de simulado
@@ -42,15 +42,15 @@ exchange-role-quantity = lo que se midió
 exchange-no-column = { $role } debería estar en la columna { $given }, pero el archivo tiene { $columns }
 exchange-column-twice = la columna { $column } no puede ser a la vez { $first } y { $second }
 exchange-unit = unidad desconocida { $unit }: use mm, µm o inch
-exchange-unit-stated = la línea { $line } indica la unidad { $unit }, que no se admite («{ $text }»): use mm, µm o inch, o elija la unidad de dimensiones (--columns unit=mm)
-exchange-unit-mentioned = la línea { $line } menciona { $unit } («{ $text }»), pero nada dice si los valores están en esa unidad: elija la unidad de dimensiones (--columns unit=mm, um o inch)
+exchange-unit-stated = la línea { $line } indica la unidad { $unit }, que no se admite («{ $text }»): use mm, µm o inch, o elija la unidad de medida (--columns unit=mm)
+exchange-unit-mentioned = la línea { $line } menciona { $unit } («{ $text }»), pero nada dice si los valores están en esa unidad: elija la unidad de medida (--columns unit=mm, um o inch)
 exchange-units-differ = «{ $at }» dice { $unit }, «{ $other-at }» dice { $other }: corrija uno de los dos
 exchange-unit-late = la línea { $line } indica { $unit } («{ $text }»), pero las filas anteriores se leen en { $read }: indique la unidad antes de la primera fila, o corrija esa línea
 exchange-unit-stray = esta línea indica { $unit } («{ $text }»), pero todas las demás filas se leen en { $read }: indique la unidad antes de la primera fila, o corrija esta línea
 exchange-unit-given = la unidad elegida es { $given }, pero el archivo dice { $unit } («{ $text }»): elija { $unit }, o corrija el archivo
-exchange-unit-half = la columna { $column } está en pulgadas, y la columna { $open } no dice su unidad: escríbala junto a ambos nombres, o elija la unidad de dimensiones (--columns unit=inch)
-exchange-unit-missing = falta la unidad de esta fila: escriba mm, µm o inch, o elija la unidad de dimensiones (--columns unit=mm)
-exchange-callout-unit = { $given }: la fila está en pulgadas, y una cota con dimensión o desviaciones está en mm: ponga la dimensión nominal en una columna propia junto a la clase
+exchange-unit-half = la columna { $column } está en pulgadas, y la columna { $open } no dice su unidad: escríbala junto a ambos nombres, o elija la unidad de medida (--columns unit=inch)
+exchange-unit-missing = falta la unidad de esta fila: escriba mm, µm o inch, o elija la unidad de medida (--columns unit=mm)
+exchange-callout-unit = { $given }: la fila está en pulgadas, y una cota con medida o desviaciones está en mm: ponga la medida nominal en una columna propia junto a la clase
 exchange-row-short = celdas esperadas: { $expected }, encontradas: { $found }
 exchange-row-long = celdas esperadas: { $expected }, encontradas: { $found }: ¿se usa el separador también como signo decimal o dentro de un texto?
 exchange-row-too-long = la fila tiene más de { $most } KiB
@@ -58,8 +58,8 @@ exchange-open-quote = unas comillas no están cerradas en esta línea
 exchange-header-hides-rows = línea { $line }: el encabezado ocupa varias líneas, y una de ellas parece una fila: cierre las comillas en la línea en que se abren
 exchange-within-quotes = esta línea puede ser una fila o una observación: unas comillas se abren antes y se cierran aquí o después; ciérrelas en la línea en que se abren
 exchange-callout = cota: { $reason }
-exchange-nominal = dimensión nominal: { $reason }
-exchange-nominal-differs = la cota { $callout } no concuerda con la dimensión nominal { $nominal } de su propia columna
+exchange-nominal = medida nominal: { $reason }
+exchange-nominal-differs = la cota { $callout } no concuerda con la medida nominal { $nominal } de su propia columna
 exchange-measured = medido: { $reason }
 exchange-simulated = simulado: { $given } no es ni true ni false
 exchange-other-header = esta línea nombra columnas distintas de la primera: evalúe las filas que siguen como archivo aparte
@@ -79,7 +79,7 @@ exchange-other-log = { $feature ->
         [hole] es el protocolo de un eje, y estos son los agujeros: ¿están cambiados los archivos?
        *[shaft] es el protocolo de un agujero, y estos son los ejes: ¿están cambiados los archivos?
     }
-exchange-not-a-size = { $what }: no es una dimensión que se pueda emparejar
+exchange-not-a-size = { $what }: no es una medida que se pueda emparejar
 exchange-no-place-axis = está a lo largo de { $axis }, pero los ciclos 421 y 422 palpan a lo largo de Z
 exchange-no-place-no-axis = el archivo no dice a lo largo de qué eje está
 exchange-no-place-kind = { $kind }: los ciclos 421 y 422 palpan solo círculos y cilindros
@@ -87,16 +87,16 @@ exchange-no-place-system = se comprueba en el sistema de coordenadas { $system }
 exchange-contacts-not-sizes = filas de dos o tres números son puntos de palpación: nombre las columnas en la primera línea, como id;measured
 exchange-too-many-rows = solo se leyeron las primeras { $most } filas: divida el archivo
 exchange-unjudged-no-callout = no evaluado: no se da ninguna cota
-exchange-unjudged-no-limits = no evaluado: las dimensiones límite del protocolo son 0, así que el diámetro no se supervisó
+exchange-unjudged-no-limits = no evaluado: las medidas límite del protocolo son 0, así que el diámetro no se supervisó
 exchange-unjudged-coordinate = una coordenada del ciclo { $cycle }, no un agujero o eje
 exchange-unjudged-coordinate-without-limits = no evaluado: los límites del protocolo son 0, así que la coordenada no se supervisó
 exchange-unjudged-size = { $what } del ciclo { $cycle }, no un agujero o eje
 exchange-unjudged-size-without-limits = no evaluado: los límites del protocolo son 0, así que no se supervisó esto: { $what }
-exchange-unjudged-point = un punto de superficie del ciclo { $cycle }: su desviación según la normal no es una dimensión
+exchange-unjudged-point = un punto de superficie del ciclo { $cycle }: su desviación según la normal no es una medida
 exchange-unjudged-point-without-tolerance = no evaluado: el punto se palpó sin tolerancia
 exchange-unjudged-contacts = no evaluado: puntos de palpación sin cota: { $count }
 exchange-warning-ignored-columns = columnas omitidas: { $columns }
-exchange-warning-quantity-unknown = la columna { $column } no tiene ninguna palabra conocida para lo que se midió ({ $words }): todos sus valores se leen como dimensiones; si es correcto, indique import --columns quantity=-
+exchange-warning-quantity-unknown = la columna { $column } no tiene ninguna palabra conocida para lo que se midió ({ $words }): todos sus valores se leen como medidas; si es correcto, indique import --columns quantity=-
 exchange-warning-not-used = omitido, no es una medición: { $text }
 exchange-warning-comment = una línea que empieza con # es un comentario, pero esta contiene una medición
 exchange-warning-several-lines = la fila ocupa { $lines } líneas entre comillas
@@ -132,13 +132,13 @@ table-format-parquet = el archivo Parquet no se puede escribir: { $reason }
 table-format-itnc530 = tabla del control para iTNC 530
 table-format-tnc640 = tabla del control para TNC 620 y TNC 640
 table-format-tnc7 = tabla del control para TNC7
-table-format-plain-csv = CSV, una línea por cada clase e intervalo de dimensiones
-table-format-plain-parquet = Parquet, una fila por cada clase e intervalo de dimensiones
+table-format-plain-csv = CSV, una línea por cada clase e intervalo de medidas
+table-format-plain-parquet = Parquet, una fila por cada clase e intervalo de medidas
 table-format-pcdmis = CSV de tolerancias ISO para PC-DMIS
 
 ## Limits as SQL
-sql-border = tabla { $table }: un intervalo de dimensiones termina en { $end } mm; como SQL, los intervalos deben terminar en milímetros enteros
-sql-too-far = tabla { $table }: un intervalo de dimensiones termina en { $end } mm; como SQL, los intervalos deben terminar a más tardar en { $most } mm
+sql-border = tabla { $table }: un intervalo de medidas termina en { $end } mm; como SQL, los intervalos deben terminar en milímetros enteros
+sql-too-far = tabla { $table }: un intervalo de medidas termina en { $end } mm; como SQL, los intervalos deben terminar a más tardar en { $most } mm
 sql-twice = la clase { $class } se nombra dos veces
 exchange-correction = el valor a 20 °C no se deduce del valor medido y sus temperaturas: se esperaban las columnas como las escribe Fitcheck
 exchange-warning-corrected = los valores con un dato en la columna as_measured_mm ya están a 20 °C
@@ -150,7 +150,7 @@ sizes-warning-simulated-rows = { $count ->
         [one] 1 fila es simulada
        *[other] { $count } filas son simuladas
     }: no se midió nada
-exchange-position-out = el centro estaba fuera de posición, pero el archivo tiene solo la dimensión
+exchange-position-out = el centro estaba fuera de posición, pero el archivo tiene solo la medida
 exchange-undecided = aquí no se decidió nada: { $given }
 exchange-warning-other-rule = los dictámenes de este archivo pueden venir de otra regla de decisión (columna rule_name): sus valores se evalúan de nuevo
 exchange-read = el resto del archivo no se puede leer: { $reason }
@@ -160,7 +160,7 @@ exchange-unjudged-one-limit = no evaluado: falta uno de los dos límites
 exchange-unjudged-no-tolerance = no evaluado: no se dan límites
 exchange-unjudged-rounded = no evaluado: las cifras impresas representan cualquier valor de { $from } a { $to }, y un límite está entre ellos: imprima más decimales
 exchange-unjudged-swapped-limits = no evaluado: el límite inferior { $minimum } es mayor que el límite superior { $maximum }
-exchange-unjudged-not-a-size = { $what }: no es una dimensión de un agujero o eje
+exchange-unjudged-not-a-size = { $what }: no es una medida de un agujero o eje
 exchange-warning-limits-differ = { $callout } tiene los límites { $minimum } a { $maximum }, pero el archivo tiene otros: valen los del archivo
 exchange-warning-class-unknown = la clase { $given } no tiene límites aquí: valen los del archivo
 exchange-warning-status-differs = el archivo dice { $given }, pero los límites dicen { $status }
@@ -175,15 +175,15 @@ exchange-warning-temperature-differs = el archivo dice { $given }, pero el valor
 exchange-warning-speaks-of-temperature = el archivo menciona una temperatura distinta de { $counted } °C, a la que sus valores cuentan como medidos: { $text }
 exchange-warning-speaks-of-unit = una observación indica una unidad distinta de la de los valores: { $text }
 exchange-warning-speaks-of-simulation = esta línea menciona una simulación: revise si el valor se midió: { $text }
-exchange-warning-all-nominal = los { $count } valores son exactamente sus dimensiones nominales: puede ser una lista de dimensiones que nadie midió
-exchange-warning-name-of-no-size = { $given } no es el nombre de una dimensión de una pieza, pero el valor se evaluó como tal
-exchange-warning-other-values = no se evalúan las columnas con otras dimensiones próximas a las medidas: { $columns }
+exchange-warning-all-nominal = los { $count } valores son exactamente sus medidas nominales: puede ser una lista de medidas que nadie midió
+exchange-warning-name-of-no-size = { $given } no es el nombre de una medida de una pieza, pero el valor se evaluó como tal
+exchange-warning-other-values = no se evalúan las columnas con otros valores próximos a los medidos: { $columns }
 exchange-warning-part-rejected = el archivo dice { $given } de la pieza entera
 exchange-warning-uncertainty-not-used = el archivo indica una incertidumbre expandida de { $expanded } mm: ninguna regla la usa, así que indique --u en su lugar
 exchange-warning-plan-differs = el archivo tiene los límites { $minimum } a { $maximum }: valen los límites del plan
 exchange-warning-plan-differs-below = el archivo tiene el límite inferior { $minimum }: vale el límite inferior del plan
 exchange-warning-plan-differs-above = el archivo tiene el límite superior { $maximum }: vale el límite superior del plan
-exchange-warning-plan-differs-nominal = el archivo tiene la dimensión nominal { $nominal }: vale la dimensión nominal del plan
+exchange-warning-plan-differs-nominal = el archivo tiene la medida nominal { $nominal }: vale la medida nominal del plan
 exchange-warning-part-differs = el archivo nombra la pieza { $given }: se evalúa como { $part }, la pieza del plan
 exchange-warning-found-by-number-of = ningún elemento del plan se llama { $given }; asignado por número a { $name } del plan
 exchange-warning-found-by-place-of = ningún elemento del plan se llama { $given }; asignado por ubicación a { $name } del plan
@@ -203,7 +203,7 @@ exchange-unjudged-quantity = { $quantity ->
         [109] posición (K2009 es 109)
         [117] una coordenada (K2009 es 117)
        *[other] una magnitud distinta de un diámetro (K2009 es { $quantity })
-    }: no es una dimensión de un agujero o eje
+    }: no es una medida de un agujero o eje
 exchange-unjudged-kind = no medido: { $kind ->
         [1] un recuento de piezas no conformes (K2004 es 1)
         [5] una hoja de registro de errores (K2004 es 5)
@@ -228,11 +228,11 @@ exchange-qif-no-unit = el archivo no tiene unidad de longitud: necesita FileUnit
 exchange-qif-reference = { $what } { $id } no está en el archivo
 exchange-qif-too-many = el archivo tiene más de { $most } elementos { $what }
 exchange-qif-no-value = aquí no hay valor medido; estado { $status }
-exchange-qif-limit = límites o dimensión nominal: { $reason }
+exchange-qif-limit = límites o medida nominal: { $reason }
 exchange-qif-other-kind = la medición es del tipo { $measured }, pero su característica es del tipo { $defined }
 exchange-qif-several-values = la medición tiene varios valores
 exchange-qif-defined-as-limit = falta DefinedAsLimit o no es ni true ni false, así que los números pueden ser límites o desviaciones
-exchange-qif-no-nominal = los límites son desviaciones, pero no hay dimensión nominal
+exchange-qif-no-nominal = los límites son desviaciones, pero no hay medida nominal
 exchange-qif-zone = la clase { $class } y { $zone } se contradicen: las mayúsculas son agujeros, las minúsculas son ejes
 exchange-qif-no-results = un archivo QIF sin valores medidos: un plan se puede leer como plan de pieza
 exchange-qif-no-characteristics = el archivo QIF no declara ninguna característica
@@ -266,7 +266,7 @@ exchange-warning-sheets-left = se lee la hoja { $sheet }; las demás no: { $left
 gauge-frame = se omitieron los caracteres que enmarcan la línea
 gauge-channel = del canal { $channel }
 gauge-inches = { $given } pulgadas
-gauge-error-text = { $given } puede ser un número de error del aparato: si es una dimensión, escríbala con su unidad, { $given } mm
+gauge-error-text = { $given } puede ser un número de error del aparato: si es una medida, escríbala con su unidad, { $given } mm
 gauge-opinion = el aparato dice { $sign }; deciden los límites del plan
 
 mapping-no-value = { $given } no asigna ninguna columna: escriba una palabra, = y una columna, como measured=3
@@ -280,7 +280,7 @@ planned-rule = evaluado según la regla del plan en lugar de { $given }: { $rule
 planned-uncertainty = evaluado con la incertidumbre del plan en lugar de la indicada: { $u }
 planned-material = corregido a 20 °C con el material del plan en lugar del indicado: { $name }
 planned-corrected = corregido de { $temperature } °C a 20 °C (dilatación { $expansion } · 10⁻⁶/K)
-planned-not-corrected = sin corregir a 20 °C: una ubicación en la pieza no es una dimensión
+planned-not-corrected = sin corregir a 20 °C: una ubicación en la pieza no es una medida
 planned-error-already-corrected = el archivo dice que el valor ya está a 20 °C: evalúelo sin temperatura
 
 ## Gauges

@@ -34,7 +34,7 @@ pairing-page-groups-hint = Número de grupos de igual ancho en que se clasifican
 pairing-page-do-wanted = Escriba el juego deseado o un ajuste.
 pairing-page-do-holes = Abra los agujeros medidos, o tómelos del historial.
 pairing-page-do-shafts = Abra los ejes medidos, o tómelos del historial.
-pairing-page-about = Fitcheck forma tantos pares como sea posible dentro del juego deseado. De todas las formas de hacerlo, toma la de menor suma de distancias al cuadrado hasta el centro. Bastan nombres y dimensiones medidas. También se pueden soltar archivos aquí, los agujeros primero.
+pairing-page-about = Fitcheck forma tantos pares como sea posible dentro del juego deseado. De todas las formas de hacerlo, toma la de menor suma de distancias al cuadrado hasta el centro. Bastan nombres y valores medidos. También se pueden soltar archivos aquí, los agujeros primero.
 pairing-page-no-side = { $name } no se abre: ya hay agujeros y ejes. Ábralo como agujeros o como ejes.
 pairing-page-none-in-history = El historial no tiene comprobaciones de { $feature ->
         [hole] agujeros
@@ -48,7 +48,7 @@ pairing-page-none-chosen = Ninguna de las comprobaciones elegidas es de un { $fe
         [hole] agujero
        *[shaft] eje
     }.
-pairing-page-nothing-read = { $name } no tiene ninguna dimensión utilizable: { $reason }{ $count ->
+pairing-page-nothing-read = { $name } no tiene ninguna medida utilizable: { $reason }{ $count ->
         [one] { "" }
        *[other] { " " }({ $count } filas no admitidas)
     }
@@ -73,7 +73,7 @@ pairing-page-move = Ir a otro par
 pairing-page-copy = Copiar pares
 
 # The picture
-pairing-page-picture = Piezas por dimensión
+pairing-page-picture = Piezas por medida
 pairing-page-legend = Anillo: agujero. Disco: eje, desplazado en el centro, { $middle } µm: un par en el centro queda horizontal. Cruz: sobrante.
 pairing-page-part-of = Izquierda: todas las piezas; el marco señala las que se dibujan.
 pairing-page-thinned = Demasiado juntas para dibujarlas todas: se dibuja 1 de { $step }.
@@ -84,7 +84,7 @@ pairing-page-describe = { $holes ->
     } a la izquierda, { $shafts ->
         [one] 1 eje
        *[other] { $shafts } ejes
-    } a la derecha, en una misma escala de dimensión; los ejes están desplazados { $middle } µm, de modo que un par en el centro del juego deseado queda horizontal. { $pairs ->
+    } a la derecha, en una misma escala de medida; los ejes están desplazados { $middle } µm, de modo que un par en el centro del juego deseado queda horizontal. { $pairs ->
         [one] 1 par está dibujado como línea.
        *[other] { $pairs } pares están dibujados como líneas.
     }

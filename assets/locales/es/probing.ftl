@@ -12,7 +12,7 @@ caveat-three-contacts = 3 puntos de palpación: la forma no se puede medir
 caveat-four-contacts = 4 puntos de palpación: no se detecta más forma que la ovalidad
 caveat-few-contacts = { $contacts } puntos de palpación: la forma entre ellos no se detecta
 caveat-short-arc = los puntos de palpación cubren solo { $arc }°: la dispersión se amplía en diámetro y centro
-caveat-two-point = el diámetro entre los puntos de palpación { $one } y { $other } es { $size } mm, más allá del límite de { $limit } mm, que el círculo medio no supera: por defecto, una dimensión vale entre dos puntos opuestos cualesquiera
+caveat-two-point = el diámetro entre los puntos de palpación { $one } y { $other } es { $size } mm, más allá del límite de { $limit } mm, que el círculo medio no supera: por defecto, una medida vale entre dos puntos opuestos cualesquiera
 caveat-form = los radios de los puntos de palpación difieren en { $form } mm, así que los diámetros entre ellos pueden diferir más que la zona de { $zone } mm: dos puntos opuestos pueden estar fuera de los límites
 caveat-heights = las alturas de los puntos de palpación difieren en { $spread } mm: en un cono o con un eje inclinado eso cambia el diámetro
 contact-beyond-travel = el punto de palpación { $number } está a { $distance } mm de donde empieza su palpación, y la bola recorre como máximo { $allowed } mm (DIST o K, más SET_UP de la tabla de palpación y Q320): revise que estos puntos sean de este elemento, en este orden, y contados desde este punto cero
@@ -36,7 +36,7 @@ cycle-no-diameter = { $key } { $name } = 0 mm: un círculo necesita un diámetro
 cycle-one-limit = se da { $given } sin { $missing }: el otro límite sería 0
 cycle-missing = falta { $key } { $name }
 cycle-no-such-parameter = el ciclo { $cycle } no tiene el parámetro { $parameter }: sus parámetros son { $known }
-cycle-limits-swapped = { $minimum-key } = { $minimum } mm es mayor que { $maximum-key } = { $maximum } mm: la dimensión mínima es mayor que la máxima
+cycle-limits-swapped = { $minimum-key } = { $minimum } mm es mayor que { $maximum-key } = { $maximum } mm: la medida mínima es mayor que la máxima
 cycle-too-large = el círculo medido es demasiado grande: { $error }
 workpiece-cannot-be = { $what } = { $given }: al menos { $least }, como máximo { $most }
 
@@ -59,12 +59,12 @@ circle-part-centre = centro { $axis }
 circle-three-contacts = 3 puntos de palpación: la forma no se puede medir, el residuo es siempre cero
 circle-four-contacts = 4 puntos de palpación: cuatro lóbulos no se detectan y cambian el diámetro
 circle-short-arc = los puntos de palpación cubren solo { $arc }° de arco: la dispersión del diámetro es { $factor } veces la de 3 puntos a 120°
-circle-circumscribed-of-short-arc = el círculo mínimo circunscrito de un arco corto no es la dimensión del elemento
+circle-circumscribed-of-short-arc = el círculo mínimo circunscrito de un arco corto no es la medida del elemento
 circle-counts-twice = los puntos de palpación { $first } y { $second } coinciden: este lugar cuenta dos veces
 circle-no-inscribed = sin círculo máximo inscrito: los puntos de palpación no rodean ninguno
 circle-no-zone = sin zona mínima: una banda recta es más estrecha que cualquier anillo
 circle-too-many-contacts = el círculo máximo inscrito y la zona mínima no se calculan para { $contacts } puntos de palpación: como máximo { $most }
-circle-short-chord = los puntos de palpación { $first } y { $second } están enfrentados pero fuera del centro: esta dimensión es { $short } µm demasiado pequeña
+circle-short-chord = los puntos de palpación { $first } y { $second } están enfrentados pero fuera del centro: esta medida es { $short } µm demasiado pequeña
 circle-more-of-a-kind = lo mismo vale para { $more } más
 circle-apart = el punto de palpación { $contact } está a { $apart } mm del círculo, mucho más que los demás: ¿suciedad o un disparo falso?
 circle-heights = las alturas de los puntos de palpación difieren en { $spread } mm: en un cono o con un eje inclinado eso cambia el diámetro
@@ -122,7 +122,7 @@ cycle-note-software-option = el control necesita la opción de software { $optio
 cycle-note-recommended = si el control tiene el ciclo { $cycle }, HEIDENHAIN recomienda ese
 remark-without-effect = { $key } se admite pero no tiene efecto
 remark-tool-not-monitored = Q330 = { $tool }: la herramienta no se supervisa: no hay tabla de herramientas
-remark-outside-dimension = se supone una dimensión exterior: por encima del máximo es retrabajo, por debajo del mínimo es desecho
+remark-outside-dimension = se supone una medida exterior: por encima del máximo es retrabajo, por debajo del mínimo es desecho
 remark-nominal-outside-limits = el diámetro nominal { $nominal } mm no está entre los límites: un TNC7 lo rechaza
 remark-nominal-width-outside-limits = la anchura nominal { $nominal } mm no está entre los límites: un TNC7 lo rechaza
 remark-nominal-coordinate-outside-limits = la coordenada nominal { $nominal } mm no está entre los límites: según su manual, un TNC7 puede rechazarlo

@@ -62,13 +62,13 @@ settings-page-rows-close = Compacta
 # Rule and limits
 settings-page-limits-about = Dónde se buscan los límites de una clase. Las tablas propias van siempre primero.
 settings-page-js-about = Para planos según la edición de 1988, grados 7 a 11. Si no, se conservan los medios micrómetros.
-settings-page-1988-about = Para planos según la edición de 1988. Si no, están definidas también para dimensiones mayores.
+settings-page-1988-about = Para planos según la edición de 1988. Si no, están definidas también para medidas mayores.
 settings-page-decision-rule = Regla de decisión
 settings-page-decision-rule-about = Qué parte de la zona se acepta, según la incertidumbre del valor.
 settings-page-prover = Carga de la prueba
 settings-page-prover-about = Quién tiene que demostrar que una pieza es conforme, o que no lo es.
 settings-page-uncertainty-from = La incertidumbre se da como
-settings-page-uncertainty-from-about = Un valor escrito, o el balance, que conoce cada dimensión y sus puntos de palpación.
+settings-page-uncertainty-from-about = Un valor escrito, o el balance, que conoce cada medida y sus puntos de palpación.
 settings-page-uncertainty-about = De cada valor de la página de comprobación. Vacío: desconocida.
 settings-page-coverage-about = Cuántas incertidumbres típicas forman la expandida.
 settings-page-budget = Balance de incertidumbre
