@@ -67,7 +67,7 @@ cli-option-of-standard = --{ $option } heeft geen effect met --source control: d
 cli-set-twice = { $name } is twee keer ingesteld
 cli-other-cycle = dit is cyclus { $given }, niet { $wanted }
 cli-not-predef = voor parameter { $name } is PREDEF niet toegestaan
-cli-no-probe = de tastertabel heeft geen taster { $number }
+cli-no-probe = de tastsysteemtabel heeft geen tastsysteem { $number }
 cli-not-a-pair = { $text }: schrijf een parameter als NAAM=WAARDE
 cli-not-a-position = positie { $text }: drie getallen X,Y,Z in mm verwacht
 cli-not-a-number = dit is geen getal

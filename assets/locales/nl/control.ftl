@@ -127,13 +127,13 @@ point-log-band = bovenafwijking { $upper } ligt onder onderafwijking { $lower }
 point-log-status = status { $given } volgt niet uit afwijking en tolerantie, { $status }
 ## The touch-probe table
 probe-table-no-column = de tabel heeft geen kolom { $column }
-probe-table-no-probe = de tabel heeft geen taster
+probe-table-no-probe = de tabel heeft geen tastsysteem
 probe-table-no-length = { $column }: { $error }
 probe-table-too-small = { $column } = { $given } mm: { $least } verwacht
 probe-table-zero-or-more = 0 of meer
 probe-table-above-zero = groter dan 0
 probe-table-not-whole = { $column } = { $given }: een geheel getal verwacht
-probe-table-twice = taster { $number } komt twee keer voor
+probe-table-twice = tastsysteem { $number } komt twee keer voor
 
 ## De gereedschapstabel
 tool-table-no-column = de tabel heeft geen kolom { $column }

@@ -101,7 +101,7 @@ machine-remark-measurement-skipped = deze meting is overgeslagen: de resultaten 
 machine-remark-datum-skipped = deze meting is overgeslagen: de resultaten zijn vanaf hier niet gedefinieerd, en hierna wordt niet meer gemeten, omdat zij een nulpunt kan zetten
 machine-remark-not-followed = deze NC-regel wordt niet uitgevoerd en kan het nulpunt wijzigen: hierna wordt niet meer gemeten
 machine-remark-no-system-data = { $parameter } is vanaf hier ongedefinieerd: de systeemgegevens van FN 18 kent alleen een besturing
-machine-remark-axis-assumed = voor deze cyclus staat geen TOOL CALL: gemeten langs Z met de eerste taster
+machine-remark-axis-assumed = voor deze cyclus staat geen TOOL CALL: gemeten langs Z met het eerste tastsysteem
 machine-remark-measured-again = opnieuw gemeten na nabewerking: deze meting telt
 machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturing zou niet tasten
 machine-remark-rotary-moved = { $axes } zijn eerder verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
@@ -131,17 +131,17 @@ machine-remark-full = { $path } heeft de grens van { $kilobytes } kilobyte berei
 machine-remark-table-written = { $path } is geschreven
 machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
-machine-remark-empty-spindle = gereedschap 0 is opgeroepen: een TNC7 heeft dan geen taster in de spil
-machine-remark-no-tool-named = geen TOOL CALL voor deze cyclus noemt een gereedschap: gemeten met de eerste taster
+machine-remark-empty-spindle = gereedschap 0 is opgeroepen: een TNC7 heeft dan geen tastsysteem in de spil
+machine-remark-no-tool-named = geen TOOL CALL voor deze cyclus noemt een gereedschap: gemeten met het eerste tastsysteem
 machine-remark-tool-call-words = TOOL CALL kent { $words } niet: overgeslagen
-machine-remark-no-nominal = de cyclus heeft geen nominale maat: de taster raakt het perfecte werkstuk halverwege K
-machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
+machine-remark-no-nominal = de cyclus heeft geen nominale maat: het tastsysteem raakt het perfecte werkstuk halverwege K
+machine-remark-other-probe = gereedschap { $tool } staat niet in de tastsysteemtabel: tastsysteem { $probe } is gebruikt
 machine-remark-collision = de { $mover } zou { $feature } raken, met het midden van de kogel op X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = bewegingen zijn niet volledig gecontroleerd op { $features }
 machine-remark-stylus-unchecked = de taststift is niet op botsingen gecontroleerd: de gereedschapsas is niet Z
-machine-remark-tool-offsets = { $offsets } van de TOOL CALL verandert de gesimuleerde taster niet
+machine-remark-tool-offsets = { $offsets } van de TOOL CALL verandert het gesimuleerde tastsysteem niet
 machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
-machine-remark-no-probe-tool = gereedschap { $tool } is geen taster: TYP = { $kind }, { $probe } verwacht
+machine-remark-no-probe-tool = gereedschap { $tool } is geen tastsysteem: TYP = { $kind }, { $probe } verwacht
 machine-remark-no-such-tool = gereedschap { $tool } staat niet in de gereedschapstabel
 machine-remark-same-name = { $more ->
     [one] nog een gereedschap heeft de naam { $tool }

@@ -36,7 +36,7 @@ plan-other-value = { $key }: { $expected } verwacht, { $found } gevonden
 plan-parameter = cyclus { $cycle } neemt { $given } niet uit een plan: schrijf NAAM=WAARDE met een van { $known }
 plan-no-parameter = geen meetcyclus neemt { $given } uit een plan: schrijf NAAM=WAARDE, zoals Q423=3
 plan-travel = { $axis }{ $given } ligt buiten het bereik van de machine, { $minimum } tot { $maximum } mm
-plan-clearance-travel = de taster beweegt op Z{ $height }, buiten het bereik van de machine, { $minimum } tot { $maximum } mm: geef een andere clearance_height
+plan-clearance-travel = het tastsysteem beweegt op Z{ $height }, buiten het bereik van de machine, { $minimum } tot { $maximum } mm: geef een andere clearance_height
 plan-no-travel = { $given } is geen bereik: schrijf twee getallen, het kleinste eerst, zoals -250 250
 plan-text = { $column }: één regel met hoogstens { $most } tekens verwacht
 plan-same-number = { $line ->

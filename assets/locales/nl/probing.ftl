@@ -14,8 +14,8 @@ caveat-short-arc = de meetpunten beslaan maar { $arc }°: spreiding werkt verste
 caveat-two-point = de diameter over de meetpunten { $one } en { $other } is { $size } mm, voorbij de grens van { $limit } mm, die de gemiddelde cirkel niet overschrijdt: een maat geldt standaard tussen elke twee punten tegenover elkaar
 caveat-form = de radii van de meetpunten verschillen { $form } mm, dus de diameters daarover kunnen meer verschillen dan het tolerantieveld van { $zone } mm: twee punten tegenover elkaar kunnen buiten de grenzen liggen
 caveat-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
-contact-beyond-travel = meetpunt { $number } ligt { $distance } mm van waar het tasten ervan begint, en de kogel gaat hoogstens { $allowed } mm ver (DIST of K, plus SET_UP van de tastertabel en Q320): controleer of deze meetpunten van dit element zijn, in deze volgorde, en vanaf dit nulpunt
-contact-missed = meetpunt { $number }: de taster heeft op de tastweg niets geraakt
+contact-beyond-travel = meetpunt { $number } ligt { $distance } mm van waar het tasten ervan begint, en de kogel gaat hoogstens { $allowed } mm ver (DIST of K, plus SET_UP van de tastsysteemtabel en Q320): controleer of deze meetpunten van dit element zijn, in deze volgorde, en vanaf dit nulpunt
+contact-missed = meetpunt { $number }: het tastsysteem heeft op de tastweg niets geraakt
 contact-no-height = meetpunt { $number } heeft geen hoogte: voeg aan het bestand een kolom z toe
 contact-used-up = meetpunt { $number }: het bestand heeft maar { $available ->
     [one] { $available } meetpunt
@@ -70,7 +70,7 @@ circle-apart = meetpunt { $contact } ligt { $apart } mm naast de cirkel, veel ve
 circle-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
 
 ## Measuring cycles: errors, results, remarks
-contact-out-of-reach = meetpunt { $number }: de taster heeft binnen de tastweg van { $longest } mm niets geraakt
+contact-out-of-reach = meetpunt { $number }: het tastsysteem heeft binnen de tastweg van { $longest } mm niets geraakt
 cycle-number-range = een getal, hoogstens { $most } in beide richtingen
 cycle-band-range = een tolerantie zoals 0.4-0.1, 0.4 of -0.1; 0 betekent geen tolerantie
 cycle-range = { $range }
@@ -152,7 +152,7 @@ feature-fault-same-name = een ander element heeft dezelfde naam
 # Figures of the simulated workpiece, as errors name them.
 figure-temperature = temperatuur
 figure-expansion = uitzetting
-figure-probe-scatter = spreiding van de taster
+figure-probe-scatter = spreiding van het tastsysteem
 figure-ball-radius = kogelradius
 figure-calibration-error = kalibratiefout
 figure-offset = verschuiving

@@ -83,13 +83,13 @@ program-page-refused-no-part = Er is geen onderdeel geopend
 program-page-from-recorded = opgenomen meetpunten
 program-page-workpiece-x = Werkelijk midden X
 program-page-workpiece-y = Werkelijk midden Y
-program-page-edit-workpiece = Werkstuk en taster…
+program-page-edit-workpiece = Werkstuk en tastsysteem…
 program-page-open-contacts = Andere meetpunten…
 program-page-recorded = { $count ->
     [one] { $count } meetpunt
    *[other] { $count } meetpunten
   } uit { $name }
-program-page-path = Baan van de taster
+program-page-path = Baan van het tastsysteem
 program-page-no-path = Nog geen baan
 
 program-page-no-windows = Het programma heeft geen venster geopend

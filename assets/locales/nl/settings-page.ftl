@@ -81,9 +81,9 @@ settings-page-part-expansion-about = Hoeveel het materiaal van het werkstuk uitz
 settings-page-scale-temperature = Temperatuur van de meetlinialen
 settings-page-scale-temperature-about = Alleen als de machine die niet compenseert.
 settings-page-scale-expansion-about = Hoeveel de meetlinialen van de machine uitzetten.
-settings-page-clearance-about = Hoe ver van het oppervlak de taster begint te zoeken.
+settings-page-clearance-about = Hoe ver van het oppervlak het tastsysteem begint te zoeken.
 settings-page-height = Meethoogte Z
-settings-page-height-about = Op welke hoogte de taster het werkstuk raakt.
+settings-page-height-about = Op welke hoogte het tastsysteem het werkstuk raakt.
 settings-page-first-contact-about = De hoek van het eerste meetpunt.
 settings-page-centre-tolerance-about = Hoeveel het midden in X en Y mag afwijken. 0: niet bewaakt.
 

@@ -50,7 +50,7 @@ walk-page-measured-before = { $count ->
     }
 walk-page-last-counts = { $count } keer gemeten: alle waarden blijven bewaard, en deze telt
 walk-page-skip-why = Reden om over te slaan
-walk-page-skip-access = Geen toegang voor de taster
+walk-page-skip-access = Geen toegang voor het tastsysteem
 walk-page-skip-gauge = Meetmiddel ontbreekt
 walk-page-skip-machined = Nog niet bewerkt
 walk-page-skip-elsewhere = Elders gemeten

@@ -86,7 +86,7 @@ ovality = Ovaliteit
 lobes = Lobben
 lobe-height = Lobhoogte
 surface-scatter = Spreiding oppervlak 1σ
-probe-scatter = Spreiding taster 1σ
+probe-scatter = Spreiding tastsysteem 1σ
 
 field-range = { $given } ligt buiten −{ $limit } tot { $limit }
 field-not-negative = { $given } is kleiner dan 0: toegestaan is 0 tot { $limit }
@@ -270,7 +270,7 @@ file-kind-status = Tekst
 file-kind-table = Tabellen
 file-kind-contacts = Meetpunten
 file-kind-workpiece = Gesimuleerde werkstukken
-file-kind-probes = Tastertabellen
+file-kind-probes = Tastsysteemtabellen
 file-kind-log = Meetprotocollen
 file-kind-program = NC-programma's
 file-kind-part = Gesimuleerde onderdelen
@@ -593,8 +593,8 @@ cycle-picture-minimum-side-2 = kleinste toegestane lengte langs de tweede as
 cycle-picture-width = nominale breedte, van wand tot wand
 cycle-picture-maximum-width = grootste toegestane breedte
 cycle-picture-minimum-width = kleinste toegestane breedte
-cycle-picture-start-1 = punt in de sleuf waar de taster begint, eerste as
-cycle-picture-start-2 = punt in de sleuf waar de taster begint, tweede as
+cycle-picture-start-1 = punt in de sleuf waar het tastsysteem begint, eerste as
+cycle-picture-start-2 = punt in de sleuf waar het tastsysteem begint, tweede as
 cycle-picture-shift = verschuiving van het tweede meetpunt langs de wanden; bij 0 ligt het tegenover het eerste
 cycle-picture-first-point-1 = eerste punt, op de wand aan de pluskant: eerste as
 cycle-picture-first-point-2 = eerste punt, op de wand aan de pluskant: tweede as
@@ -604,14 +604,14 @@ cycle-picture-axis-of-plane = gemeten as: 1 eerste as, 2 tweede as
 cycle-picture-diameter = nominale diameter
 cycle-picture-maximum-size = grootste toegestane diameter
 cycle-picture-minimum-size = kleinste toegestane diameter
-cycle-picture-start-diameter = diameter van de cirkel waarop de taster vóór elke tasting staat
+cycle-picture-start-diameter = diameter van de cirkel waarop het tastsysteem vóór elke tasting staat
 cycle-picture-first-angle = hoek van het eerste meetpunt, gerekend vanaf de eerste as
 cycle-picture-step = hoek van meetpunt tot meetpunt; min draait met de klok mee
 cycle-picture-longest-path = langste tastweg; plus leidt van het midden af, min ernaartoe
 cycle-picture-difference = elk meetpunt wordt twee keer getast: grootste toegestane verschil
 cycle-picture-measuring-height = hoogte van het midden van de kogel bij het meetpunt
-cycle-picture-set-up-clearance = afstand vóór het meetpunt, opgeteld bij SET_UP uit de tastertabel
-cycle-picture-clearance-height = hoogte waarop de taster vrij kan bewegen
+cycle-picture-set-up-clearance = afstand vóór het meetpunt, opgeteld bij SET_UP uit de tastsysteemtabel
+cycle-picture-clearance-height = hoogte waarop het tastsysteem vrij kan bewegen
 cycle-picture-point-1 = te tasten punt, eerste as
 cycle-picture-point-2 = te tasten punt, tweede as
 cycle-picture-point-3 = te tasten punt, derde as
@@ -627,7 +627,7 @@ cycle-picture-traverse = weg naar het volgende meetpunt: 0 rechte lijn, 1 boog
 cycle-picture-contact-count = aantal meetpunten, 3 of 4
 cycle-picture-plane = vlak van de cirkel: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 tast binnen, 1 buiten
-cycle-picture-measured-axis = gemeten as: 1 eerste as, 2 tweede as, 3 tasteras
+cycle-picture-measured-axis = gemeten as: 1 eerste as, 2 tweede as, 3 tastsysteemas
 cycle-picture-direction = tastrichting: −1 tegen de as in, +1 met de as mee
 cycle-picture-log = meetprotocol: 0 geen, 1 bestand, 2 op het scherm en het programma stopt
 cycle-picture-stop = buiten tolerantie: 0 het programma gaat door, 1 het stopt met een melding
@@ -641,7 +641,7 @@ cycle-picture-part = Onderdeel met { $count ->
     [one] één element
    *[other] { $count } elementen
   }: { $names }.
-cycle-picture-path = Baan van de taster, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
+cycle-picture-path = Baan van het tastsysteem, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
     [one] 1 meetpunt
    *[other] { $contacts } meetpunten
 }. Kogel op X { $x }, Y { $y }, Z { $z } mm.
@@ -681,7 +681,7 @@ cycle-picture-uncertainty = Spreiding s van een meetpunt geeft { $diameter } s i
 saved-broken = de bewaarde toestand is onleesbaar: { $reason }
 saved-newer = de bewaarde toestand heeft versie { $version }, dit programma ondersteunt versies tot en met { $known }
 window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Meld aan op een bureaublad, maak verbinding met ssh -X, of gebruik de opdrachtregel, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
-open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gereedschapstabellen (.t), gesimuleerde werkstukken (.toml), tastertabellen (.tp) en maskers (.a)
+open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gereedschapstabellen (.t), gesimuleerde werkstukken (.toml), tastsysteemtabellen (.tp) en maskers (.a)
 window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help
 
 ## Rows of a large file
