@@ -79,4 +79,4 @@ gauges-asking = stránka se na něco ptá: odpovězte a přeměřte
 gauges-typing = právě se zadává hodnota: stiskněte Enter, nebo pole vyprázdněte
 gauges-not-good = předchozí výrok není DOBRÝ a je mladší než sekunda: přečtěte si jej a přeměřte
 gauges-no-ports = porty tohoto počítače nelze vypsat: { $reason }
-gauges-unread = předchozí výrok ještě nebyl přečten: stisknout Další a změřit znovu
+gauges-unread = předchozí výrok ještě nebyl přečten: stisknout Další a přeměřit

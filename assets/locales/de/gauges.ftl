@@ -77,4 +77,4 @@ gauges-asking = die Seite fragt etwas: antworten und neu messen
 gauges-typing = ein Wert wird gerade eingegeben: Enter drücken oder das Feld leeren
 gauges-not-good = das Urteil davor ist nicht gut und kam vor weniger als einer Sekunde: es ansehen und neu messen
 gauges-no-ports = die Ports dieses Computers können nicht aufgelistet werden: { $reason }
-gauges-unread = das Urteil davor wurde noch nicht gelesen: Weiter drücken und erneut messen
+gauges-unread = das Urteil davor wurde noch nicht gelesen: Weiter drücken und neu messen

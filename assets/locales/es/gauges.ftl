@@ -77,4 +77,4 @@ gauges-asking = la página pregunta algo: responda y remida
 gauges-typing = se está escribiendo un valor: pulse Intro o vacíe el campo
 gauges-not-good = el dictamen anterior no es bueno y llegó hace menos de un segundo: mírelo y remida
 gauges-no-ports = los puertos de este ordenador no se pueden enumerar: { $reason }
-gauges-unread = el dictamen anterior aún no se ha leído: pulsar Siguiente y medir de nuevo
+gauges-unread = el dictamen anterior aún no se ha leído: pulsar Siguiente y remedir

@@ -77,4 +77,4 @@ gauges-asking = la pagina chiede qualcosa: rispondere e rimisurare
 gauges-typing = si sta digitando un valore: premere Invio o svuotare il campo
 gauges-not-good = l'esito precedente non è buono ed è arrivato meno di un secondo fa: guardarlo e rimisurare
 gauges-no-ports = non è possibile elencare le porte di questo computer: { $reason }
-gauges-unread = l'esito precedente non è ancora stato letto: premere Avanti e misurare di nuovo
+gauges-unread = l'esito precedente non è ancora stato letto: premere Avanti e rimisurare

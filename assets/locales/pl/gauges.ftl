@@ -79,4 +79,4 @@ gauges-asking = strona o coś pyta: odpowiedzieć i powtórzyć pomiar
 gauges-typing = wartość jest właśnie wpisywana: nacisnąć Enter lub opróżnić pole
 gauges-not-good = poprzednia ocena jest inna niż DOBRY i ma mniej niż sekundę: obejrzeć ją i powtórzyć pomiar
 gauges-no-ports = nie można wyświetlić listy portów tego komputera: { $reason }
-gauges-unread = poprzednia ocena nie została jeszcze odczytana: nacisnąć Dalej i zmierzyć ponownie
+gauges-unread = poprzednia ocena nie została jeszcze odczytana: nacisnąć Dalej i powtórzyć pomiar
