@@ -2,7 +2,8 @@
 //! another, nothing sticks out at the side.
 //!
 //! `PICTURES=FOLDER cargo test --all-features --test gui sizes` also writes pictures of every page at every size, light, dark and in high
-//! contrast, in the language with the longest texts.
+//! contrast, in the language with the longest texts; with `IN=de` in light and in German, at one size, for whoever reads a language in its
+//! place.
 
 use fitcheck::session::WalkField;
 use std::borrow::Cow;
@@ -71,17 +72,27 @@ fn languages() -> impl Iterator<Item = Tongue> {
     Language::all().map(|language| Tongue { name: language.code(), language, words: Words::new })
 }
 
-/// The languages that are looked at in every size; the others are where there is least room.
-const WHOLE: [&str; 2] = ["en", "nl"];
+/// The sizes that every language is looked at: where there is least room for texts that are not folded away, and where most columns stand
+/// beside each other. English is looked at in all.
+const OF_LANGUAGES: [(f32, f32, f32); 2] = [(800.0, 600.0, 1.0), READ];
 
-/// The size where there is least room for texts that are not folded away.
-const SMALLEST: (f32, f32, f32) = (800.0, 600.0, 1.0);
+/// The size at which a language is read.
+const READ: (f32, f32, f32) = (1280.0, 800.0, 1.0);
+
+/// The language that somebody wants to read in its place.
+fn read_in() -> Option<String> {
+    std::env::var("IN").ok()
+}
 
 /// Sizes with what the window speaks there.
 fn combinations(sizes: &[(f32, f32, f32)]) -> impl Iterator<Item = ((f32, f32, f32), Tongue)> {
-    let is_looked_at = |(size, tongue): &(_, Tongue)| *size == SMALLEST || WHOLE.contains(&tongue.language.code());
+    let is_pictured = std::env::var("PICTURES").is_ok();
+    let is_looked_at = move |(size, tongue): &(_, Tongue)| {
+        OF_LANGUAGES.contains(size) || tongue.language == Language::En || is_pictured && tongue.language == Language::Nl
+    };
     let all = sizes.iter().flat_map(|size| languages().map(move |tongue| (*size, tongue)));
-    all.filter(is_looked_at)
+    let is_read = |(size, tongue): &(_, Tongue)| *size == READ && read_in().as_deref() == Some(tongue.language.code());
+    all.filter(move |both| if read_in().is_some() { is_read(both) } else { is_looked_at(both) })
 }
 
 /// English with longer words.
@@ -128,8 +139,8 @@ fn first_start(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
     let mut window = open(size, tongue);
     send(&mut window, Command::Welcome(true));
     paint(&mut window, &what);
-    check_frame(&window, points, &what);
-    let mut found = faults(&window, tongue, &what);
+    let mut found = frame_faults(&window, points, &what);
+    found.extend(faults(&window, tongue, &what));
     send(&mut window, Command::GoTo(CheckField::Measured.into()));
     window.run();
     send(&mut window, HelpCommand::Explain(true));
@@ -165,7 +176,10 @@ fn paint(window: &mut Harness<'_, App>, name: &str) {
     let pixels = points * window.ctx.zoom_factor();
     let usual = if pixels.x < 3000.0 { 1.0 } else { 2.0 };
     let is_usual = (window.ctx.zoom_factor() - usual).abs() < 0.01;
-    let is_longest = window.state().session().language() != Language::En;
+    let is_longest = window.state().session().language() == Language::Nl;
+    if read_in().is_some() {
+        return window.render().unwrap().save(std::path::Path::new(&folder).join(format!("{name}.png"))).unwrap();
+    }
     if !is_longest || !is_usual || !PICTURED.contains(&(pixels.x.round(), pixels.y.round())) {
         return;
     }
@@ -182,20 +196,21 @@ fn bounds(node: &egui_kittest::Node<'_>) -> Rect {
     node.rect()
 }
 
-/// The verdict is whole and in its size; nothing reaches beyond the sides.
-#[track_caller]
-fn check_frame(window: &Harness<'_, App>, size: Vec2, what: &str) {
+/// What is wrong where the verdict is not whole, or something reaches beyond the sides.
+fn frame_faults(window: &Harness<'_, App>, size: Vec2, what: &str) -> Vec<String> {
     let screen = Rect::from_min_size(eframe::egui::Pos2::ZERO, size).expand(0.6);
-    let status = window.get_by_role(Role::Status);
-    assert!(screen.contains_rect(bounds(&status)), "{what}: the verdict {:?} is not in {screen:?}", bounds(&status));
-    for role in [Role::Button, Role::TextInput, Role::ComboBox, Role::RadioButton, Role::CheckBox, Role::Image] {
-        for node in window.query_all_by_role(role) {
-            let rect = bounds(&node);
-            let inside = screen.left() <= rect.left() && rect.right() <= screen.right();
-            let said = node.accesskit_node().label().unwrap_or_default();
-            assert!(inside || rect.bottom() < 0.0 || screen.bottom() < rect.top(), "{what}: {said} {rect:?}");
-        }
-    }
+    let verdict = bounds(&window.get_by_role(Role::Status));
+    let cut = (!screen.contains_rect(verdict)).then(|| format!("{what}: the verdict {verdict:?} is not in {screen:?}"));
+    let roles = [Role::Button, Role::TextInput, Role::ComboBox, Role::RadioButton, Role::CheckBox, Role::Image];
+    let all = roles.into_iter().flat_map(|role| window.query_all_by_role(role));
+    let beyond = all.filter_map(|node| {
+        let rect = bounds(&node);
+        let inside = screen.left() <= rect.left() && rect.right() <= screen.right();
+        let is_there = !(rect.bottom() < 0.0 || screen.bottom() < rect.top());
+        let said = node.accesskit_node().label().unwrap_or_default();
+        (is_there && !inside).then(|| format!("{what}: {said} reaches beyond the sides: {rect:?}"))
+    });
+    cut.into_iter().chain(beyond).collect()
 }
 
 /// A line of text on the screen.
@@ -283,11 +298,11 @@ fn check_page(size: (f32, f32, f32), tongue: Tongue, least: f32) -> Vec<String> 
     let points = vec2(size.0, size.1) / size.2;
     let what = format!("check {}x{} at {} {}", size.0, size.1, size.2, tongue.name);
     let mut window = open(size, tongue);
-    check_frame(&window, points, &what);
-    let mut found = faults(&window, tongue, &format!("{what}, empty"));
+    let mut found = frame_faults(&window, points, &what);
+    found.extend(faults(&window, tongue, &format!("{what}, empty")));
     measured(&mut window, &["25.012", "25.005", "25.0185", "25.023", "24.998"]);
     paint(&mut window, &format!("{what} rework"));
-    check_frame(&window, points, &what);
+    found.extend(frame_faults(&window, points, &what));
     found.extend(faults(&window, tongue, &format!("{what}, rework")));
     let why = (tongue.words)(tongue.language).get("why");
     let is_whole = |text: &Drawn| text.said.trim() == why && text.clip.expand(0.6).contains_rect(text.rect);
@@ -307,18 +322,18 @@ fn check_page(size: (f32, f32, f32), tongue: Tongue, least: f32) -> Vec<String> 
     let lot = fitcheck::exchange::import("parts.csv", rows, &sources, now);
     send(&mut window, CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(lot)) });
     send(&mut window, Command::Close);
-    check_frame(&window, points, &format!("{what}, a lot"));
+    found.extend(frame_faults(&window, points, &format!("{what}, a lot")));
     found.extend(faults(&window, tongue, &format!("{what}, a lot")));
     send(&mut window, CheckCommand::MeasureBy(MeasureBy::Simulating));
     send(&mut window, CheckCommand::Measure);
     paint(&mut window, &format!("{what} simulated"));
-    check_frame(&window, points, &what);
+    found.extend(frame_faults(&window, points, &what));
     found.extend(faults(&window, tongue, &format!("{what}, simulated")));
     // An error is never folded away: rule and temperature unfold.
     send(&mut window, CheckCommand::UseRule(RuleName::IlacG8));
     typed(&mut window, CheckField::ScaleTemperature, "22");
     paint(&mut window, &format!("{what} rule"));
-    check_frame(&window, points, &what);
+    found.extend(frame_faults(&window, points, &what));
     found.extend(faults(&window, tongue, &format!("{what}, rule")));
     send(&mut window, RecordsCommand::CorrectNumber(5));
     paint(&mut window, &format!("{what} correction"));
@@ -373,10 +388,9 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
-    if has_verdict(page) {
-        check_frame(&window, points, &what);
-    }
-    faults(&window, tongue, &what)
+    let mut found = if has_verdict(page) { frame_faults(&window, points, &what) } else { Vec::new() };
+    found.extend(faults(&window, tongue, &what));
+    found
 }
 
 /// Every section of the settings, and what a search finds.
@@ -441,7 +455,7 @@ fn walk(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
     send(&mut window, WalkCommand::Take);
     send(&mut window, WalkCommand::Simulate);
     paint(&mut window, &what);
-    check_frame(&window, points, &what);
+    found.extend(frame_faults(&window, points, &what));
     found.extend(faults(&window, tongue, &what));
     send(&mut window, WalkCommand::AskSkip(true));
     found.extend(faults(&window, tongue, &format!("{what}, left out")));
@@ -472,7 +486,7 @@ fn operator((size, dots): ((f32, f32, f32), f32), tongue: Tongue) -> Vec<String>
         send(&mut window, CheckCommand::Measure);
         let what = format!("{what}, {status:?}");
         paint(&mut window, &what);
-        check_frame(&window, vec2(size.0, size.1), &what);
+        found.extend(frame_faults(&window, vec2(size.0, size.1), &what));
         found.extend(faults(&window, tongue, &what));
         let word = (tongue.words)(tongue.language).told(&status);
         let sizes = window.get_all_by_label(&word).map(|node| bounds(&node).height() / 1.326);
@@ -502,7 +516,8 @@ fn operator((size, dots): ((f32, f32, f32), f32), tongue: Tongue) -> Vec<String>
 
 #[test]
 fn the_operators_window_on_every_panel_in_every_language() {
-    let all = PANELS.into_iter().flat_map(|panel| languages().map(move |tongue| (panel, tongue)));
+    let is_asked = |tongue: &Tongue| read_in().is_none_or(|code| code == tongue.language.code());
+    let all = PANELS.into_iter().flat_map(|panel| languages().filter(is_asked).map(move |tongue| (panel, tongue)));
     let found: Vec<_> = all.flat_map(|(panel, tongue)| operator(panel, tongue)).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
