@@ -1,9 +1,9 @@
 //! Right, below: the status window, as the control's pop-up prints it.
 
-use eframe::egui::{ComboBox, Ui};
+use eframe::egui::{Color32, ComboBox, Ui};
 
 use crate::gui::popup::{self, popup_ui};
-use crate::gui::theme::{control, space};
+use crate::gui::theme::{control, font, sizes, space};
 use crate::gui::view::{Digits, View, caret_ui, quiet};
 use crate::journal::Record;
 use crate::length::Length;
@@ -39,7 +39,8 @@ pub(super) fn window_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// What can be done with it.
 pub(super) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().interact_size.y = control(ui);
         view.button(ui, CheckAction::CopyStatus);
         mask_chooser_ui(ui, view);
     });
@@ -72,8 +73,13 @@ pub(in crate::gui) fn mask_chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
         MaskChoice::Shipped(language) => language.name().to_owned(),
         MaskChoice::Own { name, .. } => name.clone(),
     };
+    // As wide as its text, and no wider than the panel.
+    let width = ui.painter().layout_no_wrap(shown.clone(), font(sizes().body), Color32::PLACEHOLDER).size().x;
+    let width = (width + space(12.0)).min(ui.max_rect().width());
     let response = ComboBox::from_id_salt("mask")
         .icon(caret_ui)
+        .width(width)
+        .truncate()
         .selected_text(shown)
         .show_ui(ui, |ui| {
             let words = view.words;

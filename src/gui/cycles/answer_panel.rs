@@ -7,7 +7,7 @@ use crate::gui::check::recorded_ui;
 use crate::gui::popup::popup_ui;
 use crate::gui::room::is_tiny;
 use crate::gui::shapes::Edge;
-use crate::gui::theme::{self, sizes, space};
+use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::verdict_card::{Card, card_height, card_ui, half, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
@@ -29,7 +29,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let empty = if is_measured { "cycles-no-window" } else { "popup-empty" };
     let title = if run.is_some_and(|run| run.is_simulated) { "popup-title-simulated" } else { "popup-title" };
     popup_ui(ui, view, window.as_ref(), empty, title);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().interact_size.y = control(ui);
         view.button(ui, CyclesAction::CopyCycleStatus);
         mask_chooser_ui(ui, view);
     });
