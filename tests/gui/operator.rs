@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
@@ -231,6 +231,30 @@ fn a_file_that_is_dropped_on_an_operators_window_is_told() {
     window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
     window.run();
     window.get_by_label_contains("flange.csv is not opened here");
+}
+
+#[test]
+fn a_panel_that_loses_its_touch_presses_nothing_and_goes_on() {
+    let mut window = open();
+    scan(&mut window, "25 H7⏎25.010");
+    let at = window.get_by_role_and_label(Role::Button, "Judge").rect().center();
+    let button =
+        |pressed| Event::PointerButton { pos: at, button: PointerButton::Primary, pressed, modifiers: Modifiers::NONE };
+    let of_finger =
+        |phase| Event::Touch { device_id: TouchDeviceId(1), id: TouchId(1), phase, pos: at, force: Some(0.5) };
+    // What the window's library says when the panel is gone while a finger is on it: the pointer leaves, and nothing was released.
+    for event in [of_finger(TouchPhase::Start), Event::PointerMoved(at), button(true)] {
+        window.event(event);
+    }
+    window.step();
+    for event in [of_finger(TouchPhase::Cancel), Event::PointerGone] {
+        window.event(event);
+    }
+    window.run();
+    assert_eq!(window.state().session().history().len(), 0);
+    assert_eq!(window.state().session().text(CheckField::Measured), "25.010", "nothing is lost");
+    click(&mut window, Role::Button, "Judge");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
 }
 
 #[test]
