@@ -11,14 +11,15 @@ import time
 from gi.repository import Gio, GLib
 
 PATIENCE = 60  # Seconds for anything to happen, on however slow a machine.
-QUIET = 0.15  # Seconds without an event after which the window is at rest.
+SCALE = 0.5  # The window is drawn by the processor: in half its size in a quarter of the time, with all that is in it.
+LOOKS = 4  # So often in a row nothing is at work before the window is at rest.
 ROOT = "/org/a11y/atspi/accessible/root"
 FOCUSABLE, FOCUSED, PRESSED, SENSITIVE = 1 << 11, 1 << 12, 1 << 20, 1 << 24
 
 # Of the roles of AT-SPI, those that the window has, by their numbers.
 ROLES = {
     7: "check box", 11: "combo box", 16: "dialog", 23: "window", 27: "picture", 29: "label", 31: "list", 32: "list item", 33: "menu",
-    35: "menu item", 37: "tab", 39: "group", 42: "progress bar", 43: "button", 44: "radio button", 48: "scroll bar", 49: "tab panel",
+    35: "menu item", 37: "tab", 39: "group", 40: "password field", 42: "progress bar", 43: "button", 44: "radio button", 48: "scroll bar", 49: "tab panel",
     50: "edge", 51: "slider", 52: "spin button", 54: "status", 55: "table", 56: "cell", 62: "toggle button", 64: "balloon",
     67: "unknown", 79: "text field", 85: "section", 88: "link", 90: "row", 98: "list box", 116: "text",
 }  # fmt: skip
@@ -50,6 +51,9 @@ class Node:
     def takes_focus(self):
         return self.states & FOCUSABLE and self.states & SENSITIVE
 
+    def has_focus(self):
+        return self.states & FOCUSED
+
     def is_pressed(self):
         return self.states & PRESSED
 
@@ -67,10 +71,10 @@ class Program:
             self.environment[f"XDG_{name}_HOME"] = os.path.join(work, name.lower())
         for name in ["WAYLAND_DISPLAY", "AT_SPI_BUS_ADDRESS", "LANGUAGE", "LANG"]:
             self.environment.pop(name, None)
+        self.environment["WINIT_X11_SCALE_FACTOR"] = str(SCALE)
         self.running = running
         self.name = None
         self.events = collections.deque()
-        self.heard = time.monotonic()
         self.environment["DISPLAY"] = ":" + self.serve("Xvfb", "-displayfd", "FD", "-noreset", "-screen", "0", "1280x800x24")
         address = self.serve("dbus-daemon", "--session", "--nofork", "--print-address=FD")
         self.environment["DBUS_SESSION_BUS_ADDRESS"] = address
@@ -87,7 +91,10 @@ class Program:
         self.name = self.wait("the program on the accessibility bus", children)[0][0]
         search = ["search", "--onlyvisible", "--name", "^Fitcheck$"]
         window = self.wait("the window", lambda: self.xdotool(*search).split())[-1]
-        self.xdotool("windowfocus", window)
+        # What the pointer rests on has a balloon, which comes and goes by itself: it goes where the window is not.
+        self.xdotool("mousemove", "1279", "799")
+        has_keys = lambda: self.xdotool("windowfocus", window) or self.xdotool("getwindowfocus").strip() == window
+        self.wait("the keys to go to the window", has_keys)
         self.wait("the tree of the window", lambda: any(self.tree().children))
 
     def start(self, *command, **options):
@@ -111,11 +118,10 @@ class Program:
         return answer[0] if answer else None
 
     def hear(self, _connection, _sender, path, _interface, signal_name, parameters):
-        self.heard = time.monotonic()
         detail, one, _, value, _ = parameters.unpack()
         self.events.append((signal_name, path, detail, one, value))
 
-    def wait(self, what, condition):
+    def wait(self, what, condition, pause=0.03):
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             while GLib.MainContext.default().iteration(False):
@@ -124,16 +130,23 @@ class Program:
                 return got
             if self.process.poll() is not None:
                 sys.exit("bus: the program ended by itself")
-            time.sleep(0.03)
+            time.sleep(pause)
         if self.name is None:
             sys.exit(f"bus: waited {PATIENCE} s for {what}")
         announced = [event[4] for event in self.events if event[0] == "Announcement"]
-        focused = [node.place() for node in self.tree().all() if node.states & FOCUSED]
+        focused = [node.place() for node in self.tree().all() if node.has_focus()]
         sys.exit(f"bus: waited {PATIENCE} s for {what}\n     the focus is at {focused}\n     announced since: {announced}")
 
     def settle(self):
-        self.heard = time.monotonic()
-        self.wait("the window to come to rest", lambda: QUIET < time.monotonic() - self.heard)
+        """Waits until the program and its screen have nothing to do: all that was sent has been drawn, however slow the machine."""
+        looks = 0
+
+        def is_at_rest():
+            nonlocal looks
+            looks = 0 if any(is_at_work(process.pid) for process in self.running) else looks + 1
+            return LOOKS <= looks
+
+        self.wait("the window to come to rest", is_at_rest, pause=0.01)
 
     def xdotool(self, *words):
         done = subprocess.run(["xdotool", *words], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
@@ -155,7 +168,8 @@ class Program:
     def bounds(self, node):
         """Left, top, width and height within the window."""
         with contextlib.suppress(GLib.Error):
-            return "%d,%d %dx%d" % self.call("org.a11y.atspi.Component.GetExtents", node.path, GLib.Variant("(u)", (1,)))
+            extents = self.call("org.a11y.atspi.Component.GetExtents", node.path, GLib.Variant("(u)", (1,)))
+            return "%d,%d %dx%d" % tuple(pixels / SCALE for pixels in extents)
         return "no bounds"
 
     def find(self, role, name):
@@ -180,21 +194,35 @@ class Program:
 
     def press(self, name, role="button"):
         """Presses what has this name, as a screen reader does."""
+        self.settle()
         self.ask(role, name, "org.a11y.atspi.Action.DoAction", GLib.Variant("(i)", (0,)))
+        self.settle()
 
-    def type(self, name, text):
+    def type(self, name, text, role="text field"):
         """Goes to a field as a screen reader does, and types in it in the place of what is there."""
-        self.ask("text field", name, "org.a11y.atspi.Component.GrabFocus")
-        has_focus = lambda: (field := self.find("text field", name)) and field.states & FOCUSED
-        self.wait(f"the focus in the field {name!r}", has_focus)
-        self.xdotool("key", "ctrl+a")
+        self.settle()
+        self.ask(role, name, "org.a11y.atspi.Component.GrabFocus")
+        self.wait(f"the focus in the field {name!r}", lambda: (field := self.find(role, name)) and field.has_focus())
+        self.key("ctrl+a")
         self.xdotool("type", "--", text)
         # What is asked of the program next comes by another way than keys, and may be there before them.
-        has_text = lambda: self.text_of("text field", name) == text
-        self.wait(f"{text!r} in the field {name!r}", has_text)
+        shown = "•" * len(text) if role == "password field" else text
+        self.wait(f"{text!r} in the field {name!r}", lambda: self.text_of(role, name) == shown)
 
-    def key(self, key):
-        self.xdotool("key", key)
+    def key(self, *keys):
+        self.settle()
+        self.xdotool("key", *keys)
+        self.settle()
+
+
+def is_at_work(process):
+    """Whether a thread of it runs, would run, or waits for a disk."""
+    with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+        for thread in os.listdir(f"/proc/{process}/task"):
+            with open(f"/proc/{process}/task/{thread}/stat") as file:
+                if file.read().rpartition(")")[2].split()[0] in "RD":
+                    return True
+    return False
 
 
 def connection(address):
