@@ -4,7 +4,7 @@ use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, TextStyle, Ui, vec2};
 
 use super::over_page::just_opened;
-use super::spoken::{gap_ui, live};
+use super::spoken::{dialog_headed, gap_ui, live};
 use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, problem, quiet};
 use crate::exchange::{ColumnUnit, DecimalSign, Role, Separator};
@@ -58,7 +58,8 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     let said = 3.0 * (sizes().body + space(2.0));
     let foot = control(ui) + said + space(26.0);
     ScrollArea::vertical().id_salt("columns").max_height(screen.y - foot).show(ui, |ui| {
-        heading(ui, view.words.say(&message!("columns-page-title").text("name", open.name())));
+        let head = heading(ui, view.words.say(&message!("columns-page-title").text("name", open.name())));
+        dialog_headed(ui, Id::unique("columns-panel"), &head);
         quiet(ui, view.text(if open.asked.is_wanted { "columns-page-wanted" } else { "columns-page-uncertain" }));
         ui.horizontal_wrapped(|ui| file_ui(ui, view, open));
         ui.separator();

@@ -9,6 +9,7 @@ use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
 use super::notices::notices_ui;
 use super::over_page::{corner_window, just_opened};
+use super::spoken::dialog_headed;
 use super::theme::{control, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
@@ -51,7 +52,8 @@ impl LossQuestion {
     fn show(&self, ui: &Ui, view: &mut View<'_>, said: impl FnOnce(&mut Ui, &View<'_>)) {
         Modal::new(Id::unique(self.id)).show(ui, |ui| {
             ui.set_width(space(110.0));
-            heading(ui, view.text(self.head));
+            let head = heading(ui, view.text(self.head));
+            dialog_headed(ui, Id::unique(self.id), &head);
             said(ui, view);
             ui.horizontal(|ui| {
                 ui.spacing_mut().interact_size.y = control(ui);
@@ -98,7 +100,8 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let screen = ui.ctx().content_rect().size();
     ui.set_width(space(160.0).min(screen.x - space(10.0)));
     let mut content_ui = |ui: &mut Ui| {
-        heading(ui, view.text(dialog.purpose.title()));
+        let head = heading(ui, view.text(dialog.purpose.title()));
+        dialog_headed(ui, Id::unique("file-dialog"), &head);
         ui.add_enabled_ui(dialog.exists.is_none(), |ui| {
             path_ui(ui, view, dialog);
             folder_list_ui(ui, view, dialog);

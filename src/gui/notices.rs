@@ -7,6 +7,7 @@ use eframe::egui::{Align2, Button, CollapsingHeader, Frame, Id, Label, Margin, R
 
 use super::over_page::{corner_window, fixed_window};
 use super::section::{folded_ui, unfold};
+use super::spoken::told;
 use super::theme::{self, Icon, control, palette, sizes, space};
 use super::view::{View, problem, quiet};
 use crate::message::message;
@@ -88,7 +89,8 @@ fn toast_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             ui.set_max_width(width - close);
             ui.horizontal_wrapped(|ui| {
                 ui.set_min_height(control(ui));
-                ui.label(RichText::new(view.words.say(&notice.message)).color(palette.on_toast.0));
+                let text = ui.label(RichText::new(view.words.say(&notice.message)).color(palette.on_toast.0));
+                told(ui, &text);
                 offers_ui(ui, view, notice);
             });
         });
@@ -140,11 +142,8 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     ui.set_max_width(widest(ui, view));
     let text = view.words.say(&notice.message);
-    if notice.is_problem {
-        problem(ui, text);
-    } else {
-        ui.label(text);
-    }
+    let text = if notice.is_problem { problem(ui, text) } else { ui.label(text) };
+    told(ui, &text);
     details_ui(ui, view, notice);
     let more = view.session.notices().len().saturating_sub(1);
     if 0 < more {

@@ -17,6 +17,16 @@ pub(super) fn dialog(ctx: &Context, id: Id, name: &str) {
     ctx.accesskit_node_builder(id, |node| node.set_label(name));
 }
 
+/// Names a dialog of an id by the heading in it.
+pub(super) fn dialog_headed(ui: &Ui, id: Id, heading: &Response) {
+    ui.ctx().accesskit_node_builder(id, |node| node.push_labelled_by(heading.id.accesskit_id()));
+}
+
+/// Makes a text one that a screen reader reads when it comes.
+pub(super) fn told(ui: &Ui, text: &Response) {
+    ui.ctx().accesskit_node_builder(text.id, |node| node.set_live(Live::Polite));
+}
+
 /// Makes a widget a live region: a screen reader reads it whenever it changes.
 pub(super) fn live(ui: &Ui, response: &Response, said: &str, politeness: Live) {
     response.widget_info(|| WidgetInfo::labeled(Role::Status, true, said));

@@ -3,6 +3,7 @@
 use eframe::egui::{Button, Id, Modal, ScrollArea, TextEdit, Ui, vec2};
 
 use crate::gui::over_page::just_opened;
+use crate::gui::spoken::dialog_headed;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::session::CyclesAction;
@@ -18,7 +19,8 @@ pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
     Modal::new(Id::unique("cycle-block")).show(ui, |ui| {
         let screen = ui.ctx().content_rect().size();
         ui.set_width(space(140.0).min(screen.x - space(12.0)));
-        heading(ui, view.text("cycles-block"));
+        let head = heading(ui, view.text("cycles-block"));
+        dialog_headed(ui, Id::unique("cycle-block"), &head);
         let name = quiet(ui, view.text("cycles-block-hint")).id;
         let fault = FAULT_LINES * (sizes().body + space(1.0));
         let room = screen.y - fault - control(ui) - space(40.0);

@@ -4,6 +4,7 @@ use eframe::egui::{Button, Id, Modal, RichText, Ui, vec2};
 
 use crate::gui::over_page::just_opened;
 use crate::gui::segments::segments_ui;
+use crate::gui::spoken::dialog_headed;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading};
 use crate::session::{Action, Command, Mode, SettingsAction};
@@ -20,7 +21,8 @@ pub(in crate::gui) fn question_ui(ui: &Ui, view: &mut View<'_>) {
     Modal::new(id).show(ui, |ui| {
         ui.set_width(space(140.0).min(ui.ctx().content_rect().width() - space(12.0)));
         languages_ui(ui, view);
-        heading(ui, view.text("operator-question"));
+        let head = heading(ui, view.text("operator-question"));
+        dialog_headed(ui, id, &head);
         let palette = palette(ui.ctx());
         for (mode, name, about) in [
             (Mode::Operator, "operator-mode-operator", "operator-mode-operator-about"),

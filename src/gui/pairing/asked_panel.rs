@@ -74,13 +74,16 @@ fn parts_ui(ui: &mut Ui, view: &mut View<'_>, feature: Feature) {
         heading(ui, view.text(title_id(feature)));
     });
     let page = view.session.pairing();
-    match page.parts(feature) {
-        Some(parts) => read_ui(ui, view, parts, feature),
-        None => _ = quiet(ui, view.text("pairing-page-no-parts")),
-    }
-    if page.is_reading(feature) {
-        quiet(ui, view.text("pairing-page-reading"));
-    }
+    // However many lines it is, the button below that brought it stays the same one and keeps the focus.
+    ui.scope(|ui| {
+        match page.parts(feature) {
+            Some(parts) => read_ui(ui, view, parts, feature),
+            None => _ = quiet(ui, view.text("pairing-page-no-parts")),
+        }
+        if page.is_reading(feature) {
+            quiet(ui, view.text("pairing-page-reading"));
+        }
+    });
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
         view.field_button(ui, PairingAction::OpenParts(feature));
