@@ -13,6 +13,7 @@ use super::in_turn::InTurn;
 use super::journal::Records;
 use super::keeping::Keeper;
 use super::notices::leave_in_time;
+use super::over_page::come_home;
 use super::pages::{dropped_ui, page_of};
 use super::rail::rail_ui;
 use super::store::Store;
@@ -293,6 +294,7 @@ const LOW: f32 = 700.0;
 
 /// The rail, the top bar, the open page, and what lies over it.
 fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
+    come_home(ui);
     field::arrive(ui.ctx(), view);
     keys::keys_ui(ui, view);
     if view.session.is_for_operators() {

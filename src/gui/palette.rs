@@ -2,8 +2,8 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Align2, Button, Frame, Id, Key, Label, Layout, Memory, Modal, Modifiers, RichText, ScrollArea, Sense,
-    StrokeKind, TextEdit, TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
+    Align, Align2, Button, Frame, Id, Key, Label, Layout, Modal, Modifiers, RichText, ScrollArea, Sense, StrokeKind,
+    TextEdit, TextStyle, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
 use super::action_icon::icon_of;
@@ -33,7 +33,7 @@ fn field_id() -> Id {
 /// Draws the palette where it is open.
 pub(super) fn palette_ui(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
-    let Some(open) = &session.palette else { return go_home(ui) };
+    let Some(open) = &session.palette else { return };
     let screen = ui.ctx().content_rect();
     let width = space(WIDTH).min(screen.width() - space(8.0));
     let top = space(TOP).min(screen.height() * 0.1);
@@ -55,27 +55,8 @@ pub(super) fn palette_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
-fn home_id() -> Id {
-    Id::unique("palette-home")
-}
-
-/// After the palette the keys go where they went before, unless what was done has given them to something else.
-fn go_home(ui: &Ui) {
-    let Some(home) = ui.data(|data| data.get_temp::<Id>(home_id())) else { return };
-    if ui.memory(|memory| memory.top_modal_layer().is_some()) {
-        return ui.ctx().request_repaint();
-    }
-    ui.data_mut(|data| data.remove::<Id>(home_id()));
-    if ui.memory(Memory::focused).is_none() {
-        ui.memory_mut(|memory| memory.request_focus(home));
-    }
-}
-
 fn field_ui(ui: &mut Ui, view: &mut View<'_>, open: &Palette) {
     let opened = just_opened(ui, field_id());
-    if let Some(focused) = ui.memory(Memory::focused).filter(|_| opened) {
-        ui.data_mut(|data| data.insert_temp(home_id(), focused));
-    }
     // The keys of the list, before the field takes them.
     let step = ui.input_mut(|input| {
         let keys = [

@@ -205,7 +205,7 @@ fn a_name_is_typed_and_older_results_are_reached_by_touch_alone() {
     click(&mut window, Role::Button, "Older");
     click(&mut window, Role::Button, "Older");
     assert!(said(&window).iter().any(|row| row.contains("25.001")), "{:?}", said(&window));
-    click(&mut window, Role::Button, "25 H7, 25.001 mm, GOOD");
+    click(&mut window, Role::Button, "25 H7, 25.001 mm, GOOD, 10:42");
     assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
     assert!(window.query_by_label_contains("ISO 286").is_some(), "an older result has its reasons");
     click(&mut window, Role::Button, "Back to the results");
@@ -216,7 +216,7 @@ fn a_name_is_typed_and_older_results_are_reached_by_touch_alone() {
 fn a_result_below_the_verdict_opens_with_its_reasons_and_measuring_goes_on() {
     let mut window = open();
     scan(&mut window, "25 H7⏎25.030⏎⏎25.010⏎");
-    click(&mut window, Role::Button, "25 H7, 25.030 mm, SCRAP");
+    click(&mut window, Role::Button, "25 H7, 25.030 mm, SCRAP, 10:42");
     assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
     click(&mut window, Role::Button, "Measure");
     assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));

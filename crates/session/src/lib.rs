@@ -486,6 +486,12 @@ impl Session {
         if self.shared.page == Page::Parts { self.parts.go_on() } else { self.check.go_on(&self.shared.sources) }
     }
 
+    /// The field that an operator's window begins with.
+    fn begins_as_operator(&self) -> Option<Field> {
+        let field = if self.check.asked.limits.is_some() { CheckField::Measured } else { CheckField::Callout };
+        (self.is_for_operators() && self.page() == Page::Check).then_some(field.into())
+    }
+
     /// Whether Enter would answer something: a question, or a verdict that has to be read.
     fn asks_for_enter(&self) -> bool {
         !self.answers().is_empty() || self.is_for_operators() && self.rests()
@@ -538,8 +544,11 @@ impl Session {
             Command::DroppedOnOperator(name) => shared.tell(message!("operator-dropped").text("name", name)),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::GoOn => return self.go_on(),
-            Command::SetMode(_)
-            | Command::SetRuler(_)
+            Command::SetMode(mode) => {
+                shared.set_mode(mode);
+                return self.begins_as_operator().map(Effect::Focus).into_iter().collect();
+            }
+            Command::SetRuler(_)
             | Command::ShowKeypad(_)
             | Command::UseSounds(_)
             | Command::SetLanguage(_)

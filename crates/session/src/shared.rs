@@ -271,7 +271,6 @@ impl Shared {
     /// How the window looks from now on, and whom it is for.
     pub fn look(&mut self, command: &Command) {
         match *command {
-            Command::SetMode(mode) => self.set_mode(mode),
             Command::SetRuler(ruler) => self.ruler = ruler,
             Command::ShowKeypad(shown) => self.keypad = shown,
             Command::UseSounds(sounds) => self.sounds = sounds,

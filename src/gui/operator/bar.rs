@@ -83,6 +83,7 @@ fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
                 page => {
                     results::open(ui, None);
                     view.act(WindowAction::Open(page));
+                    super::go_to_value(view, page);
                 }
             }
         }

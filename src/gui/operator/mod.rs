@@ -36,7 +36,7 @@ use super::pages::page_of;
 use super::shapes::times;
 use super::theme;
 use super::view::View;
-use crate::session::{Command, Page};
+use crate::session::{CheckField, Command, Field, Page, WalkField};
 
 /// What lies over the page leaves the buttons at its foot free.
 pub(super) const FOOT: f32 = 64.0;
@@ -72,6 +72,19 @@ pub(super) fn operator_ui(ui: &mut Ui, view: &mut View<'_>) {
         Page::Help => (page_of(Page::Help).ui)(ui, view),
         _ => check::check_ui(ui, view),
     });
+}
+
+/// The field that a page asks for has the focus.
+fn go_to_value(view: &mut View<'_>, page: Page) {
+    let session = view.session;
+    let field: Field = match page {
+        Page::Parts if session.parts().walking.is_begun() => WalkField::Value.into(),
+        Page::Parts => WalkField::Serial.into(),
+        Page::Check if session.check().asked.limits.is_some() => CheckField::Measured.into(),
+        Page::Check => CheckField::Callout.into(),
+        _ => return,
+    };
+    view.send(Command::GoTo(field));
 }
 
 /// Files are for the full window: whoever drops one is told.

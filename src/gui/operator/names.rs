@@ -7,7 +7,7 @@ use super::sides_ui;
 use crate::gui::card::page_card_ui;
 use crate::gui::theme::{self, Icon, control, sizes};
 use crate::gui::view::{View, heading, quiet, remembered};
-use crate::session::{CheckField, Command, Field, Page, RecordsCommand, RecordsField, WalkField, WindowAction};
+use crate::session::{Field, RecordsCommand, RecordsField, WindowAction};
 
 fn id() -> Id {
     Id::unique("operator-names")
@@ -25,15 +25,7 @@ pub(super) fn open(ui: &Ui, is_open: bool) {
 /// Back to what is measured: its field has the focus.
 fn close(ui: &Ui, view: &mut View<'_>) {
     open(ui, false);
-    let session = view.session;
-    let field = match session.page() {
-        Page::Parts if session.parts().walking.is_begun() => WalkField::Value.into(),
-        Page::Parts => WalkField::Serial.into(),
-        Page::Check if session.check().asked.limits.is_some() => CheckField::Measured.into(),
-        Page::Check => CheckField::Callout.into(),
-        _ => return,
-    };
-    view.send(Command::GoTo(field));
+    super::go_to_value(view, view.session.page());
 }
 
 pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -120,8 +120,8 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, record: &Arc<Record>) {
     let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
     let word = check_card(view.words, record, true).word;
     let edge = Edge::of(record);
+    let time = record.time.strftime("%H:%M").to_string();
     row.with_layout(Layout::right_to_left(Align::Center), |ui| {
-        let time = record.time.strftime("%H:%M").to_string();
         ui.label(RichText::new(&time).font(theme::font(sizes().limits)));
         edged_chip_ui(ui, (record.verdict.status(), edge), &word);
         ui.label(RichText::new(format!("{value} mm")).font(theme::bold(sizes().figure)));
@@ -129,7 +129,7 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, record: &Arc<Record>) {
             ui.add(eframe::egui::Label::new(RichText::new(&name).font(theme::font(sizes().limits))).truncate());
         });
     });
-    let said = format!("{name}, {value} mm, {word}");
+    let said = format!("{name}, {value} mm, {word}, {time}");
     response.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::Button, true, &said));
     if response.clicked() {
         open(ui, Some(Arc::clone(record)));

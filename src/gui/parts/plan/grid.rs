@@ -202,6 +202,10 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column):
         };
         view.words.say(&named)
     });
+    // A screen reader says the cell to which the keys go.
+    if is_at {
+        ui.ctx().accesskit_node_builder(grid_id(), |node| node.set_active_descendant(response.id.accesskit_id()));
+    }
     if finding.is_some() {
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_invalid(Invalid::True));
     }
