@@ -8,9 +8,10 @@ use fitcheck::probing::cycle::{
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
+use fitcheck::shipped;
 use fitcheck::tolerance::{Deviations, Feature};
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 
 /// A text that every cycle accepts for a parameter, from its declaration.
 fn usual(parameter: &Parameter) -> Value {
@@ -437,17 +438,60 @@ fn what_has_no_effect_is_kept_and_said() {
 }
 
 #[test]
-fn every_parameter_has_a_question_in_every_language_of_its_cycle() {
-    for cycle in CYCLES {
-        for (language, _) in cycle.names {
-            // Q, P and H of G785 are only letters.
-            let without = cycle.parameters.iter().filter(|parameter| !parameter.names.is_empty());
-            let without: Vec<_> = without
-                .filter(|parameter| parameter.questions.iter().all(|(asked, _)| asked != language))
-                .map(|parameter| parameter.key.to_string())
-                .collect();
-            assert!(without.is_empty(), "cycle {}, {language}: no question for {without:?}", cycle.code);
+fn every_cycle_and_parameter_has_its_name_and_question_in_every_dialogue() {
+    let mut faults = Vec::new();
+    let mut check = |what: String, texts: &[(Dialogue, &str)], wanted: &[Dialogue]| {
+        let languages: Vec<_> = texts.iter().map(|(language, _)| *language).collect();
+        if languages != wanted || texts.iter().any(|(_, text)| text.trim().is_empty()) {
+            faults.push(format!("{what}: {texts:?}"));
         }
+    };
+    for cycle in CYCLES {
+        let code = cycle.code;
+        check(format!("name of {code}"), cycle.names, &Dialogue::ALL);
+        // Q, P and H of G785 are only letters.
+        for parameter in cycle.parameters.iter().filter(|parameter| 1 < parameter.name.len()) {
+            // The English name stands apart.
+            check(format!("{code}, name of {}", parameter.key), parameter.names, &Dialogue::ALL[1..]);
+            check(format!("{code}, question of {}", parameter.key), parameter.questions, &Dialogue::ALL);
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn names_stand_in_blocks_and_are_plain_there() {
+    for (cycle, language) in CYCLES.iter().flat_map(|cycle| Dialogue::ALL.map(|language| (cycle, language))) {
+        let names = cycle.parameters.iter().map(|parameter| parameter.name_in(language));
+        for name in names.chain([cycle.name(language)]) {
+            let is_plain = name.bytes().all(|byte| byte == b' ' || byte.is_ascii_graphic() && !b"~;".contains(&byte));
+            assert!(is_plain && name == name.to_uppercase(), "{} {language}: {name}", cycle.code);
+        }
+    }
+}
+
+#[test]
+fn the_built_in_program_calls_cycles_and_parameters_as_they_are_declared() {
+    for language in Dialogue::ALL {
+        let program = shipped::text(shipped::NC, &format!("82551_{language}.h"));
+        let mut named = None;
+        let mut seen = 0;
+        for line in program.lines().map(|line| line.trim_end_matches(" ~")) {
+            if let Some((_, called)) = line.split_once(" TCH PROBE ") {
+                let (code, name) = called.split_once(' ').unwrap();
+                let cycle = cycle_named(code).unwrap();
+                assert_eq!(name, cycle.name(language), "{language}: {line}");
+                named = Some(cycle);
+            } else if let Some((key, (_, name))) =
+                line.strip_prefix("    ").and_then(|pair| Some((pair.split_once('=')?.0, pair.split_once(" ;")?)))
+            {
+                let parameters = named.unwrap().parameters;
+                let parameter = parameters.iter().find(|parameter| parameter.key.to_string() == key).unwrap();
+                assert_eq!(name, parameter.name_in(language), "{language}: {line}");
+                seen += 1;
+            }
+        }
+        assert_eq!(seen, 32, "{language}");
     }
 }
 

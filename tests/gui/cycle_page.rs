@@ -11,7 +11,7 @@ use fitcheck::gui::App;
 use fitcheck::probing::cycles::cycle_named;
 use fitcheck::session::{Command, CycleField, Page};
 use fitcheck::verdict::Status;
-use fitcheck::words::Language;
+use fitcheck::words::{Dialogue, Language};
 
 use crate::harness::{DESK, Window, type_into, unfold, verdict};
 use crate::pictures::can_paint;
@@ -717,7 +717,7 @@ fn assert_whole(window: &Harness<'_, App>, text: &str, rects: &[Rect]) {
 
 #[test]
 fn the_names_of_questions_and_results_are_whole_in_every_language() {
-    for language in [Language::En, Language::Nl] {
+    for language in Dialogue::ALL.map(Dialogue::language) {
         let mut window = page_with_421(Window { language, ..Window::default() });
         key(&mut window, Modifiers::NONE, Key::Enter);
         let words = fitcheck::words::Words::new(language);
@@ -768,7 +768,7 @@ fn required_default_and_given_values_are_told_apart() {
 
 #[test]
 fn the_criteria_are_in_sight_after_a_run_without_scrolling() {
-    for language in [Language::En, Language::Nl] {
+    for language in Dialogue::ALL.map(Dialogue::language) {
         let mut window = page_with_421(Window { language, ..Window::default() });
         key(&mut window, Modifiers::NONE, Key::Enter);
         let words = fitcheck::words::Words::new(language);
@@ -791,7 +791,7 @@ fn page_with_421(window: Window) -> Harness<'static, App> {
 
 #[test]
 fn no_button_moves_when_a_result_comes() {
-    for language in [Language::En, Language::Nl] {
+    for language in Dialogue::ALL.map(Dialogue::language) {
         let mut window = page_with_421(Window { language, ..Window::default() });
         let places = |window: &Harness<'_, App>| -> Vec<_> {
             let nodes = [Role::Button, Role::ComboBox, Role::RadioButton, Role::TextInput]

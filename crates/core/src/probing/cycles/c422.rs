@@ -3,14 +3,26 @@
 use super::circle_cycle::{Side, corrects, figures, parameters, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 const SIDE: Side = Side {
     feature: Feature::Shaft,
     maximum: 277,
-    maximum_question: &[(En, "Maximum limit of size for stud?"), (Nl, "Maximale grensmaat tap?")],
+    maximum_question: &[
+        (En, "Maximum limit of size for stud?"),
+        (Nl, "Maximale grensmaat tap?"),
+        (De, "Größtmaß Zapfen?"),
+        (It, "Limite max dimensione isola?"),
+    ],
     minimum: 278,
-    minimum_question: &[(En, "Minimum limit of size for stud?"), (Nl, "Minimale grensmaat tap?")],
+    minimum_question: &[
+        (En, "Minimum limit of size for stud?"),
+        (Nl, "Minimale grensmaat tap?"),
+        (De, "Kleinstmaß Zapfen?"),
+        (It, "Limite minimo dimensione isola?"),
+    ],
 };
 
 /// The declaration. The Dutch name is that of NC-Solution 8255 (7/2020).
@@ -18,7 +30,12 @@ pub(super) const CYCLE: Cycle = Cycle {
     number: 422,
     code: "422",
     control: Control::Milling,
-    names: &[(En, "MEAS. CIRCLE OUTSIDE"), (Nl, "MET. CIRKEL BUITEN")],
+    names: &[
+        (En, "MEAS. CIRCLE OUTSIDE"),
+        (Nl, "MET. CIRKEL BUITEN"),
+        (De, "MESSEN KREIS AUSSEN"),
+        (It, "MIS. CERCHIO ESTERNO"),
+    ],
     notes: &[],
     parameters: &PARAMETERS,
     surface: |inputs| surface(SIDE.feature, inputs),

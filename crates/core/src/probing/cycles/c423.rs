@@ -3,14 +3,21 @@
 use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 423,
     code: "423",
     control: Control::Milling,
-    names: &[(En, "MEAS. RECTAN. INSIDE"), (Nl, "MET. RECHTH. BINNEN")],
+    names: &[
+        (En, "MEAS. RECTAN. INSIDE"),
+        (Nl, "MET. RECHTH. BINNEN"),
+        (De, "MESSEN RECHTECK INN."),
+        (It, "MIS. RETTANGOLO INT."),
+    ],
     notes: &[Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Hole, inputs),

@@ -3,14 +3,21 @@
 use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 424,
     code: "424",
     control: Control::Milling,
-    names: &[(En, "MEAS. RECTAN. OUTS."), (Nl, "MET. RECHTH. BUITEN")],
+    names: &[
+        (En, "MEAS. RECTAN. OUTS."),
+        (Nl, "MET. RECHTH. BUITEN"),
+        (De, "MESSEN RECHTECK AUS."),
+        (It, "MIS. RETTANGOLO EST."),
+    ],
     notes: &[Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Shaft, inputs),

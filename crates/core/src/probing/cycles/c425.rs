@@ -19,27 +19,49 @@ use crate::probing::cycle::{
 };
 use crate::probing::vector::{along, dot};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 425,
     code: "425",
     control: Control::Milling,
-    names: &[(En, "MEASURE INSIDE WIDTH"), (Nl, "METEN BREEDTE BINNEN")],
+    names: &[
+        (En, "MEASURE INSIDE WIDTH"),
+        (Nl, "METEN BREEDTE BINNEN"),
+        (De, "MESSEN BREITE INNEN"),
+        (It, "MIS. LARGHEZZA INT."),
+    ],
     notes: &[Note::Recommended { cycle: "1404" }],
     parameters: &[
         Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS")
-            .named(&[(Nl, "STARTPUNT 1E AS")])
-            .asked(&[(En, "Starting point in 1st axis?"), (Nl, "Startpunt 1e as?")])
+            .named(&[(Nl, "STARTPUNT 1E AS"), (De, "STARTPUNKT 1. ACHSE"), (It, "PUNTO INIZ. 1. ASSE")])
+            .asked(&[
+                (En, "Starting point in 1st axis?"),
+                (Nl, "Startpunt 1e as?"),
+                (De, "Startpunkt 1. Achse?"),
+                (It, "Punto iniziale 1. asse?"),
+            ])
             .means(Meaning::Start(Axis::First)),
         Parameter::coordinate(Key::Q(329), "STARTNG PNT 2ND AXIS")
-            .named(&[(Nl, "STARTPUNT 2E AS")])
-            .asked(&[(En, "Starting point in 2nd axis?"), (Nl, "Startpunt 2e as?")])
+            .named(&[(Nl, "STARTPUNT 2E AS"), (De, "STARTPUNKT 2. ACHSE"), (It, "PUNTO INIZ. 2. ASSE")])
+            .asked(&[
+                (En, "Starting point in 2nd axis?"),
+                (Nl, "Startpunt 2e as?"),
+                (De, "Startpunkt 2. Achse?"),
+                (It, "Punto iniziale 2. asse?"),
+            ])
             .means(Meaning::Start(Axis::Second)),
         Parameter::coordinate(Key::Q(310), "OFFS. 2ND MEASUREMNT")
-            .named(&[(Nl, "VERSCHUIVING 2E MET.")])
-            .asked(&[(En, "Offset for 2nd measurement?"), (Nl, "Verschuiving 2e meting?")])
+            .named(&[(Nl, "VERSCHUIVING 2E MET."), (De, "VERSATZ 2. MESSUNG"), (It, "OFFSET 2. MISURAZ.")])
+            .asked(&[
+                (En, "Offset for 2nd measurement?"),
+                (Nl, "Verschuiving 2e meting?"),
+                (De, "Versatz für 2. Messung?"),
+                (It, "Offset per 2. misurazione?"),
+            ])
             .or(0)
             .means(Meaning::Shift),
         AXIS,

@@ -14,25 +14,42 @@ use crate::probing::cycle::{
     Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, limits,
 };
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 /// The declaration.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 426,
     code: "426",
     control: Control::Milling,
-    names: &[(En, "MEASURE RIDGE WIDTH"), (Nl, "METEN DAMBREEDTE")],
+    names: &[
+        (En, "MEASURE RIDGE WIDTH"),
+        (Nl, "METEN DAMBREEDTE"),
+        (De, "MESSEN STEG AUSSEN"),
+        (It, "MIS. ISOLA ESTERNA"),
+    ],
     notes: &[],
     parameters: &[
         POINT_1.means(Meaning::FirstPoint(Axis::First)),
         POINT_2.means(Meaning::FirstPoint(Axis::Second)),
         Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS")
-            .named(&[(Nl, "2E PUNT 1E AS")])
-            .asked(&[(En, "2nd meas. point 1st axis?"), (Nl, "2e meetpunt 1e as?")])
+            .named(&[(Nl, "2E PUNT 1E AS"), (De, "2. PUNKT 1. ACHSE"), (It, "2. PUNTO 1. ASSE")])
+            .asked(&[
+                (En, "2nd meas. point 1st axis?"),
+                (Nl, "2e meetpunt 1e as?"),
+                (De, "2. Messpunkt 1. Achse?"),
+                (It, "2. punto misurato sul 1. asse?"),
+            ])
             .means(Meaning::SecondPoint(Axis::First)),
         Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS")
-            .named(&[(Nl, "2E PUNT 2E AS")])
-            .asked(&[(En, "2nd meas. point 2nd axis?"), (Nl, "2e meetpunt 2e as?")])
+            .named(&[(Nl, "2E PUNT 2E AS"), (De, "2. PUNKT 2. ACHSE"), (It, "2. PUNTO 2. ASSE")])
+            .asked(&[
+                (En, "2nd meas. point 2nd axis?"),
+                (Nl, "2e meetpunt 2e as?"),
+                (De, "2. Messpunkt 2. Achse?"),
+                (It, "2. punto misurato sul 2. asse?"),
+            ])
             .means(Meaning::SecondPoint(Axis::Second)),
         AXIS,
         MEASURING_HEIGHT,

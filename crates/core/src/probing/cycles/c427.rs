@@ -22,14 +22,21 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, It, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De: not seen.
 
 /// The declaration, in the order of the manual's example.
 pub(super) const CYCLE: Cycle = Cycle {
     number: 427,
     code: "427",
     control: Control::Milling,
-    names: &[(En, "MEASURE COORDINATE"), (Nl, "METEN COORDINAAT"), (It, "MISURAZ. COORDINATA")],
+    names: &[
+        (En, "MEASURE COORDINATE"),
+        (Nl, "METEN COORDINAAT"),
+        (De, "MESSEN KOORDINATE"),
+        (It, "MISURAZ. COORDINATA"),
+    ],
     notes: &[Note::SoftwareOption { option: "#17 / #1-05-1" }, Note::Recommended { cycle: "1400" }],
     parameters: &[
         POINT_1,
@@ -37,31 +44,43 @@ pub(super) const CYCLE: Cycle = Cycle {
         MEASURING_HEIGHT,
         SET_UP_CLEARANCE,
         Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
-            .named(&[(Nl, "MEETAS"), (It, "ASSE MISURATO")])
+            .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])
             .asked(&[
                 (En, "Meas. axis (1...3: 1=ref. axis)?"),
                 (Nl, "Meetas (1..3: 1=hoofdas)?"),
+                (De, "Messachse (1..3: 1=Hauptachse)?"),
                 (It, "Asse mis. (1..3: 1=asse princ.)?"),
             ])
             .means(Meaning::MeasuredAxis),
         Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
-            .named(&[(Nl, "TASTRICHTING"), (It, "DIREZIONE ATTRAVERS.")])
+            .named(&[(Nl, "TASTRICHTING"), (De, "VERFAHRRICHTUNG"), (It, "DIREZIONE ATTRAVERS.")])
             .asked(&[
                 (En, "Trav. direction 1 (+1=+ / -1=-)?"),
                 (Nl, "Tastrichting 1 (+1=+ / -1=-)?"),
+                (De, "Verfahrrichtung 1 (+1=+ / -1=-)?"),
                 (It, "Direz. attravers. 1 (+1=+/-1=-)?"),
             ])
             .means(Meaning::Direction),
         CLEARANCE_HEIGHT,
         MEASURING_LOG,
         Parameter::coordinate(Key::Q(288), "MAXIMUM LIMIT")
-            .named(&[(Nl, "MAXIMALE MAAT"), (It, "LIMITE MASSIMO")])
-            .asked(&[(En, "Maximum limit of size?"), (Nl, "Maximale grensmaat?"), (It, "Limite max dimensione?")])
+            .named(&[(Nl, "MAXIMALE MAAT"), (De, "GROESSTMASS"), (It, "LIMITE MASSIMO")])
+            .asked(&[
+                (En, "Maximum limit of size?"),
+                (Nl, "Maximale grensmaat?"),
+                (De, "Größtmaß?"),
+                (It, "Limite max dimensione?"),
+            ])
             .or(0)
             .means(Meaning::MaximumCoordinate),
         Parameter::coordinate(Key::Q(289), "MINIMUM LIMIT")
-            .named(&[(Nl, "MINIMALE MAAT"), (It, "LIMITE MINIMO")])
-            .asked(&[(En, "Minimum limit of size?"), (Nl, "Minimale grensmaat?"), (It, "Limite minimo dimensione?")])
+            .named(&[(Nl, "MINIMALE MAAT"), (De, "KLEINSTMASS"), (It, "LIMITE MINIMO")])
+            .asked(&[
+                (En, "Minimum limit of size?"),
+                (Nl, "Minimale grensmaat?"),
+                (De, "Kleinstmaß?"),
+                (It, "Limite minimo dimensione?"),
+            ])
             .or(0)
             .means(Meaning::MinimumCoordinate),
         STOP_IF_ERROR,

@@ -17,7 +17,9 @@ use crate::probing::simulated::{FreePoint, Surface};
 use crate::probing::vector::{along, direction, dot};
 use crate::tolerance::Feature;
 use crate::verdict::Status;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 /// The permitted deviation along the normal, as a text.
 const TOLERANCE: Key = Key::Qs(400);
@@ -30,38 +32,73 @@ pub(super) const CYCLE: Cycle = Cycle {
     number: 444,
     code: "444",
     control: Control::Milling,
-    names: &[(En, "PROBING IN 3-D"), (Nl, "TASTEN 3D")],
+    names: &[(En, "PROBING IN 3-D"), (Nl, "TASTEN 3D"), (De, "ANTASTEN 3D"), (It, "TASTATURA 3D")],
     notes: &[Note::NotOnItnc530, Note::MachineBuilder, Note::NormalFromCad],
     parameters: &[
         POINT_1,
         POINT_2,
         Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS")
-            .named(&[(Nl, "1E PUNT 3E AS")])
-            .asked(&[(En, "1st meas. point 3rd axis?"), (Nl, "1e meetpunt 3e as?")])
+            .named(&[(Nl, "1E PUNT 3E AS"), (De, "1. PUNKT 3. ACHSE"), (It, "1. PUNTO 3. ASSE")])
+            .asked(&[
+                (En, "1st meas. point 3rd axis?"),
+                (Nl, "1e meetpunt 3e as?"),
+                (De, "1. Messpunkt 3. Achse?"),
+                (It, "1. punto misurato sul 3. asse?"),
+            ])
             .means(Meaning::Point(Axis::Third)),
         component(581, "SURFACE NORMAL 1ST AXIS", Axis::First)
-            .named(&[(Nl, "NORMAAL 1E AS")])
-            .asked(&[(En, "Surface-normal in ref. axis?"), (Nl, "Oppervlaktenormaal in hoofdas?")]),
+            .named(&[(Nl, "NORMAAL 1E AS"), (De, "NORMALE HAUPTACHSE"), (It, "NORMALE ASSE PRINC.")])
+            .asked(&[
+                (En, "Surface-normal in ref. axis?"),
+                (Nl, "Oppervlaktenormaal in hoofdas?"),
+                (De, "Flächen-Normale Hauptachse?"),
+                (It, "Normale superf. asse princ.?"),
+            ]),
         component(582, "SURFACE NORMAL 2ND AXIS", Axis::Second)
-            .named(&[(Nl, "NORMAAL 2E AS")])
-            .asked(&[(En, "Surface-normal in minor axis?"), (Nl, "Oppervlaktenormaal in nevenas?")]),
+            .named(&[(Nl, "NORMAAL 2E AS"), (De, "NORMALE NEBENACHSE"), (It, "NORMALE ASSE SECOND.")])
+            .asked(&[
+                (En, "Surface-normal in minor axis?"),
+                (Nl, "Oppervlaktenormaal in nevenas?"),
+                (De, "Flächen-Normale Nebenachse?"),
+                (It, "Normale superf. asse second.?"),
+            ]),
         component(583, "SURFACE NORMAL 3RD AXIS", Axis::Third)
-            .named(&[(Nl, "NORMAAL 3E AS")])
-            .asked(&[(En, "Surface-normal in tool axis?"), (Nl, "Oppervlaktenormaal in gereedschapsas?")]),
+            .named(&[(Nl, "NORMAAL 3E AS"), (De, "NORMALE WZ-ACHSE"), (It, "NORMALE ASSE UTENS.")])
+            .asked(&[
+                (En, "Surface-normal in tool axis?"),
+                (Nl, "Oppervlaktenormaal in gereedschapsas?"),
+                (De, "Flächen-Normale Werkzeug-Achse?"),
+                (It, "Normale superf. asse utensile?"),
+            ]),
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT,
         Parameter::new(TOLERANCE, "TOLERANCE", Range::Band)
-            .named(&[(Nl, "TOLERANTIE")])
-            .asked(&[(En, "Tolerance value?"), (Nl, "Tolerantiewaarde?")])
+            .named(&[(Nl, "TOLERANTIE"), (De, "TOLERANZ"), (It, "TOLLERANZA")])
+            .asked(&[
+                (En, "Tolerance value?"),
+                (Nl, "Tolerantiewaarde?"),
+                (De, "Toleranzangabe?"),
+                (It, "Valore di tolleranza?"),
+            ])
             .or_nothing(),
         Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
-            .named(&[(Nl, "REACTIE BIJ FOUT")])
-            .asked(&[(En, "Reaction to tolerance error?"), (Nl, "Reactie bij tolerantiefout?")])
+            .named(&[(Nl, "REACTIE BIJ FOUT"), (De, "FEHLERREAKTION"), (It, "REAZIONE A ERRORE")])
+            .asked(&[
+                (En, "Reaction to tolerance error?"),
+                (Nl, "Reactie bij tolerantiefout?"),
+                (De, "Reaktion bei Toleranzfehler?"),
+                (It, "Reazione a errore tolleranza?"),
+            ])
             .or(0)
             .means(Meaning::StopOnUndersize),
         Parameter::size(RETRACT, "RETRACTION")
-            .named(&[(Nl, "TERUGTREKAFSTAND")])
-            .asked(&[(En, "Retraction distance?"), (Nl, "Terugtrekafstand?")])
+            .named(&[(Nl, "TERUGTREKAFSTAND"), (De, "RUECKZUG"), (It, "DISTACCO")])
+            .asked(&[
+                (En, "Retraction distance?"),
+                (Nl, "Terugtrekafstand?"),
+                (De, "Rückzugsweg?"),
+                (It, "Distanza di distacco?"),
+            ])
             .or_nothing()
             .means(Meaning::Retract),
     ],

@@ -16,11 +16,13 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De: not seen but the names of Q247, Q325 and Q365, which are those of other cycles. It: not seen.
 
 /// The name of Q262.
 const NOMINAL_DIAMETER: &str = "NOMINAL DIAMETER";
-const NOMINAL_DIAMETERS: Texts = &[(Nl, "NOMINALE DIAMETER")];
+const NOMINAL_DIAMETERS: Texts = &[(Nl, "NOMINALE DIAMETER"), (De, "SOLL-DURCHMESSER"), (It, "DIAMETRO NOMINALE")];
 
 /// The step between three contacts when Q247 is not given: with 90 degrees half the circle would be unmeasured.
 const STEP_OF_THREE: i64 = Angle::from_degrees(120).ten_thousandths();
@@ -48,16 +50,26 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         CENTRE_2,
         Parameter::size(q(262), NOMINAL_DIAMETER)
             .named(NOMINAL_DIAMETERS)
-            .asked(&[(En, "Nominal diameter?"), (Nl, "Nominale diameter?")])
+            .asked(&[
+                (En, "Nominal diameter?"),
+                (Nl, "Nominale diameter?"),
+                (De, "Soll-Durchmesser?"),
+                (It, "Diametro nominale?"),
+            ])
             .means(Meaning::Diameter),
         Parameter::angle(q(325), "STARTING ANGLE", 360, 0)
-            .named(&[(Nl, "STARTHOEK")])
-            .asked(&[(En, "Starting angle?"), (Nl, "Starthoek?")])
+            .named(&[(Nl, "STARTHOEK"), (De, "STARTWINKEL"), (It, "ANGOLO DI PARTENZA")])
+            .asked(&[(En, "Starting angle?"), (Nl, "Starthoek?"), (De, "Startwinkel?"), (It, "Angolo di partenza?")])
             .or(0)
             .means(Meaning::FirstAngle),
         Parameter::angle(q(247), "STEPPING ANGLE", 120, 5)
-            .named(&[(Nl, "HOEKSTAP")])
-            .asked(&[(En, "Intermediate stepping angle?"), (Nl, "Hoekstap?")])
+            .named(&[(Nl, "HOEKSTAP"), (De, "WINKELSCHRITT"), (It, "INCREMENTO ANGOLARE")])
+            .asked(&[
+                (En, "Intermediate stepping angle?"),
+                (Nl, "Hoekstap?"),
+                (De, "Winkelschritt?"),
+                (It, "Incremento angolare?"),
+            ])
             .or(QUARTER_TURN)
             .or_where(q(423), 3, STEP_OF_THREE)
             .means(Meaning::Step),
@@ -66,12 +78,12 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         CLEARANCE_HEIGHT,
         MOVE_TO_CLEARANCE,
         Parameter::size(q(side.maximum), "MAXIMUM DIMENSION")
-            .named(&[(Nl, "MAXIMALE MAAT")])
+            .named(&[(Nl, "MAXIMALE MAAT"), (De, "GROESSTMASS"), (It, "DIMENSIONE MASSIMA")])
             .asked(side.maximum_question)
             .or(0)
             .means(Meaning::MaximumDiameter),
         Parameter::size(q(side.minimum), "MINIMUM DIMENSION")
-            .named(&[(Nl, "MINIMALE MAAT")])
+            .named(&[(Nl, "MINIMALE MAAT"), (De, "KLEINSTMASS"), (It, "DIMENSIONE MINIMA")])
             .asked(side.minimum_question)
             .or(0)
             .means(Meaning::MinimumDiameter),
@@ -81,13 +93,23 @@ pub(super) const fn parameters(side: &Side) -> [Parameter; 20] {
         STOP_IF_ERROR,
         TOOL,
         Parameter::choice(q(423), "NO. OF MEAS. POINTS", &[3, 4])
-            .named(&[(Nl, "AANTAL MEETPUNTEN")])
-            .asked(&[(En, "No. probe points in plane (4/3)?"), (Nl, "Aantal meetpunten in vlak (4/3)?")])
+            .named(&[(Nl, "AANTAL MEETPUNTEN"), (De, "ANZAHL MESSPUNKTE"), (It, "N. PUNTI DI MISURA")])
+            .asked(&[
+                (En, "No. probe points in plane (4/3)?"),
+                (Nl, "Aantal meetpunten in vlak (4/3)?"),
+                (De, "Anzahl Antastungen Ebene (4/3)?"),
+                (It, "N. tastature nel piano (4/3)?"),
+            ])
             .or(4)
             .means(Meaning::ContactCount),
         Parameter::choice(q(365), "TYPE OF TRAVERSE", &[0, 1])
-            .named(&[(Nl, "SOORT VERPLAATSING")])
-            .asked(&[(En, "Type of traverse? Line=0/arc=1"), (Nl, "Soort verplaatsing? Recht=0/boog=1")])
+            .named(&[(Nl, "SOORT VERPLAATSING"), (De, "VERFAHRART"), (It, "TIPO DI TRAIETTORIA")])
+            .asked(&[
+                (En, "Type of traverse? Line=0/arc=1"),
+                (Nl, "Soort verplaatsing? Recht=0/boog=1"),
+                (De, "Verfahrart? Gerade=0/Kreis=1"),
+                (It, "Tipo traiettoria? Retta=0/arco=1"),
+            ])
             .or(1)
             .means(Meaning::Traverse),
         REVERSED,

@@ -16,13 +16,15 @@ use crate::probing::cycle::{
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::probing::vector::{along, norm};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{De, En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De: names of parameters not seen. It: not seen.
 
 const PLANE: Key = Key::Word("R");
 const SIDE: Key = Key::Word("BR");
 const PATH: Key = Key::Word("K");
 const PATH_NAME: &str = "MEASURING PATH";
-const PATH_NAMES: Texts = &[(Nl, "TASTWEG")];
+const PATH_NAMES: Texts = &[(Nl, "TASTWEG"), (De, "MESSWEG"), (It, "CORSA DI MISURA")];
 const FIRST_ANGLE: Key = Key::Word("C");
 const STEP: Key = Key::Word("RC");
 const START_DIAMETER: Key = Key::Word("D");
@@ -39,63 +41,105 @@ pub(super) const CYCLE: Cycle = Cycle {
     number: 785,
     code: "G785",
     control: Control::Lathe,
-    names: &[(En, "CIRCLE MEASUREMENT"), (Nl, "METEN CIRKEL"), (De, "KREISMESSUNG")],
+    names: &[(En, "CIRCLE MEASUREMENT"), (Nl, "METEN CIRKEL"), (De, "KREISMESSUNG"), (It, "MISURAZIONE CERCHIO")],
     notes: &[],
     parameters: &[
         Parameter::choice(PLANE, "PLANE", &[0, 1, 2])
-            .named(&[(Nl, "VLAK")])
+            .named(&[(Nl, "VLAK"), (De, "EBENE"), (It, "PIANO")])
             .asked(&[
                 (En, "Plane (0=X/Y, 1=Z/X, 2=Y/Z)"),
-                (De, "Nullpunkt-Verschiebung Art"),
                 (Nl, "Vlak (0=X/Y, 1=Z/X, 2=Y/Z)"),
+                (De, "Nullpunkt-Verschiebung Art"),
+                (It, "Piano (0=X/Y, 1=Z/X, 2=Y/Z)"),
             ])
             .or(0)
             .means(Meaning::Plane),
         Parameter::choice(SIDE, "INSIDE / OUTSIDE", &[0, 1])
-            .named(&[(Nl, "BINNEN / BUITEN")])
-            .asked(&[(En, "Inside / outside (0/1)"), (De, "Innen / Aussen"), (Nl, "Binnen / buiten")])
+            .named(&[(Nl, "BINNEN / BUITEN"), (De, "INNEN / AUSSEN"), (It, "INTERNO / ESTERNO")])
+            .asked(&[
+                (En, "Inside / outside (0/1)"),
+                (Nl, "Binnen / buiten"),
+                (De, "Innen / Aussen"),
+                (It, "Interno / esterno"),
+            ])
             .or(0)
             .means(Meaning::InsideOutside),
         Parameter::coordinate(PATH, PATH_NAME)
             .named(PATH_NAMES)
             .asked(&[
                 (En, "Measuring path (with sign)"),
-                (De, "Messweg inkremental (Vorzeichen)"),
                 (Nl, "Tastweg incrementeel (met teken)"),
+                (De, "Messweg inkremental (Vorzeichen)"),
+                (It, "Corsa di misura increm. (segno)"),
             ])
             .means(Meaning::Path),
         Parameter::angle(FIRST_ANGLE, "ANGLE OF 1ST TOUCH", 360, 0)
-            .named(&[(Nl, "HOEK 1E METING")])
-            .asked(&[(En, "Angle of 1st measurement"), (De, "Winkel 1. Messung"), (Nl, "Hoek 1e meting")])
+            .named(&[(Nl, "HOEK 1E METING"), (De, "WINKEL 1. MESSUNG"), (It, "ANGOLO 1. MISURAZ.")])
+            .asked(&[
+                (En, "Angle of 1st measurement"),
+                (Nl, "Hoek 1e meting"),
+                (De, "Winkel 1. Messung"),
+                (It, "Angolo 1. misurazione"),
+            ])
             .or(0)
             .means(Meaning::FirstAngle),
         Parameter::angle(STEP, "ANGLE STEP", 360, 0)
-            .named(&[(Nl, "HOEKSTAP")])
-            .asked(&[(En, "Incremental angle"), (De, "Winkel inkremental"), (Nl, "Hoekstap incrementeel")])
+            .named(&[(Nl, "HOEKSTAP"), (De, "WINKELSCHRITT"), (It, "INCREMENTO ANGOLARE")])
+            .asked(&[
+                (En, "Incremental angle"),
+                (Nl, "Hoekstap incrementeel"),
+                (De, "Winkel inkremental"),
+                (It, "Angolo incrementale"),
+            ])
             .means(Meaning::Step),
         Parameter::size(START_DIAMETER, "START DIAMETER")
-            .named(&[(Nl, "STARTDIAMETER")])
-            .asked(&[(En, "Start diameter"), (De, "Startdurchmesser"), (Nl, "Startdiameter")])
+            .named(&[(Nl, "STARTDIAMETER"), (De, "STARTDURCHMESSER"), (It, "DIAMETRO INIZIALE")])
+            .asked(&[
+                (En, "Start diameter"),
+                (Nl, "Startdiameter"),
+                (De, "Startdurchmesser"),
+                (It, "Diametro iniziale"),
+            ])
             .or_nothing()
             .means(Meaning::StartDiameter),
         Parameter::coordinate(HEIGHT, "MEASURING HEIGHT")
-            .named(&[(Nl, "MEETHOOGTE")])
-            .asked(&[(En, "Measuring height"), (De, "Position Zustellrichtung"), (Nl, "Meethoogte")])
+            .named(&[(Nl, "MEETHOOGTE"), (De, "MESSHOEHE"), (It, "ALTEZZA MISURATA")])
+            .asked(&[
+                (En, "Measuring height"),
+                (Nl, "Meethoogte"),
+                (De, "Position Zustellrichtung"),
+                (It, "Altezza di misura"),
+            ])
             .or_nothing()
             .means(Meaning::MeasuringHeight),
         Parameter::coordinate(CENTRE_1, "CENTER IN 1ST AXIS")
-            .named(&[(Nl, "MIDDEN 1E AS")])
-            .asked(&[(En, "Circle center 1st axis"), (De, "Kreismittelpunkt Achse 1"), (Nl, "Midden 1e as")])
+            .named(&[(Nl, "MIDDEN 1E AS"), (De, "MITTE 1. ACHSE"), (It, "CENTRO 1. ASSE")])
+            .asked(&[
+                (En, "Circle center 1st axis"),
+                (Nl, "Midden 1e as"),
+                (De, "Kreismittelpunkt Achse 1"),
+                (It, "Centro cerchio asse 1"),
+            ])
             .or(0)
             .means(Meaning::Centre(Axis::First)),
         Parameter::coordinate(CENTRE_2, "CENTER IN 2ND AXIS")
-            .named(&[(Nl, "MIDDEN 2E AS")])
-            .asked(&[(En, "Circle center 2nd axis"), (De, "Kreismittelpunkt Achse 2"), (Nl, "Midden 2e as")])
+            .named(&[(Nl, "MIDDEN 2E AS"), (De, "MITTE 2. ACHSE"), (It, "CENTRO 2. ASSE")])
+            .asked(&[
+                (En, "Circle center 2nd axis"),
+                (Nl, "Midden 2e as"),
+                (De, "Kreismittelpunkt Achse 2"),
+                (It, "Centro cerchio asse 2"),
+            ])
             .or(0)
             .means(Meaning::Centre(Axis::Second)),
         Parameter::size(PERMITTED, "MAXIMUM DIFFERENCE")
-            .named(&[(Nl, "MAXIMAAL VERSCHIL")])
-            .asked(&[(En, "Maximum difference"), (De, "Maximale Abweichung"), (Nl, "Maximaal verschil")])
+            .named(&[(Nl, "MAXIMAAL VERSCHIL"), (De, "MAXIMALE ABWEICHUNG"), (It, "SCOSTAMENTO MASSIMO")])
+            .asked(&[
+                (En, "Maximum difference"),
+                (Nl, "Maximaal verschil"),
+                (De, "Maximale Abweichung"),
+                (It, "Scostamento massimo"),
+            ])
             .or_nothing()
             .means(Meaning::Difference),
         Parameter::coordinate(Key::Word("Q"), "Q").or(0).without_effect(),

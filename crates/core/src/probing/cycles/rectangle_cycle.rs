@@ -22,42 +22,74 @@ use crate::probing::cycle::{
 use crate::probing::simulated::{Surface, Walls};
 use crate::probing::vector::along;
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De, It: not seen.
 
 /// The declaration, in the order of NC programs.
 pub(super) const PARAMETERS: [Parameter; 17] = [
     CENTRE_1,
     CENTRE_2,
     Parameter::size(Key::Q(282), "FIRST SIDE LENGTH")
-        .named(&[(Nl, "LENGTE 1E ZIJDE")])
-        .asked(&[(En, "1st side length (nominal value)?"), (Nl, "Lengte 1e zijde (nom. waarde)?")])
+        .named(&[(Nl, "LENGTE 1E ZIJDE"), (De, "1. SEITEN-LAENGE"), (It, "LUNGHEZZA 1. LATO")])
+        .asked(&[
+            (En, "1st side length (nominal value)?"),
+            (Nl, "Lengte 1e zijde (nom. waarde)?"),
+            (De, "1. Seitenlänge (Sollwert)?"),
+            (It, "Lunghezza 1. lato (valore nom.)?"),
+        ])
         .means(Meaning::Side(Axis::First)),
     Parameter::size(Key::Q(283), "2ND SIDE LENGTH")
-        .named(&[(Nl, "LENGTE 2E ZIJDE")])
-        .asked(&[(En, "2nd side length (nominal value)?"), (Nl, "Lengte 2e zijde (nom. waarde)?")])
+        .named(&[(Nl, "LENGTE 2E ZIJDE"), (De, "2. SEITEN-LAENGE"), (It, "LUNGHEZZA 2. LATO")])
+        .asked(&[
+            (En, "2nd side length (nominal value)?"),
+            (Nl, "Lengte 2e zijde (nom. waarde)?"),
+            (De, "2. Seitenlänge (Sollwert)?"),
+            (It, "Lunghezza 2. lato (valore nom.)?"),
+        ])
         .means(Meaning::Side(Axis::Second)),
     MEASURING_HEIGHT,
     SET_UP_CLEARANCE,
     CLEARANCE_HEIGHT,
     MOVE_TO_CLEARANCE,
     Parameter::size(Key::Q(284), "MAX. LIMIT 1ST SIDE")
-        .named(&[(Nl, "MAX. MAAT 1E ZIJDE")])
-        .asked(&[(En, "Max. size limit 1st side length?"), (Nl, "Maximale grensmaat 1e zijde?")])
+        .named(&[(Nl, "MAX. MAAT 1E ZIJDE"), (De, "GROESSTMASS 1. SEITE"), (It, "LIMITE MAX 1. LATO")])
+        .asked(&[
+            (En, "Max. size limit 1st side length?"),
+            (Nl, "Maximale grensmaat 1e zijde?"),
+            (De, "Größtmaß 1. Seitenlänge?"),
+            (It, "Limite max lunghezza 1. lato?"),
+        ])
         .or(0)
         .means(Meaning::MaximumSide(Axis::First)),
     Parameter::size(Key::Q(285), "MIN. LIMIT 1ST SIDE")
-        .named(&[(Nl, "MIN. MAAT 1E ZIJDE")])
-        .asked(&[(En, "Min. size limit 1st side length?"), (Nl, "Minimale grensmaat 1e zijde?")])
+        .named(&[(Nl, "MIN. MAAT 1E ZIJDE"), (De, "KLEINSTMASS 1. SEITE"), (It, "LIMITE MIN. 1. LATO")])
+        .asked(&[
+            (En, "Min. size limit 1st side length?"),
+            (Nl, "Minimale grensmaat 1e zijde?"),
+            (De, "Kleinstmaß 1. Seitenlänge?"),
+            (It, "Limite minimo lunghezza 1. lato?"),
+        ])
         .or(0)
         .means(Meaning::MinimumSide(Axis::First)),
     Parameter::size(Key::Q(286), "MAX. LIMIT 2ND SIDE")
-        .named(&[(Nl, "MAX. MAAT 2E ZIJDE")])
-        .asked(&[(En, "Max. size limit 2nd side length?"), (Nl, "Maximale grensmaat 2e zijde?")])
+        .named(&[(Nl, "MAX. MAAT 2E ZIJDE"), (De, "GROESSTMASS 2. SEITE"), (It, "LIMITE MAX 2. LATO")])
+        .asked(&[
+            (En, "Max. size limit 2nd side length?"),
+            (Nl, "Maximale grensmaat 2e zijde?"),
+            (De, "Größtmaß 2. Seitenlänge?"),
+            (It, "Limite max lunghezza 2. lato?"),
+        ])
         .or(0)
         .means(Meaning::MaximumSide(Axis::Second)),
     Parameter::size(Key::Q(287), "MIN. LIMIT 2ND SIDE")
-        .named(&[(Nl, "MIN. MAAT 2E ZIJDE")])
-        .asked(&[(En, "Min. size limit 2nd side length?"), (Nl, "Minimale grensmaat 2e zijde?")])
+        .named(&[(Nl, "MIN. MAAT 2E ZIJDE"), (De, "KLEINSTMASS 2. SEITE"), (It, "LIMITE MIN. 2. LATO")])
+        .asked(&[
+            (En, "Min. size limit 2nd side length?"),
+            (Nl, "Minimale grensmaat 2e zijde?"),
+            (De, "Kleinstmaß 2. Seitenlänge?"),
+            (It, "Limite minimo lunghezza 2. lato?"),
+        ])
         .or(0)
         .means(Meaning::MinimumSide(Axis::Second)),
     CENTRE_TOLERANCE_1,

@@ -13,28 +13,45 @@ use crate::probing::cycle::{
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
-use crate::words::Dialogue::{En, It, Nl};
+use crate::words::Dialogue::{De, En, It, Nl};
+
+// De: not seen. It: not seen for Q311, nor the question of Q272.
 
 /// The measured axis, one of the two of the plane.
 pub(super) const AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2])
-    .named(&[(Nl, "MEETAS"), (It, "ASSE MISURATO")])
-    .asked(&[(En, "Meas. axis (1...2: 1=ref. axis)?"), (Nl, "Meetas (1..2: 1=hoofdas)?")])
+    .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])
+    .asked(&[
+        (En, "Meas. axis (1...2: 1=ref. axis)?"),
+        (Nl, "Meetas (1..2: 1=hoofdas)?"),
+        (De, "Messachse (1..2: 1=Hauptachse)?"),
+        (It, "Asse mis. (1..2: 1=asse princ.)?"),
+    ])
     .means(Meaning::AxisOfPlane);
 /// The nominal width.
 pub(super) const WIDTH: Parameter = Parameter::size(Key::Q(311), "NOMINAL LENGTH")
-    .named(&[(Nl, "NOMINALE BREEDTE")])
-    .asked(&[(En, "Nominal length?"), (Nl, "Nominale breedte?")])
+    .named(&[(Nl, "NOMINALE BREEDTE"), (De, "SOLL-LAENGE"), (It, "LUNGHEZZA NOMINALE")])
+    .asked(&[(En, "Nominal length?"), (Nl, "Nominale breedte?"), (De, "Soll-Länge?"), (It, "Lunghezza nominale?")])
     .means(Meaning::Width);
 /// The largest permitted width.
 pub(super) const MAXIMUM: Parameter = Parameter::size(Key::Q(288), "MAXIMUM LIMIT")
-    .named(&[(Nl, "MAXIMALE MAAT"), (It, "LIMITE MASSIMO")])
-    .asked(&[(En, "Maximum limit of size?"), (Nl, "Maximale grensmaat?"), (It, "Limite max dimensione?")])
+    .named(&[(Nl, "MAXIMALE MAAT"), (De, "GROESSTMASS"), (It, "LIMITE MASSIMO")])
+    .asked(&[
+        (En, "Maximum limit of size?"),
+        (Nl, "Maximale grensmaat?"),
+        (De, "Größtmaß?"),
+        (It, "Limite max dimensione?"),
+    ])
     .or(0)
     .means(Meaning::MaximumWidth);
 /// The smallest permitted width.
 pub(super) const MINIMUM: Parameter = Parameter::size(Key::Q(289), "MINIMUM LIMIT")
-    .named(&[(Nl, "MINIMALE MAAT"), (It, "LIMITE MINIMO")])
-    .asked(&[(En, "Minimum limit of size?"), (Nl, "Minimale grensmaat?"), (It, "Limite minimo dimensione?")])
+    .named(&[(Nl, "MINIMALE MAAT"), (De, "KLEINSTMASS"), (It, "LIMITE MINIMO")])
+    .asked(&[
+        (En, "Minimum limit of size?"),
+        (Nl, "Minimale grensmaat?"),
+        (De, "Kleinstmaß?"),
+        (It, "Limite minimo dimensione?"),
+    ])
     .or(0)
     .means(Meaning::MinimumWidth);
 
