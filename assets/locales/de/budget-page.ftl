@@ -88,10 +88,10 @@ budget-page-method-gum = JCGM 100 (GUM)
 budget-page-largest = Größter Beitrag
 budget-page-largest-is = { $name }, { $percent } % der Varianz
 budget-page-help = Was am meisten helfen würde
-budget-page-help-halved = Davon die Hälfte: u = { $u } µm
+budget-page-help-halved = Halbiert: u = { $u } µm
 budget-page-help-part-temperature = Unsicherheit der Teiletemperatur halbiert: u = { $u } µm
 budget-page-help-scale-temperature = Unsicherheit der Temperatur der Maßstäbe halbiert: u = { $u } µm
-budget-page-help-expansion = Abstand zu 20 °C halbiert, oder Unsicherheit der Ausdehnung halbiert: u = { $u } µm
+budget-page-help-expansion = Abstand zu 20 °C halbiert oder Unsicherheit der Ausdehnung halbiert: u = { $u } µm
 budget-page-help-full-circle = { $count } Antastpunkte gleichmäßig rund um den ganzen Kreis: u = { $u } µm
 budget-page-help-more-touches = { $count } Antastpunkte gleichmäßig rund um den ganzen Kreis: u = { $u } µm
 

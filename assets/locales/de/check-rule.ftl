@@ -72,4 +72,4 @@ rows-by-limits = Nur nach den Grenzmaßen beurteilt: Entscheidungsregel und Temp
 check-budget-of-check = { $name }, erstellt am { $date }
 cycles-by-limits = Der Zyklus beurteilt nur nach seinen Grenzmaßen, wie an einer Steuerung: Entscheidungsregel, Unsicherheit und Temperatur gehören zur Seite Prüfung
 band-no-guards = Sicherheitsbänder erscheinen, sobald die Regel ihre Unsicherheit hat
-risk-without-uncertainty = Für die Risiken eine Unsicherheit u oder U angeben, und Grenzmaße, die angenommene Werte übrig lassen
+risk-without-uncertainty = Für die Risiken eine Unsicherheit u oder U angeben und Grenzmaße, die angenommene Werte übrig lassen

@@ -44,10 +44,10 @@ exchange-column-twice = Spalte { $column } kann nicht zugleich { $first } und { 
 exchange-unit = unbekannte Einheit { $unit }: mm, µm oder inch verwenden
 exchange-unit-stated = Textzeile { $line } nennt die Einheit { $unit }, die nicht unterstützt wird („{ $text }“): mm, µm oder inch verwenden, oder die Einheit der Maße wählen (--columns unit=mm)
 exchange-unit-mentioned = Textzeile { $line } nennt { $unit } („{ $text }“), nichts sagt aber, ob die Werte in dieser Einheit stehen: die Einheit der Maße wählen (--columns unit=mm, um oder inch)
-exchange-units-differ = „{ $at }“ sagt { $unit }, „{ $other-at }“ sagt { $other }: eines von beiden verbessern
-exchange-unit-late = Textzeile { $line } nennt { $unit } („{ $text }“), die Zeilen darüber werden aber in { $read } gelesen: die Einheit über der ersten Zeile nennen oder jene Textzeile verbessern
-exchange-unit-stray = diese Textzeile nennt { $unit } („{ $text }“), alle anderen Zeilen werden aber in { $read } gelesen: die Einheit über der ersten Zeile nennen oder diese Textzeile verbessern
-exchange-unit-given = die gewählte Einheit ist { $given }, die Datei sagt aber { $unit } („{ $text }“): { $unit } wählen oder die Datei verbessern
+exchange-units-differ = „{ $at }“ sagt { $unit }, „{ $other-at }“ sagt { $other }: eines von beiden berichtigen
+exchange-unit-late = Textzeile { $line } nennt { $unit } („{ $text }“), die Zeilen darüber werden aber in { $read } gelesen: die Einheit über der ersten Zeile nennen oder jene Textzeile berichtigen
+exchange-unit-stray = diese Textzeile nennt { $unit } („{ $text }“), alle anderen Zeilen werden aber in { $read } gelesen: die Einheit über der ersten Zeile nennen oder diese Textzeile berichtigen
+exchange-unit-given = die gewählte Einheit ist { $given }, die Datei sagt aber { $unit } („{ $text }“): { $unit } wählen oder die Datei berichtigen
 exchange-unit-half = Spalte { $column } ist in Inch, und Spalte { $open } nennt ihre Einheit nicht: sie neben beide Namen schreiben oder die Einheit der Maße wählen (--columns unit=inch)
 exchange-unit-missing = die Einheit dieser Zeile fehlt: mm, µm oder inch schreiben, oder die Einheit der Maße wählen (--columns unit=mm)
 exchange-callout-unit = { $given }: die Zeile ist in Inch, und eine Toleranzangabe mit Maß oder Grenzabmaßen ist in mm: das Nennmaß in eine eigene Spalte neben der Klasse setzen
@@ -73,7 +73,7 @@ exchange-other-feature = { $given } ist { $feature ->
         [hole] eine Welle, und das sind die Bohrungen: sind die Dateien vertauscht?
        *[shaft] eine Bohrung, und das sind die Wellen: sind die Dateien vertauscht?
     }
-exchange-rejected = die Datei selbst verwirft diesen Wert ({ $given }): die Zeile entfernen oder in der Datei verbessern
+exchange-rejected = die Datei selbst verwirft diesen Wert ({ $given }): die Zeile entfernen oder in der Datei berichtigen
 exchange-no-part = { $given } nennt eine Kennzahl mehrerer Teile oder ein Einstellnormal eines Messmittels, kein Teil: die Zeile entfernen oder dem Teil einen anderen Namen geben
 exchange-other-log = { $feature ->
         [hole] das ist das Messprotokoll einer Welle, und das sind die Bohrungen: sind die Dateien vertauscht?
@@ -150,7 +150,7 @@ sizes-warning-simulated-rows = { $count ->
         [one] 1 Zeile ist simuliert
        *[other] { $count } Zeilen sind simuliert
     }: nichts wurde gemessen
-exchange-position-out = die Mitte war außer Position, die Datei hat aber nur das Maß
+exchange-position-out = die Lage der Mitte war außer Toleranz, die Datei hat aber nur das Maß
 exchange-undecided = hier war nichts entschieden: { $given }
 exchange-warning-other-rule = die Urteile in dieser Datei können von einer anderen Entscheidungsregel stammen (Spalte rule_name): ihre Werte werden neu beurteilt
 exchange-read = der Rest der Datei kann nicht gelesen werden: { $reason }

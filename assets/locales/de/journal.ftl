@@ -8,7 +8,7 @@ journal-break-removed = { $count ->
 journal-break-inserted = Eintrag { $number } wurde eingefügt
 journal-break-reordered = Einträge { $number } und { $other } sind vertauscht
 journal-break-rewritten = Eintrag { $number } weicht von dem anderswo bekannten ab: das Journal wurde von dort oder von einem früheren Eintrag an neu geschrieben
-journal-break-cut-off = das Journal endet mit Eintrag { $last }, anderswo ist aber Eintrag { $known } bekannt: seine neuesten Einträge wurden abgeschnitten, oder eine ältere Kopie wurde zurückgelegt
+journal-break-cut-off = das Journal endet mit Eintrag { $last }, anderswo ist aber Eintrag { $known } bekannt: seine neuesten Einträge wurden abgeschnitten, oder eine ältere Kopie wurde zurückgespielt
 
 ## Einträge
 journal-body-json = kein Eintrag eines Journals: { $reason }
@@ -39,7 +39,7 @@ journal-ask-callout = { $error }; eine Toleranzangabe gehört in Anführungszeic
 journal-ask-class = { $error }
 journal-ask-order = der Zeitraum endet, bevor er beginnt: from muss vor to liegen
 journal-ask-both-origins = simulated und measured schließen einander aus
-journal-ask-too-long = die Frage hat { $bytes } Byte, höchstens { $most } sind zulässig
+journal-ask-too-long = die Abfrage hat { $bytes } Byte, höchstens { $most } sind zulässig
 
 ## Das Journal einer Station
 store-missing = kein Journal unter { $path }
@@ -60,8 +60,8 @@ store-moved = { $path } wurde inzwischen verschoben oder beiseitegelegt: nichts 
 store-other-target = Eintrag { $number } ist nicht der, der berichtigt werden sollte: nichts wurde aufgezeichnet
 store-corrected = Eintrag { $number } wurde schon durch Eintrag { $by } berichtigt oder zurückgenommen: jenen berichtigen, wenn er keine Rücknahme ist
 store-finding-no-beginning = das Journal hat keinen ersten Eintrag, der seine Kette nennt
-store-finding-pages = die Seiten des Journals widersprechen einander, und Fragen können vorhandene Einträge übersehen: { $reason }
-store-finding-index = ein Index für Fragen passt nicht zu seiner Tabelle: { $reason }
+store-finding-pages = die Seiten des Journals widersprechen einander, und Abfragen können vorhandene Einträge übersehen: { $reason }
+store-finding-index = ein Index für Abfragen passt nicht zu seiner Tabelle: { $reason }
 store-hidden = Eintrag { $number } von { $path } steht nicht an seinem Platz: das Journal wurde geändert oder seine Datei ist beschädigt; fitcheck journal verify ausführen
 store-no-entry = { $path } hat keinen Eintrag { $number }: der letzte ist { $last }
 store-backup = die Kopie von { $path } war unvollständig und wurde entfernt
@@ -70,7 +70,7 @@ store-database = { $path }: { $reason }
 store-remark-begun = ein neues Journal wurde angelegt: { $path }
 store-remark-set-aside = das Journal { $path } war beschädigt: es liegt jetzt unverändert in { $folder }, und ein neues wurde an seiner Stelle angelegt
 store-remark-migrated = { $path } wurde auf diese Version umgestellt; die Datei im früheren Zustand ist { $copy }
-store-remark-behind = { $path } endet mit Eintrag { $last }, hatte aber schon Eintrag { $known }: seine neuesten Einträge wurden abgeschnitten, oder eine ältere Kopie wurde zurückgelegt
+store-remark-behind = { $path } endet mit Eintrag { $last }, hatte aber schon Eintrag { $known }: seine neuesten Einträge wurden abgeschnitten, oder eine ältere Kopie wurde zurückgespielt
 store-remark-other = Eintrag { $number } von { $path } ist anders als früher: das Journal wurde von dort oder von einem früheren Eintrag an neu geschrieben
 store-remark-replaced = { $path } ist nicht das Journal, das vorher dort war und { $known } Einträge hatte
 store-remark-waits = ein anderes Programm schreibt in { $path }: warten, bis es fertig ist

@@ -28,7 +28,7 @@ pairing-page-open-holes = Bohrungen öffnen…
 pairing-page-open-shafts = Wellen öffnen…
 pairing-page-history-holes = Bohrungen des Verlaufs
 pairing-page-history-shafts = Wellen des Verlaufs
-pairing-page-history-hint = Verwendet die ausgewählten Prüfungen, oder alle angezeigten, wenn keine ausgewählt ist
+pairing-page-history-hint = Verwendet die ausgewählten Prüfungen oder alle angezeigten, wenn keine ausgewählt ist
 pairing-page-groups = Gruppen
 pairing-page-groups-hint = Anzahl gleich breiter Gruppen, in die die Teile auch sortiert werden. Leer für keine.
 pairing-page-do-wanted = Gewünschtes Spiel oder eine Passung eingeben.
@@ -119,7 +119,7 @@ pairing-page-largest = Größtes Spiel
 pairing-page-middle = Gewünschte Mitte
 pairing-page-band = Band darum
 pairing-page-grinding = Schleifen
-pairing-page-grind = { $amount } µm von den übrigen Wellen ab, oder aus den übrigen Bohrungen heraus: { $count ->
+pairing-page-grind = { $amount } µm von den übrigen Wellen ab oder aus den übrigen Bohrungen heraus: { $count ->
         [one] 1 Paar mehr
        *[other] { $count } Paare mehr
     }

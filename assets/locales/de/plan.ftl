@@ -19,7 +19,7 @@ plan-unknown = { $column } { $given } ist nicht bekannt: { $known } erwartet
 plan-other-side = Art { $given } widerspricht { $column } { $text }; das gehört zu einer { $side ->
     [hole] Bohrung
    *[shaft] Welle
-    }: eines von beiden verbessern, oder diameter schreiben
+    }: eines von beiden berichtigen, oder diameter schreiben
 plan-not-of = zu { $kind } gehört kein { $column }
 plan-direction = Achse { $given } ist keine Richtung: { $known } erwartet, oder drei Zahlen wie 0.5 0 -1, von -10 bis 10 mit höchstens 9 Nachkommastellen und nicht alle 0
 plan-no-band = { $text } ist keine Toleranz für einen Punkt, wie ±0.05 oder +0.1/-0.05: { $error }

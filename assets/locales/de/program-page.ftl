@@ -14,7 +14,7 @@ program-page-listing = { $name }, { $count ->
 program-page-run = Starten
 program-page-pause = Pause
 program-page-step = Einzelsatz
-program-page-step-over = Aufruf ganz
+program-page-step-over = Ganzer Aufruf
 program-page-to-selected = Bis Cursor
 program-page-breakpoint = Haltepunkt
 program-page-reset = Zurücksetzen
@@ -149,7 +149,7 @@ program-page-create-plan = Plan { $name }, { $count ->
    *[other] { $count } Merkmale
   }
 program-page-create-nothing = Auf der Seite Prüfung eine Toleranzangabe eingeben oder auf der Seite Teile einen Plan öffnen
-program-page-create-plan-wrong = { $name } hat Fehler: den Plan auf der Seite Teile öffnen und verbessern
+program-page-create-plan-wrong = { $name } hat Fehler: den Plan auf der Seite Teile öffnen und berichtigen
 program-page-create-folder = Ordner auf der Steuerung: { $folder }
 program-page-create-proven-callout = Zurückgelesen und ausgeführt: { $callout } erhält genau die Grenzmaße von Fitcheck
 program-page-create-proven-plan = Zurückgelesen und ausgeführt: jedes Merkmal erhält die Grenzmaße des Plans

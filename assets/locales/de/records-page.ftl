@@ -207,11 +207,11 @@ records-page-not-open = Die Aufzeichnung ist nicht geöffnet
 records-page-not-recording = Prüfungen werden nicht aufgezeichnet
 
 ## Das Journal
-records-page-place = { $file } · { $entries } Einträge
+records-page-place = { $file } · Einträge: { $entries }
 records-page-unsent = { $count } noch nicht an { $server } gesendet
 records-page-all-sent = alles an { $server } gesendet
 records-page-server-unknown = { $server } wurde noch nicht erreicht
-records-page-server = Server der Werkstatt
+records-page-server = Werkstattserver
 records-page-server-hint = Sendet jeden Eintrag im Hintergrund an einen PostgreSQL-Server; ohne ihn bleibt alles auf diesem Computer
 records-page-server-address = Adresse, wie postgres://fraese3@werkstatt.example/checks
 records-page-server-passwords = Das Kennwort kommt aus der Adresse, aus PGPASSWORD, der Kennwortdatei oder dem Schlüsselbund des Systems. Ein Kennwort in der Adresse kommt in den Schlüsselbund und wird sonst nirgends gespeichert.

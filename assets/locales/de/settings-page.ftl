@@ -17,12 +17,12 @@ settings-page-defaults = Auf Standard zurück
 settings-page-defaults-hint = Setzt diesen Abschnitt wie beim ersten Start. Dateien, Namen und Adressen bleiben.
 
 # Allgemein
-settings-page-language-about = Alle Texte des Fensters, und sein Dezimalzeichen.
+settings-page-language-about = Alle Texte des Fensters und sein Dezimalzeichen.
 settings-page-keypad-about = Große Tasten für Touchscreens und Handschuhe.
 sounds = Töne
-sounds-about = Jedes Urteil ist zu hören: ein langer Ton heißt gut, zwei Töne bitten um einen Blick auf das Werkstück, drei heißen Ausschuss. Simulierte Werte sind nicht zu hören.
+sounds-about = Jedes Urteil ist zu hören: ein langer Ton heißt gut, zwei Töne bitten um einen Blick auf das Teil, drei heißen Ausschuss. Simulierte Werte sind nicht zu hören.
 sounds-failed = Es ist kein Ton zu hören: { $reason }
-sounds-no-player = Es ist kein Ton zu hören: Keines dieser Programme ist auf diesem Computer: { $players }
+sounds-no-player = Es ist kein Ton zu hören: keines dieser Programme ist auf diesem Computer: { $players }
 settings-page-shop = Einstellungen für die ganze Werkstatt
 settings-page-shop-about = Eine Datei für andere Stationen. Ohne Namen, Serveradresse und Toleranzangabe.
 settings-page-export = Einstellungen exportieren…
@@ -147,7 +147,7 @@ settings-page-preview = Beispiel mit diesen Einstellungen
 
 ## The size of the screen
 ruler = Größe des Bildschirms
-ruler-about = Eine Bankkarte an das Bild halten und es gleich breit machen: Die Tasten eines Bedieners sind dann 20 mm groß
+ruler-about = Eine Bankkarte an das Bild halten und es gleich breit machen: die Tasten eines Bedieners sind dann 20 mm groß
 ruler-card = Eine Bankkarte: noch nicht verglichen
 ruler-known = Eine Bankkarte, 85,6 mm
 ruler-much-shorter = Viel kürzer

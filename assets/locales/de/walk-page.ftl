@@ -68,8 +68,8 @@ walk-page-simulate-measured = { $name } ist gemessen: ein simulierter Wert tritt
 walk-page-part-status = Status des Teils
 walk-page-not-complete = Noch kein Urteil
 walk-page-simulated = { $count ->
-        [one] Ein Wert ist simuliert: niemand hat ihn gemessen, daher kann er das Teil nicht gut machen.
-       *[other] { $count } Werte sind simuliert: niemand hat sie gemessen, daher können sie das Teil nicht gut machen.
+        [one] Ein Wert ist simuliert: niemand hat ihn gemessen, damit kann das Teil nicht gut sein.
+       *[other] { $count } Werte sind simuliert: niemand hat sie gemessen, damit kann das Teil nicht gut sein.
     }
 walk-page-missing = Fehlt: { $names }
 walk-page-off = Das Aufzeichnen ist ausgeschaltet: ein unterbrochenes Teil kann nach einem Neustart nicht wiederhergestellt werden.
