@@ -28,7 +28,7 @@ fn open(window: Window) -> Harness<'static, App> {
 
 /// Opens what is folded away of the form.
 fn unfold_all(window: &mut Harness<'_, App>) {
-    for group in ["Position", "Probing", "Tolerance", "Output", "Positie", "Aantasten", "Tolerantie", "Uitvoer"] {
+    for group in ["Position", "Probing", "Tolerance", "Output", "Positie", "Tasten", "Tolerantie", "Uitvoer"] {
         for section in [group.to_owned(), format!("{group}, optional"), format!("{group}, optioneel")] {
             unfold(window, &section);
         }

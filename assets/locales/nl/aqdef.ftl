@@ -26,7 +26,7 @@ aqdef-beside = { $file }, regel { $line }: { $reason }
 aqdef-warning-count = K0100 kondigt { $expected } kenmerken aan, { $found } gevonden: het bestand is misschien afgekapt
 aqdef-warning-fewer = { $expected } waarden verwacht, { $found } gevonden
 aqdef-warning-missing = { $count ->
-        [one] 1 waarde is leeg of als ontbrekend gemerkt (K0002 is 255 of 256), vanaf deze regel: ze is overgeslagen
+        [one] 1 waarde is leeg of als ontbrekend gemerkt (K0002 is 255 of 256), vanaf deze regel: die is overgeslagen
        *[other] { $count } waarden zijn leeg of als ontbrekend gemerkt (K0002 is 255 of 256), vanaf deze regel: ze zijn overgeslagen
     }
 aqdef-warning-skipped = overgeslagen velden: { $keys }
@@ -35,7 +35,7 @@ aqdef-warning-late = { $key } hoort bij geen waarde die net daarvoor is gelezen:
 aqdef-warning-allowance = nominale maat en grensmaatafwijking geven { $limit }, maar de grensmaat is een andere: de grensmaat telt
 aqdef-warning-no-limit = { $key } is gegeven, maar volgens K2120 of K2121 is er geen grens: overgeslagen
 aqdef-warning-kind-of-limit = { $given } is geen bekende soort grens (0, 1 of 2): genomen als grens
-aqdef-warning-scrap-limit = de afkeurgrens { $limit } is niet de grensmaat zelf: ze is overgeslagen, en een waarde voorbij de grensmaat aan deze kant is afkeur
+aqdef-warning-scrap-limit = de afkeurgrens { $limit } is niet de grensmaat zelf: die is overgeslagen, en een waarde voorbij de grensmaat aan deze kant is afkeur
 aqdef-warning-scrap-feature = de afkeurgrens is die van { $feature ->
         [hole] een boring
        *[shaft] een as

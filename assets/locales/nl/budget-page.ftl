@@ -72,7 +72,7 @@ budget-page-answer = Uitgebreide onzekerheid
 budget-page-no-answer = Geen antwoord
 budget-page-expanded = U = { $um } µm
 budget-page-covered = k = { $k } voor 95,45 %
-budget-page-at-size = Voor { $size } mm; elke controle krijgt de onzekerheid van haar eigen maat
+budget-page-at-size = Voor { $size } mm; elke controle krijgt de onzekerheid van de eigen maat
 budget-page-covered-by = k = { $k } volgens { $method }
 budget-page-standard = u = { $um } µm
 budget-page-degrees = Effectieve vrijheidsgraden { $degrees }
@@ -89,8 +89,8 @@ budget-page-largest = Grootste bijdrage
 budget-page-largest-is = { $name }, { $percent } % van de variantie
 budget-page-help = Wat het meest zou helpen
 budget-page-help-halved = De helft ervan: u = { $u } µm
-budget-page-help-part-temperature = De onzekerheid van de onderdeeltemperatuur gehalveerd: u = { $u } µm
-budget-page-help-scale-temperature = De onzekerheid van de temperatuur van de linialen gehalveerd: u = { $u } µm
+budget-page-help-part-temperature = De onzekerheid van de werkstuktemperatuur gehalveerd: u = { $u } µm
+budget-page-help-scale-temperature = De onzekerheid van de temperatuur van de meetlinialen gehalveerd: u = { $u } µm
 budget-page-help-expansion = Half zo ver van 20 °C, of de onzekerheid van de uitzetting gehalveerd: u = { $u } µm
 budget-page-help-full-circle = { $count } meetpunten gelijkmatig over de hele cirkel: u = { $u } µm
 budget-page-help-more-touches = { $count } meetpunten gelijkmatig over de hele cirkel: u = { $u } µm
@@ -132,7 +132,7 @@ budget-page-nothing-seen = De tabel en de aandelen verschijnen zodra het budget 
 budget-page-named = { $name }
 budget-page-placeholders = Controles kunnen dit budget nog niet gebruiken. Deze gegevens zijn nog die van het sjabloon: { $what }. Typ eigen gegevens in hun velden
 budget-page-placeholder-name = de naam (“{ $name }”)
-budget-page-placeholder-by = de maker (“{ $by }”)
+budget-page-placeholder-by = de opsteller (“{ $by }”)
 budget-page-placeholder-figures = de getallen van alle bijdragen
 
 ## Het budget als tabel
@@ -141,7 +141,7 @@ budget-show-table = Tabel
 budget-show-text = Tekst
 budget-rows = Bijdragen
 budget-head-name = Naam van het budget
-budget-head-by = Gemaakt door
+budget-head-by = Opgesteld door
 budget-row-new = Nieuwe bijdrage
 budget-row-add = Bijdrage toevoegen
 budget-row-remove = Bijdrage verwijderen
@@ -153,11 +153,11 @@ budget-row-name = Naam
 budget-row-k = Dekkingsfactor k
 budget-row-alpha = Uitzetting, 1/K
 budget-row-delta = Afstand tot 20 °C
-budget-row-touches = Eigen contacten
+budget-row-touches = Eigen meetpunten
 budget-row-step = Eigen stap
 budget-row-sensitivity = Gevoeligheid c
 budget-row-freedom = Vrijheidsgraden
-budget-row-freedom-a = Vrijheidsgraden, n − 1 van n metingen
+budget-row-freedom-a = Vrijheidsgraden, n − 1 van n aflezingen
 budget-row-kind = Werkt op
 budget-row-type = Type
 budget-row-law = Verdeling
@@ -171,13 +171,13 @@ budget-type-b = B, anders
 budget-kind-plain = Diameter
 budget-kind-scatter = Spreiding van één tasting
 budget-kind-part-temperature = Temperatuur van het werkstuk
-budget-kind-scale-temperature = Temperatuur van de linialen
+budget-kind-scale-temperature = Temperatuur van de meetlinialen
 budget-kind-part-expansion = Uitzetting van het werkstuk
-budget-kind-scale-expansion = Uitzetting van de linialen
+budget-kind-scale-expansion = Uitzetting van de meetlinialen
 budget-kind-resolution = Resolutie
 budget-table-stale = De tekst bevat een fout: de tabel toont de bijdragen zoals ze het laatst waren
 budget-table-other = De tekst schrijft de bijdragen op een manier die de tabel niet kan wijzigen. Bewerk de tekst
-budget-table-calibrated = Dit budget is van een gekalibreerd stuk en heeft geen bijdragen. Bewerk de tekst
+budget-table-calibrated = Dit budget is van een gekalibreerd werkstuk en heeft geen bijdragen. Bewerk de tekst
 budget-law-normal = Normale verdeling
 budget-law-rectangular = Rechthoekige verdeling
 budget-law-u-shaped = U-vormige verdeling

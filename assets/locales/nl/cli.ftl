@@ -109,7 +109,7 @@ cli-remark-scales = meetlinialen bij { $temperature } °C, { $expansion } · 10�
 cli-remark-linear-correction = de lineaire correctie verschilt { $off } µm van de exacte
 cli-remark-rule = regel: { $rule }
 cli-remark-rule-by-budget = regel: { $rule }
-cli-remark-budget = onzekerheid volgens het budget { $name }, gemaakt op { $date }, geldig tot en met { $until }
+cli-remark-budget = onzekerheid volgens het budget { $name }, opgesteld op { $date }, geldig tot en met { $until }
 cli-remark-budget-contacts = spreiding van { $touches } meetpunten{ $step }, geometriefactor { $factor }
 cli-remark-accepted = aanvaard: { $least } tot { $most } mm
 cli-remark-nothing-accepted = geen waarde wordt aanvaard: de regel laat niets van deze tolerantie over
@@ -119,7 +119,7 @@ cli-remark-conformity = voldoet met een kans van { $percent } %
 cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
-cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
+cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } NC-regels
 cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
 cli-remark-batch-floats = { $name } heeft zwevendekommagetallen in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat het weergeeft
 cli-remark-tools-not-written = de gereedschapstabel is niet geschreven: --tools-out BESTAND.t schrijft hem met deze wijzigingen
@@ -202,7 +202,7 @@ cli-recorded-without = { $rows ->
 }: { $places }
 cli-not-recorded = er is niets vastgelegd: { $error }
 cli-journal-is-server = hiervoor is het logboekbestand van een station nodig: een server ontvangt alleen wat stations hebben vastgelegd
-cli-no-shop = dit programma is gebouwd zonder ondersteuning voor een server van een werkplaats: noem een bestand als logboek
+cli-no-shop = dit programma is gebouwd zonder ondersteuning voor een werkplaatsserver: noem een bestand als logboek
 cli-recorded-not-sent = nog niet naar de server verzonden: { $error }; wat is vastgelegd blijft hier bewaard, en fitcheck journal send verzendt het
 cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een logboek met --journal FILE
 cli-no-entry = in { $path } is geen vermelding { $number }: de laatste is { $last }
@@ -244,7 +244,7 @@ cli-warning-plan-no-value-of = dit ontbreekt bij { $who }: er is geen waarde voo
 cli-remark-watching = { $folder } wordt bewaakt; eerder geïmporteerde bestanden: { $known }
 cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat eindigt op { $note } geeft de redenen
 cli-not-seconds = { $given } is geen tijd in seconden
-cli-warning-same-content = dezelfde inhoud is eerder overgenomen als { $known }: er wordt niets opnieuw vastgelegd
+cli-warning-same-content = dezelfde inhoud is eerder geïmporteerd als { $known }: er wordt niets opnieuw vastgelegd
 cli-warning-not-alone = het is niet bekend of een ander programma deze map voor hetzelfde logboek bewaakt: { $reason }
 
 ## De tijdzone van deze computer

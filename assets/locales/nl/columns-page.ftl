@@ -2,13 +2,13 @@
 
 columns-page-import = Kolommen…
 columns-page-hint = Toont hoe elke kolom van een bestand wordt gelezen, voordat de waarden worden geïmporteerd
-columns-page-take = Overnemen
+columns-page-take = Importeren
 columns-page-correct = Kolommen…
 columns-page-forget = Deze kolommen vergeten
 columns-page-dialog = Importeren en kolommen kiezen
 columns-page-title = Kolommen van { $name }
 columns-page-wanted = Kies wat elke kolom bevat. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
-columns-page-uncertain = Het is niet zeker wat elke kolom bevat: controleer het en neem het over. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
+columns-page-uncertain = Van sommige kolommen is de inhoud niet zeker: controleer wat elke kolom bevat en importeer dan. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
 columns-page-sheet = Blad
 columns-page-separator = Scheidingsteken
 columns-page-separator-semicolon = Puntkomma
@@ -40,7 +40,7 @@ columns-page-role-time = tijd
 columns-page-role-simulated = gesimuleerd
 columns-page-role-part = onderdeel
 columns-page-role-serial = serienummer
-columns-page-role-who = wie mat
+columns-page-role-who = gemeten door
 columns-page-role-x = X
 columns-page-role-y = Y
 columns-page-role-z = Z

@@ -17,8 +17,8 @@ exchange-parquet-nested = kolom { $column } bevat kolommen of lijsten: alleen ko
 exchange-mask-backwards = { $mask }: { $reason }
 exchange-mask-none = geen van de gegeven maskers drukt zo'n bestand af: { $masks }
 exchange-mask-several = meerdere maskers drukken zo'n bestand af, geef alleen het masker dat het heeft geschreven: { $masks }
-exchange-mask-no-measured = { $mask } drukt geen meetwaarde af: Fitcheck herkent Q153 tot Q156, Q160 en elk ander getal waarvan de passing ernaast wordt afgedrukt
-exchange-mask-measured = { $mask }: elk van deze getallen kan de meetwaarde zijn: { $fields }; druk het resultaat van de cyclus af, zoals Q153; anders heeft het bestand passingen met verschillende grenzen nodig
+exchange-mask-no-measured = { $mask } drukt geen gemeten waarde af: Fitcheck herkent Q153 tot Q156, Q160 en elk ander getal waarvan de passing ernaast wordt afgedrukt
+exchange-mask-measured = { $mask }: elk van deze getallen kan de gemeten waarde zijn: { $fields }; druk het resultaat van de cyclus af, zoals Q153; anders heeft het bestand passingen met verschillende grenzen nodig
 exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden gelezen
 exchange-print-broken = het record eindigt te vroeg: de uitvoer van regel { $line } van het masker verwacht
 exchange-print-unit = regel { $line } noemt { $unit }, maar uitvoer van een besturing wordt in mm gelezen: druk de waarden in mm af
@@ -45,9 +45,9 @@ exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
 exchange-unit-stated = regel { $line } noemt de eenheid { $unit }, die niet wordt ondersteund (“{ $text }”): gebruik mm, µm of inch, of kies de eenheid van de maten (--columns unit=mm)
 exchange-unit-mentioned = regel { $line } noemt { $unit } (“{ $text }”), maar niets zegt of de waarden in die eenheid staan: kies de eenheid van de maten (--columns unit=mm, um of inch)
 exchange-units-differ = “{ $at }” zegt { $unit }, “{ $other-at }” zegt { $other }: corrigeer een van beide
-exchange-unit-late = regel { $line } noemt { $unit } (“{ $text }”), maar de rijen erboven zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter die regel
-exchange-unit-stray = deze regel noemt { $unit } (“{ $text }”), maar alle andere rijen zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter deze regel
-exchange-unit-given = de gekozen eenheid is { $given }, maar het bestand zegt { $unit } (“{ $text }”): kies { $unit } of verbeter het bestand
+exchange-unit-late = regel { $line } noemt { $unit } (“{ $text }”), maar de rijen erboven zijn gelezen in { $read }: zet de eenheid boven de eerste rij of corrigeer die regel
+exchange-unit-stray = deze regel noemt { $unit } (“{ $text }”), maar alle andere rijen zijn gelezen in { $read }: zet de eenheid boven de eerste rij of corrigeer deze regel
+exchange-unit-given = de gekozen eenheid is { $given }, maar het bestand zegt { $unit } (“{ $text }”): kies { $unit } of corrigeer het bestand
 exchange-unit-half = kolom { $column } is in inch en kolom { $open } noemt geen eenheid: zet die bij beide namen of kies de eenheid van de maten (--columns unit=inch)
 exchange-unit-missing = de eenheid van deze rij ontbreekt: vul mm, µm of inch in of kies de eenheid van de maten (--columns unit=mm)
 exchange-callout-unit = { $given }: de rij is in inch en een passing met een maat of afwijkingen is in mm: zet de nominale maat in een eigen kolom naast de klasse
@@ -73,7 +73,7 @@ exchange-other-feature = { $given } is { $feature ->
         [hole] een as, en dit zijn de boringen: zijn de bestanden verwisseld?
        *[shaft] een boring, en dit zijn de assen: zijn de bestanden verwisseld?
     }
-exchange-rejected = het bestand keurt deze waarde zelf af ({ $given }): verwijder de rij of corrigeer haar in het bestand
+exchange-rejected = het bestand keurt deze waarde zelf af ({ $given }): verwijder de rij of corrigeer die in het bestand
 exchange-no-part = { $given } is de naam van een kengetal over meerdere onderdelen of van de instelmaat van een meetmiddel, en niet van een onderdeel: verwijder de rij of geef het onderdeel een andere naam
 exchange-other-log = { $feature ->
         [hole] dit is het meetprotocol van een as, en dit zijn de boringen: zijn de bestanden verwisseld?
@@ -249,18 +249,18 @@ exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element t
 exchange-format-xlsx = metingen in een werkmap van een spreadsheetprogramma: kolommen zoals in CSV
 exchange-workbook = deze werkmap kan niet worden gelezen: { $reason }
 exchange-not-a-workbook = een ZIP-bestand, maar geen werkmap: pak het uit en geef de bestanden erin
-exchange-old-workbook = een werkmap in het formaat { $format }, dat niet wordt ondersteund: sla haar op als XLSX
-exchange-workbook-password = de werkmap heeft een wachtwoord: sla haar zonder wachtwoord op
-exchange-zip-cut-off = het einde van de werkmap ontbreekt: misschien is zij afgekapt
+exchange-old-workbook = een werkmap in het formaat { $format }, dat niet wordt ondersteund: sla die op als XLSX
+exchange-workbook-password = de werkmap heeft een wachtwoord: sla die zonder wachtwoord op
+exchange-zip-cut-off = het einde van de werkmap ontbreekt: misschien is die afgekapt
 exchange-zip-members = de lijst van onderdelen van de werkmap is beschadigd of heeft meer dan { $most } vermeldingen
 exchange-zip-bomb = { $member } wordt uitgepakt groter dan { $most } MiB, of is te dicht gecomprimeerd voor een werkmap: het wordt niet gelezen
-exchange-zip-twice = twee onderdelen van de werkmap hebben dezelfde naam, dus is zij gewijzigd: open de werkmap in een spreadsheetprogramma en sla haar op
+exchange-zip-twice = twee onderdelen van de werkmap hebben dezelfde naam, dus is die gewijzigd: open de werkmap in een spreadsheetprogramma en sla die op
 exchange-zip-texts = de werkmap heeft meer dan { $most } verschillende teksten
 exchange-sheet-wide = cel { $cell } ligt voorbij de eerste { $most } kolommen
 exchange-too-many-cells = het blad heeft meer dan { $most } cellen
 exchange-cell = { $cell }: { $reason }
-exchange-formula-without-value = de waarde van de formule ={ $formula } is niet opgeslagen: open de werkmap in een spreadsheetprogramma en sla haar op
-exchange-cell-split = de waarde van de cel is niet als één gewone tekst opgeslagen, dus alleen een deel ervan is leesbaar: open de werkmap in een spreadsheetprogramma en sla haar op
+exchange-formula-without-value = de waarde van de formule ={ $formula } is niet opgeslagen: open de werkmap in een spreadsheetprogramma en sla die op
+exchange-cell-split = de waarde van de cel is niet als één gewone tekst opgeslagen, dus alleen een deel ervan is leesbaar: open de werkmap in een spreadsheetprogramma en sla die op
 exchange-cell-error = de cel toont { $error }
 exchange-warning-sheets-left = blad { $sheet } wordt gelezen; andere bladen niet: { $left }
 gauge-frame = de tekens om de regel zijn overgeslagen
@@ -268,12 +268,12 @@ gauge-channel = van kanaal { $channel }
 gauge-inches = { $given } inch
 gauge-error-text = { $given } kan een foutnummer van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
 gauge-opinion = het meetmiddel zegt { $sign }; de grenzen van het plan beslissen
-gauge-no-unit = { $given } noemt geen eenheid: zeg in de instellingen van het meetmiddel of het millimeters of inches stuurt
-gauge-other-form = { $given } verschilt in meer dan de cijfers van de regel waarmee het meetmiddel is geleerd, { $example }
+gauge-no-unit = { $given } noemt geen eenheid: geef in de instellingen van het meetmiddel op of het millimeters of inch stuurt
+gauge-other-form = { $given } verschilt in meer dan de cijfers van de regel waarmee het meetmiddel is aangeleerd, { $example }
 gauge-other-decimals = { $given } heeft { $decimals ->
         [one] 1 decimaal
        *[other] { $decimals } decimalen
-    }, en de regel waarmee het meetmiddel is geleerd heeft er { $taught }: het meetmiddel stuurt een andere eenheid, of een deel van het getal is verloren gegaan
+    }, en de regel waarmee het meetmiddel is aangeleerd heeft er { $taught }: het meetmiddel stuurt een andere eenheid, of een deel van het getal is verloren gegaan
 
 teach-zero = 0 kan elke nul van de regel zijn: gebruik als voorbeeld een regel met een andere waarde
 teach-not-text = { $line } bevat tekens die geen tekst zijn
@@ -293,4 +293,4 @@ planned-uncertainty = beoordeeld met de onzekerheid van het plan in plaats van d
 planned-material = naar 20 °C gecorrigeerd met het materiaal van het plan in plaats van het opgegeven: { $name }
 planned-corrected = van { $temperature } °C naar 20 °C gecorrigeerd (uitzetting { $expansion } · 10⁻⁶/K)
 planned-not-corrected = niet naar 20 °C gecorrigeerd: een plaats op het onderdeel is geen maat
-planned-error-already-corrected = volgens het bestand geldt de waarde al bij 20 °C: beoordeel haar zonder temperatuur
+planned-error-already-corrected = volgens het bestand geldt de waarde al bij 20 °C: beoordeel die zonder temperatuur

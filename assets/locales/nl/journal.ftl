@@ -7,7 +7,7 @@ journal-break-removed = { $count ->
     }
 journal-break-inserted = vermelding { $number } is ingevoegd
 journal-break-reordered = de vermeldingen { $number } en { $other } zijn verwisseld
-journal-break-rewritten = vermelding { $number } verschilt van die welke elders bekend is: het logboek is vanaf daar of vanaf een eerdere vermelding opnieuw geschreven
+journal-break-rewritten = vermelding { $number } verschilt van de vermelding die elders bekend is: het logboek is vanaf daar of vanaf een eerdere vermelding opnieuw geschreven
 journal-break-cut-off = het logboek eindigt met vermelding { $last }, maar vermelding { $known } is elders bekend: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
 
 ## Entries
@@ -39,7 +39,7 @@ journal-ask-callout = { $error }; een passing staat tussen aanhalingstekens: cal
 journal-ask-class = { $error }
 journal-ask-order = de periode eindigt voordat zij begint: from moet vóór to liggen
 journal-ask-both-origins = simulated en measured sluiten elkaar uit
-journal-ask-too-long = de vraag heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
+journal-ask-too-long = de zoekopdracht heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
 
 ## The journal of a station
 store-missing = er is geen logboek op { $path }
@@ -60,9 +60,9 @@ store-moved = { $path } is intussen verplaatst of opzij gezet: er is niets vastg
 store-other-target = vermelding { $number } is niet de vermelding die gecorrigeerd moest worden: er is niets vastgelegd
 store-corrected = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die, tenzij het een intrekking is
 store-finding-no-beginning = het logboek heeft geen eerste vermelding die zijn keten noemt
-store-finding-pages = de pagina's van het logboek spreken elkaar tegen, en vragen kunnen vermeldingen missen die erin staan: { $reason }
-store-finding-index = een index voor vragen klopt niet met zijn tabel: { $reason }
-store-hidden = vermelding { $number } van { $path } staat niet op haar plaats: het logboek is veranderd of het bestand is beschadigd; voer fitcheck journal verify uit
+store-finding-pages = de pagina's van het logboek spreken elkaar tegen, en zoekopdrachten kunnen vermeldingen missen die erin staan: { $reason }
+store-finding-index = een index voor zoekopdrachten klopt niet met zijn tabel: { $reason }
+store-hidden = vermelding { $number } van { $path } staat niet op zijn plaats: het logboek is veranderd of het bestand is beschadigd; voer fitcheck journal verify uit
 store-no-entry = { $path } heeft geen vermelding { $number }: de laatste is { $last }
 store-backup = de kopie van { $path } was onvolledig en is verwijderd
 store-interrupted = gestopt
@@ -71,7 +71,7 @@ store-remark-begun = er is een nieuw logboek gemaakt: { $path }
 store-remark-set-aside = het logboek { $path } was beschadigd: het staat nu ongewijzigd in { $folder }, en in zijn plaats is een nieuw logboek gemaakt
 store-remark-migrated = { $path } is naar deze versie omgezet; het bestand zoals het was, is { $copy }
 store-remark-behind = { $path } eindigt met vermelding { $last }, maar had ooit vermelding { $known }: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
-store-remark-other = vermelding { $number } van { $path } is anders dan zij was: het logboek is vanaf daar of vanaf een eerdere vermelding opnieuw geschreven
+store-remark-other = vermelding { $number } van { $path } is anders dan die was: het logboek is vanaf daar of vanaf een eerdere vermelding opnieuw geschreven
 store-remark-replaced = { $path } is niet het logboek dat er eerder was; dat had { $known } vermeldingen
 store-remark-waits = een ander programma schrijft in { $path }: er wordt gewacht tot het klaar is
 store-remark-no-anchor = de laatste vermelding van dit logboek kon niet worden genoteerd in { $path }: { $reason }

@@ -15,7 +15,7 @@ machine-store-read-only = er is geen map voor uitvoer gekozen
 machine-store-system = { $path }: { $reason }
 
 ## Fouten
-machine-fault-in-block = { $program }, regel { $number }, { $text }: { $fault }
+machine-fault-in-block = { $program }, NC-regel { $number }, { $text }: { $fault }
 machine-fault-in-line = { $program }, tekstregel { $line }, { $text }: { $fault }
 machine-used-blocks = de grens van { $most } NC-regels is bereikt: mogelijk een oneindige lus
 machine-used-label-calls = { $most } aanroepen van labels diep genest, de grens is bereikt: roept het programma zichzelf aan?
@@ -38,10 +38,10 @@ machine-broken = het programma is beschadigd: { $what } ontbreekt
 machine-no-program = { $path }: { $error }
 machine-no-label = { $parameter } = { $value } is geen label
 machine-undefined = { $parameter } is niet gedefinieerd
-machine-lost = { $parameter } is niet gedefinieerd: regel { $line }, { $text }, kan hem zetten en is niet uitgevoerd
-machine-file-unknown = { $path } wordt niet gelezen: regel { $line }, { $text }, kan dit bestand schrijven of verwijderen en is niet uitgevoerd
-machine-tools-unknown = het gereedschap wordt niet gecorrigeerd: regel { $line }, { $text }, kan de gereedschapstabel wijzigen en is niet uitgevoerd
-machine-contacts-unknown = het is niet bekend welke opgenomen meetpunten bij deze cyclus horen: sommige kunnen bij regel { $line }, { $text }, horen, die niet is uitgevoerd
+machine-lost = { $parameter } is niet gedefinieerd: tekstregel { $line }, { $text }, kan hem zetten en is niet uitgevoerd
+machine-file-unknown = { $path } wordt niet gelezen: tekstregel { $line }, { $text }, kan dit bestand schrijven of verwijderen en is niet uitgevoerd
+machine-tools-unknown = het gereedschap wordt niet gecorrigeerd: tekstregel { $line }, { $text }, kan de gereedschapstabel wijzigen en is niet uitgevoerd
+machine-contacts-unknown = het is niet bekend welke opgenomen meetpunten bij deze cyclus horen: sommige kunnen bij tekstregel { $line }, { $text }, horen, die niet is uitgevoerd
 machine-not-skipped = deze NC-regel bepaalt wat er daarna wordt uitgevoerd of wat een ander programma krijgt: hij kan niet worden overgeslagen
 machine-whole-only = { $parameter } bevat alleen gehele getallen, niet { $value }
 machine-no-answer = INPUT "{ $question }" vraagt om { $parameter }: geef de waarde vóór het uitvoeren op
@@ -75,13 +75,13 @@ machine-cycle-parameter-twice = cyclus { $cycle }: { $parameter } is twee keer o
 machine-cycle-parameter-for = cyclus { $cycle }: { $parameter } is twee keer opgegeven en { $other } helemaal niet: is de tweede als { $other } bedoeld?
 machine-global-not-number = GLOBAL DEF { $number }: { $parameter } heeft geen getal
 machine-global-twice = GLOBAL DEF { $number }: { $parameter } is twee keer opgegeven
-machine-open-subprogram = het programma eindigt in het onderprogramma dat in regel { $line } is aangeroepen: LBL 0 ontbreekt
-machine-repeat-ahead = REP herhaalt het deel tussen een label en deze regel, maar het label staat erachter, in regel { $line }
+machine-open-subprogram = het programma eindigt in het subprogramma dat in tekstregel { $line } is aangeroepen: LBL 0 ontbreekt
+machine-repeat-ahead = REP herhaalt het deel tussen een label en deze NC-regel, maar het label staat erachter, in tekstregel { $line }
 machine-cycle = cyclus { $cycle }: { $error }
 machine-workpiece = werkstuk: { $error }
 machine-no-tool-call = voor deze meetcyclus staat geen TOOL CALL met een gereedschapsas
 machine-mode = de besturing staat in { $mode }: meetcycli worden alleen in het freesbedrijf uitgevoerd (FUNCTION MODE MILL)
-machine-changed = { $change } is actief sinds regel { $line }, { $text }: zolang dat zo is, meet Fitcheck niet
+machine-changed = { $change } is actief sinds tekstregel { $line }, { $text }: zolang dat zo is, meet Fitcheck niet
 machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
 machine-change-not-known = een onbekend nulpunt
 machine-change-turning = het gedraaide coördinatensysteem van cyclus 800
@@ -117,7 +117,7 @@ machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en v
 machine-remark-given-without-effect = { $parameter } is vooraf opgegeven en had geen effect: geen NC-regel heeft hem gelezen
 machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
-machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn gebruikt, maar een besturing kan de regel weigeren
+machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn gebruikt, maar een besturing kan de NC-regel weigeren
 machine-remark-measurement-behind-end = { $count ->
         [one] er staat een meetcyclus
        *[other] er staan { $count } meetcycli
@@ -148,7 +148,7 @@ machine-remark-same-name = { $more ->
    *[other] nog { $more } gereedschappen hebben de naam { $tool }
 }: het eerste in de gereedschapstabel is gebruikt
 machine-remark-content-uncertain = { $parameter } wordt hier gelezen, maar het is niet gedocumenteerd dat de diameter erin staat
-machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclus: een besturing leest regels vooruit en heeft misschien nog niet gemeten
+machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclus: een besturing leest NC-regels vooruit en heeft misschien nog niet gemeten
 machine-remark-position-unknown = de positie vóór de cyclus is niet bekend: zonder D begint hij in het nominale midden, zonder WB op hoogte 0
 
 machine-passed-over = { $count } { $count ->
@@ -164,7 +164,7 @@ machine-pause-log = het meetprotocol staat op het scherm (Q281 = 2)
 
 ## A block of a measuring cycle without its program
 alone-moved = { $text } verplaatst de tastcyclus erna of verandert zijn assen, maar de cyclus wordt uitgevoerd alsof dat niet zo is: voer het hele programma uit
-alone-called = { $text } voert regels uit die de tastcyclus erna kunnen verplaatsen, maar die zijn niet gelezen: voer het hele programma uit
+alone-called = { $text } voert NC-regels uit die de tastcyclus erna kunnen verplaatsen, maar die zijn niet gelezen: voer het hele programma uit
 alone-not-understood = { $text } wordt niet begrepen en kan de tastcyclus erna verplaatsen: controleer het programma, of voer het in zijn geheel uit
 alone-not-run = het programma komt niet verder dan { $text } en bereikt de tastcyclus erna niet, dus een besturing meet hier niet: controleer het programma
 alone-passed = { $text } kan de tastcyclus overslaan, dus een besturing meet hier misschien niet: voer het hele programma uit

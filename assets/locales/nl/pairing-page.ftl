@@ -74,7 +74,7 @@ pairing-page-copy = Paren kopiëren
 
 # The picture
 pairing-page-picture = Onderdelen naar maat
-pairing-page-legend = Ring: boring. Schijf: as, verschoven over het midden, { $middle } µm: een paar op het midden is vlak. Kruis: overblijver.
+pairing-page-legend = Ring: boring. Schijf: as, verschoven over het midden, { $middle } µm: een paar op het midden ligt horizontaal. Kruis: overblijver.
 pairing-page-part-of = Links: alle onderdelen; het kader geeft aan welke getekend zijn.
 pairing-page-thinned = Te dicht op elkaar om alles te tekenen: 1 van de { $step } is getekend.
 pairing-page-left-over = overblijver
@@ -84,7 +84,7 @@ pairing-page-describe = { $holes ->
     } links, { $shafts ->
         [one] 1 as
        *[other] { $shafts } assen
-    } rechts, op één schaal van maten; assen zijn { $middle } µm verschoven, zodat een paar op het midden van de gewenste speling vlak is. { $pairs ->
+    } rechts, op één schaal van maten; assen zijn { $middle } µm verschoven, zodat een paar op het midden van de gewenste speling horizontaal ligt. { $pairs ->
         [one] 1 paar is als lijn getekend.
        *[other] { $pairs } paren zijn als lijnen getekend.
     }
@@ -143,7 +143,7 @@ pairing-page-group-shafts = { $count ->
        *[other] { $count } assen
     } { $from } … { $to } mm
 pairing-page-group-clearance = speling { $range }
-pairing-page-outside-groups = In geen groep, buiten de toleranties: { $holes ->
+pairing-page-outside-groups = In geen groep, buiten de tolerantievelden: { $holes ->
         [one] 1 boring
        *[other] { $holes } boringen
     }, { $shafts ->

@@ -19,9 +19,9 @@ plan-unknown = { $column } { $given } is onbekend: { $known } verwacht
 plan-other-side = soort { $given } is in strijd met { $column } { $text }, want dat is van een { $side ->
     [hole] boring
    *[shaft] as
-    }: verbeter een van beide, of schrijf diameter
+    }: corrigeer een van beide, of schrijf diameter
 plan-not-of = bij { $kind } hoort geen { $column }
-plan-direction = axis { $given } is geen richting: { $known } verwacht, of drie getallen zoals 0.5 0 -1, van -10 tot 10 met hoogstens 9 decimalen en niet alle 0
+plan-direction = as { $given } is geen richting: { $known } verwacht, of drie getallen zoals 0.5 0 -1, van -10 tot 10 met hoogstens 9 decimalen en niet alle 0
 plan-no-band = { $text } is niet de tolerantie van een punt, zoals ±0.05 of +0.1/-0.05: { $error }
 plan-band-side = een punt kan geen afwijkingen van { $lower } tot { $upper } mm hebben: de cyclus neemt een bovenafwijking van 0 of meer en een onderafwijking van 0 of minder, niet beide 0
 plan-side-class = { $callout }: beide zijden van { $kind } hebben een klasse zoals { $example } nodig

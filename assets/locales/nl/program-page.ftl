@@ -14,7 +14,7 @@ program-page-listing = { $name }, { $count ->
 program-page-run = Starten
 program-page-pause = Pauze
 program-page-step = Regel voor regel
-program-page-step-over = Aanroep ineens
+program-page-step-over = Hele aanroep
 program-page-to-selected = Tot cursor
 program-page-breakpoint = Breekpunt
 program-page-reset = Terugzetten
@@ -105,9 +105,9 @@ program-page-parameters = Parameters
 program-page-filter = Filter
 program-page-set = Beginnen met
 program-page-value = Waarde
-program-page-give = Opgeven
+program-page-give = Instellen
 program-page-give-hint = De volgende uitvoering begint met deze waarde
-program-page-given = Opgegeven voor de volgende uitvoering
+program-page-given = Ingesteld voor de volgende uitvoering
 program-page-drop = verwijderen
 program-page-no-parameter = { $given } is geen parameter: schrijf Q5, QL5, QR5 of QS5
 program-page-no-number = { $given } is geen getal
@@ -132,13 +132,13 @@ program-page-unlisted = { $count ->
     [one] { $count } opmerking staat niet in de lijst
    *[other] { $count } opmerkingen staan niet in de lijst
   }
-program-page-at-block = regel { $number }: { $what }
+program-page-at-block = NC-regel { $number }: { $what }
 program-page-at-line = tekstregel { $line }: { $what }
 
-program-page-create = Maken voor een besturing…
-program-page-create-hint = NC-programma’s, tabellen en masker waarmee een besturing zelf meet
+program-page-create = Voor een besturing maken…
+program-page-create-hint = NC-programma's, tabellen en masker waarmee een besturing zelf meet
 program-page-create-also = schrijven NC programma bestanden set
-program-page-create-head = Maken voor een besturing
+program-page-create-head = Voor een besturing maken
 program-page-create-control = Besturing
 program-page-create-language = Dialoogtaal
 program-page-create-from = Uit
@@ -148,8 +148,8 @@ program-page-create-plan = Plan { $name }, { $count ->
     [one] { $count } element
    *[other] { $count } elementen
   }
-program-page-create-nothing = Vul op Controle een passing in, of open een plan op Delen
-program-page-create-plan-wrong = { $name } heeft fouten: open het plan op Delen en verbeter ze
+program-page-create-nothing = Vul op Controle een passing in, of open een plan op Onderdelen
+program-page-create-plan-wrong = { $name } heeft fouten: open het plan op Onderdelen en corrigeer ze
 program-page-create-folder = Map op de besturing: { $folder }
 program-page-create-proven-callout = Teruggelezen en uitgevoerd: { $callout } krijgt precies de grensmaten van Fitcheck
 program-page-create-proven-plan = Teruggelezen en uitgevoerd: elk element krijgt de grensmaten van het plan

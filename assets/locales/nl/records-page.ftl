@@ -74,14 +74,14 @@ records-page-unread = Het logboek kan niet worden gelezen: { $why }
 records-page-none = er is geen logboek geopend
 records-page-missing = Vastlegging { $number } ontbreekt
 records-page-empty = Controles verschijnen hier zodra zij zijn vastgelegd
-records-page-none-found = Geen vastlegging voldoet
+records-page-none-found = Geen vastlegging gevonden
 
 ## De lijst
 records-page-list = Vastleggingen
 records-page-head-number = Nr.
-records-page-zone = In de zone
+records-page-zone = In tol.-veld
 records-page-move = Naar een andere vastlegging
-records-page-open = De vastlegging openen
+records-page-open = Vastlegging openen
 records-page-choose = Voor een rapport kiezen
 records-page-choose-record = Vastlegging { $number } voor een rapport kiezen
 records-page-chosen = { $count ->
@@ -121,11 +121,11 @@ records-page-out-unread = { $count ->
 }
 records-page-see = Vervallen, zie { $number }
 records-page-void = Vastlegging { $number }, vervallen: zie { $by }
-records-page-instead = voor { $number }
+records-page-instead = i.p.v. { $number }
 records-page-takes-back = Trekt { $number } in
 records-page-withdrawal = Intrekking
 records-page-cycle = Cyclus { $cycle }
-records-page-went-back = { $time } (klok)
+records-page-went-back = { $time } (klok terug)
 
 ## Een geopende vastlegging
 records-page-close = Terug naar de lijst
@@ -141,7 +141,7 @@ records-page-callout = { $feature ->
     [hole] { $callout }, boring
    *[shaft] { $callout }, as
 }
-records-page-distance = Van de grenzen
+records-page-distance = Afstand tot grens
 records-page-importer = Geïmporteerd door
 records-page-void-why = Vervallen omdat
 records-page-void-by = Gecorrigeerd of ingetrokken door
@@ -178,23 +178,23 @@ records-page-reason-mistyped = verkeerd getypt
 records-page-reason-wrong-part = verkeerd onderdeel
 records-page-reason-trial = proef
 records-page-withdrawal-hint = De vastlegging telt niet meer mee, en er komt niets voor in de plaats. Beide blijven in het logboek.
-records-page-withdraw = De vastlegging intrekken
-records-page-withdraw-hint = Er komt niets in haar plaats
+records-page-withdraw = Vastlegging intrekken
+records-page-withdraw-hint = Er komt niets voor in de plaats
 records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet weer
-records-page-send-correction = De correctie vastleggen
+records-page-send-correction = Correctie vastleggen
 records-page-leave-correction = Annuleren
 records-page-undo-void = Niet ongedaan gemaakt: de vastlegging is na de correctie ingetrokken
 records-page-undone-reason = ongedaan gemaakt
 records-page-taken-back = { $checks ->
-    [one] 1 controle teruggenomen
-   *[other] { $checks } controles teruggenomen
+    [one] 1 controle ongedaan gemaakt
+   *[other] { $checks } controles ongedaan gemaakt
 }; { $records ->
     [one] vastlegging { $numbers } is ingetrokken
    *[other] vastleggingen { $numbers } zijn ingetrokken
 }
 records-page-taken-back-unwritten = { $checks ->
-    [one] 1 controle teruggenomen; die was nog niet vastgelegd en wordt dat ook niet
-   *[other] { $checks } controles teruggenomen; die waren nog niet vastgelegd en worden dat ook niet
+    [one] 1 controle ongedaan gemaakt; die was nog niet vastgelegd en wordt dat ook niet
+   *[other] { $checks } controles ongedaan gemaakt; die waren nog niet vastgelegd en worden dat ook niet
 }
 records-page-not-withdrawn = { $records ->
     [one] Vastlegging { $numbers } telt nog mee en kon niet worden ingetrokken: { $why }
@@ -207,11 +207,11 @@ records-page-not-open = De vastlegging is niet geopend
 records-page-not-recording = Controles worden niet vastgelegd
 
 ## Het logboek
-records-page-place = { $file } · { $entries } vermeldingen
+records-page-place = { $file } · vermeldingen: { $entries }
 records-page-unsent = { $count } nog niet verzonden naar { $server }
 records-page-all-sent = alles verzonden naar { $server }
 records-page-server-unknown = { $server } is nog niet bereikt
-records-page-server = Server van de werkplaats
+records-page-server = Werkplaatsserver
 records-page-server-hint = Stuurt elke vermelding op de achtergrond naar een PostgreSQL-server; zonder server blijft alles op deze computer
 records-page-server-address = Adres, zoals postgres://frees3@werkplaats.example/checks
 records-page-server-passwords = Het wachtwoord komt uit het adres, PGPASSWORD, het wachtwoordbestand of de sleutelbos van het systeem. Een wachtwoord in het adres gaat naar de sleutelbos en wordt nergens anders bewaard.
@@ -220,7 +220,7 @@ records-page-leave-server = Niet meer verzenden
 records-page-send-again = Opnieuw verzenden
 records-page-not-sent = Niet verzonden: { $why }
 records-page-and = { $one }; { $other }
-records-page-no-shop = deze Fitcheck is gebouwd zonder ondersteuning voor een server van een werkplaats (feature shop)
+records-page-no-shop = deze Fitcheck is gebouwd zonder ondersteuning voor een werkplaatsserver (feature shop)
 records-page-in-keyring = Het wachtwoord van { $server } staat nu in de sleutelbos van het systeem
 records-page-not-in-keyring = Het wachtwoord van { $server } kon niet in de sleutelbos van het systeem worden gezet ({ $reason }): het geldt tot het venster sluit, en moet daarna uit PGPASSWORD of het wachtwoordbestand komen
 records-page-verify = Verifiëren

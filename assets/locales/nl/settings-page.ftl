@@ -2,27 +2,27 @@ page-settings = Instellingen
 
 # The sections
 settings-page-find = Instelling zoeken
-settings-page-sections = Onderdeel
+settings-page-sections = Rubriek
 settings-page-general = Algemeen
 settings-page-appearance = Weergave
 settings-page-rule = Regel en grensmaten
 settings-page-own-files = Eigen bestanden
 settings-page-records = Vastleggen
-settings-page-shop-server = Server
+settings-page-shop-server = Werkplaatsserver
 settings-page-folders = Mappen
 settings-page-keys = Toetsen
 settings-page-about = Over Fitcheck
 settings-page-nothing = Geen instelling met deze woorden
 settings-page-defaults = Terug naar standaard
-settings-page-defaults-hint = Zet deze groep terug zoals bij de eerste start. Bestanden, namen en adressen blijven.
+settings-page-defaults-hint = Zet deze rubriek terug zoals bij de eerste start. Bestanden, namen en adressen blijven.
 
 # General
-settings-page-language-about = Alle teksten van het venster, en het decimaalteken.
+settings-page-language-about = Alle teksten van het venster en het decimaalteken.
 settings-page-keypad-about = Grote toetsen voor aanraakschermen en handschoenen.
 sounds = Geluid
-sounds-about = Elk oordeel klinkt: één lange toon is goed, twee tonen vragen om een blik op het werkstuk, drie zijn afkeur. Gesimuleerde waarden klinken niet.
+sounds-about = Elk oordeel klinkt: één lange toon betekent goed, twee tonen vragen om een blik op het onderdeel, drie betekenen afgekeurd. Gesimuleerde waarden klinken niet.
 sounds-failed = Er klinkt geen geluid: { $reason }
-sounds-no-player = Er klinkt geen geluid: geen van deze programma’s staat op deze computer: { $players }
+sounds-no-player = Er klinkt geen geluid: geen van deze programma's staat op deze computer: { $players }
 settings-page-shop = Instellingen voor de hele werkplaats
 settings-page-shop-about = Eén bestand voor andere stations. Zonder naam, serveradres en passing.
 settings-page-export = Instellingen exporteren…
@@ -55,18 +55,18 @@ settings-page-decimal-of-language = Volgens de taal
 settings-page-decimal-point = 25.012
 settings-page-decimal-comma = 25,012
 settings-page-rows = Rijen van lijsten
-settings-page-rows-about = Hoogte van de rijen in tabellen: gewoon is 32 px, dicht is 26 px. Bij aanraking altijd 48 px.
+settings-page-rows-about = Hoogte van de rijen in tabellen: gewoon is 32 px, compact is 26 px. Bij aanraking altijd 48 px.
 settings-page-rows-usual = Gewoon
-settings-page-rows-close = Dicht
+settings-page-rows-close = Compact
 
 # Rule and limits
 settings-page-limits-about = Waar de grensmaten van een klasse vandaan komen. Eigen tabellen gaan altijd voor.
-settings-page-js-about = Voor tekeningen volgens de uitgave van 1988, kwaliteit 7 tot en met 11. Anders blijven halve micrometers staan.
+settings-page-js-about = Voor tekeningen volgens de uitgave van 1988, graad 7 tot en met 11. Anders blijven halve micrometers staan.
 settings-page-1988-about = Voor tekeningen volgens de uitgave van 1988. Anders gelden ze ook voor grotere maten.
 settings-page-decision-rule = Beslisregel
 settings-page-decision-rule-about = Welk deel van het tolerantieveld wordt aanvaard, gezien de onzekerheid van de waarde.
 settings-page-prover = Bewijslast
-settings-page-prover-about = Wie moet bewijzen dat een product voldoet, of juist niet.
+settings-page-prover-about = Wie moet bewijzen dat een onderdeel voldoet, of juist niet.
 settings-page-uncertainty-from = Onzekerheid opgeven als
 settings-page-uncertainty-from-about = Een getypte waarde, of het budget, dat elke maat en de meetpunten kent.
 settings-page-uncertainty-about = Van elke waarde op de controlepagina. Leeg: onbekend.
@@ -147,7 +147,7 @@ settings-page-preview = Voorbeeld met deze instellingen
 
 ## The size of the screen
 ruler = Grootte van het scherm
-ruler-about = Houd een bankpas tegen het plaatje en maak het even breed: knoppen van een operator zijn dan 20 mm
+ruler-about = Houd een bankpas tegen het plaatje en maak het even breed: de knoppen van een operator zijn dan 20 mm groot
 ruler-card = Een bankpas: nog niet vergeleken
 ruler-known = Een bankpas, 85,6 mm
 ruler-much-shorter = Veel korter

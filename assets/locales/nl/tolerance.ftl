@@ -74,22 +74,22 @@ status-re-measure = OPNIEUW METEN
 status-scrap = AFGEKEURD
 rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
 rule-iso14253-2017 = ISO 14253-1:2017, 95 % conformiteit, { $prover ->
-    [customer] de afnemer bewijst afwijking
+    [customer] de afnemer bewijst niet-conformiteit
    *[supplier] de leverancier bewijst conformiteit
     }; { $u }
 rule-iso14253-1998 = ISO 14253-1:1998, veiligheidsmarge U, { $prover ->
-    [customer] de afnemer bewijst afwijking
+    [customer] de afnemer bewijst niet-conformiteit
    *[supplier] de leverancier bewijst conformiteit
     }; { $u }
 rule-ilac-g8 = ILAC-G8, veiligheidsmarge { $factor } U, { $prover ->
-    [customer] de afnemer bewijst afwijking
+    [customer] de afnemer bewijst niet-conformiteit
    *[supplier] de leverancier bewijst conformiteit
     }; { $u }
 rule-asme-simple = ASME B89.7.3.1, eenvoudige aanvaarding 4:1; { $u }
 rule-asme-stringent = ASME B89.7.3.1, strenge aanvaarding, veiligheidsmarge { $factor } U; { $u }
 rule-asme-relaxed = ASME B89.7.3.1, ruime aanvaarding met { $factor } U; { $u }
 rule-fixed = veiligheidsmarge { $width } µm, { $prover ->
-    [customer] de afnemer bewijst afwijking
+    [customer] de afnemer bewijst niet-conformiteit
    *[supplier] de leverancier bewijst conformiteit
     }
 rule-no-uncertainty = regel { $rule } heeft de onzekerheid van de gemeten waarde nodig
@@ -102,18 +102,18 @@ uncertainty-not-positive = een onzekerheid moet groter dan 0 µm zijn
 uncertainty-factor = dekkingsfactor { $given }: een getal van 1 tot 10 verwacht, met hoogstens drie decimalen
 uncertainty-by-budget = u van elke waarde volgens het budget
 undecided-contacts = met deze { $contacts } meetpunten is de diameter { $times } keer zo onzeker als met { $contacts } meetpunten rond de hele cirkel, maar de opgegeven onzekerheid geldt maar tot en met 3 keer: verdeel de meetpunten over een langere boog, of geef een budget op
-doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: is er twee keer uit inch omgerekend?
-doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
-doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?
-doubt-half = de gemeten waarde is de helft van de nominale maat: is het een radius?
-doubt-decimal-sign = de gemeten waarde is ongeveer de nominale maat met het decimaalteken op een andere plaats: is het { $meant } mm?
-doubt-far = de gemeten waarde ligt { $distance } mm buiten de grensmaten: is het dit onderdeel, in millimeters?
+doubt-times-inch = gemeten waarde is 25,4 keer de nominale maat: is er twee keer uit inch omgerekend?
+doubt-inches = gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
+doubt-double = gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?
+doubt-half = gemeten waarde is de helft van de nominale maat: is het een radius?
+doubt-decimal-sign = gemeten waarde is ongeveer de nominale maat met het decimaalteken op een andere plaats: is het { $meant } mm?
+doubt-far = gemeten waarde ligt { $distance } mm buiten de grensmaten: is het dit onderdeel, in millimeters?
 
 ## Bestanden
 file-is-folder = dit is een map, geen bestand: { $path }
 file-missing = bestand of map bestaat niet: { $path }
 file-exists = er bestaat al een bestand of map met deze naam: { $path }
-file-half-set = het schrijven van een reeks bestanden is halverwege gestopt, dus sommige bestanden in de map zijn oud en andere nieuw: schrijf de reeks opnieuw om haar af te maken; wat nog verplaatst moet worden staat in { $path }
+file-half-set = het schrijven van een reeks bestanden is halverwege gestopt, dus sommige bestanden in de map zijn oud en andere nieuw: schrijf de reeks opnieuw om die af te maken; wat nog verplaatst moet worden staat in { $path }
 file-not-a-file = dit is een pipe of een apparaat, geen bestand: { $path }
 file-changed = het bestand is veranderd terwijl het werd gelezen; lees het opnieuw: { $path }
 file-stopped = gestopt: er is niets geschreven: { $path }

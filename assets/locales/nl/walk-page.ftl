@@ -40,7 +40,7 @@ walk-page-part-of = Dit onderdeel wordt gemeten met { $own }
 walk-page-open-is = Nu geopend: { $open }
 walk-page-begin-by = Onderdeel beginnen met { $open }
 walk-page-keep-on = Dit onderdeel verder meten
-walk-page-unfinished = Een onderdeel met { $own } is niet af: Meten vraagt of het verdergaat
+walk-page-unfinished = Een onderdeel met { $own } is niet af. Meten vraagt of het verdergaat.
 walk-page-place = X { $x }  Y { $y }  Z { $z }
 walk-page-no-place = Geen plaats in het plan
 walk-page-value = Gemeten waarde
@@ -61,15 +61,15 @@ walk-page-next-warned = { $count ->
         [one] Eén maat heeft geen waarde en geen reden. Kies nog eens Volgend onderdeel om dit onderdeel te beëindigen.
        *[other] { $count } maten hebben geen waarde en geen reden. Kies nog eens Volgend onderdeel om dit onderdeel te beëindigen.
     }
-walk-page-typed-elsewhere = de waarde is getypt voor { $name }, en nu wordt { $asked } gevraagd: typ hem opnieuw
+walk-page-typed-elsewhere = de waarde is getypt voor { $name }, en nu wordt { $asked } gevraagd: typ die opnieuw
 walk-page-next-size = Volgende: { $name }, { $asked }
 walk-page-is-serial = { $given } lijkt op een serienummer en wordt niet als waarde genomen: rond eerst dit onderdeel af en scan het dan voor het volgende. Is het de gemeten waarde, typ die dan met meer decimalen
 walk-page-simulate-measured = { $name } is gemeten: een gesimuleerde waarde komt nooit in de plaats van een gemeten waarde
-walk-page-part-status = Het onderdeel
+walk-page-part-status = Status van het onderdeel
 walk-page-not-complete = Nog geen oordeel
 walk-page-simulated = { $count ->
-        [one] Eén waarde is gesimuleerd: niemand heeft die gemeten, dus het onderdeel kan er niet goed door zijn.
-       *[other] { $count } waarden zijn gesimuleerd: niemand heeft die gemeten, dus het onderdeel kan er niet goed door zijn.
+        [one] Eén waarde is gesimuleerd: niemand heeft die gemeten, dus daarmee kan het onderdeel niet goed zijn.
+       *[other] { $count } waarden zijn gesimuleerd: niemand heeft die gemeten, dus daarmee kan het onderdeel niet goed zijn.
     }
 walk-page-missing = Ontbreekt: { $names }
 walk-page-off = Vastleggen staat uit: een onderbroken onderdeel kan na een herstart niet worden hersteld.

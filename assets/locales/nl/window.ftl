@@ -126,7 +126,7 @@ keep-text = { $given } toch zo gebruiken
 doubted-enter = Enter gebruikt de gekleurde knop; typen vervangt de tekst
 doubted-type = Er wordt niets beoordeeld tot de tekst opnieuw getypt of zo gebruikt wordt
 question-enter = Na een halve seconde drukt Enter op de gevulde knop; typen vervangt de waarde
-doubt-sentence = { $doubt }
+doubt-sentence = De { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 rij
    *[other] { $name }: { $rows } rijen
@@ -161,15 +161,15 @@ diameter-alone = Alleen de diameter: { $status }
 first-steps = Eerste stappen
 first-steps-title = Voor het eerst hier?
 first-steps-about = Deze instellingen blijven bewaard.
-first-steps-done = Gereed
+first-steps-done = Klaar
 first-way-part = Een heel onderdeel
 first-way-part-about = Maat voor maat, volgens een plan met een afbeelding.
-first-way-file = Een bestand met meetwaarden
+first-way-file = Een bestand met gemeten waarden
 first-way-file-about = CSV, een werkmap, QIF, AQDEF of een meetprotocol.
 first-way-program = Zonder machine
-first-way-program-about = Een NC-programma of een cyclus meet een gesimuleerd gat, contact voor contact.
+first-way-program-about = Een NC-programma of een cyclus meet een gesimuleerde boring, meetpunt voor meetpunt.
 first-step-callout = 1. Passing: wat de tekening zegt
-first-step-value = 2. Meetwaarde: getypt, gesimuleerd of uit een bestand
+first-step-value = 2. Gemeten waarde: getypt, gesimuleerd of uit een bestand
 first-step-verdict = 3. Oordeel, en hoeveel eraf moet
 why = Waarom?
 why-limits = Grensmaten uit { $what }
@@ -259,7 +259,7 @@ dialog-no-path = Er ontbreekt een pad
 dialog-no-status = Geen statusvenster om op te slaan
 dialog-browse-hint = Toont het bestandsvenster van het systeem
 dialog-up = Bovenliggende map
-dialog-home = Thuismap
+dialog-home = Persoonlijke map
 dialog-all-files = Alle bestanden
 file-kind-measurements = Metingen
 file-kind-mask = Maskers
@@ -432,13 +432,13 @@ tables-upper = Boven
 tables-lower = Onder
 tables-head-table = Tabel, µm
 tables-head-standard = ISO 286
-tables-head-by = verschil
+tables-head-by = Verschil
 tables-cell-agrees = Zoals in ISO 286
 tables-cell-off = ISO 286 heeft { $upper } / { $lower } µm; de tabel wijkt { $upper-by } / { $lower-by } µm af
 tables-more-differences = en nog { $count }
 tables-cell-missing = Hier leeg; ISO 286 heeft { $upper } / { $lower } µm
 tables-cell-empty = Hier leeg, en in ISO 286 niet gedefinieerd
-tables-defined = In ISO 286 is de klasse gedefinieerd { $ranges }
+tables-defined = In ISO 286 is de klasse { $ranges } gedefinieerd
 tables-shipped-hint = Een ingebouwde tabel blijft ongewijzigd: bij een wijziging ontstaat een kopie, en die wordt getoond.
 tables-set = Invullen
 tables-take-standard = ISO 286 overnemen
@@ -455,7 +455,7 @@ tables-used = Grensmaten komen eerst uit { $name }, tot het venster wordt geslot
 tables-read-with-warnings = { $name } is gelezen met waarschuwingen
 tables-nothing-read = Het bestand bevat geen tabel met afwijkingen
 tables-nothing-to-save = Er is geen tabel open
-tables-cell-unreadable = De waarden van de gekozen cel zijn onleesbaar: verbeter ze eerst
+tables-cell-unreadable = De waarden van de gekozen cel zijn onleesbaar: corrigeer ze eerst
 tables-too-many = { $count } tabellen met niet-opgeslagen wijzigingen zijn open: sla er eerst een op
 tables-dialog-open = Tabel openen
 tables-dialog-save = Tabel opslaan
@@ -470,7 +470,7 @@ fit-preferred = Voorkeurspassing
 fit-function = Functie
 fit-list-hole-basis = Eenheidsboring
 fit-list-shaft-basis = Eenheidsas
-fit-parts = Werkelijke onderdelen
+fit-parts = Gemeten onderdelen
 fit-hole-measured = Gemeten boring
 fit-shaft-measured = Gemeten as
 fit-temperature = Temperatuur
@@ -544,7 +544,7 @@ materials-refused = De eigen materialen kunnen niet worden gebruikt: { $path }, 
 
 ## Palette
 section-said = { $name }: { $value }
-crash-report = Het venster is door een fout in het programma geëindigd. Een verslag ervan, zonder meetwaarden, staat in { $path }
+crash-report = Het venster is door een fout in het programma geëindigd. Een verslag ervan, zonder gemeten waarden, staat in { $path }
 rail-more = Meer
 top-open = { $name } is geopend
 top-undo = Laatste wijziging ongedaan maken
@@ -567,7 +567,7 @@ palette-check-value = { $callout } controleren met { $value }
 palette-check = { $callout } controleren
 palette-search-manual = De handleiding doorzoeken op “{ $query }”
 palette-nothing = Niets heet zo
-palette-hint = Een maat met passing, een pagina, een opdracht of een bestand
+palette-hint = Een passing, een pagina, een opdracht of een bestand
 
 ## Leaving
 leave = Fitcheck afsluiten?
@@ -649,7 +649,7 @@ cycle-picture-path-touch = { $phase }, meetpunt { $touch }
 cycle-picture-no-path = De baan verschijnt na het uitvoeren van de cyclus
 cycle-picture-phase-pre-position = voorpositioneren
 cycle-picture-phase-approach = naderen
-cycle-picture-phase-contact = meetpunt
+cycle-picture-phase-contact = tasten
 cycle-picture-phase-retract = terugtrekken
 cycle-picture-phase-leave = vrijzetten
 cycle-picture-from-above = { $first }/{ $second } van boven
@@ -768,8 +768,8 @@ rows-not-utf8 = { $count ->
    *[other] { $number } regels zijn geen UTF-8 en zijn als Windows-1252 gelezen
 }
 rows-comments = { $count ->
-    [one] 1 opmerking is geen rij
-   *[other] { $number } opmerkingen zijn geen rijen
+    [one] 1 commentaarregel is geen rij
+   *[other] { $number } commentaarregels zijn geen rijen
 }
 rows-note = Regel { $line }: { $what }
 rows-first-notes = De eerste { $first } van { $count }:
@@ -793,7 +793,7 @@ working-reading-bytes = { $name } lezen: { $done } van { $all } MB, { $seconds }
 working-writing = { $name } schrijven: { $done } MB, { $seconds } s
 working-progress = Hoeveel van het bestand gelezen is
 working-stop = Stoppen
-working-stopped = Gestopt na { $rows } rijen: uit { $name } is niets overgenomen
+working-stopped = Gestopt na { $rows } rijen: uit { $name } is niets geïmporteerd
 
 ## What a code reader typed into the field of the value
 scanned-callout = { $given } is een passing en is als zodanig overgenomen
