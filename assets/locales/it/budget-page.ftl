@@ -87,7 +87,7 @@ budget-page-method = Metodo { $method }
 budget-page-method-gum = JCGM 100 (GUM)
 budget-page-largest = Contributo maggiore
 budget-page-largest-is = { $name }, { $percent } % della varianza
-budget-page-help = Che cosa gioverebbe di più
+budget-page-help = Che cosa aiuterebbe di più
 budget-page-help-halved = Dimezzandolo: u = { $u } µm
 budget-page-help-part-temperature = Dimezzando l'incertezza della temperatura del pezzo: u = { $u } µm
 budget-page-help-scale-temperature = Dimezzando l'incertezza della temperatura delle righe ottiche: u = { $u } µm

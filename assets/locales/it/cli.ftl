@@ -248,5 +248,5 @@ cli-warning-same-content = lo stesso contenuto è già stato importato come { $k
 cli-warning-not-alone = impossibile sapere se un altro programma sorveglia questa cartella per lo stesso registro: { $reason }
 
 ## Il fuso orario di questo computer
-zone-not-understood = TZ è impostato su "{ $given }", che non è un fuso orario: impostarlo su un nome come Europe/Amsterdam o su UTC, o rimuoverlo
+zone-not-understood = TZ è impostato su «{ $given }», che non è un fuso orario: impostarlo su un nome come Europe/Amsterdam o su UTC, o rimuoverlo
 zone-unknown = il fuso orario di questo computer non è noto, quindi le ore sono in UTC: impostare TZ su un nome come Europe/Amsterdam

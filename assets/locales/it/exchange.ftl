@@ -66,7 +66,7 @@ exchange-other-header = questa linea indica colonne diverse dalla prima: valutar
 exchange-below-other-header = non valutato: la linea { $line } indica colonne diverse. Valutare le righe sottostanti come file separato
 exchange-simulated-below = le righe sotto questa linea sono simulate: valutarle come file separato, o con fitcheck import
 exchange-origin = provenienza: { $given } non dice né misurato né simulato; scrivere measured, typed o simulated, o impostare simulated=- se questa colonna dice altro
-exchange-decimal-sign = valore misurato: { $given } ha un segno decimale diverso dagli altri valori: "{ $sign }"
+exchange-decimal-sign = valore misurato: { $given } ha un segno decimale diverso dagli altri valori: «{ $sign }»
 exchange-not-positive = valore misurato: un diametro di { $given } non è maggiore di 0
 exchange-decimal-comma = { $joined } può essere un solo numero con virgola decimale: usare il punto decimale o un altro separatore
 exchange-other-feature = { $given } è { $feature ->

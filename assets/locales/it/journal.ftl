@@ -1,5 +1,5 @@
 ## La catena di un registro
-journal-hex = "{ $text }" non è di { $digits } cifre esadecimali
+journal-hex = «{ $text }» non è di { $digits } cifre esadecimali
 journal-break-changed = la voce { $number } non è quella che è stata scritta
 journal-break-removed = { $count ->
         [one] manca la voce { $number }
@@ -18,7 +18,7 @@ journal-body-too-long = { $field } ha { $bytes } byte, ne sono ammessi al massim
 journal-body-control = { $field } ha il carattere di controllo { $code } come carattere { $place }: i testi di un registro sono una linea senza caratteri di controllo
 journal-body-empty = { $field } è vuoto
 journal-body-too-many = { $field } ha { $count } valori, ne sono ammessi al massimo { $most }
-journal-body-value = { $field } non può essere "{ $given }"
+journal-body-value = { $field } non può essere «{ $given }»
 journal-body-contradiction = { $field } contraddice i campi da cui deriva
 journal-origin-perfect = simulato, un pezzo in lavorazione senza difetti
 journal-origin-workpiece = simulato, { $file }, seme { $seed }
@@ -33,8 +33,8 @@ journal-ask-empty-word = una parola tra virgolette è vuota
 journal-ask-twice = { $key } è indicato due volte
 journal-ask-not-closed = le virgolette non sono chiuse
 journal-ask-after-quote = atteso uno spazio dopo le virgolette di chiusura, trovato { $found }
-journal-ask-date = "{ $given }" non è un giorno né un'ora: atteso 2026-11-23 o 2026-11-23T14:30
-journal-ask-verdict = "{ $given }" non è un esito: atteso { $known }
+journal-ask-date = «{ $given }» non è un giorno né un'ora: atteso 2026-11-23 o 2026-11-23T14:30
+journal-ask-verdict = «{ $given }» non è un esito: atteso { $known }
 journal-ask-callout = { $error }; un'indicazione va tra virgolette: callout:"25 H7"
 journal-ask-class = { $error }
 journal-ask-order = il periodo finisce prima di cominciare: from deve essere prima di to

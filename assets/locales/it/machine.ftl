@@ -57,7 +57,7 @@ machine-not-whole = { $what } = { $value }: atteso un numero intero da 0
 machine-counted-row = riga
 machine-counted-word = { $word }
 machine-behind-text = il testo ha { $length } caratteri: la posizione { $from } è oltre la fine
-machine-no-number-in-text = { $parameter } = "{ $text }" non è un numero
+machine-no-number-in-text = { $parameter } = «{ $text }» non è un numero
 machine-unknown-system-text = testo di sistema sconosciuto ID{ $id } NR{ $number }: sono supportate solo data e ora (ID10321)
 machine-no-table = nessuna tabella aperta
 machine-several-columns = { $parameter } = { $text } indica più colonne: con un parametro di testo se ne può leggere solo una

@@ -18,18 +18,18 @@ operator-part = Pezzo
 operator-last = Ultimi risultati
 operator-newer = Più recenti
 operator-older = Meno recenti
-operator-back-to-results = Torna ai risultati
+operator-back-to-results = Tornare ai risultati
 operator-dropped = { $name } non si apre qui: un operatore non apre file. Passare prima alla finestra completa.
 operator-no-results = Non è stato ancora misurato nulla.
 operator-features = { $count ->
     [one] 1 elemento
-   *[other] Tutti i { $count } elementi
+   *[other] I { $count } elementi
 }
 operator-next = Avanti
 operator-next-part = Pezzo successivo
 operator-to-value = Valore
 operator-type-callout = Digitare ciò che dice il disegno, come 25 H7.
-operator-type-value = Misurare, e digitare il valore.
+operator-type-value = Misurare e digitare il valore.
 operator-choose-part = Scegliere un pezzo e digitarne il numero di serie.
 operator-hole-or-shaft = Che cosa si misura?
 operator-plans = Pezzi
@@ -38,7 +38,7 @@ operator-go-on-first = Leggere prima l'esito e premere Avanti: ciò che è stato
 
 ## The PIN
 operator-pin = PIN della finestra operatore
-operator-pin-about = La digita chi lascia la finestra operatore. Si conserva soltanto un hash con salt
+operator-pin-about = Lo digita chi lascia la finestra operatore. Si conserva soltanto un hash con salt
 operator-pin-use = Bloccare con questo PIN
 operator-pin-remove = Rimuovere il PIN
 operator-pin-try = Sbloccare
@@ -47,6 +47,6 @@ operator-pin-short = un PIN ha almeno { $least } caratteri
 operator-pin-set = La finestra operatore ora è bloccata con un PIN
 operator-pin-removed = La finestra operatore non è più bloccata
 operator-pin-wrong = Questo non è il PIN
-operator-pin-not-hashed = Impossibile calcolare l’hash del PIN: { $why }
+operator-pin-not-hashed = Impossibile calcolare l'hash del PIN: { $why }
 operator-pin-asked = Digitare il PIN per lasciare la finestra operatore.
-operator-pin-forgotten = Dimenticato? Il manuale dice come entra un amministratore: The operator’s window, The PIN.
+operator-pin-forgotten = Dimenticato? Il manuale dice come entra un amministratore: The operator's window, The PIN.

@@ -131,8 +131,8 @@ pairing-page-group = Gruppo { $number }: { $count ->
         [one] 1 coppia
        *[other] { $count } coppie
     }
-pairing-page-all-within = ✓ tutte entro
-pairing-page-not-all-within = ✗ non tutte entro
+pairing-page-all-within = ✓ tutte nel campo
+pairing-page-not-all-within = ✗ non tutte nel campo
 pairing-page-no-group-pairs = un lato è vuoto
 pairing-page-group-holes = { $count ->
         [one] 1 foro

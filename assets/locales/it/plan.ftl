@@ -66,7 +66,17 @@ plan-not-found-other-nominal = non valutato: corrisponde a { $name } del piano, 
 plan-not-found-other-limits = non valutato: corrisponde a { $name } del piano, ma i suoi limiti { $given } non hanno nulla in comune con quelli del piano, { $planned }
 plan-not-found-several = non valutato: più elementi del piano hanno questa posizione: { $names }
 plan-not-found-which-side = non valutato: il valore non dice quale è tra { $names }
-part-standing = { $measured } misurate, { $missing } mancanti, { $skipped } saltate
+part-standing =
+    { $measured ->
+        [one] 1 misurata
+       *[other] { $measured } misurate
+    }, { $missing ->
+        [one] 1 mancante
+       *[other] { $missing } mancanti
+    }, { $skipped ->
+        [one] 1 saltata
+       *[other] { $skipped } saltate
+    }
 plan-not-found-other-kind = non valutato: corrisponde a { $name } del piano, che però è di tipo { $kind }, ed è stato misurato altro
 plan-remark-left = { $name } viene saltato: { $why }
 plan-remark-class-left = { $name }: { $class } ha limiti diversi dal file; valgono i limiti del file

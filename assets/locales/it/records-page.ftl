@@ -1,7 +1,7 @@
 page-records = Registro
 
 ## Ciò che si registra con un controllo
-records-page-fold = Registrare
+records-page-fold = Registrazione
 records-page-fold-hint = Numero di serie e nota vengono registrati con i prossimi controlli
 records-page-serial = Numero di serie
 records-page-serial-short = N. di serie
@@ -61,7 +61,7 @@ records-page-filter-by = Filtrare per
 records-page-filter-value = Valore
 records-page-from = Dal
 records-page-to = Al
-records-page-standing = Solo valide
+records-page-standing = Solo validi
 records-page-simulated-only = Solo simulati
 records-page-remove-filter = Rimuovere il filtro { $filter }
 records-page-looking = Ricerca…
@@ -73,7 +73,7 @@ records-page-more = { $count }+ registrazioni
 records-page-unread = Impossibile leggere il registro: { $why }
 records-page-none = nessun registro aperto
 records-page-missing = Manca la registrazione { $number }
-records-page-empty = Qui appaiono i controlli appena registrati
+records-page-empty = Qui appaiono i controlli dopo la registrazione
 records-page-none-found = Nessuna registrazione corrisponde
 
 ## L'elenco
@@ -207,7 +207,7 @@ records-page-not-open = La registrazione non è aperta
 records-page-not-recording = I controlli non vengono registrati
 
 ## Il registro
-records-page-place = { $file } · { $entries } voci
+records-page-place = { $file } · voci: { $entries }
 records-page-unsent = { $count } non ancora inviate a { $server }
 records-page-all-sent = tutte inviate a { $server }
 records-page-server-unknown = { $server } non è stato ancora raggiunto

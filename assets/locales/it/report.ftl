@@ -54,7 +54,7 @@ report-guard-range = { $what }, da { $from } a { $to } µm
 ## La pagina
 report-title = Rapporto di controllo
 report-part = Pezzo
-report-order = Ordine
+report-order = Commessa
 report-inspector = Controllore
 report-created = Creato
 report-program = Programma

@@ -4,7 +4,7 @@ shop-address-no-host = l'indirizzo non indica un server: scrivere postgres://USE
 shop-address-no-user = l'indirizzo non indica un utente: scrivere postgres://USER@HOST/DATABASE
 shop-address-at = l'indirizzo ha un @ di troppo: in una password o in un nome, scrivere %40 per @, %2F per / e %3F per ?
 shop-address-unreadable = l'indirizzo del server non è leggibile: { $reason }
-shop-address-mode = sslmode "{ $given }" non è noto: scrivere disable, require, verify-ca o verify-full
+shop-address-mode = sslmode «{ $given }» non è noto: scrivere disable, require, verify-ca o verify-full
 shop-address-plain = sslmode=disable vale solo per un server su questo computer, e { $host } è un altro
 
 ## La sua password

@@ -71,7 +71,7 @@ walk-page-simulated = { $count ->
         [one] Un valore è simulato: nessuno lo ha misurato, quindi non può rendere buono il pezzo.
        *[other] { $count } valori sono simulati: nessuno li ha misurati, quindi non possono rendere buono il pezzo.
     }
-walk-page-missing = Mancano: { $names }
+walk-page-missing = Mancanti: { $names }
 walk-page-off = La registrazione è disattivata: un pezzo interrotto non si può ripristinare dopo un riavvio.
 walk-page-nowhere = Non viene registrato nulla: un pezzo interrotto non si può ripristinare dopo un riavvio.
 walk-page-no-part = Nessun pezzo in misura.
