@@ -18,10 +18,10 @@ aqdef-no-values-beside = { $count ->
         [0] ni caractéristiques ni valeurs
         [one] { $count } caractéristique mais aucune valeur
        *[other] { $count } caractéristiques mais aucune valeur
-    }, et pas de { $file } d'au plus { $most } MiB à côté de ce fichier : c'est un plan, et non des mesures ; donner { $file } lui-même s'il est plus gros
+    }, et pas de { $file } d'au plus { $most } Mio à côté de ce fichier : c'est un plan, et non des mesures ; donner { $file } lui-même s'il est plus gros
 aqdef-no-description = valeurs sans caractéristiques : { $file } manque à côté de ce fichier
 aqdef-count = K0100 annonce { $expected } caractéristiques, { $found } trouvées : le fichier est peut-être tronqué
-aqdef-too-large = les caractéristiques prennent plus de { $most } MiB
+aqdef-too-large = les caractéristiques prennent plus de { $most } Mio
 aqdef-beside = { $file }, ligne { $line } : { $reason }
 aqdef-warning-count = K0100 annonce { $expected } caractéristiques, { $found } trouvées : le fichier est peut-être tronqué
 aqdef-warning-fewer = { $expected } valeurs attendues, { $found } trouvées

@@ -19,7 +19,7 @@ budget-page-step = Pas
 budget-page-contacts-hint = Vide : les points de palpage du bilan
 budget-page-day = Jour
 budget-page-day-hint = Jour vide : aujourd'hui, { $day }
-budget-page-no-day = { $given } n'est pas un jour : YYYY-MM-DD attendu
+budget-page-no-day = { $given } n'est pas un jour : AAAA-MM-JJ attendu
 budget-page-other-missing = Manquant : donner à la fois le nombre de points et le pas, ou aucun des deux
 budget-page-take-check = Du contrôle affiché
 budget-page-take-recorded = Points enregistrés
@@ -88,7 +88,7 @@ budget-page-method-gum = JCGM 100 (GUM)
 budget-page-largest = Contribution principale
 budget-page-largest-is = { $name }, { $percent } % de la variance
 budget-page-help = Ce qui aiderait le plus
-budget-page-help-halved = La moitié : u = { $u } µm
+budget-page-help-halved = Réduite de moitié : u = { $u } µm
 budget-page-help-part-temperature = Moitié de l'incertitude sur la température de la pièce : u = { $u } µm
 budget-page-help-scale-temperature = Moitié de l'incertitude sur la température des systèmes de mesure : u = { $u } µm
 budget-page-help-expansion = Moitié de l'écart à 20 °C, ou moitié de l'incertitude de la dilatation : u = { $u } µm

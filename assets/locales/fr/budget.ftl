@@ -1,11 +1,11 @@
 # budget
 
 budget-toml = { $said }
-budget-too-large = un fichier de bilan a au plus { $most } KiB
+budget-too-large = un fichier de bilan a au plus { $most } Kio
 budget-not-one = un bilan demande soit des tables [[contribution]], soit une table [calibrated]
 budget-too-many = { $count } contributions : un bilan en a au plus { $most }
 budget-empty = { $key } est vide : un texte est attendu
-budget-day = { $key } : { $given } n'est pas un jour : YYYY-MM-DD attendu
+budget-day = { $key } : { $given } n'est pas un jour : AAAA-MM-JJ attendu
 budget-days = valid_until { $until } est avant date { $date }
 budget-key = { $table } : { $key } n'est pas utilisé ici : les clés admises sont { $allowed }
 budget-missing = { $table } : { $keys } manque

@@ -59,7 +59,7 @@ cli-several-tables = une table de commande est un seul fichier : nommer une seu
 cli-report-format = --format { $format } ne va pas avec l'extension de { $file } : omettre l'un des deux
 cli-stopped = arrêté par Ctrl+C après { $rows } rangées
 cli-report-empty = aucun contrôle n'était utilisable, aucun rapport n'a donc été écrit
-cli-inputs-too-large = les données d'un cycle ont au plus { $most } KiB
+cli-inputs-too-large = les données d'un cycle ont au plus { $most } Kio
 cli-not-an-object = les données doivent être un objet JSON tel que {"{"}"Q263": 35{"}"} : { $error }
 cli-not-an-input = { $name } = { $value } : nombre ou texte attendu
 cli-given-twice = { $name } est donné deux fois
@@ -88,7 +88,7 @@ cli-batch-name = { $name } a déjà une colonne { $column } : utiliser --prefix
 cli-use-force = { $error } ; --force écrase
 
 # Un --check d'un rapport
-cli-check-no-measured = { $text } n'a pas de valeur mesurée : écrire une cote tolérancée, = et des millimètres, par exemple 25 H7=25.012
+cli-check-no-measured = { $text } n'a pas de valeur mesurée : écrire une cote tolérancée, = et des millimètres, par exemple 25 H7=25,012
 cli-check-measured = valeur mesurée : { $value }
 cli-check-not-positive = la valeur mesurée { $measured } mm n'est pas supérieure à 0
 
@@ -230,8 +230,8 @@ cli-remark-plan-example = aucune cote tolérancée donnée : le plan a un élé
 cli-remark-plan-head-left = CSV ne contient que les éléments : { $keys } de la pièce n'est pas écrit
 cli-warning-neither-stands = l'entrée { $number } corrigeait l'entrée { $target } : maintenant, aucune des deux ne compte. Si l'une des valeurs est juste, la consigner de nouveau
 cli-warning-beyond-limits = hors limites : accepté par la règle, car le dépassement n'est pas prouvé
-cli-warning-plan-missing = non mesuré : { $names }
-cli-warning-plan-missing-of = { $who } : non mesuré : { $names }
+cli-warning-plan-missing = non mesurées : { $names }
+cli-warning-plan-missing-of = { $who } : non mesurées : { $names }
 cli-warning-contradiction = { $name } a des valeurs qui se contredisent : { $values }
 cli-warning-contradiction-of = { $who } : { $name } a des valeurs qui se contredisent : { $values }
 cli-warning-worst-counts = la pire de plusieurs valeurs contradictoires compte jusqu'au choix : --repeats last ou --repeats worst. Les numéros de série distinguent les pièces, et une heure par valeur montre laquelle est la dernière

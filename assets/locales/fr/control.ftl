@@ -2,7 +2,7 @@
 
 # Masques
 mask-empty = le masque est vide
-mask-too-large = le masque dépasse { $most } KiB
+mask-too-large = le masque dépasse { $most } Kio
 mask-unknown = { $found } n'est ni un enregistrement, ni un mot-clé, ni un commentaire
 mask-unclosed-quote = le guillemet n'est pas fermé
 mask-unknown-format = { $found } n'est pas un format : sont admis %S %RS %F %LF %D %I %%
@@ -88,7 +88,7 @@ tables-contradict = { $first } et { $second } se contredisent, { $class } au-del
        *[other] { $other } µm
     } : supprimer la colonne dans l'une des deux
 deviations-two-range-columns = la table a à la fois BEREICH et BEREIK : une seule colonne peut contenir les plages de cotes
-deviations-inch = la table est en inch : écrire les plages de cotes en millimètres et les écarts en micromètres
+deviations-inch = la table est en pouces : écrire les plages de cotes en millimètres et les écarts en micromètres
 deviations-no-class = aucune colonne n'est une classe de tolérance telle que H7
 deviations-odd-rows = le nombre de rangées est impair ({ $rows }) : chaque plage de cotes en prend deux, d'abord l'écart supérieur, puis l'écart inférieur
 deviations-no-range = la fin de la plage de cotes manque
@@ -108,7 +108,7 @@ no-parameter = { $given } n'est pas un paramètre : sont admis Q, QL, QR et QS 
 ## Écriture de procès-verbaux de mesure
 log-write-cycle = le cycle { $cycle } n'écrit pas ces valeurs
 log-write-no-title = le procès-verbal du cycle { $cycle } n'a pas de titre dans { $file }
-log-write-unit = un procès-verbal est en mm ou inch, pas en µm
+log-write-unit = un procès-verbal est en mm ou en pouces, pas en µm
 log-write-character = { $given } ne peut pas être écrit : un procès-verbal ne peut pas contenir le caractère U+{ $code }
 log-write-program = { $given } ne serait pas relu comme chemin d'un programme : écrire un chemin tel que TNC:\PART\CHECK.H
 log-write-unfinished = le fichier finit dans une ligne : il est peut-être tronqué, rien n'y est donc ajouté
@@ -152,15 +152,15 @@ tool-out-of-range = outil { $tool } : { $column } passerait de { $from } à { $
 tool-broken = erreur 1065 : l'outil { $tool } est cassé : { $column } changerait de { $by } mm, { $limit } est { $most } mm ; l'outil est bloqué et non corrigé
 tool-broken-replacement = erreur 1065 : l'outil { $tool } est cassé : { $column } changerait de { $by } mm, { $limit } est { $most } mm ; l'outil est bloqué et non corrigé ; son outil jumeau est l'outil { $replacement }
 tool-corrected = outil { $tool } : { $column } modifié de { $by } mm, de { $from } à { $to } mm
-tool-corrected-rounded = outil { $tool } : { $column } modifié de { $by } mm, de { $from } à { $to } mm : le tableau conserve au plus proche 0.00001 in
+tool-corrected-rounded = outil { $tool } : { $column } modifié de { $by } mm, de { $from } à { $to } mm : le tableau conserve au plus proche 0,00001 in
 tool-locked = outil { $tool } : bloqué, TL = { $to }
 
 ## Le procès-verbal d'un résultat de cycle
-cycle-log-other-verdict = les valeurs du procès-verbal, arrondies à 0.0001 { $unit }, donnent { $log } où le cycle a donné { $cycle }
+cycle-log-other-verdict = les valeurs du procès-verbal, arrondies à 0,0001 { $unit }, donnent { $log } où le cycle a donné { $cycle }
 
 ## La séquence d'un cycle de palpage
 block-none = pas un cycle de palpage : une séquence commence par TCH PROBE et un numéro, ou par G785
-block-inches = la séquence est d'un programme en inch mais serait lue en mm : exécuter le programme
+block-inches = la séquence est d'un programme en pouces mais serait lue en mm : exécuter le programme
 block-second = second cycle de palpage : en donner un seul à la fois ; le premier commence à la ligne { $first }
 block-unknown-cycle = TCH PROBE { $given } : les cycles sont { $known }
 block-not-a-parameter = { $given } n'est pas un paramètre : l'écrire comme { $example }

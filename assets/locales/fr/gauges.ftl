@@ -77,4 +77,4 @@ gauges-asking = la page pose une question : y répondre et remesurer
 gauges-typing = une valeur est en cours de saisie : appuyer sur Entrée ou vider le champ
 gauges-not-good = le verdict précédent n'est pas bon et date de moins d'une seconde : le regarder et remesurer
 gauges-no-ports = les ports de cet ordinateur ne peuvent pas être listés : { $reason }
-gauges-unread = le verdict d'avant n'a pas encore été lu : appuyer sur Suivant et remesurer
+gauges-unread = le verdict précédent n'a pas encore été lu : appuyer sur Suivant et remesurer

@@ -23,7 +23,7 @@ help-page-english = Le manuel est en anglais.
 
 # Exemples
 help-page-samples = Essayer
-help-page-sample-value = Essayer 25 H7 avec 25.012
+help-page-sample-value = Essayer 25 H7 avec 25,012
 help-page-sample-part = Ouvrir une pièce d'exemple
 help-page-sample-file = Ouvrir un fichier d'exemple
 help-page-sample-program = Ouvrir un programme d'exemple

@@ -9,7 +9,7 @@ machine-path-no-name = { $name } dans { $path } n'est pas un nom de fichier ou d
 machine-store-missing = fichier introuvable : { $path }
 machine-store-outside = { $path } mène hors des dossiers donnés
 machine-store-no-file = { $path } n'est pas un fichier
-machine-store-too-large = { $path } dépasse { $most } MiB
+machine-store-too-large = { $path } dépasse { $most } Mio
 machine-store-ambiguous = { $path } existe sous plusieurs graphies, { $names }, mais une commande n'a qu'un fichier de chaque nom : supprimer ou renommer les autres
 machine-store-read-only = aucun dossier de sortie n'a été choisi
 machine-store-system = { $path } : { $reason }
@@ -111,7 +111,7 @@ machine-remark-other-names = { $read } a été lu, mais { $others } existe aussi
 machine-remark-read = { $path } : { $what }
 machine-remark-other-spelling = la table { $table } n'a pas de colonne { $column } : { $other } a été utilisé, l'autre graphie dans NC-Solution 8255
 machine-remark-row-number = table { $table } : NR est { $found } dans la rangée { $row } : FN 27 et FN 28 comptent les rangées à partir de 0
-machine-remark-length-converted = table { $table } : la colonne { $column } est une LENGTH et a été convertie entre mm et inch
+machine-remark-length-converted = table { $table } : la colonne { $column } est une LENGTH et a été convertie entre mm et pouces
 machine-remark-ended-within = M{ $function } dans un programme appelé a mis fin à l'exécution : une commande ne l'y admet pas
 machine-remark-given-wins = { $parameter } = { $value } a été donné avant l'exécution et remplace la valeur de cette séquence
 machine-remark-given-without-effect = { $parameter } a été donné avant l'exécution et n'a pas eu d'effet : aucune séquence ne l'a lu

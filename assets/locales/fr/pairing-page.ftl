@@ -114,8 +114,8 @@ pairing-page-simulated = { $count ->
        *[other] { $count } paires avec une pièce simulée
     }
 pairing-page-no-pair = Aucun alésage et arbre n'ont un jeu dans la plage voulue.
-pairing-page-smallest = Plus petit jeu
-pairing-page-largest = Plus grand jeu
+pairing-page-smallest = Jeu minimal
+pairing-page-largest = Jeu maximal
 pairing-page-middle = Milieu voulu
 pairing-page-band = Bande autour
 pairing-page-grinding = Rectification

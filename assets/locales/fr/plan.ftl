@@ -2,7 +2,7 @@
 
 plan-no-features = le plan n'a aucun élément
 plan-too-many = le plan a plus de { $most } éléments
-plan-too-large = un plan a au plus { $most } KiB
+plan-too-large = un plan a au plus { $most } Kio
 plan-no-column = la colonne { $column } manque
 plan-unknown-column = colonne inconnue { $column } : les colonnes sont { $known }
 plan-column-twice = la colonne { $column } est présente deux fois
@@ -22,7 +22,7 @@ plan-other-side = le type { $given } contredit { $column } { $text }, qui est ce
     } : corriger l'un des deux, ou écrire diameter
 plan-not-of = { $kind } : { $column } n'existe pas pour ce type
 plan-direction = l'axe { $given } n'est pas une direction : { $known } attendu, ou trois nombres tels que 0.5 0 -1, de -10 à 10 avec au plus 9 décimales et pas tous nuls
-plan-no-band = { $text } n'est pas la tolérance d'un point, par exemple ±0.05 ou +0.1/-0.05 : { $error }
+plan-no-band = { $text } n'est pas la tolérance d'un point, par exemple ±0,05 ou +0,1/-0,05 : { $error }
 plan-band-side = un point ne peut pas avoir d'écarts de { $lower } à { $upper } mm : le cycle demande un écart supérieur de 0 ou plus et un écart inférieur de 0 ou moins, pas tous deux nuls
 plan-side-class = { $callout } : pour { $kind }, les deux côtés demandent des classes telles que { $example }
 plan-face-class = { $callout } : une face est jugée comme une cote extérieure et demande une classe d'arbre, par exemple h9
@@ -66,7 +66,17 @@ plan-not-found-other-nominal = non jugé : correspond à { $name } du plan, mai
 plan-not-found-other-limits = non jugé : correspond à { $name } du plan, mais ses limites { $given } n'ont rien de commun avec celles du plan, { $planned }
 plan-not-found-several = non jugé : plusieurs éléments du plan ont cette position : { $names }
 plan-not-found-which-side = non jugé : la valeur ne dit pas duquel il s'agit : { $names }
-part-standing = { $measured } mesurées, { $missing } manquantes, { $skipped } ignorées
+part-standing =
+    { $measured ->
+        [one] { $measured } mesurée
+       *[other] { $measured } mesurées
+    }, { $missing ->
+        [one] { $missing } manquante
+       *[other] { $missing } manquantes
+    }, { $skipped ->
+        [one] { $skipped } ignorée
+       *[other] { $skipped } ignorées
+    }
 plan-not-found-other-kind = non jugé : correspond à { $name } du plan, de type { $kind }, mais autre chose a été mesuré
 plan-remark-left = { $name } est ignoré : { $why }
 plan-remark-class-left = { $name } : { $class } a d'autres limites que le fichier ; les limites du fichier s'appliquent

@@ -136,7 +136,7 @@ remark-no-tolerance = { $key } n'est pas une tolérance : rien n'est jugé
 
 ## La machine simulée
 workpiece-file-toml = ligne { $line } : { $said }
-workpiece-file-too-large = un fichier de pièce a au plus { $most } KiB
+workpiece-file-too-large = un fichier de pièce a au plus { $most } Kio
 workpiece-file-not-one = le fichier a { $found } de { $tables } : il en faut exactement une
 workpiece-file-cannot-be = ligne { $line } : { $error }
 workpiece-file-several = le fichier a des tables [[feature]] : une pièce à une seule surface est attendue ici

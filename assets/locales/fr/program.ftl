@@ -2,7 +2,7 @@
 
 ## Lecture
 program-empty = le programme est vide
-program-too-large = le programme dépasse { $most } MiB
+program-too-large = le programme dépasse { $most } Mio
 program-too-many-lines = le programme a plus de { $most } lignes
 program-binary = le fichier n'est pas du texte : { $controls } de ses { $bytes } octets ne sont pas des caractères
 program-no-begin = le programme ne commence pas par BEGIN PGM
@@ -61,7 +61,7 @@ program-axis-twice = un axe est donné deux fois
 program-too-deep = parenthèses et fonctions sont imbriquées sur plus de { $most } niveaux
 program-too-many-operands = la formule a plus de { $most } opérandes
 program-too-long = la séquence a plus de { $most } caractères
-program-too-much = les formules et les longues séquences prennent plus de { $most } MiB en tout
+program-too-much = les formules et les longues séquences prennent plus de { $most } Mio en tout
 program-wanted-word = { $word }
 program-wanted-number = un nombre
 program-wanted-value = un nombre ou un paramètre Q

@@ -48,7 +48,7 @@ records-page-take-name = Utiliser ce nom
 
 ## La question
 records-page-question = Rechercher
-records-page-help = Mots, good rework scrap, ou part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Mots, bon retouche rebut, ou part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
 records-page-more-actions = Plus
 records-page-today = Aujourd'hui
 records-page-this-week = Cette semaine
@@ -61,7 +61,7 @@ records-page-filter-by = Filtrer par
 records-page-filter-value = Valeur
 records-page-from = Du
 records-page-to = Au
-records-page-standing = Valides
+records-page-standing = Valides seulement
 records-page-simulated-only = Simulés seulement
 records-page-remove-filter = Retirer le filtre { $filter }
 records-page-looking = Recherche
@@ -143,7 +143,7 @@ records-page-callout = { $feature ->
 }
 records-page-distance = Écart aux limites
 records-page-importer = Importé par
-records-page-void-why = Non valide car
+records-page-void-why = Non valide pour
 records-page-void-by = Corrigé ou retiré par
 records-page-decided = Décision
 records-page-limits = Limites
@@ -207,7 +207,7 @@ records-page-not-open = Le relevé n'est pas ouvert
 records-page-not-recording = Les contrôles ne sont pas consignés
 
 ## Le journal
-records-page-place = { $file } · { $entries } entrées
+records-page-place = { $file } · entrées : { $entries }
 records-page-unsent = { $count } à envoyer à { $server }
 records-page-all-sent = tout envoyé à { $server }
 records-page-server-unknown = { $server } n'a pas encore été joint

@@ -13,7 +13,7 @@ walk-page-skip-not = Ne pas ignorer
 walk-page-next = Pièce suivante
 walk-page-move = Aller à une autre cote
 walk-page-import = Importer des valeurs…
-walk-page-watch = Surveiller dossier…
+walk-page-watch = Surveiller un dossier…
 walk-page-watch-hint = Les fichiers déposés dans le dossier sont jugés selon le plan et consignés, chacun une seule fois
 walk-page-watch-stop = Ne plus surveiller
 walk-page-dialog-watch = Surveiller un dossier
@@ -45,24 +45,24 @@ walk-page-place = X { $x }  Y { $y }  Z { $z }
 walk-page-no-place = Pas de position dans le plan
 walk-page-value = Valeur mesurée
 walk-page-measured-before = { $count ->
-        [one] Mesuré { $count } fois : les deux valeurs sont conservées, et la nouvelle compte
-       *[other] Mesuré { $count } fois : toutes les valeurs sont conservées, et la nouvelle compte
+        [one] Mesurée { $count } fois : les deux valeurs sont conservées, et la nouvelle compte
+       *[other] Mesurée { $count } fois : toutes les valeurs sont conservées, et la nouvelle compte
     }
-walk-page-last-counts = Mesuré { $count } fois : toutes les valeurs sont conservées, et celle-ci compte
-walk-page-skip-why = Raison d'ignorer
+walk-page-last-counts = Mesurée { $count } fois : toutes les valeurs sont conservées, et celle-ci compte
+walk-page-skip-why = Raison pour ignorer
 walk-page-skip-access = Palpeur sans accès
-walk-page-skip-gauge = Moyen de mesure manquant
-walk-page-skip-machined = Pas encore usiné
-walk-page-skip-elsewhere = Mesuré ailleurs
+walk-page-skip-gauge = Instrument manquant
+walk-page-skip-machined = Pas encore usinée
+walk-page-skip-elsewhere = Mesurée ailleurs
 walk-page-reason = Autre raison
 walk-page-no-reason = une raison est requise
-walk-page-skipped = ignoré : { $reason }
+walk-page-skipped = ignorée : { $reason }
 walk-page-next-warned = { $count ->
         [one] { $count } cote n'a ni valeur ni raison. Choisir encore une fois Pièce suivante pour terminer cette pièce.
        *[other] { $count } cotes n'ont ni valeur ni raison. Choisir encore une fois Pièce suivante pour terminer cette pièce.
     }
 walk-page-typed-elsewhere = la valeur a été saisie pour { $name }, et { $asked } est demandé maintenant : la ressaisir
-walk-page-next-size = Suivant : { $name }, { $asked }
+walk-page-next-size = Suivante : { $name }, { $asked }
 walk-page-is-serial = { $given } ressemble à un numéro de série et n'est pas pris comme valeur : terminer d'abord cette pièce, puis le scanner pour la pièce suivante. Si c'est la valeur mesurée, la saisir avec plus de décimales
 walk-page-simulate-measured = { $name } est mesuré : une valeur simulée ne prend jamais la place d'une valeur mesurée
 walk-page-part-status = Statut de la pièce
@@ -71,13 +71,13 @@ walk-page-simulated = { $count ->
         [one] { $count } valeur est simulée : personne ne l'a mesurée, elle ne peut donc pas rendre la pièce bonne.
        *[other] { $count } valeurs sont simulées : personne ne les a mesurées, elles ne peuvent donc pas rendre la pièce bonne.
     }
-walk-page-missing = Manquant : { $names }
+walk-page-missing = Manquantes : { $names }
 walk-page-off = La consignation est désactivée : une pièce interrompue ne peut pas être rétablie après un redémarrage.
 walk-page-nowhere = Rien n'est consigné : une pièce interrompue ne peut pas être rétablie après un redémarrage.
 walk-page-no-part = Aucune pièce n'est en cours de mesure.
 walk-page-sizes = Cotes de la pièce
 walk-page-open = à faire
-walk-page-row-simulated = simulé
+walk-page-row-simulated = simulée
 walk-page-times = { $count } valeurs
 walk-page-rule-plan = Jugé selon la règle du plan : { $rule }
 walk-page-rule-own = Le plan n'a pas de règle ; jugé selon la règle de la page Contrôle : { $rule }
@@ -90,11 +90,11 @@ walk-page-import-late = { $name } a été lu après la fin de la pièce : ses v
 walk-page-imported = { $name } : { $good } valeurs importées, { $bad } non
 walk-page-file-for-check = Rien n'y relève de ce plan. Contrôle peut juger le fichier d'après ce qu'il demande lui-même
 walk-page-found-by-name = { $count ->
-    [one] Trouvé par le nom : { $count } rangée
-   *[other] Trouvé par le nom : { $count } rangées
+    [one] Rattachée par le nom : { $count } rangée
+   *[other] Rattachées par le nom : { $count } rangées
 }
-walk-page-found-by-number = Trouvé par le numéro seul, avec leurs lignes : { $rows }
-walk-page-found-by-place = Trouvé par la position, avec leurs lignes : { $rows }
+walk-page-found-by-number = Rattachées par le numéro seul, avec leurs lignes : { $rows }
+walk-page-found-by-place = Rattachées par la position, avec leurs lignes : { $rows }
 walk-page-other-parts = Les valeurs d'autres pièces sont consignées sous leurs propres numéros de série : { $serials }
 walk-page-label = Le fichier n'a pas de numéros de série et nomme la pièce { $part } : ses valeurs sont prises pour cette pièce
 walk-page-other-label = de la pièce { $part } ; sans numéro de série, rien ne dit que c'est cette pièce
@@ -143,7 +143,7 @@ walk-page-count-newest = La dernière valeur compte
 walk-page-newest-counts = { $name } : la dernière valeur compte, selon le choix fait
 walk-page-accepted = Accepté hors limites : { $names }
 walk-page-because = À cause de { $names }
-walk-page-left-out = Ignoré : { $names }. Une pièce avec des cotes ignorées ne peut pas être bonne.
+walk-page-left-out = Ignorées : { $names }. Une pièce avec des cotes ignorées ne peut pas être bonne.
 walk-page-whole = La pièce entière
 walk-page-whole-serial = La pièce { $serial }
 walk-page-strip-open = La pièce : pas encore de verdict

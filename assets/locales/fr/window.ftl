@@ -43,7 +43,7 @@ choose-bad = { $count ->
     [one] Sélectionner { $count } contrôle non bon
    *[other] Sélectionner { $count } contrôles non bons
 }
-choose-none = Ne rien sélectionner
+choose-none = Tout désélectionner
 
 callout = Cote tolérancée
 callout-hint = Saisir une cote nominale et une classe, par exemple 25 H7
@@ -153,7 +153,7 @@ below-maximum = { $um } µm sous le maximum
 above-maximum = { $um } µm au-dessus du maximum
 remove-amount = Enlever { $um } µm
 remove-to-limit = jusqu'à la limite
-remove-to-limit-per-side = jusqu'à la limite, { $um } µm par côté
+remove-to-limit-per-side = jusqu'à la limite, { $um } µm/côté
 remove-to-middle = { $um } µm jusqu'au milieu
 position-in = Centre en position
 position-out = Centre hors position
@@ -169,7 +169,7 @@ first-way-file-about = CSV, classeur, QIF, AQDEF ou procès-verbal de mesure.
 first-way-program = Sans machine
 first-way-program-about = Un programme CN ou un cycle mesure un alésage simulé, point par point.
 first-step-callout = 1. Cote tolérancée : ce que dit le dessin
-first-step-value = 2. Valeur mesurée : saisie, simulée ou lue dans un fichier
+first-step-value = 2. Valeur mesurée : saisie, simulée ou importée
 first-step-verdict = 3. Verdict, et quantité à enlever
 why = Pourquoi ?
 why-limits = Limites selon { $what }
@@ -283,7 +283,7 @@ file-kind-budget = Bilans d'incertitude
 file-kind-readings = Lectures
 dialog-move = Aller à un autre élément de la liste
 dialog-recent-folders = Dossiers récents
-dialog-exists = { $name } existe déjà. Remplacer ?
+dialog-exists = { $name } existe déjà. Le remplacer ?
 dialog-exists-set = { $name } existe déjà dans ce dossier. Y remplacer les fichiers de l'ensemble ?
 dialog-replace = Remplacer
 dialog-keep = Conserver
@@ -306,9 +306,9 @@ dialog-list-left-out = { $count ->
     [one] { $count } nom n'est pas affiché
    *[other] { $count } noms ne sont pas affichés
 }
-file-bytes = { $count } B
-file-kilobytes = { $count } kB
-file-megabytes = { $count } MB
+file-bytes = { $count } o
+file-kilobytes = { $count } ko
+file-megabytes = { $count } Mo
 notice = Note
 copied = { $lines ->
     [one] Copié, { $lines } ligne
@@ -365,10 +365,10 @@ key = Touche
 key-blank = Espace
 key-decimal = Séparateur décimal
 key-minus = Moins
-edge-left = Bord du volet gauche : se déplace avec les flèches
-edge-right = Bord du volet droit : se déplace avec les flèches
-edge-top = Bord du volet supérieur : se déplace avec les flèches
-edge-bottom = Bord du volet inférieur : se déplace avec les flèches
+edge-left = Bord du volet gauche : se déplace avec les flèches
+edge-right = Bord du volet droit : se déplace avec les flèches
+edge-top = Bord du volet supérieur : se déplace avec les flèches
+edge-bottom = Bord du volet inférieur : se déplace avec les flèches
 key-letters = Lettres
 key-holes = Classes d'alésage
 key-shafts = Classes d'arbre
@@ -428,16 +428,16 @@ tables-no-value = vide
 tables-cell = { $class }, au-delà de { $over } jusqu'à { $to } mm, { $figures }
 tables-cell-differs = { $class }, au-delà de { $over } jusqu'à { $to } mm, { $figures }, diffère d'ISO 286
 tables-no-columns = La table n'a aucune classe
-tables-upper = Supérieur
-tables-lower = Inférieur
+tables-upper = Sup.
+tables-lower = Inf.
 tables-head-table = Table, µm
 tables-head-standard = ISO 286
-tables-head-by = écart
+tables-head-by = diff.
 tables-cell-agrees = Comme dans ISO 286
 tables-cell-off = ISO 286 donne { $upper } / { $lower } µm ; la table s'en écarte de { $upper-by } / { $lower-by } µm
 tables-more-differences = et { $count } de plus
 tables-cell-missing = Vide ici ; ISO 286 donne { $upper } / { $lower } µm
-tables-cell-empty = Vide ici, et non défini dans ISO 286
+tables-cell-empty = Vide ici, et non définie dans ISO 286
 tables-defined = Dans ISO 286, la classe est définie { $ranges }
 tables-shipped-hint = Une table intégrée n'est jamais modifiée : une modification crée une copie et l'affiche.
 tables-set = Appliquer
@@ -515,7 +515,7 @@ fit-staircase = Intervalles du degré { $grade }
 fit-word-clearance = Avec jeu
 fit-word-transition = Incertain
 fit-word-interference = Avec serrage
-fit-word-none = Pas encore
+fit-word-none = Aucun ajustement
 fit-maximum-clearance = Jeu maximal
 fit-minimum-clearance = Jeu minimal
 fit-maximum-interference = Serrage maximal
@@ -544,7 +544,7 @@ materials-refused = Les matières personnelles ne peuvent pas être utilisées 
 
 ## Palette
 section-said = { $name } : { $value }
-crash-report = La fenêtre s'est arrêtée à cause d'un défaut du programme. Un compte rendu, sans valeurs mesurées, se trouve dans { $path }
+crash-report = La fenêtre s'est fermée à cause d'une erreur du programme. Un compte rendu, sans valeurs mesurées, se trouve dans { $path }
 rail-more = Plus
 top-open = { $name } est ouvert
 top-undo = Annuler la dernière modification
@@ -687,7 +687,7 @@ window-not-opened = la fenêtre ne peut pas s'ouvrir : { $reason } ; la ligne 
 ## Rangées d'un gros fichier
 
 rows = Rangées
-rows-cancel = Annuler
+rows-cancel = Arrêter
 rows-again = Juger de nouveau
 rows-close = Fermer le fichier
 rows-close-hint = Ferme le gros fichier ; ses rangées ne sont pas conservées
@@ -700,9 +700,9 @@ rows-running = { $count } rangées jusqu'ici, { $percent } % du fichier, { $rate
 rows-done = { $count } rangées, toutes jugées en { $seconds }
 rows-seconds = { $seconds } s
 rows-less-than = moins de { $seconds } s
-rows-cancelled = INCOMPLET : annulé après { $count } rangées, { $percent } % du fichier
+rows-cancelled = INCOMPLET : arrêté après { $count } rangées, { $percent } % du fichier
 rows-failed = INCOMPLET après { $count } rangées : { $why }
-rows-why-bytes = { $size } MiB, plus de { $limit } MiB : jugé rangée par rangée, et les rangées ne restent pas dans l'historique
+rows-why-bytes = { $size } Mio, plus de { $limit } Mio : jugé rangée par rangée, et les rangées ne restent pas dans l'historique
 rows-why-packed = Compressé : jugé rangée par rangée, et les rangées ne restent pas dans l'historique ; le texte décompressé est dans un fichier temporaire jusqu'à la fermeture du fichier
 rows-not-judged = NON JUGÉ
 rows-fate = { $fate } { $count }
@@ -783,18 +783,18 @@ rows-head-what = À faire
 rows-changed = le fichier a changé depuis qu'il a été jugé ; le juger de nouveau
 rows-unread = les rangées ne peuvent pas être relues : { $reason }
 rows-no-copy = le texte décompressé ne peut pas être conservé : { $reason }
-rows-too-much = le texte décompressé dépasse { $most } GiB
+rows-too-much = le texte décompressé dépasse { $most } Gio
 rows-panicked = une erreur interne a mis fin à l'exécution
 
 ## Un fichier lu ou écrit
 working = En cours
-working-reading = Lecture de { $name } : { $rows } rangées, { $done } sur { $all } MB, { $rate } rangées par seconde
-working-reading-bytes = Lecture de { $name } : { $done } sur { $all } MB, { $seconds } s
-working-writing = Écriture de { $name } : { $done } MB, { $seconds } s
+working-reading = Lecture de { $name } : { $rows } rangées, { $done } sur { $all } Mo, { $rate } rangées par seconde
+working-reading-bytes = Lecture de { $name } : { $done } sur { $all } Mo, { $seconds } s
+working-writing = Écriture de { $name } : { $done } Mo, { $seconds } s
 working-progress = Avancement de la lecture
 working-stop = Arrêter
 working-stopped = Arrêté après { $rows } rangées : rien de { $name } n'a été importé
 
 ## What a code reader typed into the field of the value
 scanned-callout = { $given } est une cote tolérancée et a été prise comme telle
-scanned-serial = { $given } n’est pas une valeur : pris comme numéro de série des prochains contrôles
+scanned-serial = { $given } n'est pas une valeur : pris comme numéro de série des prochains contrôles
