@@ -69,7 +69,7 @@ budget-page-more-notes = { $count ->
     }
 
 budget-page-answer = Incertidumbre expandida
-budget-page-no-answer = Sin respuesta
+budget-page-no-answer = Sin resultado
 budget-page-expanded = U = { $um } µm
 budget-page-covered = k = { $k } para 95,45 %
 budget-page-at-size = Para { $size } mm; cada comprobación tiene la incertidumbre de su propia medida

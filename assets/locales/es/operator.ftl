@@ -3,7 +3,7 @@
 operator-mode = Para quién es esta ventana
 operator-mode-about = Un operador tiene medición, resultados y ayuda, en letra grande; todo lo demás está en la ventana completa
 operator-mode-operator = Operador
-operator-mode-operator-about = Medición, resultados y ayuda, para dedos, guantes y dos metros de distancia.
+operator-mode-operator-about = Medición, resultados y ayuda: con el dedo, con guantes y a dos metros.
 operator-mode-full = Todo
 operator-mode-full-about = Todas las páginas, para un escritorio.
 operator-question = ¿Para quién es esta ventana?
@@ -19,11 +19,11 @@ operator-last = Últimos resultados
 operator-newer = Más recientes
 operator-older = Más antiguos
 operator-back-to-results = Volver a los resultados
-operator-dropped = { $name } no se abre aquí: un operador no abre archivos. Pasar primero a la ventana completa.
+operator-dropped = { $name } no se abre aquí: un operador no abre archivos. Pase antes a la ventana completa.
 operator-no-results = Aún no se ha medido nada.
 operator-features = { $count ->
     [one] 1 elemento
-   *[other] Los { $count } elementos
+   *[other] Elementos: { $count }
 }
 operator-next = Siguiente
 operator-next-part = Pieza siguiente
@@ -48,5 +48,5 @@ operator-pin-set = La ventana del operador está ahora bloqueada con un PIN
 operator-pin-removed = La ventana del operador ya no está bloqueada
 operator-pin-wrong = Este no es el PIN
 operator-pin-not-hashed = No se pudo calcular el hash del PIN: { $why }
-operator-pin-asked = Escribir el PIN para salir de la ventana del operador.
-operator-pin-forgotten = ¿Olvidado? El manual dice cómo entra un administrador: The operator’s window, The PIN.
+operator-pin-asked = Escriba el PIN para salir de la ventana del operador.
+operator-pin-forgotten = ¿PIN olvidado? El manual dice cómo entra un administrador: The operator’s window, The PIN.

@@ -99,7 +99,7 @@ pairing-page-count = { $count ->
         [one] 1 par
        *[other] { $count } pares
     }
-pairing-page-none = Aún sin respuesta
+pairing-page-none = Aún sin resultado
 pairing-page-at-work = Emparejando…
 pairing-page-nothing-left = nada sobrante
 pairing-page-left = sobrantes: { $holes ->

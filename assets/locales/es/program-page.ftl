@@ -69,7 +69,7 @@ program-page-differs-status = dice { $program }, Fitcheck dice { $own }
 program-page-differs-fault = se detuvo con un error
 program-page-differs-native-refuses = dio un dictamen, Fitcheck no tiene límites
 program-page-other-inputs = Sin comparar: el programa ha fijado después otras entradas y mide otro elemento
-program-page-both-refuse = Ni el programa ni Fitcheck dan una respuesta
+program-page-both-refuse = Ni el programa ni Fitcheck dan un resultado
 
 program-page-workpiece = Pieza de trabajo
 program-page-from-perfect = perfecta, centro de los límites
@@ -111,7 +111,7 @@ program-page-given = Fijado para la próxima ejecución
 program-page-drop = quitar
 program-page-no-parameter = { $given } no es un parámetro: escriba Q5, QL5, QR5 o QS5
 program-page-no-number = { $given } no es un número
-program-page-none-found = Ningún parámetro cumple
+program-page-none-found = Ningún parámetro coincide
 program-page-no-parameters = Los parámetros aparecen cuando el programa se ejecuta
 program-page-undefined = no definido
 program-page-parameter = { $parameter } { $name } = { $value }

@@ -1,7 +1,7 @@
 page-records = Registro
 
 ## What is recorded with a check
-records-page-fold = Registrar
+records-page-fold = Registro
 records-page-fold-hint = El número de serie y la observación se registran con las próximas comprobaciones
 records-page-serial = Número de serie
 records-page-serial-short = N.º serie
@@ -48,7 +48,7 @@ records-page-take-name = Usar este nombre
 
 ## The question
 records-page-question = Buscar
-records-page-help = Palabras, good rework scrap, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Palabras, bueno retrabajo desecho, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
 records-page-more-actions = Más
 records-page-today = Hoy
 records-page-this-week = Esta semana
@@ -74,7 +74,7 @@ records-page-unread = El registro no se puede leer: { $why }
 records-page-none = no hay ningún registro abierto
 records-page-missing = Falta la entrada { $number }
 records-page-empty = Aquí aparecen las comprobaciones una vez registradas
-records-page-none-found = Ninguna entrada cumple
+records-page-none-found = Ninguna entrada coincide
 
 ## The list
 records-page-list = Entradas
@@ -186,15 +186,15 @@ records-page-leave-correction = Cancelar
 records-page-undo-void = No deshecho: la entrada se retiró después de la corrección
 records-page-undone-reason = deshecho
 records-page-taken-back = { $checks ->
-    [one] 1 comprobación anulada
-   *[other] { $checks } comprobaciones anuladas
+    [one] 1 comprobación deshecha
+   *[other] { $checks } comprobaciones deshechas
 }; { $records ->
     [one] la entrada { $numbers } queda retirada
    *[other] las entradas { $numbers } quedan retiradas
 }
 records-page-taken-back-unwritten = { $checks ->
-    [one] 1 comprobación anulada; aún no estaba registrada y no lo estará
-   *[other] { $checks } comprobaciones anuladas; aún no estaban registradas y no lo estarán
+    [one] 1 comprobación deshecha; aún no estaba registrada y no lo estará
+   *[other] { $checks } comprobaciones deshechas; aún no estaban registradas y no lo estarán
 }
 records-page-not-withdrawn = { $records ->
     [one] La entrada { $numbers } sigue contando y no se pudo retirar: { $why }

@@ -20,7 +20,7 @@ settings-page-defaults-hint = Deja esta sección como en el primer inicio. Archi
 settings-page-language-about = Todos los textos de la ventana, y su signo decimal.
 settings-page-keypad-about = Teclas grandes para pantallas táctiles y guantes.
 sounds = Sonidos
-sounds-about = Cada dictamen se oye: un tono largo es bueno, dos tonos piden mirar la pieza, tres son rechazo. Los valores simulados no se oyen.
+sounds-about = Cada dictamen se oye: un tono largo es bueno, dos tonos piden mirar la pieza, tres son desecho. Los valores simulados no se oyen.
 sounds-failed = No se oye ningún sonido: { $reason }
 sounds-no-player = No se oye ningún sonido: ninguno de estos programas está en este ordenador: { $players }
 settings-page-shop = Configuración para todo el taller
@@ -147,7 +147,7 @@ settings-page-preview = Ejemplo con esta configuración
 
 ## The size of the screen
 ruler = Tamaño de la pantalla
-ruler-about = Acercar una tarjeta bancaria a la imagen e igualar el ancho: los botones del operador miden entonces 20 mm
+ruler-about = Acerque una tarjeta bancaria a la imagen e iguale el ancho: los botones del operador miden entonces 20 mm
 ruler-card = Una tarjeta bancaria: aún sin comparar
 ruler-known = Una tarjeta bancaria, 85,6 mm
 ruler-much-shorter = Mucho más corta
