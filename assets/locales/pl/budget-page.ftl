@@ -105,7 +105,7 @@ budget-page-help = Co pomogłoby najbardziej
 budget-page-help-halved = Połowa tej składowej: u = { $u } µm
 budget-page-help-part-temperature = Połowa niepewności temperatury części: u = { $u } µm
 budget-page-help-scale-temperature = Połowa niepewności temperatury liniałów: u = { $u } µm
-budget-page-help-expansion = Połowa odległości od 20 °C lub połowa niepewności rozszerzalności: u = { $u } µm
+budget-page-help-expansion = Połowa różnicy do 20 °C lub połowa niepewności rozszerzalności: u = { $u } µm
 budget-page-help-full-circle = Punkty pomiarowe ({ $count }) równomiernie na pełnym okręgu: u = { $u } µm
 budget-page-help-more-touches = Punkty pomiarowe ({ $count }) równomiernie na pełnym okręgu: u = { $u } µm
 
@@ -166,7 +166,7 @@ budget-row-unread = niekompletna
 budget-row-name = Nazwa
 budget-row-k = Współczynnik rozszerzenia k
 budget-row-alpha = Rozszerzalność, 1/K
-budget-row-delta = Odległość od 20 °C
+budget-row-delta = Różnica do 20 °C
 budget-row-touches = Własne punkty
 budget-row-step = Własny krok
 budget-row-sensitivity = Wrażliwość c

@@ -14,7 +14,7 @@ budget-resolution-law = { $table }: rozdzielczość ma rozkład prostokątny: oc
 budget-geometry = { $table }: { $error }
 budget-length = { $key }: { $error }
 budget-geometry-touches = punkty pomiarowe { $touches }: oczekiwane od 3 do { $most }
-budget-geometry-step = punkty pomiarowe { $touches } co { $step } stopni: oczekiwany krok od 0.01 do { $most } stopni
+budget-geometry-step = punkty pomiarowe { $touches } co { $step } stopni: oczekiwany krok od 0,01 do { $most } stopni
 budget-evaluation-no-size = { $contribution } zależy od wymiaru, ale wymiaru nie podano
 budget-evaluation-no-contacts = { $contribution } zależy od punktów pomiarowych, ale budżet nie ma touches i step_deg, a punktów nie podano
 budget-evaluation-nothing = każda składowa jest zerowa
@@ -40,5 +40,5 @@ budget-warning-other-side = przedmiot wzorcowany w budżecie to { $calibrated ->
    *[shaft] wałek, a zmierzono otwór
     }
 budget-warning-other-expansion = { $contribution } w budżecie ma rozszerzalność { $budget } · 10⁻⁶/K, a wartość skorygowano z { $given }
-budget-warning-other-temperature = { $contribution } w budżecie dotyczy temperatury odległej o { $budget } K od 20 °C, a wartość skorygowano dla { $given } K
+budget-warning-other-temperature = { $contribution } w budżecie dotyczy temperatury różnej od 20 °C o { $budget } K, a wartość skorygowano dla { $given } K
 budget-warning-recorded = { $text }

@@ -35,7 +35,7 @@ cli-batch-simulated = pierwsze linie { $name } mówią, że plik jest symulowany
 cli-dash = - to standardowe wyjście, tutaj niemożliwe: podać nazwę, a dla pliku lub folderu o nazwie - podać ./-
 cli-not-above-zero = { $diameter } mm nie jest większe od 0
 cli-ratio-of-one-limit = reguła asme-simple porównuje niepewność z tolerancją: oczekiwane --lower i --upper
-cli-already-corrected = --temperature: plik mówi, że jego wartości są już w 20 °C
+cli-already-corrected = --temperature: plik mówi, że jego wartości już dotyczą 20 °C
 cli-not-a-multiple = { $given }: oczekiwana liczba większa od 0, najwyżej trzy miejsca po przecinku
 cli-no-limits = podać --lower, --upper lub oba, granica dolna poniżej górnej
 cli-risk-without-uncertainty = ryzyko procesu wymaga --u lub --expanded
@@ -105,7 +105,7 @@ cli-remark-wrote = zapisano { $path }
 cli-remark-wrote-files = zapisano { $path } (pliki: { $count })
 cli-remark-simulated = symulacja: niczego nie zmierzono
 cli-remark-perfect-workpiece = symulacja: każdy cykl mierzył idealny, nominalny detal; inny detal podaje --workpiece FILE.toml
-cli-remark-corrected = zmierzono { $measured } mm przy { $temperature } °C: { $change } µm, czyli { $at-reference } mm w 20 °C ({ $material ->
+cli-remark-corrected = zmierzono { $measured } mm przy { $temperature } °C: { $change } µm, czyli { $at-reference } mm przy 20 °C ({ $material ->
     [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })

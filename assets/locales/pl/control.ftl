@@ -202,7 +202,7 @@ block-not-a-parameter = { $given } nie jest parametrem: wpisać jako { $example 
 block-no-value = { $key } nie ma wartości
 block-twice = { $key } podano dwa razy, pierwszy raz w linii { $first }
 block-unclosed-quote = cudzysłów nie jest zamknięty
-block-behind-end = { $given } stoi po końcu wiersza NC: każda linia oprócz ostatniej kończy się znakiem ~
+block-behind-end = { $given } jest po końcu wiersza NC: każda linia oprócz ostatniej kończy się znakiem ~
 block-too-many-parts = linia ma więcej niż { $most } { $most ->
         [one] część
         [few] części

@@ -145,8 +145,8 @@ table-format-pcdmis = CSV tolerancji ISO dla PC-DMIS
 sql-border = tabela { $table }: zakres wymiarów kończy się na { $end } mm; w SQL zakresy muszą kończyć się na całych milimetrach
 sql-too-far = tabela { $table }: zakres wymiarów kończy się na { $end } mm; w SQL zakresy muszą kończyć się najdalej na { $most } mm
 sql-twice = klasę { $class } podano dwa razy
-exchange-correction = wartość w 20 °C nie wynika z wartości zmierzonej i jej temperatur: oczekiwane kolumny tak, jak zapisuje je Fitcheck
-exchange-warning-corrected = wartości z liczbą w kolumnie as_measured_mm są już w 20 °C
+exchange-correction = wartość dla 20 °C nie wynika z wartości zmierzonej i jej temperatur: oczekiwane kolumny tak, jak zapisuje je Fitcheck
+exchange-warning-corrected = wartości z liczbą w kolumnie as_measured_mm już dotyczą 20 °C
 sizes-warning-named-twice = { $rows ->
         [one] jeden wiersz ma nazwę wcześniejszego
         [few] { $rows } wiersze mają nazwę wcześniejszego
@@ -163,7 +163,7 @@ exchange-position-out = środek był poza pozycją, ale plik ma tylko wymiar
 exchange-undecided = tu niczego nie rozstrzygnięto: { $given }
 exchange-warning-other-rule = oceny w tym pliku mogą pochodzić z innej reguły decyzyjnej (kolumna rule_name): jego wartości są oceniane ponownie
 exchange-read = reszty pliku nie można odczytać: { $reason }
-exchange-too-large = większy niż { $most } MiB, granica dla plików tego formatu
+exchange-too-large = większy niż { $most } MiB, limit dla plików tego formatu
 exchange-unjudged-no-feature = nie oceniono: granice to { $minimum } do { $maximum }, ale nie podano, czy to otwór, czy wałek, więc wartość poza nimi może być poprawką lub brakiem
 exchange-unjudged-one-limit = nie oceniono: brakuje jednej z dwóch granic
 exchange-unjudged-no-tolerance = nie oceniono: nie podano granic
@@ -180,7 +180,7 @@ exchange-warning-feature-differs = plik podaje { $given }, ale granice są dla {
         [hole] otworu
        *[shaft] wałka
     }
-exchange-warning-temperature-differs = plik podaje { $given }, ale wartość uznano za zmierzoną w { $counted } °C: podać --temperature i --material
+exchange-warning-temperature-differs = plik podaje { $given }, ale wartość uznano za zmierzoną przy { $counted } °C: podać --temperature i --material
 exchange-warning-speaks-of-temperature = plik wspomina inną temperaturę niż { $counted } °C, w której jego wartości uznano za zmierzone: { $text }
 exchange-warning-speaks-of-unit = uwaga podaje inną jednostkę niż jednostka wartości: { $text }
 exchange-warning-speaks-of-simulation = ta linia wspomina o symulacji: sprawdzić, czy wartość zmierzono: { $text }
@@ -228,7 +228,7 @@ exchange-format-qif = QIF 3.0: wyniki oprogramowania pomiarowego oraz plany
 exchange-xml = niepoprawny składniowo XML: { $reason }
 exchange-xml-doctype = DOCTYPE nie jest obsługiwane: usunąć je lub wyeksportować plik bez niego
 exchange-xml-entity = encja { $name } jest nieznana: obsługiwane są tylko &lt; &gt; &amp; &quot; i &apos;
-exchange-xml-depth = osiągnięto granicę zagnieżdżenia elementów ({ $most })
+exchange-xml-depth = osiągnięto limit zagnieżdżenia elementów ({ $most })
 exchange-xml-long = znacznik lub tekst jest dłuższy niż { $most } KiB
 exchange-xml-mixed = { $name } ma element w środku swojego tekstu
 exchange-xml-cut-off = plik kończy się w środku elementu: może być ucięty
@@ -309,7 +309,7 @@ planned-uncertainty = oceniono z niepewnością planu zamiast podanej: { $u }
 planned-material = skorygowano do 20 °C z materiałem planu zamiast podanego: { $name }
 planned-corrected = skorygowano z { $temperature } °C do 20 °C (rozszerzalność { $expansion } · 10⁻⁶/K)
 planned-not-corrected = bez korekcji do 20 °C: położenie na części nie jest wymiarem
-planned-error-already-corrected = plik mówi, że wartość jest już w 20 °C: ocenić ją bez temperatury
+planned-error-already-corrected = plik mówi, że wartość już dotyczy 20 °C: ocenić ją bez temperatury
 
 ## Gauges
 gauge-no-unit = { $given } nie podaje jednostki: wybrać w ustawieniach przyrządu, czy wysyła milimetry, czy cale

@@ -1,9 +1,9 @@
 # Okno dla operatora
 
 operator-mode = Dla kogo jest to okno
-operator-mode-about = Operator ma pomiar, wyniki i pomoc, w dużych literach; wszystko inne jest w pełnym oknie
+operator-mode-about = Operator ma pomiar, wyniki i pomoc, dużymi literami; wszystko inne jest w pełnym oknie
 operator-mode-operator = Operator
-operator-mode-operator-about = Pomiar, wyniki i pomoc, dla palców, rękawic i z dwóch metrów.
+operator-mode-operator-about = Pomiar, wyniki i pomoc: dotykiem, w rękawicach, z dwóch metrów.
 operator-mode-full = Wszystko
 operator-mode-full-about = Wszystkie strony, do pracy przy biurku.
 operator-question = Dla kogo jest to okno?
@@ -23,9 +23,9 @@ operator-dropped = { $name } nie otworzy się tutaj: operator nie otwiera plikó
 operator-no-results = Jeszcze niczego nie zmierzono.
 operator-features = { $count ->
     [one] 1 element
-    [few] Wszystkie { $count } elementy
-    [many] Wszystkie elementy: { $count }
-   *[other] Wszystkie elementy: { $count }
+    [few] Elementy: { $count }
+    [many] Elementy: { $count }
+   *[other] Elementy: { $count }
 }
 operator-next = Dalej
 operator-next-part = Następna część
@@ -40,7 +40,7 @@ operator-go-on-first = Najpierw odczytać ocenę i nacisnąć „Dalej”: to, c
 
 ## The PIN
 operator-pin = PIN okna operatora
-operator-pin-about = Wpisuje go ten, kto opuszcza okno operatora. Zapisywany jest tylko jego hash z solą
+operator-pin-about = Wpisuje go ten, kto opuszcza okno operatora. Zapisywany jest tylko jego skrót z solą
 operator-pin-use = Zablokuj tym PIN-em
 operator-pin-remove = Usuń PIN
 operator-pin-try = Odblokuj
@@ -49,6 +49,6 @@ operator-pin-short = PIN ma co najmniej { $least } znaki
 operator-pin-set = Okno operatora jest odtąd zablokowane PIN-em
 operator-pin-removed = Okno operatora nie jest już zablokowane
 operator-pin-wrong = To nie jest ten PIN
-operator-pin-not-hashed = Nie można obliczyć hasha PIN-u: { $why }
-operator-pin-asked = Wpisz PIN, aby opuścić okno operatora.
-operator-pin-forgotten = Zapomniany? Podręcznik mówi, jak wchodzi administrator: The operator’s window, The PIN.
+operator-pin-not-hashed = Nie można obliczyć skrótu PIN-u: { $why }
+operator-pin-asked = Wpisać PIN, aby opuścić okno operatora.
+operator-pin-forgotten = PIN zapomniany? Podręcznik podaje, jak wejdzie administrator: The operator’s window, The PIN.

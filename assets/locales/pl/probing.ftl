@@ -127,7 +127,7 @@ cycle-note-not-on-itnc530 = iTNC 530 nie ma tego cyklu; mają go TNC 320, TNC 62
 cycle-note-normal-from-cad = normalną wziąć z systemu CAD lub CAM
 cycle-note-software-option = sterowanie wymaga opcji software { $option }
 cycle-note-recommended = jeśli sterowanie ma cykl { $cycle }, HEIDENHAIN zaleca ten cykl
-remark-without-effect = { $key } jest przyjęte, ale bez działania
+remark-without-effect = { $key } jest przyjmowane, ale nie ma skutku
 remark-tool-not-monitored = Q330 = { $tool }: narzędzie nie jest monitorowane: bez tabeli narzędzi
 remark-outside-dimension = przyjęto wymiar zewnętrzny: powyżej maksimum poprawka, poniżej minimum brak
 remark-nominal-outside-limits = średnica nominalna { $nominal } mm nie leży między granicami: TNC7 to odrzuca

@@ -46,7 +46,7 @@ records-page-leave = { $count ->
 ## Who is measuring
 records-page-who = Zmierzył(a)
 records-page-nobody = Nazwisko…
-records-page-who-nobody = Nie wybrano nazwiska. Wybierz nazwisko
+records-page-who-nobody = Nie wybrano nazwiska. Wybrać nazwisko
 records-page-who-is = Zmierzył(a) { $name }
 records-page-nobody-named = Bez nazwiska
 records-page-new-name = Inne nazwisko
@@ -167,7 +167,7 @@ records-page-void-why = Nieważny, powód
 records-page-void-by = Skorygował(a) lub wycofał(a)
 records-page-decided = Decyzja
 records-page-limits = Granice
-records-page-source = Granice z
+records-page-source = Źródło granic
 records-page-contacts = Punkty pomiarowe
 records-page-rule = Reguła
 records-page-station = Stanowisko

@@ -20,7 +20,7 @@ settings-page-defaults-hint = Ustawia tę sekcję jak przy pierwszym uruchomieni
 settings-page-language-about = Wszystkie teksty okna i jego znak dziesiętny.
 settings-page-keypad-about = Duże klawisze do ekranów dotykowych i rękawic.
 sounds = Dźwięki
-sounds-about = Każdą ocenę słychać: jeden długi ton to dobry, dwa tony proszą o spojrzenie na detal, trzy to brak. Wartości symulowanych nie słychać.
+sounds-about = Każdą ocenę słychać: jeden długi ton to dobry, dwa tony proszą o spojrzenie na część, trzy to brak. Wartości symulowanych nie słychać.
 sounds-failed = Nie słychać dźwięku: { $reason }
 sounds-no-player = Nie słychać dźwięku: na tym komputerze nie ma żadnego z tych programów: { $players }
 settings-page-shop = Ustawienia dla całego warsztatu
@@ -52,7 +52,7 @@ settings-page-zoom-normal = Powiększenie 100 %
 settings-page-percent = { $percent } %
 settings-page-density-about = Automatycznie: dotyk powiększa przyciski i pola, mysz je zmniejsza.
 settings-page-decimal = Znak dziesiętny
-settings-page-decimal-about = W oknie. Raporty stosują swój język, pliki własne ustawienia.
+settings-page-decimal-about = W oknie. Raporty: według swojego języka, pliki: według własnych ustawień.
 settings-page-decimal-of-language = Według języka
 settings-page-decimal-point = 25.012
 settings-page-decimal-comma = 25,012
@@ -63,7 +63,7 @@ settings-page-rows-close = Mała
 
 # Reguła i granice
 settings-page-limits-about = Skąd brane są granice klasy. Własne tabele są zawsze pierwsze.
-settings-page-js-about = Do rysunków według wydania z 1988, stopnie 7 do 11. W innych przypadkach połówki mikrometra pozostają.
+settings-page-js-about = Do rysunków według wydania z 1988, stopnie od 7 do 11. W innych przypadkach połówki mikrometra pozostają.
 settings-page-1988-about = Do rysunków według wydania z 1988. W innych przypadkach są zdefiniowane także dla większych wymiarów.
 settings-page-decision-rule = Reguła decyzyjna
 settings-page-decision-rule-about = Jaka część pola tolerancji jest przyjmowana przy danej niepewności wartości.
@@ -97,7 +97,7 @@ settings-page-mask-about = Co drukuje sterowanie i w jakim języku.
 settings-page-own-mask = Własna maska
 settings-page-own-mask-about = Plik maski ze sterowania zamiast wbudowanej.
 settings-page-columns = Kolumny plików
-settings-page-columns-about = Przed importem pliku pokazuje, która kolumna jest która, i zapamiętuje to.
+settings-page-columns-about = Przed importem pliku pokazuje, co zawiera każda kolumna, i zapamiętuje to.
 
 # Zapisy
 settings-page-journal = Dziennik
@@ -151,7 +151,7 @@ settings-page-preview = Przykład z tymi ustawieniami
 
 ## The size of the screen
 ruler = Wielkość ekranu
-ruler-about = Przyłóż kartę bankową do obrazka i wyrównaj szerokość: przyciski operatora mają wtedy 20 mm
+ruler-about = Przyłożyć kartę bankową do obrazka i wyrównać szerokość: przyciski operatora mają wtedy 20 mm
 ruler-card = Karta bankowa: jeszcze nieporównana
 ruler-known = Karta bankowa, 85,6 mm
 ruler-much-shorter = Dużo krótsza

@@ -46,9 +46,9 @@ limits-unknown-class = { $class } nie ma w tabeli { $table }; są w niej { $know
 limits-no-own-table = { $class } nie jest klasą tolerancji według ISO 286: wpisać litery i stopień, np. H7 lub js13, albo wybrać własne tabele z kolumną { $class }
 limits-no-own-column = { $class } nie jest klasą tolerancji według ISO 286, a tabela { $table } nie ma kolumny { $class }: są w niej { $known }
 limits-beyond-last-range = wymiar nominalny { $nominal } mm wykracza poza tabelę { $table }, której ostatni zakres to ponad { $over } do { $to } mm włącznie
-limits-not-defined = { $class } nie jest zdefiniowana ponad { $over } do { $to } mm w tabeli { $table }; { $where }
+limits-not-defined = { $class } nie jest zdefiniowana dla wymiarów ponad { $over } do { $to } mm w tabeli { $table }; { $where }
 limits-defined-nowhere = nie jest zdefiniowana dla żadnego wymiaru
-limits-defined = jest zdefiniowana { $ranges }
+limits-defined = jest zdefiniowana dla wymiarów { $ranges }
 limits-range = ponad { $over } do { $to } mm
 limits-ranges = { $first }, { $rest }
 limits-too-large = wymiary graniczne dla { $nominal } mm są za duże
@@ -228,7 +228,7 @@ callout-band-order = odchyłka dolna stoi przed górną: wpisać QS400 jako 0.4-
 callout-lone-order = odchyłka dolna stoi przed górną: wpisać { $offer }
 general-too-small = wymiar nominalny { $nominal } mm jest poniżej { $first } mm, gdzie zaczyna się ISO 2768-1: wpisać odchyłki przy wymiarze
 general-too-large = wymiar nominalny { $nominal } mm wykracza poza ISO 2768-1, która kończy się na { $last } mm
-general-not-defined = ISO 2768-1 nie definiuje klasy { $class } { $range }; jest zdefiniowana { $defined }
+general-not-defined = ISO 2768-1 nie definiuje klasy { $class } dla wymiarów { $range }; jest zdefiniowana dla wymiarów { $defined }
 general-range-from = od { $over } do { $to } mm
 
 ## Tables made of the standard

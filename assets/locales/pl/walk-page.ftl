@@ -6,7 +6,7 @@ walk-page-take = Oceń
 walk-page-take-meant = Użyj { $meant } mm
 walk-page-simulate = Symuluj
 walk-page-simulate-hint = Wykonuje cykl elementu na idealnej części; nikt nie mierzy tej wartości, pozostaje ona oznaczona jako symulowana
-walk-page-again = Powtórz pomiar
+walk-page-again = Powtórz
 walk-page-skip = Pomiń
 walk-page-skip-for = Pomiń z tego powodu
 walk-page-skip-not = Nie pomijaj
@@ -74,17 +74,17 @@ walk-page-simulate-measured = { $name } jest zmierzony: wartość symulowana nig
 walk-page-part-status = Status części
 walk-page-not-complete = Jeszcze bez oceny
 walk-page-simulated = { $count ->
-        [one] Jedna wartość jest symulowana: nikt jej nie zmierzył, więc nie daje oceny dobry.
-        [few] { $count } wartości są symulowane: nikt ich nie zmierzył, więc nie dają oceny dobry.
-        [many] { $count } wartości jest symulowanych: nikt ich nie zmierzył, więc nie dają oceny dobry.
-       *[other] { $count } wartości jest symulowanych: nikt ich nie zmierzył, więc nie dają oceny dobry.
+        [one] Jedna wartość jest symulowana: nikt jej nie zmierzył, więc nie daje oceny „dobry”.
+        [few] { $count } wartości są symulowane: nikt ich nie zmierzył, więc nie dają oceny „dobry”.
+        [many] { $count } wartości jest symulowanych: nikt ich nie zmierzył, więc nie dają oceny „dobry”.
+       *[other] { $count } wartości jest symulowanych: nikt ich nie zmierzył, więc nie dają oceny „dobry”.
     }
 walk-page-missing = Brakuje: { $names }
 walk-page-off = Rejestrowanie jest wyłączone: przerwanej części nie będzie można przywrócić po ponownym uruchomieniu.
 walk-page-nowhere = Nic nie jest rejestrowane: przerwanej części nie będzie można przywrócić po ponownym uruchomieniu.
 walk-page-no-part = Żadna część nie jest mierzona.
 walk-page-sizes = Wymiary części
-walk-page-open = otwarty
+walk-page-open = niezmierzony
 walk-page-row-simulated = symulowany
 walk-page-times = wartości: { $count }
 walk-page-rule-plan = Ocena według reguły planu: { $rule }
@@ -113,7 +113,7 @@ walk-page-not-judged = linia { $line }: { $why }
 walk-page-no-journal = Część { $serial } przywrócono bez wartości: nie ma zapisów, z których można je przywrócić
 walk-page-gone = Niektórych wymiarów nie ma już w planie: ich wartości zmierzone pozostają w zapisach
 walk-page-gone-name = { $name }
-walk-page-changed = Plan się zmienił: wartości ocenione według innych granic lub innej reguły oraz wartości wierszy bez nazwy pozostają w zapisach, a ich wymiary są znowu otwarte
+walk-page-changed = Plan się zmienił: wartości ocenione według innych granic lub innej reguły oraz wartości wierszy bez nazwy pozostają w zapisach, a ich wymiary są znowu do zmierzenia
 walk-page-changed-size = { $name }: { $measured } mm zmierzono dla { $asked }
 walk-page-given-up = Przerwana część { $serial } nie zostaje przywrócona, bo rozpoczęto inną część: jej wartości pozostają w zapisach
 walk-page-ended = Nie użyto dla zakończonej części { $serial }
@@ -159,7 +159,7 @@ walk-page-count-newest = Liczy się ostatnia
 walk-page-newest-counts = { $name }: liczy się ostatnia wartość, zgodnie z wyborem
 walk-page-accepted = Przyjęte poza granicami: { $names }
 walk-page-because = Z powodu: { $names }
-walk-page-left-out = Pominięte: { $names }. Część z pominiętymi wymiarami nie może mieć oceny dobry.
+walk-page-left-out = Pominięte: { $names }. Część z pominiętymi wymiarami nie może mieć oceny „dobry”.
 walk-page-whole = Cała część
 walk-page-whole-serial = Część { $serial }
 walk-page-strip-open = Część: jeszcze bez oceny

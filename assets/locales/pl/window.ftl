@@ -22,7 +22,7 @@ density = Wielkość elementów obsługi
 density-by-use = Automatycznie
 density-mouse = Mysz
 density-touch = Dotyk
-limits-from = Granice z
+limits-from = Źródło granic
 standard-js-rounded = Połówki µm w JS zaokrąglane w dół, jak w 1988
 standard-1988 = cd, ef, fg tylko do 10 mm, jak w 1988
 load-tables = Własne tabele…
@@ -388,7 +388,7 @@ notice-open-in = Otwórz na stronie { $page }
 judge-unplanned = Otwórz na stronie Kontrola
 sample-not-recorded = Przykład nie jest rejestrowany.
 limits-own-first = Najpierw z własnych tabel: { $names }
-limits-own-stay = Własne tabele nadal mają pierwszeństwo: { $names }. Można je wyłączyć w Menu, Granice z.
+limits-own-stay = Własne tabele nadal mają pierwszeństwo: { $names }. Można je wyłączyć w Menu, Źródło granic.
 measured-needs-value = Wpisać wartość zmierzoną
 measured-needs-limits = Bez wymiarów granicznych nie ma oceny: najpierw wpisać wymiar tolerowany
 
@@ -454,7 +454,7 @@ tables-own-class = własna
 tables-previous = Poprzednia różnica
 tables-next = Następna różnica
 tables-not-saved = Zmiany nie są zapisane
-tables-keys = Strzałki przesuwają, Enter edytuje, Delete opróżnia, F8 przechodzi do następnej różnicy, Ctrl+F do filtra
+tables-keys = Strzałki zmieniają komórkę, Enter edytuje, Delete opróżnia, F8 przechodzi do następnej różnicy, Ctrl+F do filtra
 tables-move = Przejdź do innej komórki
 tables-edit-cell = Edytuj komórkę
 tables-grid = Odchyłki w µm, tabela { $name }
@@ -474,7 +474,7 @@ tables-cell-off = W ISO 286 jest { $upper } / { $lower } µm; różnica tabeli {
 tables-more-differences = i jeszcze { $count }
 tables-cell-missing = Tu puste; w ISO 286 jest { $upper } / { $lower } µm
 tables-cell-empty = Tu puste i w ISO 286 niezdefiniowane
-tables-defined = W ISO 286 klasa jest zdefiniowana { $ranges }
+tables-defined = Zakres klasy w ISO 286: { $ranges }
 tables-shipped-hint = Tabela wbudowana nigdy się nie zmienia: edycja tworzy i pokazuje kopię.
 tables-set = Ustaw
 tables-take-standard = Przyjmij ISO 286
@@ -582,7 +582,7 @@ materials-refused = Nie można użyć własnych materiałów: { $path }, { $reas
 
 ## Palette
 section-said = { $name }: { $value }
-crash-report = Okno zakończyło się z powodu błędu programu. Opis błędu, bez wartości zmierzonych, jest w { $path }
+crash-report = Okno zamknęło się z powodu błędu programu. Opis błędu, bez wartości zmierzonych, jest w { $path }
 rail-more = Więcej
 top-open = Otwarto { $name }
 top-undo = Cofnij ostatnią zmianę
@@ -747,7 +747,7 @@ rows-running = dotąd wierszy: { $count }, { $percent } % pliku, { $rate } { $ra
 rows-done = wiersze: { $count }, wszystkie ocenione w { $seconds }
 rows-seconds = { $seconds } s
 rows-less-than = mniej niż { $seconds } s
-rows-cancelled = NIEPEŁNY: anulowano po { $count } { $count ->
+rows-cancelled = NIEPEŁNY: przerwano po { $count } { $count ->
         [one] wierszu
        *[other] wierszach
     }, { $percent } % pliku
