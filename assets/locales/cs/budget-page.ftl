@@ -99,7 +99,7 @@ budget-page-help = Co by nejvíce pomohlo
 budget-page-help-halved = Jeho polovina: u = { $u } µm
 budget-page-help-part-temperature = Poloviční nejistota teploty dílu: u = { $u } µm
 budget-page-help-scale-temperature = Poloviční nejistota teploty odměřování: u = { $u } µm
-budget-page-help-expansion = Poloviční odstup od 20 °C nebo poloviční nejistota roztažnosti: u = { $u } µm
+budget-page-help-expansion = Poloviční rozdíl od 20 °C nebo poloviční nejistota roztažnosti: u = { $u } µm
 budget-page-help-full-circle = Body dotyku rovnoměrně po celé kružnici, počet { $count }: u = { $u } µm
 budget-page-help-more-touches = Body dotyku rovnoměrně po celé kružnici, počet { $count }: u = { $u } µm
 
@@ -160,7 +160,7 @@ budget-row-unread = neúplné
 budget-row-name = Název
 budget-row-k = Koeficient rozšíření k
 budget-row-alpha = Roztažnost, 1/K
-budget-row-delta = Odstup od 20 °C
+budget-row-delta = Rozdíl od 20 °C
 budget-row-touches = Vlastní body dotyku
 budget-row-step = Vlastní krok
 budget-row-sensitivity = Citlivost c
@@ -177,7 +177,7 @@ budget-given-expanded = Rozšířená nejistota
 budget-type-a = A, statisticky
 budget-type-b = B, jinak
 budget-kind-plain = Průměr
-budget-kind-scatter = Rozptyl dotyku
+budget-kind-scatter = Rozptýlení dotyku
 budget-kind-part-temperature = Teplota dílu
 budget-kind-scale-temperature = Teplota odměřování
 budget-kind-part-expansion = Roztažnost dílu

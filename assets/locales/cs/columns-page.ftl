@@ -50,8 +50,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } nečte se
 columns-page-read = { $rows ->
         [0] Žádný ze zobrazených řádků se nečte
-        [one] Ze zobrazeného 1 řádku je hodnot: { $read }
-       *[other] Ze zobrazených { $rows } řádků je hodnot: { $read }
+        [one] Řádky s hodnotou: { $read } z 1 zobrazeného
+       *[other] Řádky s hodnotou: { $read } z { $rows } zobrazených
     }
 columns-page-first-problem = První chyba: { $why }
 columns-page-no-measured = Naměřená hodnota není v žádném sloupci: zvolte jej

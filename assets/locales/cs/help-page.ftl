@@ -30,7 +30,7 @@ help-page-sample-program = Otevřít ukázkový program
 help-page-sample-hint = Ukázky jsou součástí programu. Hodnoty v ukázkovém souboru jsou označeny jako simulované.
 
 # The sheet of keys
-help-page-keys-about = Klávesa stránky působí, dokud je stránka otevřená.
+help-page-keys-about = Klávesa stránky funguje, dokud je stránka otevřená.
 help-page-everywhere = Na každé stránce
 help-page-in-dialogs = V dialozích
 help-page-on-workpiece = Simulovaný obrobek

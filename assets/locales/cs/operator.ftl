@@ -3,7 +3,7 @@
 operator-mode = Pro koho je toto okno
 operator-mode-about = Obsluha má měření, výsledky a nápovědu velkým písmem; vše ostatní je v úplném okně
 operator-mode-operator = Obsluha
-operator-mode-operator-about = Měření, výsledky a nápověda, pro prsty, rukavice a dva metry.
+operator-mode-operator-about = Měření, výsledky a nápověda: dotykem, v rukavicích, ze dvou metrů.
 operator-mode-full = Vše
 operator-mode-full-about = Všechny stránky, pro práci u stolu.
 operator-question = Pro koho je toto okno?
@@ -23,8 +23,8 @@ operator-dropped = { $name } se zde neotevře: obsluha neotevírá soubory. Nejp
 operator-no-results = Zatím nic nebylo změřeno.
 operator-features = { $count ->
     [one] 1 prvek
-    [few] Všechny { $count } prvky
-   *[other] Všech { $count } prvků
+    [few] Prvky: { $count }
+   *[other] Prvky: { $count }
 }
 operator-next = Další
 operator-next-part = Další díl
@@ -50,4 +50,4 @@ operator-pin-removed = Okno obsluhy už není zamčené
 operator-pin-wrong = Toto není správný PIN
 operator-pin-not-hashed = Hash PINu nelze vypočítat: { $why }
 operator-pin-asked = Zadejte PIN pro opuštění okna obsluhy.
-operator-pin-forgotten = Zapomenutý? Příručka říká, jak se dostane dovnitř správce: The operator’s window, The PIN.
+operator-pin-forgotten = PIN zapomenutý? Příručka říká, jak se dostane dovnitř správce: The operator’s window, The PIN.

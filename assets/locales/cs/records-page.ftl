@@ -42,7 +42,7 @@ records-page-leave = { $count ->
 }
 
 ## Who is measuring
-records-page-who = Měří
+records-page-who = Měřil
 records-page-nobody = Jméno…
 records-page-who-nobody = Není zvoleno žádné jméno. Zvolte jméno
 records-page-who-is = Měří { $name }
@@ -52,7 +52,7 @@ records-page-take-name = Použít toto jméno
 
 ## The question
 records-page-question = Hledat
-records-page-help = Slova, good rework scrap, nebo part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Slova, dobrý oprava zmetek, nebo part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
 records-page-more-actions = Další
 records-page-today = Dnes
 records-page-this-week = Tento týden
@@ -158,7 +158,7 @@ records-page-void-why = Neplatný, protože
 records-page-void-by = Korigoval nebo odvolal
 records-page-decided = Rozhodnutí
 records-page-limits = Meze
-records-page-source = Mezní rozměry z
+records-page-source = Zdroj mezí
 records-page-contacts = Body dotyku
 records-page-rule = Pravidlo
 records-page-station = Stanice

@@ -46,9 +46,9 @@ limits-unknown-class = { $class } není v tabulce { $table }; ta má { $known }
 limits-no-own-table = { $class } není toleranční třída podle ISO 286: pište písmena a stupeň, například H7 nebo js13, nebo zvolte vlastní tabulky se sloupcem { $class }
 limits-no-own-column = { $class } není toleranční třída podle ISO 286 a tabulka { $table } nemá sloupec { $class }; má { $known }
 limits-beyond-last-range = jmenovitý rozměr { $nominal } mm je mimo tabulku { $table }, jejíž poslední rozsah je nad { $over } do { $to } mm včetně
-limits-not-defined = { $class } není v tabulce { $table } stanovena nad { $over } do { $to } mm; { $where }
+limits-not-defined = { $class } není v tabulce { $table } stanovena pro rozměry nad { $over } do { $to } mm; { $where }
 limits-defined-nowhere = není stanovena pro žádný rozměr
-limits-defined = je stanovena { $ranges }
+limits-defined = je stanovena pro rozměry { $ranges }
 limits-range = nad { $over } do { $to } mm
 limits-ranges = { $first }, { $rest }
 limits-too-large = meze pro { $nominal } mm jsou příliš velké
@@ -213,7 +213,7 @@ callout-band-order = dolní úchylka je před horní: pište QS400 jako 0.4-0.1
 callout-lone-order = dolní úchylka je před horní: pište { $offer }
 general-too-small = jmenovitý rozměr { $nominal } mm je pod { $first } mm, kde ISO 2768-1 začíná: uveďte úchylky u rozměru
 general-too-large = jmenovitý rozměr { $nominal } mm je mimo ISO 2768-1, která končí u { $last } mm
-general-not-defined = ISO 2768-1 nestanoví třídu { $class } { $range }; je stanovena { $defined }
+general-not-defined = ISO 2768-1 nestanoví třídu { $class } pro rozměry { $range }; je stanovena pro rozměry { $defined }
 general-range-from = od { $over } do { $to } mm
 
 ## Tables made of the standard
