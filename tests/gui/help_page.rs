@@ -219,7 +219,7 @@ fn arrows_go_through_the_list_once_it_has_the_focus() {
     press(&mut window, Key::ArrowDown);
     assert_eq!(cursor(&window), "Check one size");
     press(&mut window, Key::ArrowDown);
-    assert_eq!(cursor(&window), "Whole parts");
+    assert_eq!(cursor(&window), "Gauges");
 }
 
 #[test]

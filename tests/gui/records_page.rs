@@ -92,7 +92,7 @@ fn a_check_has_its_number_once_it_is_on_disk_and_is_there_after_a_restart() {
     assert!(listed[1].contains("Pin 3, 25 h6, 24.980 mm, \u{2212}20 µm, SCRAP"), "{listed:?}");
     assert!(listed[3].contains("Flange 1, 25 H7, 25.012 mm, +12 µm, GOOD"), "{listed:?}");
     again.get_by_label("4 records");
-    again.get_by_label_contains("journal.sqlite · 5 entries");
+    again.get_by_label_contains("journal.sqlite · entries: 5");
 }
 
 #[test]

@@ -207,7 +207,7 @@ records-page-not-open = The record is not open
 records-page-not-recording = Checks are not recorded
 
 ## The journal
-records-page-place = { $file } · { $entries } entries
+records-page-place = { $file } · entries: { $entries }
 records-page-unsent = { $count } not yet sent to { $server }
 records-page-all-sent = all sent to { $server }
 records-page-server-unknown = { $server } has not been reached yet

@@ -186,15 +186,23 @@ fn word_ui(ui: &mut Ui, card: &Card, setting: &Setting, colour: Color32) {
     ui.add(Label::new(RichText::new(&card.word).font(theme::bold(setting.word)).color(colour)).extend());
 }
 
+/// The sizes of lines that are tried, as shares of the usual one: the first two are always whole, the value among them.
+const LINES: [f32; 3] = [1.0, 0.85, 0.7];
+
 /// As many lines as have room; the reasons have all of them.
 fn lines_ui(ui: &mut Ui, lines: &[String], (room, colour): (f32, Color32)) {
     let width = ui.available_width();
+    let height = |line: &String, size: f32| ui.painter().layout(line.clone(), theme::font(size), colour, width).size().y;
+    let has_room = |size: &f32| lines.iter().take(2).map(|line| height(line, *size)).sum::<f32>() <= room;
+    let sizes = LINES.map(|share| sizes().limits * share);
+    let size = sizes.into_iter().find(has_room).unwrap_or(sizes[2]);
+    let heights: Vec<f32> = lines.iter().map(|line| height(line, size)).collect();
     let mut left = room;
-    for line in lines {
-        left -= ui.painter().layout(line.clone(), theme::font(sizes().limits), colour, width).size().y;
+    for (line, height) in lines.iter().zip(heights) {
+        left -= height;
         if left < 0.0 {
             return;
         }
-        ui.add(Label::new(RichText::new(line).font(theme::font(sizes().limits)).color(colour)).wrap());
+        ui.add(Label::new(RichText::new(line).font(theme::font(size)).color(colour)).wrap());
     }
 }
