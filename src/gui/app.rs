@@ -2,6 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Context, Event, Frame, ThemePreference, Ui, ViewportCommand};
@@ -210,8 +211,11 @@ impl App {
             }
         }
         let sign = self.session.decimal_sign();
-        if self.words.language() != self.session.language() || self.words.decimal_sign() != sign {
-            self.words = (self.words_of)(self.session.language()).with_decimal_sign(sign);
+        let own = self.session.texts_of_window();
+        let is_same_own = self.words.own().map(Arc::as_ptr) == own.map(Arc::as_ptr);
+        if self.words.language() != self.session.language() || self.words.decimal_sign() != sign || !is_same_own {
+            let words = (self.words_of)(self.session.language()).with_own(own.map(Arc::clone));
+            self.words = words.with_decimal_sign(sign);
         }
         self.prefer_theme(ctx);
         if self.session.zoom() != zoom {

@@ -17,7 +17,7 @@ use crate::exchange::contacts::{self, Contacts};
 use crate::exchange::{self, ImportInputs};
 use crate::files;
 use crate::journal::chain::Hash;
-use crate::message::{Message, Say as _, message};
+use crate::message::{Message, OwnTexts, Say as _, message};
 use crate::nc::program::ProgramWarning;
 use crate::part;
 use crate::probing::simulated::{Part, Simulation};
@@ -40,6 +40,7 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Check(CheckCommand::Rows(RowsCommand::Opened { result, .. })) => result.is_ok(),
         Command::MaskRead { result, .. } => result.is_ok(),
         Command::TablesRead { result, .. } => result.is_ok(),
+        Command::TextsRead { result, .. } => result.is_ok(),
         Command::Tables(TablesCommand::Read { result, .. }) => result.is_ok(),
         Command::Program(ProgramCommand::Read { result, .. }) => result.is_ok(),
         Command::Workpiece(WorkpieceCommand::ContactsRead { result, .. }) => result.is_ok(),
@@ -73,6 +74,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileConte
         Purpose::AskColumns(into) => return measurements::ask(into, path, with),
         Purpose::LoadMask => Command::MaskRead { result: read_mask(&path), path },
         Purpose::ImportSettings => Command::SettingsRead { result: read_settings(&path), path },
+        Purpose::LoadTexts => Command::TextsRead { result: read_texts(&path), path },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
         Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path, &mut seen), path }.into(),
@@ -116,6 +118,11 @@ fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
     Ok((Box::new(mask), warnings.iter().map(crate::message::Say::message).collect()))
+}
+
+fn read_texts(path: &Path) -> Result<Arc<OwnTexts>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    OwnTexts::read(&name(path), &bytes).map(Arc::new).map_err(|error| error.message())
 }
 
 fn read_settings(path: &Path) -> Result<String, Message> {

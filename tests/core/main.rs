@@ -77,6 +77,7 @@ mod nc_plans;
 mod nc_sets;
 mod option_doubts;
 mod own_columns;
+mod own_texts;
 mod pair_cli;
 mod pairing;
 mod paper;

@@ -18,6 +18,23 @@ settings-page-defaults-hint = Nastaví tento oddíl jako při prvním spuštěn�
 
 # General
 settings-page-language-about = Všechny texty okna a jeho desetinný oddělovač.
+settings-page-own-texts = Vlastní texty
+settings-page-own-texts-about = Slova vaší dílny místo vestavěných: soubor Fluent pro jeden jazyk, například nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: vlastní texty { $count } z { $all }
+settings-page-own-texts-reading = { $file } se čte
+settings-page-own-texts-unread = { $file } nelze přečíst a nepoužívá se: { $why }
+settings-page-own-texts-elsewhere = Jazyk těchto textů je { $language }; platí jen tehdy, když je okno v tomto jazyce.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 text je odmítnut a použije se vestavěný:
+    [few] { $count } texty jsou odmítnuty a použijí se vestavěné:
+    [many] { $count } textu je odmítnuto a použijí se vestavěné:
+   *[other] { $count } textů je odmítnuto a použijí se vestavěné:
+}
+settings-page-own-texts-more = … a ještě { $count }
+load-texts = Vlastní texty…
+no-own-texts = Nepoužívat vlastní texty
+dialog-own-texts = Vlastní texty
+file-kind-own-texts = Texty
 settings-page-keypad-about = Velké klávesy pro dotykové obrazovky a rukavice.
 sounds = Zvuky
 sounds-about = Každý výrok je slyšet: jeden dlouhý tón znamená dobrý, dva tóny žádají pohled na díl, tři znamenají zmetek. Simulované hodnoty slyšet není.

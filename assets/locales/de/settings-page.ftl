@@ -18,6 +18,21 @@ settings-page-defaults-hint = Setzt diesen Abschnitt wie beim ersten Start. Date
 
 # Allgemein
 settings-page-language-about = Alle Texte des Fensters und sein Dezimalzeichen.
+settings-page-own-texts = Eigene Texte
+settings-page-own-texts-about = Wörter Ihrer Werkstatt statt der eingebauten: eine Fluent-Datei für eine Sprache, etwa nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: { $count } von { $all } Texten sind eigene
+settings-page-own-texts-reading = { $file } wird gelesen
+settings-page-own-texts-unread = { $file } konnte nicht gelesen werden und wird nicht verwendet: { $why }
+settings-page-own-texts-elsewhere = Es sind Texte in { $language }; sie zählen nur, wenn das Fenster diese Sprache spricht.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 Text ist abgelehnt, und der eingebaute wird verwendet:
+   *[other] { $count } Texte sind abgelehnt, und die eingebauten werden verwendet:
+}
+settings-page-own-texts-more = … und { $count } weitere
+load-texts = Eigene Texte…
+no-own-texts = Eigene Texte nicht mehr verwenden
+dialog-own-texts = Eigene Texte
+file-kind-own-texts = Texte
 settings-page-keypad-about = Große Tasten für Touchscreens und Handschuhe.
 sounds = Töne
 sounds-about = Jedes Urteil ist zu hören: ein langer Ton heißt gut, zwei Töne bitten um einen Blick auf das Teil, drei heißen Ausschuss. Simulierte Werte sind nicht zu hören.

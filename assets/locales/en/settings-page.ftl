@@ -18,6 +18,21 @@ settings-page-defaults-hint = Sets this section as at the first start. Files, na
 
 # General
 settings-page-language-about = All texts of the window, and its decimal sign.
+settings-page-own-texts = Own texts
+settings-page-own-texts-about = Words of your shop in place of the built-in ones: a Fluent file for one language, such as nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: { $count } of { $all } texts are yours
+settings-page-own-texts-reading = { $file } is being read
+settings-page-own-texts-unread = { $file } could not be read and is not in use: { $why }
+settings-page-own-texts-elsewhere = They are texts in { $language } and count only while the window speaks that language.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 text is refused, and the built-in one is said:
+   *[other] { $count } texts are refused, and the built-in ones are said:
+}
+settings-page-own-texts-more = … and { $count } more
+load-texts = Own texts…
+no-own-texts = Stop using own texts
+dialog-own-texts = Own texts
+file-kind-own-texts = Texts
 settings-page-keypad-about = Large keys for touch screens and gloves.
 sounds = Sounds
 sounds-about = Each verdict is heard: one long tone is good, two tones ask for a look at the part, three are scrap. Simulated values are not heard.

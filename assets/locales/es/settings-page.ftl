@@ -18,6 +18,22 @@ settings-page-defaults-hint = Deja esta sección como en el primer inicio. Archi
 
 # General
 settings-page-language-about = Todos los textos de la ventana, y su signo decimal.
+settings-page-own-texts = Textos propios
+settings-page-own-texts-about = Palabras de su taller en lugar de las incorporadas: un archivo Fluent para un idioma, como nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: { $count } de { $all } textos son propios
+settings-page-own-texts-reading = { $file } se está leyendo
+settings-page-own-texts-unread = { $file } no se pudo leer y no se usa: { $why }
+settings-page-own-texts-elsewhere = Son textos en { $language } y solo cuentan cuando la ventana está en ese idioma.
+settings-page-own-texts-refused = { $count ->
+    [one] Se rechaza 1 texto, y se usa el incorporado:
+    [many] Se rechazan { $count } textos, y se usan los incorporados:
+   *[other] Se rechazan { $count } textos, y se usan los incorporados:
+}
+settings-page-own-texts-more = … y { $count } más
+load-texts = Textos propios…
+no-own-texts = Dejar de usar los textos propios
+dialog-own-texts = Textos propios
+file-kind-own-texts = Textos
 settings-page-keypad-about = Teclas grandes para pantallas táctiles y guantes.
 sounds = Sonidos
 sounds-about = Cada dictamen se oye: un tono largo es bueno, dos tonos piden mirar la pieza, tres son desecho. Los valores simulados no se oyen.

@@ -18,6 +18,22 @@ settings-page-defaults-hint = Remet cette section comme au premier démarrage. F
 
 # Général
 settings-page-language-about = Tous les textes de la fenêtre, et son séparateur décimal.
+settings-page-own-texts = Textes personnels
+settings-page-own-texts-about = Des mots de l'atelier à la place des mots intégrés : un fichier Fluent pour une langue, comme nl_OurShop.ftl.
+settings-page-own-texts-count = { $file } : textes personnels { $count } sur { $all }
+settings-page-own-texts-reading = { $file } est en cours de lecture
+settings-page-own-texts-unread = { $file } n'a pas pu être lu et n'est pas utilisé : { $why }
+settings-page-own-texts-elsewhere = Ce sont des textes en { $language }, qui ne comptent que si la fenêtre est dans cette langue.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 texte est refusé, et le texte intégré est utilisé :
+    [many] { $count } textes sont refusés, et les textes intégrés sont utilisés :
+   *[other] { $count } textes sont refusés, et les textes intégrés sont utilisés :
+}
+settings-page-own-texts-more = … et { $count } de plus
+load-texts = Textes personnels…
+no-own-texts = Ne plus utiliser les textes personnels
+dialog-own-texts = Textes personnels
+file-kind-own-texts = Textes
 settings-page-keypad-about = Grandes touches pour écrans tactiles et gants.
 sounds = Sons
 sounds-about = Chaque verdict s'entend. Un son long : bon ; deux sons : regarder la pièce ; trois : rebut. Les valeurs simulées ne s'entendent pas.

@@ -18,6 +18,22 @@ settings-page-defaults-hint = Riporta questa sezione come al primo avvio. File, 
 
 # Generale
 settings-page-language-about = Tutti i testi della finestra, e il suo segno decimale.
+settings-page-own-texts = Testi propri
+settings-page-own-texts-about = Parole della propria officina al posto di quelle integrate: un file Fluent per una lingua, come nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: testi propri { $count } di { $all }
+settings-page-own-texts-reading = { $file } è in lettura
+settings-page-own-texts-unread = non è stato possibile leggere { $file }, e non è in uso: { $why }
+settings-page-own-texts-elsewhere = Sono testi in { $language } e valgono solo quando la finestra è in quella lingua.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 testo è rifiutato, e vale quello integrato:
+    [many] { $count } testi sono rifiutati, e valgono quelli integrati:
+   *[other] { $count } testi sono rifiutati, e valgono quelli integrati:
+}
+settings-page-own-texts-more = … e altri { $count }
+load-texts = Testi propri…
+no-own-texts = Non usare più i testi propri
+dialog-own-texts = Testi propri
+file-kind-own-texts = Testi
 settings-page-keypad-about = Tasti grandi per schermi tattili e guanti.
 sounds = Suoni
 sounds-about = Ogni esito si sente. Un suono lungo: buono; due suoni: guardare il pezzo; tre: scarto. I valori simulati non si sentono.

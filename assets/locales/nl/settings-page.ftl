@@ -18,6 +18,21 @@ settings-page-defaults-hint = Zet deze rubriek terug zoals bij de eerste start. 
 
 # General
 settings-page-language-about = Alle teksten van het venster en het decimaalteken.
+settings-page-own-texts = Eigen teksten
+settings-page-own-texts-about = Woorden van uw werkplaats in plaats van de ingebouwde: een Fluent-bestand voor één taal, zoals nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: { $count } van { $all } teksten zijn van u
+settings-page-own-texts-reading = { $file } wordt gelezen
+settings-page-own-texts-unread = { $file } kon niet worden gelezen en wordt niet gebruikt: { $why }
+settings-page-own-texts-elsewhere = Het zijn teksten in { $language }; ze tellen alleen als het venster die taal spreekt.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 tekst is geweigerd, en de ingebouwde wordt gebruikt:
+   *[other] { $count } teksten zijn geweigerd, en de ingebouwde worden gebruikt:
+}
+settings-page-own-texts-more = … en nog { $count }
+load-texts = Eigen teksten…
+no-own-texts = Eigen teksten niet meer gebruiken
+dialog-own-texts = Eigen teksten
+file-kind-own-texts = Teksten
 settings-page-keypad-about = Grote toetsen voor aanraakschermen en handschoenen.
 sounds = Geluid
 sounds-about = Elk oordeel klinkt: één lange toon betekent goed, twee tonen vragen om een blik op het onderdeel, drie betekenen afgekeurd. Gesimuleerde waarden klinken niet.

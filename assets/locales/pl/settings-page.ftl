@@ -18,6 +18,23 @@ settings-page-defaults-hint = Ustawia tę sekcję jak przy pierwszym uruchomieni
 
 # Ogólne
 settings-page-language-about = Wszystkie teksty okna i jego znak dziesiętny.
+settings-page-own-texts = Własne teksty
+settings-page-own-texts-about = Słowa warsztatu zamiast wbudowanych: plik Fluent dla jednego języka, na przykład nl_OurShop.ftl.
+settings-page-own-texts-count = { $file }: własne teksty { $count } z { $all }
+settings-page-own-texts-reading = { $file }: trwa odczyt
+settings-page-own-texts-unread = { $file }: nie można było odczytać, nie jest używany: { $why }
+settings-page-own-texts-elsewhere = Język tych tekstów to { $language }; liczą się tylko wtedy, gdy okno jest w tym języku.
+settings-page-own-texts-refused = { $count ->
+    [one] 1 tekst odrzucono i używany jest wbudowany:
+    [few] { $count } teksty odrzucono i używane są wbudowane:
+    [many] { $count } tekstów odrzucono i używane są wbudowane:
+   *[other] { $count } tekstu odrzucono i używane są wbudowane:
+}
+settings-page-own-texts-more = … i jeszcze { $count }
+load-texts = Własne teksty…
+no-own-texts = Nie używaj własnych tekstów
+dialog-own-texts = Własne teksty
+file-kind-own-texts = Teksty
 settings-page-keypad-about = Duże klawisze do ekranów dotykowych i rękawic.
 sounds = Dźwięki
 sounds-about = Każdą ocenę słychać: jeden długi ton to dobry, dwa tony proszą o spojrzenie na część, trzy to brak. Wartości symulowanych nie słychać.

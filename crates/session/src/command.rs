@@ -3,8 +3,9 @@
 //! The list of commands is the window's manual: menu, key, button, test and script all send one of these.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, OwnTexts};
 use fitcheck_core::tolerance::{Base, DeviationTable, iso286};
 use fitcheck_core::words::{Dialogue, Language};
 use fitcheck_files::FileError;
@@ -131,6 +132,13 @@ macro_rules! command {
                 run: u64,
                 news: fitcheck_gauges::News,
             },
+            /// A file of own texts was read, or not.
+            TextsRead {
+                path: PathBuf,
+                result: Result<Arc<OwnTexts>, Message>,
+            },
+            /// Stops using own texts.
+            NoOwnTexts,
             /// Stops using the user's own tables.
             NoOwnTables,
             /// Looks limits up in another source, after the user's own tables.

@@ -76,6 +76,7 @@ mod gauges;
 pub mod help;
 mod history;
 mod notice;
+mod own_texts;
 mod page;
 mod pairing;
 mod palette;
@@ -149,6 +150,7 @@ pub use gauges::{FromGauge, GaugeAction, GaugeCommand, GaugeLine, Gauges, OpenGa
 pub use help::{HelpAction, HelpCommand, HelpField, HelpPage};
 pub use history::{ChangeId, History, ListCommand, status_text};
 pub use notice::Notice;
+pub use own_texts::{ChosenTexts, TextsState};
 pub use page::Page;
 pub use pairing::{
     Bin, FromMiddle, Marks, PairRow, Paired, PairingAction, PairingCommand, PairingField, PairingPage, PairingView,
@@ -337,15 +339,18 @@ impl Session {
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
         shared.own_mask = saved.mask.clone().map_or(OwnMask::Settled, OwnMask::Awaited);
+        shared.own_texts =
+            saved.own_texts.clone().map(|path| ChosenTexts { path, state: TextsState::Awaited });
         let mut session = Self::with_pages(&saved, shared);
         let gauges = session.settings_page.take_errands();
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
         let mask = saved.mask.map(|path| Effect::Read(Purpose::LoadMask, path));
+        let texts = saved.own_texts.map(|path| Effect::Read(Purpose::LoadTexts, path));
         let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
         // The plan of a part that was interrupted.
         let plan = saved.walk.plan.or_else(|| saved.walk.watched.map(|watched| watched.plan));
         let plan = plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
-        (session, tables.into_iter().chain(mask).chain(budget).chain(plan).chain(gauges).collect())
+        (session, tables.into_iter().chain(mask).chain(texts).chain(budget).chain(plan).chain(gauges).collect())
     }
 
     /// What survives a restart.
@@ -366,6 +371,7 @@ impl Session {
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             mask: self.shared.mask_file().filter(|path| path.to_str().is_some()),
+            own_texts: self.own_texts().map(|texts| texts.path.clone()).filter(|path| path.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
             files: self.shared.places.saved(),
@@ -589,6 +595,8 @@ impl Session {
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
             Command::SettingsRead { path, result } => return self.settings_read(&path, result, now),
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
+            Command::TextsRead { path, result } => self.texts_read(path, result),
+            Command::NoOwnTexts => self.leave_texts(),
             Command::UseSource(base) => shared.use_base(base),
             Command::SetStandard(options) => {
                 let sources = shared.sources.as_ref().clone().with_options(options);

@@ -28,6 +28,8 @@ pub enum Purpose {
     Import,
     /// Reading a mask.
     LoadMask,
+    /// Reading a file of own texts.
+    LoadTexts,
     /// Reading a folder of tables.
     LoadTables,
     /// Writing the history or the chosen checks in a format of the report's list, by its number there.
@@ -179,6 +181,7 @@ impl Purpose {
         let one = [
             Self::Import,
             Self::LoadMask,
+            Self::LoadTexts,
             Self::LoadTables,
             Self::OpenTable,
             Self::OpenProgram,
@@ -213,6 +216,7 @@ impl Purpose {
             }
             Self::WatchFolder => reads_folder("watched", "walk-page-dialog-watch", &[], &[Page::Parts]),
             Self::LoadMask => reads("mask", "dialog-mask", Listed(&["a"]), &[]),
+            Self::LoadTexts => reads("own-texts", "dialog-own-texts", Listed(&["ftl"]), &[]),
             Self::LoadTables => reads_folder("own-tables", "dialog-tables", &["tab"], &[]),
             Self::OpenTable => reads("table", "tables-dialog-open", Listed(&["tab"]), &[Page::Tables]),
             Self::SaveTable(format) => writes("table", "tables-dialog-save", Table(format)),

@@ -54,6 +54,8 @@ pub struct Saved {
     pub tables_folder: Option<PathBuf>,
     /// The user's own mask, where one is chosen.
     pub mask: Option<PathBuf>,
+    /// The file of the user's own texts, where one is chosen.
+    pub own_texts: Option<PathBuf>,
     /// The file of the budget that checks use.
     pub budget: Option<PathBuf>,
     /// What limits are looked up in after the user's own tables.
@@ -194,6 +196,7 @@ impl Default for Saved {
             zoom: Zoom::default(),
             tables_folder: None,
             mask: None,
+            own_texts: None,
             budget: None,
             source: Base::default(),
             standard: iso286::Options::default(),

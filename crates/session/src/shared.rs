@@ -27,6 +27,7 @@ use super::effect::Effect;
 use super::files::{Dialog, DialogId, Places, Working};
 use super::history::History;
 use super::notice::{Notice, Notices};
+use super::own_texts::ChosenTexts;
 use super::page::Page;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
@@ -178,6 +179,10 @@ pub(super) struct Shared {
     pub mask: MaskChoice,
     /// The user's own mask of the last time.
     pub own_mask: OwnMask,
+    /// The file of the user's own texts.
+    pub own_texts: Option<ChosenTexts>,
+    /// The file of own texts that was still being read when the user chose another one, or none: its answer comes too late.
+    pub given_up_texts: Option<PathBuf>,
     /// The mask that was still being read when the user chose another one: its answer comes too late.
     pub given_up_mask: Option<PathBuf>,
     /// The user's own mask by its name, for whatever reads prints.
@@ -321,7 +326,7 @@ impl Shared {
 
     /// The texts of the window.
     pub fn words(&self) -> Words {
-        Words::new(self.language).with_decimal_sign(self.decimal_sign())
+        self.report_words().with_decimal_sign(self.decimal_sign())
     }
 
     pub fn set_mask(&mut self, mask: MaskChoice) {
@@ -418,7 +423,7 @@ impl Shared {
             _ => None,
         };
         let numbers = standing.iter().filter_map(number).collect();
-        let reason = self.words().get("records-page-undone-reason");
+        let reason = self.recorded_words().get("records-page-undone-reason");
         let has_any = self.recording.take_back(&taken, standing, reason);
         self.go_on_undoing();
         self.spread(News::Undone { ids: taken, numbers });

@@ -46,6 +46,13 @@ pub(super) fn told(view: &View<'_>, of: Told) -> Option<String> {
             MaskChoice::Own { path, .. } => path.display().to_string(),
             MaskChoice::OfLanguage | MaskChoice::Shipped(_) => view.text("settings-page-not-used"),
         },
+        Told::OwnTexts => match session.own_texts() {
+            Some(chosen) => {
+                let told = chosen.told(session.language());
+                told.iter().map(|message| view.words.say(message)).collect::<Vec<_>>().join("\n")
+            }
+            None => view.text("settings-page-not-used"),
+        },
         Told::Budget => match session.used_budget() {
             Some(open) => {
                 let said = message!("check-budget-used").text("name", &open.budget.name).text("file", &open.file);

@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt;
-use std::sync::{LazyLock, OnceLock};
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use fitcheck_shipped as shipped;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
-use super::{Arg, Message, tame};
+use super::{Arg, Message, OwnTexts, tame};
 
 /// Changes the wording of a text.
 pub type Transform = fn(&str) -> Cow<'_, str>;
@@ -21,6 +21,8 @@ pub type Transform = fn(&str) -> Cow<'_, str>;
 pub struct Bundle {
     code: &'static str,
     transform: Option<Transform>,
+    /// The user's own texts of this language, which are said in place of the built-in ones.
+    own: Option<Arc<OwnTexts>>,
     /// The texts in the order of their names.
     texts: OnceLock<Cow<'static, str>>,
     files: Vec<OnceLock<FluentBundle<FluentResource>>>,
@@ -33,31 +35,50 @@ impl fmt::Debug for Bundle {
 }
 
 /// The names of all texts.
-struct Names {
+pub(super) struct Names {
     /// File by file, in the order in which a language has its texts.
     files: Vec<Vec<&'static str>>,
     /// The file of each.
     places: HashMap<&'static str, usize>,
 }
 
-static NAMES: LazyLock<Names> = LazyLock::new(|| {
+pub(super) static NAMES: LazyLock<Names> = LazyLock::new(|| {
     let files: Vec<Vec<&str>> = shipped::NAMES.split("\n\n").map(|names| names.lines().collect()).collect();
     let places = files.iter().enumerate().flat_map(|(at, names)| names.iter().map(move |name| (*name, at))).collect();
     Names { files, places }
 });
 
+impl Names {
+    /// All of them, in the order in which a language has its texts.
+    pub(super) fn all(&self) -> impl Iterator<Item = &'static str> {
+        self.files.iter().flatten().copied()
+    }
+}
+
 impl Bundle {
     /// The embedded texts of a language; nothing is read from disk.
     pub fn of(code: &'static str) -> Self {
         let files = NAMES.files.iter().map(|_| OnceLock::new()).collect();
-        Self { code, transform: None, texts: OnceLock::new(), files }
+        Self { code, transform: None, own: None, texts: OnceLock::new(), files }
     }
 
     /// The same texts, each passed through a function without what is put into them: a language for tests, such as one
     /// with longer words.
     #[must_use]
     pub fn transformed(self, transform: Transform) -> Self {
-        Self { transform: Some(transform), ..Self::of(self.code) }
+        Self { transform: Some(transform), own: self.own, ..Self::of(self.code) }
+    }
+
+    /// The same texts, with the user's own in place of those that these replace; own texts of another language do not count.
+    #[must_use]
+    pub fn with_own(self, own: Option<Arc<OwnTexts>>) -> Self {
+        let own = own.filter(|own| own.code() == self.code);
+        Self { transform: self.transform, own, ..Self::of(self.code) }
+    }
+
+    /// The user's own texts among them.
+    pub const fn own(&self) -> Option<&Arc<OwnTexts>> {
+        self.own.as_ref()
     }
 
     /// The texts of a file as Fluent reads them.
@@ -67,7 +88,11 @@ impl Bundle {
         let before = NAMES.files.iter().take(at).map(Vec::len).sum();
         let names = NAMES.files.get(at).into_iter().flatten();
         let named = names.zip(texts.split('\0').skip(before)).filter(|(_, text)| !text.is_empty());
-        named.fold(String::new(), |all, (name, text)| all + name + " = " + text + "\n")
+        let own = |name: &str| self.own.as_deref().and_then(|own| own.entry(name));
+        named.fold(String::new(), |all, (name, text)| match own(name) {
+            Some(entry) => all + entry,
+            None => all + name + " = " + text + "\n",
+        })
     }
 
     fn parsed(&self, at: usize) -> FluentBundle<FluentResource> {

@@ -9,6 +9,7 @@
 //! | `arg` | what can be put into a text, and how |
 //! | `bundle` | the texts of one language |
 //! | `foreign` | texts that somebody else has written, where they could do harm |
+//! | `own`, `placeables` | the user's own texts of one language; whether one shows all that the built-in one shows |
 //! | `located` | an error or a warning with its place in a file |
 //!
 //! To add an error, a warning or a remark:
@@ -28,6 +29,8 @@ mod arg;
 mod bundle;
 mod foreign;
 mod located;
+mod own;
+mod placeables;
 
 use std::fmt;
 use std::sync::LazyLock;
@@ -38,6 +41,7 @@ pub use bundle::{Bundle, Transform};
 pub use fitcheck_derive::{Say, message};
 pub use foreign::{guarded, is_formula, is_wild, tame};
 pub use located::{FilePlace, Located};
+pub use own::{LARGEST_TEXTS, OwnTextFault, OwnTexts, READ_BACK};
 
 /// A sentence without its language: the name of a text and what is put into it.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -30,8 +30,10 @@ pub use dialogue::PerDialogue;
 pub use dialogue::{Dialogue, DialogueWords, StatusWords};
 pub use language::Language;
 
+use std::sync::Arc;
+
 use crate::length::{Length, Unit};
-use crate::message::{Bundle, Message, Say};
+use crate::message::{Bundle, Message, OwnTexts, Say};
 
 /// The texts of one language.
 #[derive(Debug)]
@@ -56,6 +58,17 @@ impl Words {
     #[must_use]
     pub fn with_decimal_sign(self, decimal_sign: char) -> Self {
         Self { decimal_sign, ..self }
+    }
+
+    /// The same, with the user's own texts in place of those that these replace; own texts of another language do not count.
+    #[must_use]
+    pub fn with_own(self, own: Option<Arc<OwnTexts>>) -> Self {
+        Self { bundle: self.bundle.with_own(own), ..self }
+    }
+
+    /// The user's own texts among them.
+    pub const fn own(&self) -> Option<&Arc<OwnTexts>> {
+        self.bundle.own()
     }
 
     /// What stands before the decimals of a number.

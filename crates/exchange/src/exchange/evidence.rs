@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::sync::LazyLock;
 
 use csv::StringRecord;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, READ_BACK};
 use fitcheck_core::words::{Language, Words};
 use fitcheck_nc::control::simulated::is_mark;
 
@@ -117,16 +117,18 @@ static SAID: LazyLock<Said> = LazyLock::new(|| {
     const FILE: &str = "@";
     let words = |list: &str| list.split('|').map(str::to_owned).collect();
     let mut said = Said { of_file: Vec::new(), simulated: words(SIMULATED), measured: words(MEASURED) };
+    // Nobody's own texts: those of no file would be known again.
+    let [contacts, imported, typed, simulation, _of_cycle] = READ_BACK;
     for words in Language::all().map(Words::new) {
         let of = |id: &'static str| words.say(&Message::new(id).text("file", FILE)).to_lowercase();
-        for id in ["origin-contacts", "origin-imported"] {
+        for id in [contacts, imported] {
             let text = of(id);
             let before = text.split(FILE).next().unwrap_or("").to_owned();
             said.measured.extend(before.split_whitespace().next().map(str::to_owned));
             said.of_file.extend(Some(before).filter(|before| !before.is_empty()));
         }
-        said.measured.extend(Some(of("origin-typed")));
-        let simulated = of("origin-imported-simulation");
+        said.measured.extend(Some(of(typed)));
+        let simulated = of(simulation);
         said.simulated.extend(simulated.rsplit(", ").next().map(str::to_owned));
     }
     said

@@ -3,7 +3,6 @@
 
 use fitcheck_core::budget::{Basis, Budget, Evaluated, Keys, KindName, Law};
 use fitcheck_core::message::{Say as _, message};
-use fitcheck_core::words::Words;
 
 use super::{BudgetField, BudgetPage, lines};
 use crate::shared::Shared;
@@ -244,7 +243,7 @@ impl BudgetPage {
         if self.is_stale() {
             return;
         }
-        let name = Words::new(shared.language).get("budget-row-new");
+        let name = shared.words().get("budget-row-new");
         let (text, row) = lines::with_row(&self.document.text, &self.rows, &name);
         self.write(text);
         self.choose(Some(row));

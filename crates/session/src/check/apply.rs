@@ -7,7 +7,6 @@ use fitcheck_core::message::Message;
 use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature, Sources};
-use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::Labels;
 use fitcheck_exchange::journal::entry::{FileRole, UsedFile};
 use fitcheck_exchange::journal::query::RecordId;
@@ -106,8 +105,8 @@ impl PageState for CheckPage {
             }
             CheckCommand::Choose(id, is_chosen) => shared.history.choose(id, is_chosen),
             CheckCommand::List(command) => {
-                let (language, sign) = (shared.language, shared.decimal_sign());
-                let copied = shared.history.apply(command, || Words::new(language).with_decimal_sign(sign));
+                let words = shared.words();
+                let copied = shared.history.apply(command, || words);
                 return copied.map(Effect::Copy).into_iter().collect();
             }
             CheckCommand::ClearHistory => self.clear_history(shared),

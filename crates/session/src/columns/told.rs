@@ -1,7 +1,6 @@
 //! What a notice says of the columns of its file.
 
 use fitcheck_core::message::message;
-use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::Role;
 
 use super::{NoticeColumns, role_id, unit_id};
@@ -12,7 +11,7 @@ impl Shared {
     /// A notice of a file says what its columns were taken for, and offers to correct that.
     pub fn add_columns(&mut self, notice: &mut Notice, name: &str) {
         let Some(used) = self.columns.used.take().filter(|used| used.name == name) else { return };
-        let words = Words::new(self.language);
+        let words = self.words();
         let detected = &used.detected;
         let of_column = |(at, role): (usize, &Option<Role>)| {
             let name = detected.names.get(at).filter(|name| !name.is_empty()).cloned();

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
-use fitcheck_core::words::{Language, Words};
+use fitcheck_core::words::Words;
 use fitcheck_exchange::report::pairing::Format;
 use fitcheck_exchange::report::{Rendering, Report};
 
@@ -20,8 +20,8 @@ pub enum Content {
         report: Box<Report>,
         /// How it is written.
         rendering: &'static Rendering,
-        /// The language of its words.
-        language: Language,
+        /// Its texts.
+        words: Arc<Words>,
     },
     /// Rows of a large file with their verdicts.
     Rows(Box<RowsText>),
@@ -41,7 +41,7 @@ impl Content {
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Bytes(bytes) => out.write_all(bytes),
-            Self::Report { report, rendering, language } => (rendering.render)(report, &Words::new(*language), out),
+            Self::Report { report, rendering, words } => (rendering.render)(report, words, out),
             Self::Rows(rows) => rows.write(out),
             Self::Pairs { paired, format } => (format.write)(&paired.answer, out),
         }

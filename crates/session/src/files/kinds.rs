@@ -43,6 +43,7 @@ impl Purpose {
             "t" => Some(Self::OpenTools),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
             "a" => Some(Self::LoadMask),
+            "ftl" => Some(Self::LoadTexts),
             ending if PACKED.contains(&ending) => Some(Self::Import),
             ending if exchange::endings().contains(&ending) => {
                 exchange::FORMATS.iter().any(|format| format.recognises(head, name)).then_some(Self::Import)

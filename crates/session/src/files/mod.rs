@@ -26,7 +26,6 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::{Absent, DeviationTable};
-use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::report::{RENDERINGS, Report};
 use fitcheck_files::FileError;
@@ -123,22 +122,22 @@ impl Session {
             Purpose::Export(_) | Purpose::ExportRows(_) if self.lists_rows() => {
                 let name = self.check.rows.as_ref().map_or("", |rows| rows.name.as_str());
                 let stem = name.split_once('.').map_or(name, |(stem, _)| stem);
-                let judged = Words::new(self.shared.language).say(&message!("rows-file-name").text("name", stem));
+                let judged = self.shared.words().say(&message!("rows-file-name").text("name", stem));
                 names::dated(&names::allowed(&judged), now, purpose.ending())
             }
             Purpose::Export(_) => {
-                let several = Words::new(self.shared.language).get("file-name-checks");
+                let several = self.shared.words().get("file-name-checks");
                 let records = self.shared.history.for_report().map(Arc::as_ref);
                 names::of_records(records, &several, now, purpose.ending())
             }
             Purpose::ReportRecords(_) => {
-                let several = Words::new(self.shared.language).get("file-name-checks");
+                let several = self.shared.words().get("file-name-checks");
                 let records = self.records.for_report();
                 names::of_records(records.iter().map(Arc::as_ref), &several, now, purpose.ending())
             }
             Purpose::ReportPart(_) => self.parts.report(now).map_or_else(String::new, |report| {
                 let walking = &self.parts.walking;
-                let part = report.part.unwrap_or_else(|| Words::new(self.shared.language).get("file-name-checks"));
+                let part = report.part.unwrap_or_else(|| self.shared.words().get("file-name-checks"));
                 let name = [part.as_str(), walking.serial()].into_iter().filter(|text| !text.is_empty());
                 names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, purpose.ending())
             }),
@@ -155,7 +154,7 @@ impl Session {
             Purpose::SaveBudget => self.budget.document.name(),
             Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), purpose.ending()),
             Purpose::SavePairs(_) => {
-                let name = Words::new(self.shared.language).get("pairing-page-file-name");
+                let name = self.shared.words().get("pairing-page-file-name");
                 names::dated(&names::allowed(&name), now, purpose.ending())
             }
             _ => String::new(),
@@ -304,7 +303,7 @@ impl Session {
             Report::new(now, records)
         };
         let report = Box::new(report);
-        Ok(Content::Report { report, rendering, language: self.shared.language })
+        Ok(Content::Report { report, rendering, words: Arc::new(self.shared.report_words()) })
     }
 
     /// The chosen records of the records page as a report.
@@ -312,14 +311,14 @@ impl Session {
         let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
         let journal = self.shared.recording.journal.as_ref().map(|journal| (journal.chain, journal.head));
         let report = Box::new(self.records.report(now, journal));
-        Ok(Content::Report { report, rendering, language: self.shared.language })
+        Ok(Content::Report { report, rendering, words: Arc::new(self.shared.report_words()) })
     }
 
     /// The part that is being measured as a report.
     fn report_part(&self, format: usize, now: DateTime) -> Result<Content, Message> {
         let report = RENDERINGS.get(format).zip(self.parts.report(now));
         let (rendering, report) = report.ok_or_else(|| message!("dialog-no-path"))?;
-        Ok(Content::Report { report: Box::new(report), rendering, language: self.shared.language })
+        Ok(Content::Report { report: Box::new(report), rendering, words: Arc::new(self.shared.report_words()) })
     }
 
     pub(super) fn close(&mut self) {

@@ -24,7 +24,7 @@ use crate::page::Page;
 use crate::parts::PartsAction;
 use crate::purpose::Purpose;
 use crate::records::RecordRow;
-use crate::settings_page::setting_of;
+use crate::settings_page::{SettingsAction, setting_of};
 use crate::tables::TablesAction;
 
 /// From so many letters on the manual is searched, too.
@@ -118,6 +118,7 @@ impl PaletteEntry {
             self.action(),
             Some(
                 Action::Window(WindowAction::ClearHistory | WindowAction::ForgetRecent | WindowAction::NoOwnTables)
+                    | Action::Settings(SettingsAction::NoOwnTexts)
                     | Action::Tables(TablesAction::RemoveColumn | TablesAction::EmptyCell)
                     | Action::Parts(PartsAction::EmptyPlanCells | PartsAction::DeletePlanRows)
                     | Action::Budget(BudgetAction::RemoveContribution)

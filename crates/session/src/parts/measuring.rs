@@ -249,7 +249,7 @@ impl PartsPage {
         let first = shared.history.next();
         shared.history.add(values.iter().map(|value| Arc::clone(&value.record)).collect());
         let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
-        let words = Words::new(shared.language);
+        let words = shared.recorded_words();
         let checks = values.iter().map(|value| {
             let budget = budget.clone().filter(|_| value.record.budget.is_some());
             let files = value.file.iter().cloned().chain(budget).collect();

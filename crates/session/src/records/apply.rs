@@ -95,7 +95,7 @@ impl PageState for RecordsPage {
             RecordsCommand::Report(format) => return self.report_now(format, shared),
             RecordsCommand::ChooseNone => self.chosen.clear(),
             RecordsCommand::WithSimulated(with) => self.with_simulated = with,
-            RecordsCommand::Copy => return self.copied(shared.language).map(Effect::Copy).into_iter().collect(),
+            RecordsCommand::Copy => return self.copied(&shared.report_words()).map(Effect::Copy).into_iter().collect(),
             RecordsCommand::MeasureAgain => self.measure_again(shared),
             RecordsCommand::Correct(is_open) => self.correct(is_open, shared),
             RecordsCommand::CorrectNumber(number) => return self.correct_number(number, shared),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::text::{grouped, long};
-use fitcheck_core::words::{Language, Words};
+use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
 use fitcheck_exchange::journal::entry::Checked;
@@ -233,8 +233,7 @@ impl RecordsPage {
     }
 
     /// The chosen rows as a spreadsheet takes them, or the open record, or the row at which the keys are; `None` where there is none.
-    pub(super) fn copied(&self, language: Language) -> Option<String> {
-        let words = Words::new(language);
+    pub(super) fn copied(&self, words: &Words) -> Option<String> {
         let cursor = self.open.as_ref().map(|open| open.number).or(self.cursor);
         let one = cursor.and_then(|number| self.listing.row(number)).or_else(|| self.opened_row());
         let rows: Vec<&Arc<RecordRow>> =

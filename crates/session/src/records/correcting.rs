@@ -7,7 +7,6 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature, Limits};
-use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::Head;
 use fitcheck_exchange::journal::entry::{About, Check, Checked, Content, Entry};
@@ -295,7 +294,7 @@ impl RecordsPage {
         let Some(corrected) = Self::standing(new, shared) else {
             return shared.tell(message!("records-page-undo-void"));
         };
-        let reason = Words::new(shared.language).get("records-page-undone");
+        let reason = shared.recorded_words().get("records-page-undone");
         let check = Check { corrects: Some(correcting(corrected, &reason)), ..*check };
         let replaced = Entry { about: entry.about.clone(), content: Content::Check(Box::new(check)) };
         let old = RecordRow { head: corrected, entry: Ok(entry), corrected_by: None, went_back: false };

@@ -49,6 +49,10 @@ actions! {
     Stay;
     /// Changes the language of the window.
     UseLanguage(Language): Language::all();
+    /// Reads a file of own texts.
+    LoadTexts;
+    /// Stops using own texts.
+    NoOwnTexts;
     /// Says that a bank card is longer or shorter on the screen.
     MoveRuler(RulerStep): RulerStep::ALL;
     /// Says nothing of that any more.
@@ -119,6 +123,10 @@ impl Actions for SettingsAction {
             Self::Stay => everywhere("operator-stay", SettingsCommand::Stay.into())
                 .when(|session| session.settings_page().asks_for_pin()),
             Self::UseLanguage(language) => everywhere("language", Command::SetLanguage(language)),
+            Self::LoadTexts => everywhere("load-texts", Command::OpenDialog(Purpose::LoadTexts)),
+            Self::NoOwnTexts => {
+                everywhere("no-own-texts", Command::NoOwnTexts).when(|session| session.own_texts().is_some())
+            }
             Self::MoveRuler(step) => {
                 let (text, command): (_, fn(&Session) -> Command) = match step {
                     RulerStep::MuchShorter => ("ruler-much-shorter", |session| moved(session, RulerStep::MuchShorter)),

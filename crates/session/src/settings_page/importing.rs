@@ -123,6 +123,7 @@ fn changes(now: &Saved, wanted: &Saved) -> Vec<Change> {
     for (wanted, now, purpose, name) in [
         (&wanted.tables_folder, &now.tables_folder, Purpose::LoadTables, "settings-page-own-tables"),
         (&wanted.mask, &now.mask, Purpose::LoadMask, "settings-page-own-mask"),
+        (&wanted.own_texts, &now.own_texts, Purpose::LoadTexts, "settings-page-own-texts"),
     ] {
         if let Some(path) = wanted.clone().filter(|_| wanted != now) {
             changes.push((name, FilesCommand::Open(purpose, path).into()));

@@ -28,7 +28,6 @@ mod table;
 use std::path::PathBuf;
 
 use fitcheck_core::message::Message;
-use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
 
 pub use actions::SettingsAction;
@@ -81,7 +80,7 @@ impl SettingsPage {
     }
 
     fn search(&mut self, shared: &Shared) {
-        let words = Words::new(shared.language);
+        let words = shared.words();
         self.found = (!self.query.trim().is_empty()).then(|| searching::found(&self.query, &words));
         let shows_keys = self.found.is_none() && self.section == Section::Keys;
         self.keys = if shows_keys { keys_list::keys_by_place(&words) } else { Vec::new() };

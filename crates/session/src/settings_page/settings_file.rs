@@ -25,6 +25,7 @@ const SHARED: [&str; 12] = [
     "standard",
     "tables_folder",
     "mask",
+    "own_texts",
 ];
 
 /// What was read from such a file.

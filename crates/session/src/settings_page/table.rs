@@ -64,6 +64,8 @@ pub enum Told {
     OwnTables,
     /// The user's own mask.
     OwnMask,
+    /// The user's own texts: how many count, and which are refused.
+    OwnTexts,
     /// The budget that checks use.
     Budget,
     /// The file of the journal.
@@ -133,6 +135,12 @@ pub const SETTINGS: &[Setting] = &[
         "language",
         "settings-page-language-about",
         Control::OneOf(|| of(Language::all(), SettingsAction::UseLanguage), None),
+    ),
+    row(
+        Section::General,
+        "settings-page-own-texts",
+        "settings-page-own-texts-about",
+        Control::Buttons(Told::OwnTexts, &[action(SettingsAction::LoadTexts), action(SettingsAction::NoOwnTexts)]),
     ),
     row(
         Section::General,
@@ -409,7 +417,7 @@ pub(crate) fn setting_of(action: Action) -> Option<&'static Setting> {
             action,
             Action::Settings(SettingsAction::ZoomOut | SettingsAction::ZoomIn | SettingsAction::ZoomNormal)
         ),
-        Control::Buttons(Told::OwnTables | Told::OwnMask, actions) => actions.contains(&action),
+        Control::Buttons(Told::OwnTables | Told::OwnMask | Told::OwnTexts, actions) => actions.contains(&action),
         Control::Buttons(..)
         | Control::Ruler
         | Control::Field(..)
