@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use fitcheck::message::{LARGEST_TEXTS, Message, OwnTexts, READ_BACK, Say as _};
+use fitcheck::session::{CheckCommand, CheckField, Command, Effect, Purpose, Saved, Session, SettingsAction};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
@@ -37,7 +38,9 @@ fn words(own: OwnTexts, language: Language) -> Words {
 
 #[test]
 fn own_texts_are_said_and_what_the_file_lacks_is_said_in_the_built_in_words() {
-    let own = whole("# Our words\nstatus-good = PRIMA\nmeasured-value =\n    Gemeten\n    maat\n\nlot-unjudged = { $count } nog open\n");
+    let own = whole(
+        "# Our words\nstatus-good = PRIMA\nmeasured-value =\n    Gemeten\n    maat\n\nlot-unjudged = { $count } nog open\n",
+    );
     assert_eq!((own.count(), own.code(), own.file()), (3, "nl", "nl_OurShop.ftl"));
     assert!(3_600 < OwnTexts::count_of_all());
     let words = words(own, Language::Nl);
@@ -80,7 +83,8 @@ fn a_text_that_lost_a_figure_is_refused_and_the_others_count() {
 
 #[test]
 fn a_figure_that_one_variant_lost_is_missed() {
-    let message = "located-at-line = { $line ->\n    [1] regel een: { $what }\n   *[other] { $line }: { $what }\n    }\n";
+    let message =
+        "located-at-line = { $line ->\n    [1] regel een: { $what }\n   *[other] { $line }: { $what }\n    }\n";
     assert!(reason(message).contains("lacks { $line }"), "{}", reason(message));
     whole("located-at-line = { $line ->\n    [1] { $line }! { $what }\n   *[other] { $line }: { $what }\n    }\n");
     let prover = "rule-fixed = { $width }, { $prover ->\n   *[supplier] leverancier\n    }\n";
@@ -93,7 +97,10 @@ fn a_figure_that_one_variant_lost_is_missed() {
 #[test]
 fn a_placeable_that_nothing_is_put_in_for_is_refused() {
     for (text, expected) in [
-        ("lot-unjudged = { $count } van { $all }\n", "has { $all }, which nothing is put in for. Only { $count } can be shown"),
+        (
+            "lot-unjudged = { $count } van { $all }\n",
+            "has { $all }, which nothing is put in for. Only { $count } can be shown",
+        ),
         ("measured-value = { $value }\n", "has { $value }, but nothing is put into this text"),
         ("measured-value = { status-good }\n", "has { status-good }"),
         ("measured-value = { -brand }\n", "has { -brand }"),
@@ -195,7 +202,10 @@ fn every_built_in_text_may_be_given_as_it_is() {
 fn texts_that_are_read_back_as_evidence_cannot_be_replaced() {
     for name in READ_BACK {
         let told = reason(&format!("{name} = gemeten\n"));
-        assert!(told.starts_with(&format!("{name} says where a value comes from and is read back from files")), "{told}");
+        assert!(
+            told.starts_with(&format!("{name} says where a value comes from and is read back from files")),
+            "{told}"
+        );
     }
 }
 
@@ -214,7 +224,7 @@ fn a_file_that_cannot_be_read_says_why() {
 
 #[test]
 fn hostile_files_are_told_and_stop_nothing() {
-    let long = |begin: &str, piece: &str| begin.to_owned() + &piece.repeat(LARGEST_TEXTS / piece.len() - 10);
+    let long = |begin: &str, piece: &str| begin.to_owned() + &piece.repeat((LARGEST_TEXTS - begin.len()) / piece.len());
     for text in [
         long("measured-value = ", "{"),
         long("measured-value = ", "{A("),
@@ -231,5 +241,113 @@ fn hostile_files_are_told_and_stop_nothing() {
         let own = OwnTexts::read("nl.ftl", text.as_bytes()).unwrap();
         assert_eq!(own.count(), 0);
         assert!(0 < own.refused_count() && own.refused().len() <= 200);
+    }
+}
+
+fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+    session.apply(command.into(), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
+}
+
+/// The answer of the outside world to the wish for a file.
+fn read(path: &str, text: &str) -> Command {
+    let name = path.rsplit('/').next().unwrap();
+    let result = OwnTexts::read(name, text.as_bytes()).map(Arc::new).map_err(|error| error.message());
+    Command::TextsRead { path: path.into(), result }
+}
+
+fn said(messages: &[Message]) -> Vec<String> {
+    messages.iter().map(ToString::to_string).collect()
+}
+
+/// What the settings say of own texts.
+fn told(session: &Session) -> Vec<String> {
+    session.own_texts().map_or_else(Vec::new, |chosen| said(&chosen.told(session.language())))
+}
+
+#[test]
+fn the_settings_say_how_many_texts_count_and_which_are_refused() {
+    let mut session = Session::new(Language::Nl);
+    send(&mut session, read("/shop/nl_OurShop.ftl", "measured-value = Maat\nstatus-god = PRIMA\n"));
+    let lines = told(&session);
+    assert!(lines[0].starts_with("/shop/nl_OurShop.ftl: 1 of 3\u{a0}6"), "{lines:?}");
+    assert_eq!(lines[1], "1 text is refused, and the built-in one is said:");
+    assert!(
+        lines[2].contains("The nearest name is status-good") && lines[2].ends_with("line 2, column 1"),
+        "{lines:?}"
+    );
+    // A notice tells it at once.
+    let notice = session.notices().last().unwrap();
+    assert_eq!(said(&notice.details), lines[1..]);
+    assert_eq!(session.texts_of_window().unwrap().count(), 1);
+    // In another language they do not count, and that is said.
+    send(&mut session, Command::SetLanguage(Language::En));
+    assert!(session.texts_of_window().is_none());
+    assert!(told(&session)[1].contains("texts in Nederlands and count only while the window speaks that language"));
+    let leave = SettingsAction::NoOwnTexts.command(&session).unwrap();
+    send(&mut session, leave);
+    assert!(told(&session).is_empty() && !session.can(SettingsAction::NoOwnTexts));
+}
+
+#[test]
+fn many_refused_texts_are_counted_and_the_first_ones_listed() {
+    let mut session = Session::new(Language::Nl);
+    send(&mut session, read("nl.ftl", &"measured-value = x { $a }\n".replace("value", "valeu").repeat(500)));
+    let lines = told(&session);
+    assert_eq!(lines[1], "500 texts are refused, and the built-in ones are said:");
+    assert_eq!((lines.len(), lines.last().unwrap().as_str()), (23, "… and 480 more"));
+}
+
+#[test]
+fn own_texts_are_read_again_at_the_next_start() {
+    let mut first = Session::new(Language::Nl);
+    send(&mut first, read("/shop/nl.ftl", "status-good = PRIMA\n"));
+    let saved = Saved::read(&first.saved().write().unwrap()).unwrap();
+    let (mut again, effects) = Session::restore(saved.clone());
+    assert_eq!(effects, [Effect::Read(Purpose::LoadTexts, "/shop/nl.ftl".into())]);
+    assert_eq!(told(&again), ["/shop/nl.ftl is being read"]);
+    send(&mut again, read("/shop/nl.ftl", "status-good = PRIMA\n"));
+    assert_eq!(again.texts_of_window().unwrap().count(), 1);
+    assert!(again.notices().is_empty(), "nothing is wrong");
+    // One that cannot be read then is told, stays chosen, and may be there the next time.
+    let (mut gone, _effects) = Session::restore(saved);
+    let missing = Message::new("file-missing").text("path", "/shop/nl.ftl");
+    send(&mut gone, Command::TextsRead { path: "/shop/nl.ftl".into(), result: Err(missing) });
+    assert!(gone.notices()[0].is_problem);
+    assert!(told(&gone)[0].starts_with("/shop/nl.ftl could not be read and is not in use: "), "{:?}", told(&gone));
+    assert!(gone.texts_of_window().is_none());
+    assert_eq!(gone.saved().own_texts, Some("/shop/nl.ftl".into()));
+}
+
+#[test]
+fn an_answer_that_comes_too_late_changes_nothing() {
+    let mut saved = Saved::default();
+    saved.own_texts = Some("/shop/nl.ftl".into());
+    let (mut session, _effects) = Session::restore(saved);
+    send(&mut session, Command::SetLanguage(Language::Nl));
+    send(&mut session, Command::NoOwnTexts);
+    send(&mut session, read("/shop/nl.ftl", "status-good = PRIMA\n"));
+    assert!(session.own_texts().is_none() && session.texts_of_window().is_none());
+}
+
+#[test]
+fn a_report_for_people_has_own_texts_and_files_for_machines_have_none() {
+    let mut session = Session::new(Language::Nl);
+    send(&mut session, read("nl.ftl", "status-good = PRIMA\n"));
+    for (field, text) in [(CheckField::Callout, "25 H7"), (CheckField::Measured, "25.012")] {
+        send(&mut session, CheckCommand::Type(field, text.to_owned()));
+    }
+    send(&mut session, CheckCommand::Measure);
+    for (rendering, expected) in [("html", true), ("csv", false), ("json", false)] {
+        let at = fitcheck::report::RENDERINGS.iter().position(|known| known.name == rendering).unwrap();
+        send(&mut session, Command::OpenDialog(Purpose::Export(at)));
+        send(&mut session, Command::TypePath(format!("/tmp/report.{rendering}")));
+        let effects = send(&mut session, Command::Confirm);
+        let content = effects.iter().find_map(|effect| match effect.errand() {
+            Effect::Save(_, content) => Some(content.bytes().unwrap()),
+            _ => None,
+        });
+        let text = String::from_utf8(content.unwrap_or_else(|| panic!("{effects:?}"))).unwrap();
+        assert_eq!(text.contains("PRIMA"), expected, "{rendering}");
+        send(&mut session, Command::Close);
     }
 }

@@ -217,3 +217,25 @@ fn settings_are_exported_to_a_file_and_imported_at_another_station() {
     assert_eq!(other.state().session().sources().base(), Base::ControlTables);
     other.get_by_label_contains("shop.toml: 1 setting changed");
 }
+
+#[test]
+fn own_texts_are_chosen_said_told_and_read_again_at_the_next_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("en_OurShop.ftl");
+    std::fs::write(&path, "page-settings = Our settings\nlanguage = Tongue\nlanguge = x\n").unwrap();
+    let store = || Store::at(&folder.path().join("state.toml"));
+    let mut window = page(Window { store: store(), ..Window::default() });
+    click(&mut window, Role::Button, "Own texts…");
+    type_into(&mut window, "File", &path.display().to_string());
+    press(&mut window, Key::Enter);
+    window.get_by_label("Tongue");
+    window.get_by_label_contains("en_OurShop.ftl: 2 of 3");
+    assert!(window.query_all_by_label_contains("1 text is refused").next().is_some());
+    assert!(window.query_all_by_label_contains("The nearest name is language: ").next().is_some());
+    eframe::App::on_exit(window.state_mut(), None);
+    let mut again = page(Window { store: store(), ..Window::default() });
+    again.get_by_label("Tongue");
+    click(&mut again, Role::Button, "Stop using own texts");
+    again.get_by_label("Language");
+    assert_eq!(again.query_all_by_label("Tongue").count(), 0);
+}

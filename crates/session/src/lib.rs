@@ -339,8 +339,7 @@ impl Session {
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
         shared.own_mask = saved.mask.clone().map_or(OwnMask::Settled, OwnMask::Awaited);
-        shared.own_texts =
-            saved.own_texts.clone().map(|path| ChosenTexts { path, state: TextsState::Awaited });
+        shared.own_texts = saved.own_texts.clone().map(|path| ChosenTexts { path, state: TextsState::Awaited });
         let mut session = Self::with_pages(&saved, shared);
         let gauges = session.settings_page.take_errands();
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));

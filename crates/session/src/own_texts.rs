@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, OwnTexts, Say as _, message};
+use fitcheck_core::message::{Message, OwnTexts, Say, message};
 use fitcheck_core::text::grouped;
 use fitcheck_core::words::{Language, Words};
 
@@ -54,7 +54,7 @@ impl ChosenTexts {
         }
         let listed = own.refused().iter().take(MOST_LISTED);
         let more = own.refused_count().saturating_sub(listed.len());
-        told.extend(listed.map(|refused| refused.message()));
+        told.extend(listed.map(Say::message));
         if 0 < more {
             told.push(message!("settings-page-own-texts-more").text("count", number(more)));
         }

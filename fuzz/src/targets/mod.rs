@@ -33,6 +33,7 @@ mod machine;
 mod mask;
 mod materials;
 mod measurements;
+mod own_texts;
 mod path;
 mod plan;
 mod point_log;
@@ -93,6 +94,7 @@ targets! {
     mask "mask"
     materials "toml"
     measurements "csv"
+    own_texts "none"
     path "sizes"
     plan "csv"
     point_log "page"

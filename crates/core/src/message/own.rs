@@ -4,6 +4,7 @@
 //! text; the rest of a text is indented. A text that could say less than the built-in one, or another verdict, is refused, and the
 //! built-in one is said. Files of machines have no such texts, so nothing of this reaches them.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
@@ -123,7 +124,8 @@ impl OwnTexts {
     /// [`Self::refused`].
     pub fn read(file: &str, bytes: &[u8]) -> Result<Self, Located<OwnTextFault>> {
         let file: Arc<str> = file.into();
-        let at_file = |what| Located { what, place: FilePlace { file: Some(Arc::clone(&file)), line: None, column: None } };
+        let at_file =
+            |what| Located { what, place: FilePlace { file: Some(Arc::clone(&file)), line: None, column: None } };
         let code = code_of(&file).ok_or_else(|| {
             let codes: Vec<&str> = shipped::languages().map(|(code, ..)| code).collect();
             at_file(OwnTextFault::Language { given: shortened(&file, 60), codes: codes.join(", ") })
@@ -137,13 +139,14 @@ impl OwnTexts {
             let byte = rest.first().map_or_else(String::new, |byte| format!("{byte:02X}"));
             Located { what: OwnTextFault::NotUtf8 { byte }, place: FilePlace::in_file(&file, line, column) }
         })?;
-        let texts = shipped::texts(code).unwrap_or_default();
+        // The code is that of a built-in language, which has its texts; without them every name would be an unknown one.
+        let texts = shipped::texts(code).unwrap_or(Cow::Borrowed(""));
         let built_in = NAMES.all().zip(texts.split('\0')).collect();
         let own = Self { code, file: Arc::clone(&file), texts: BTreeMap::new(), refused: Vec::new(), refused_count: 0 };
         let mut reading = Reading { built_in: &built_in, own, given: HashMap::new(), guessed: 0 };
         for (line, entry) in entries(text.strip_prefix('\u{feff}').unwrap_or(text)) {
             if let Err((what, at)) = reading.take(line, &entry) {
-                let (further, column) = end_of(entry.get(..at).unwrap_or_default());
+                let (further, column) = end_of(before(&entry, at));
                 reading.own.refuse(what, line.saturating_add(further).saturating_sub(1), column);
             }
         }
@@ -205,12 +208,13 @@ impl OwnTexts {
         }
         let replaced = Bundle::of(self.code).with_own(Some(Arc::new(self.clone())));
         let bundles = [&replaced, &Bundle::of(self.code), &Bundle::of("en")];
-        let clash = VERDICTS.iter().flat_map(|same| same.iter().map(move |name| (same, *name))).find_map(|(same, name)| {
-            let word = own.contains(&name).then(|| replaced.get(name))?;
-            let is_said = |other: &&&str| bundles.iter().any(|bundle| plain(&bundle.get(other)) == plain(&word));
-            let others = VERDICTS.iter().filter(|others| *others != same).copied().flatten();
-            Some((name, word.clone(), *others.into_iter().find(is_said)?))
-        });
+        let clash =
+            VERDICTS.iter().flat_map(|same| same.iter().map(move |name| (same, *name))).find_map(|(same, name)| {
+                let word = own.contains(&name).then(|| replaced.get(name))?;
+                let is_said = |other: &&&str| bundles.iter().any(|bundle| plain(&bundle.get(other)) == plain(&word));
+                let others = VERDICTS.iter().filter(|others| *others != same).copied().flatten();
+                Some((name, word.clone(), *others.into_iter().find(is_said)?))
+            });
         let Some((clash, word, other)) = clash else { return };
         for name in own {
             if let Some((line, _)) = self.texts.remove(name) {
@@ -241,7 +245,10 @@ impl<'a> Reading<'a> {
         let read = parser::parse_runtime(entry).map_err(|(_, errors)| {
             let first = errors.first();
             let reason = first.map_or_else(String::new, ToString::to_string);
-            (OwnTextFault::Syntax { given: given(), reason }, first.map_or(0, |error| error.pos.start))
+            (
+                OwnTextFault::Syntax { given: given(), reason },
+                first.map_or(0, |error| error.pos.start.min(entry.trim_end().len())),
+            )
         })?;
         let [Entry::Message(_)] = read.body.as_slice() else {
             return Err((OwnTextFault::NotAText { given: given() }, 0));
@@ -267,7 +274,9 @@ impl<'a> Reading<'a> {
             let fault = match difference {
                 Difference::Empty => OwnTextFault::Empty { given: given() },
                 Difference::Wild(c) => OwnTextFault::Control { given: given(), code: code_point(c) },
-                Difference::Surplus(given, allowed) if allowed.is_empty() => OwnTextFault::SurplusOfNone { name, given },
+                Difference::Surplus(given, allowed) if allowed.is_empty() => {
+                    OwnTextFault::SurplusOfNone { name, given }
+                }
                 Difference::Surplus(given, allowed) => OwnTextFault::Surplus { name, given, allowed },
                 Difference::Lost(lost) => OwnTextFault::Lost { name, lost },
                 Difference::TooMany => too_much(),
@@ -286,7 +295,8 @@ impl<'a> Reading<'a> {
         self.guessed = self.guessed.saturating_add(1);
         let nearest = if self.guessed <= MOST_GUESSED { nearest(name) } else { None };
         let name = shortened(name, 60);
-        Err(nearest.map_or(OwnTextFault::Unknown { name: name.clone() }, |nearest| OwnTextFault::Misspelt { name, nearest }))
+        Err(nearest
+            .map_or(OwnTextFault::Unknown { name: name.clone() }, |nearest| OwnTextFault::Misspelt { name, nearest }))
     }
 }
 
@@ -323,6 +333,11 @@ fn entries(text: &str) -> Vec<(usize, String)> {
         entry.push('\n');
     }
     entries
+}
+
+/// What stands before a byte of a text, up to the beginning of its letter.
+fn before(text: &str, at: usize) -> &str {
+    (0..=at.min(text.len())).rev().find_map(|at| text.get(..at)).unwrap_or("")
 }
 
 /// The line and the column behind a text, from 1.

@@ -58,7 +58,7 @@ pub(super) fn value<'a>(entry: &Entry<&'a str>) -> Option<(&'a str, Pattern<&'a 
 /// The first [`Difference`]: by no value may a text show less than the built-in one.
 pub(super) fn compare(own: &Pattern<&str>, built_in: &str) -> Result<(), Difference> {
     // A built-in text is read without errors, which a test sees to; an empty one has nothing to lose.
-    let built_in = parser::parse_runtime(built_in).map_or_else(|(broken, _)| broken, |whole| whole);
+    let built_in = parser::parse_runtime(built_in).unwrap_or_else(|(broken, _)| broken);
     let nothing = Pattern { elements: Vec::new() };
     let built_in = built_in.body.iter().find_map(value).map_or(nothing, |(_, pattern)| pattern);
     let (all, of_built_in) = (shown(own, None), shown(&built_in, None));
@@ -73,7 +73,8 @@ pub(super) fn compare(own: &Pattern<&str>, built_in: &str) -> Result<(), Differe
     for (by, keys) in &of_built_in.choices {
         let is_number = |key: &&str| NUMBERS.contains(key) || key.parse::<f64>().is_ok();
         let has = |key: &&str| all.choices.get(by).is_some_and(|keys| keys.contains(key));
-        if let Some(lost) = keys.iter().filter(|_| !keys.iter().all(|key| is_number(&key))).find(|key| !has(key)) {
+        let are_words = !keys.iter().all(is_number);
+        if let Some(lost) = keys.iter().find(|key| are_words && !has(key)) {
             return Err(Difference::Lost(format!("{{ {by} -> [{lost}] … }}")));
         }
     }
@@ -197,5 +198,6 @@ fn key<'a>(variant: &Variant<&'a str>) -> &'a str {
 
 /// Whether a character can be seen: no blank and none without a width.
 fn is_visible(c: char) -> bool {
-    !c.is_whitespace() && !matches!(c, '\u{ad}' | '\u{200b}'..='\u{200d}' | '\u{2060}' | '\u{feff}' | '\u{2800}' | '\u{3164}')
+    !c.is_whitespace()
+        && !matches!(c, '\u{ad}' | '\u{200b}'..='\u{200d}' | '\u{2060}' | '\u{feff}' | '\u{2800}' | '\u{3164}')
 }

@@ -251,7 +251,7 @@ impl RecordsPage {
             "records-page-who",
             "records-page-hash",
         ];
-        let lines = rows.iter().map(|row| cells(row, &words).join("\t") + "\n");
+        let lines = rows.iter().map(|row| cells(row, words).join("\t") + "\n");
         let heads = heads.map(|id| words.get(id)).join("\t") + "\n";
         (!rows.is_empty()).then(|| std::iter::once(heads).chain(lines).collect())
     }
