@@ -332,7 +332,7 @@ fn an_answer_that_comes_too_late_changes_nothing() {
 #[test]
 fn a_report_for_people_has_own_texts_and_files_for_machines_have_none() {
     let mut session = Session::new(Language::Nl);
-    send(&mut session, read("nl.ftl", "status-good = PRIMA\n"));
+    send(&mut session, read("nl.ftl", "status-good = <i>PRIMA\n"));
     for (field, text) in [(CheckField::Callout, "25 H7"), (CheckField::Measured, "25.012")] {
         send(&mut session, CheckCommand::Type(field, text.to_owned()));
     }
@@ -348,6 +348,7 @@ fn a_report_for_people_has_own_texts_and_files_for_machines_have_none() {
         });
         let text = String::from_utf8(content.unwrap_or_else(|| panic!("{effects:?}"))).unwrap();
         assert_eq!(text.contains("PRIMA"), expected, "{rendering}");
+        assert!(!text.contains("<i>PRIMA"), "{rendering}: a text is no mark of the page");
         send(&mut session, Command::Close);
     }
 }

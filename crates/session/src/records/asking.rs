@@ -51,9 +51,11 @@ pub const NOT_GOOD: &str = "verdict:rework,re-measure,scrap";
 /// Asks for checks that are not void.
 const STANDING: &str = "standing";
 
-/// The verdicts as the window calls them.
+/// The verdicts as the window calls them, and as it called them before it had the user's own words.
 fn named(words: &Words) -> Vec<(String, Status)> {
-    Status::ALL.map(|status| (words.told(&status), status)).to_vec()
+    let built_in = words.own().map(|_| Words::new(words.language()));
+    let told = |words: &Words| Status::ALL.map(|status| (words.told(&status), status));
+    told(words).into_iter().chain(built_in.iter().flat_map(told)).collect()
 }
 
 /// A word of the question that has a name: it stands beside the question, where it can be taken out.
