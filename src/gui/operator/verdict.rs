@@ -192,7 +192,8 @@ const LINES: [f32; 3] = [1.0, 0.85, 0.7];
 /// As many lines as have room; the reasons have all of them.
 fn lines_ui(ui: &mut Ui, lines: &[String], (room, colour): (f32, Color32)) {
     let width = ui.available_width();
-    let height = |line: &String, size: f32| ui.painter().layout(line.clone(), theme::font(size), colour, width).size().y;
+    let height =
+        |line: &String, size: f32| ui.painter().layout(line.clone(), theme::font(size), colour, width).size().y;
     let has_room = |size: &f32| lines.iter().take(2).map(|line| height(line, *size)).sum::<f32>() <= room;
     let sizes = LINES.map(|share| sizes().limits * share);
     let size = sizes.into_iter().find(has_room).unwrap_or(sizes[2]);

@@ -12,7 +12,7 @@ use crate::saved::{Saved, SavedError};
 use crate::texts::KeptField as _;
 
 /// The keys of the state file that the file has besides texts.
-const SHARED: [&str; 12] = [
+const SHARED: [&str; 13] = [
     "language",
     "theme",
     "keypad",
