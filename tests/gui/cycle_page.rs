@@ -28,9 +28,10 @@ fn open(window: Window) -> Harness<'static, App> {
 
 /// Opens what is folded away of the form.
 fn unfold_all(window: &mut Harness<'_, App>) {
-    for group in ["Position", "Probing", "Tolerance", "Output", "Positie", "Tasten", "Tolerantie", "Uitvoer"] {
-        for section in [group.to_owned(), format!("{group}, optional"), format!("{group}, optioneel")] {
-            unfold(window, &section);
+    let words = fitcheck::words::Words::new(window.state().session().language());
+    for group in ["position", "probing", "tolerance", "output"] {
+        for id in [format!("cycles-group-{group}"), format!("cycles-optional-{group}")] {
+            unfold(window, &words.get(&id));
         }
     }
 }

@@ -163,7 +163,9 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The row of the touch-probe table.
 fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.horizontal(|ui| {
+    // What the table says of it has a line of its own where it has no room beside its number.
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().interact_size.y = control(ui);
         let page = view.session.cycles();
         let name = quiet(ui, view.text("cycles-probe"));
         let probe = page.probe();
@@ -189,7 +191,7 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
             keep_focus(ui, &list);
         }
         let said = message!("cycles-probe-is").number("set-up", probe.set_up).number("dist", probe.longest_path);
-        quiet_cut(ui, view.words.say(&said));
+        quiet(ui, view.words.say(&said));
     });
 }
 
