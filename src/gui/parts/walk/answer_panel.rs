@@ -222,12 +222,12 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
             if walking.asked().is_some() {
                 view.field_button(ui, PartsAction::NextPart);
             }
-            reasons_ui(ui, view, walking);
             view.more_ui(ui, |ui, view| {
                 for action in [PartsAction::ImportValuesColumns, PartsAction::WatchFolder] {
                     view.menu_item(ui, action);
                 }
             });
+            reasons_ui(ui, view, walking);
         });
     });
 }
