@@ -13,31 +13,31 @@ use crate::message::{Message, message};
 use crate::session::{Command, Rhythm};
 
 /// Samples in a second.
-const RATE: u32 = 22_050;
+const RATE: u16 = 22_050;
 
 /// How a rhythm sounds: how many tones, how long each is and the pause behind it in samples, and its pitch in hertz.
-const fn tones(rhythm: Rhythm) -> (usize, u32, u32, f64) {
+const fn tones(rhythm: Rhythm) -> (usize, u16, u16, u16) {
     match rhythm {
-        Rhythm::Long => (1, RATE * 2 / 5, 0, 880.0),
-        Rhythm::Two => (2, RATE / 6, RATE / 9, 660.0),
-        Rhythm::Three => (3, RATE / 9, RATE / 14, 440.0),
+        Rhythm::Long => (1, RATE / 5 * 2, 0, 880),
+        Rhythm::Two => (2, RATE / 6, RATE / 9, 660),
+        Rhythm::Three => (3, RATE / 9, RATE / 14, 440),
     }
 }
 
-/// The samples of a rhythm. A tone comes and goes softly, so that it does not crack.
+/// The samples of a rhythm: triangles, which are softer than squares and need no arithmetic that differs between systems. A tone comes and
+/// goes softly, so that it does not crack.
 fn samples(rhythm: Rhythm) -> Vec<i16> {
-    /// The share of a tone in which it comes, and goes.
-    const SOFT: f64 = 0.1;
     /// A third of the loudest that there is.
-    const LOUD: f64 = 11_000.0;
+    const LOUD: i64 = 11_000;
     let (count, long, pause, pitch) = tones(rhythm);
-    let tone = (0..long).map(|at| {
-        let place = f64::from(at) / f64::from(long);
-        let soft = (place.min(1.0 - place) / SOFT).min(1.0);
-        let wave = (std::f64::consts::TAU * pitch * f64::from(at) / f64::from(RATE)).sin();
-        #[expect(clippy::cast_possible_truncation, reason = "it is a third of what an i16 takes at most")]
-        let sample = (wave * soft * LOUD) as i16;
-        sample
+    let (rate, pitch, length) = (i64::from(RATE), i64::from(pitch), i64::from(long));
+    // A tenth of it comes, and a tenth goes.
+    let soft = length / 10;
+    let tone = (0..length).map(|at| {
+        let place = at * pitch % rate;
+        let wave = if place * 2 < rate { place * 4 - rate } else { rate * 3 - place * 4 };
+        let sample = wave * LOUD / rate * at.min(length - at).min(soft) / soft;
+        i16::try_from(sample).unwrap_or(i16::MAX)
     });
     let one: Vec<i16> = tone.chain((0..pause).map(|_| 0)).collect();
     one.repeat(count)
@@ -53,8 +53,8 @@ fn write_wav(out: &mut impl io::Write, samples: &[i16]) -> io::Result<()> {
     out.write_all(&16_u32.to_le_bytes())?;
     // Uncompressed, one channel.
     out.write_all(&[1, 0, 1, 0])?;
-    out.write_all(&RATE.to_le_bytes())?;
-    out.write_all(&(RATE * 2).to_le_bytes())?;
+    out.write_all(&u32::from(RATE).to_le_bytes())?;
+    out.write_all(&(u32::from(RATE) * 2).to_le_bytes())?;
     // Two bytes and 16 bits a sample.
     out.write_all(&[2, 0, 16, 0])?;
     out.write_all(b"data")?;
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn a_sound_is_over_before_the_next_value_is_typed() {
         for rhythm in Rhythm::ALL {
-            assert!(samples(rhythm).len() < RATE as usize, "{rhythm:?}");
+            assert!(samples(rhythm).len() < usize::from(RATE), "{rhythm:?}");
         }
     }
 

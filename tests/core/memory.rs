@@ -11,7 +11,7 @@ use tempfile::TempDir;
 
 /// The program, its stacks and its libraries, KiB. Libraries are not optimised for tests, and those of Parquet and of the shop's server
 /// are large: a run of `limits` under `ulimit -v` tells how much.
-const PROGRAM: usize = (48 << 10) + PARQUET + SHOP;
+const PROGRAM: usize = (64 << 10) + PARQUET + SHOP;
 const PARQUET: usize = if cfg!(feature = "parquet") { 16 << 10 } else { 0 };
 const SHOP: usize = if cfg!(feature = "shop") { 24 << 10 } else { 0 };
 /// What any work takes, KiB: less than the 64 MB that it may take, so that small files show what large ones would need.

@@ -171,11 +171,11 @@ fn verdicts_stay_different_from_each_other_or_none_of_their_own_words_counts() {
 fn the_built_in_words_of_verdicts_are_different_in_every_language() {
     for language in Language::all() {
         let built_in = Words::new(language);
-        let mut file = String::new();
-        for status in Status::ALL {
+        let words = Status::ALL.map(|status| {
             let id = status.message().id;
-            file += &format!("{id} = {}\n", built_in.get(id));
-        }
+            format!("{id} = {}\n", built_in.get(id))
+        });
+        let file = words.concat();
         let own = OwnTexts::read(&format!("{language}.ftl"), file.as_bytes()).unwrap();
         assert_eq!((own.count(), own.refused()), (4, &[][..]), "{language}");
     }

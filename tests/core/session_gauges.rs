@@ -310,11 +310,13 @@ fn a_value_below_a_question_of_the_walk_stays_out() {
 
 #[test]
 fn an_operator_reads_a_verdict_that_is_not_good_before_the_next_value_is_taken() {
-    for begin in [checking as fn() -> (Session, u64), || {
+    let of_a_part = || {
         let mut session = walking_by(PLAN);
         let run = connected(&mut session, LineUnit::Mm);
         (session, run)
-    }] {
+    };
+    let begins: [&dyn Fn() -> (Session, u64); 2] = [&checking, &of_a_part];
+    for begin in begins {
         let (mut session, run) = begin();
         send(&mut session, Command::SetMode(Mode::Operator));
         let page = session.page();

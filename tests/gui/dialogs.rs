@@ -11,7 +11,7 @@ use fitcheck::session::{Command, FilesCommand, Page, Purpose};
 
 use crate::harness::{Window, check, verdict, window};
 
-fn put(path: &Path, text: &str) {
+pub fn put(path: &Path, text: &str) {
     use std::io::Write as _;
     std::fs::File::create(path).unwrap().write_all(text.as_bytes()).unwrap();
 }

@@ -222,7 +222,7 @@ fn settings_are_exported_to_a_file_and_imported_at_another_station() {
 fn own_texts_are_chosen_said_told_and_read_again_at_the_next_start() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("en_OurShop.ftl");
-    std::fs::write(&path, "page-settings = Our settings\nlanguage = Tongue\nlanguge = x\n").unwrap();
+    crate::dialogs::put(&path, "page-settings = Our settings\nlanguage = Tongue\nlanguge = x\n");
     let store = || Store::at(&folder.path().join("state.toml"));
     let mut window = page(Window { store: store(), ..Window::default() });
     click(&mut window, Role::Button, "Own texts…");

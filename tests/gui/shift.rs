@@ -10,6 +10,7 @@ use fitcheck::session::{Action, CheckField, Mode, Page, PartsAction, Purpose};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
+use crate::dialogs::put;
 use crate::harness::{Window, scan, settle, verdict};
 
 const PLAN: &str = "number;name;callout;x;y;z\n1;BORE;25 H7;40;30;-8\n2;PIN;20 g6;40;90;-8\n3;SEAT;8 H7;10;10;-5\n\
@@ -261,7 +262,7 @@ impl User {
 fn shift(hand: Hand, mode: Mode) {
     let folder = tempfile::tempdir().unwrap();
     let plan = folder.path().join("flange.csv");
-    std::fs::write(&plan, PLAN).unwrap();
+    put(&plan, PLAN);
     let size = if mode == Mode::Operator { vec2(1024.0, 768.0) } else { vec2(1280.0, 800.0) };
     let window = Window {
         size,
@@ -281,8 +282,8 @@ fn shift(hand: Hand, mode: Mode) {
     user.checks_one_size();
     user.walks();
     user.writes_the_report();
-    let files = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path());
-    let report = files.filter(|path| path.extension().is_some_and(|ending| ending == "html")).next();
+    let mut files = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path());
+    let report = files.find(|path| path.extension().is_some_and(|ending| ending == "html"));
     let report = std::fs::read_to_string(report.expect("a report was written")).unwrap();
     for said in ["A17", "SEAT", "8,003"] {
         assert!(report.contains(said), "{said}");

@@ -22,6 +22,7 @@
 //! | `settings_page` | everything that can be set |
 //! | `gauges` | gauges on serial and USB ports: what is set, what came, where values go |
 //! | `rows` | the rows of a file that is too large for the history |
+//! | `operator` | Enter, and the verdict that rests until it was read |
 //! | `shared`, `notice`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
 //! | `asking` | questions that Enter answers, and none in passing |
@@ -76,6 +77,7 @@ mod gauges;
 pub mod help;
 mod history;
 mod notice;
+mod operator;
 mod own_texts;
 mod page;
 mod pairing;
@@ -460,67 +462,6 @@ impl Session {
         effects
     }
 
-    /// Enter was pressed in a field. A scanner or gauge that ends its line with two signs answers no question with the second one.
-    fn enter(&mut self, field: Field, now: DateTime) -> Vec<Effect> {
-        if self.is_for_operators() && self.rests() && !matches!(field, Field::Settings(_)) {
-            return if self.asking.is_in_passing(now) { Vec::new() } else { self.apply(Command::GoOn, now) };
-        }
-        if self.is_for_operators() && field == CheckField::Callout.into() && self.text(CheckField::Measured).is_empty()
-        {
-            // The value comes next; that it is not there yet is no error.
-            return vec![Effect::Focus(CheckField::Measured.into())];
-        }
-        let Some(action) = self.on_enter(field) else { return Vec::new() };
-        if self.answers().contains(&action) && self.asking.is_in_passing(now) {
-            return Vec::new();
-        }
-        if self.repeats(action) {
-            self.check.say_repeated();
-            return Vec::new();
-        }
-        let mut effects = action.command(self).map_or_else(Vec::new, |command| self.apply(command, now));
-        // What is typed next is the answer to what is asked about the value.
-        if field == CheckField::Callout.into() && self.check.question.is_some() {
-            effects.push(Effect::Focus(CheckField::Measured.into()));
-        }
-        effects
-    }
-
-    /// The verdict has been read: the next value is asked for.
-    fn go_on(&mut self) -> Vec<Effect> {
-        if self.shared.page == Page::Parts { self.parts.go_on() } else { self.check.go_on(&self.shared.sources) }
-    }
-
-    /// The field that an operator's window begins with.
-    fn begins_as_operator(&self) -> Option<Field> {
-        let field = if self.check.asked.limits.is_some() { CheckField::Measured } else { CheckField::Callout };
-        (self.is_for_operators() && self.page() == Page::Check).then_some(field.into())
-    }
-
-    /// Whether Enter would answer something: a question, or a verdict that has to be read.
-    fn asks_for_enter(&self) -> bool {
-        !self.answers().is_empty() || self.is_for_operators() && self.rests()
-    }
-
-    /// A value that an operator has typed and not judged: Undo takes that back first.
-    fn half_typed(&self) -> Option<Field> {
-        let field = match self.page() {
-            Page::Parts => WalkField::Value.into(),
-            Page::Check if !self.check.would_repeat() => CheckField::Measured.into(),
-            _ => return None,
-        };
-        (self.is_for_operators() && !self.text(field).trim().is_empty()).then_some(field)
-    }
-
-    /// Whether a verdict stands on screen, and Enter goes on from it.
-    pub fn rests(&self) -> bool {
-        match self.page() {
-            Page::Parts => self.parts.walking.rests(),
-            Page::Check => self.check.would_repeat(),
-            _ => false,
-        }
-    }
-
     /// Applies a command that belongs to no page.
     fn apply_shared(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
@@ -535,24 +476,13 @@ impl Session {
                 });
             }
             Command::Tools(command) => shared.apply_tools(command),
-            Command::Palette(command) => {
-                let (commands, asked) = self.apply_palette(command);
-                // A setting that changes away from its page is told, with a way back.
-                self.by_palette = true;
-                let mut effects: Vec<_> = commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
-                self.by_palette = false;
-                effects.extend(asked);
-                return effects;
-            }
+            Command::Palette(command) => return self.take_palette(command, now),
             Command::OpenPage(page) => shared.open(page),
             Command::SoundFailed(why) => shared.tell(why),
             Command::DroppedOnOperator(name) => shared.tell(message!("operator-dropped").text("name", name)),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::GoOn => return self.go_on(),
-            Command::SetMode(mode) => {
-                shared.set_mode(mode);
-                return self.begins_as_operator().map(Effect::Focus).into_iter().collect();
-            }
+            Command::SetMode(mode) => return self.set_mode(mode),
             Command::SetRuler(_)
             | Command::ShowKeypad(_)
             | Command::UseSounds(_)

@@ -9,7 +9,7 @@
 //! | `arg` | what can be put into a text, and how |
 //! | `bundle` | the texts of one language |
 //! | `foreign` | texts that somebody else has written, where they could do harm |
-//! | `own`, `placeables` | the user's own texts of one language; whether one shows all that the built-in one shows |
+//! | `own`, `own_reading`, `placeables` | the user's own texts of one language; reading them; whether one shows all that the built-in one shows |
 //! | `located` | an error or a warning with its place in a file |
 //!
 //! To add an error, a warning or a remark:
@@ -30,6 +30,7 @@ mod bundle;
 mod foreign;
 mod located;
 mod own;
+mod own_reading;
 mod placeables;
 
 use std::fmt;

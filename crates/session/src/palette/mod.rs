@@ -19,6 +19,8 @@ mod records;
 pub use command::PaletteCommand;
 pub use entry::{PaletteEntry, PaletteGroup};
 
+use jiff::civil::DateTime;
+
 use self::entry::{Does, all};
 use super::Session;
 use super::command::Command;
@@ -108,8 +110,18 @@ impl Palette {
 }
 
 impl Session {
+    /// Does something with the palette, and what its entry stands for. A setting that changes away from its page is told, with a way back.
+    pub(super) fn take_palette(&mut self, command: PaletteCommand, now: DateTime) -> Vec<Effect> {
+        let (commands, asked) = self.apply_palette(command);
+        self.by_palette = true;
+        let mut effects: Vec<_> = commands.into_iter().flat_map(|command| self.apply(command, now)).collect();
+        self.by_palette = false;
+        effects.extend(asked);
+        effects
+    }
+
     /// Does something with the palette. What its entry stands for comes back, to be done in its order, and what is asked of the journal.
-    pub(super) fn apply_palette(&mut self, command: PaletteCommand) -> (Vec<Command>, Option<Effect>) {
+    fn apply_palette(&mut self, command: PaletteCommand) -> (Vec<Command>, Option<Effect>) {
         match command {
             PaletteCommand::Show(is_open) => self.palette = is_open.then(|| Palette::open(self)),
             PaletteCommand::Type(query) => return (Vec::new(), self.search_palette(query)),
