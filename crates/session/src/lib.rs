@@ -23,6 +23,7 @@
 //! | `gauges` | gauges on serial and USB ports: what is set, what came, where values go |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `operator` | Enter, and the verdict that rests until it was read |
+//! | `own_texts`, `choosing_texts` | the user's own texts, and in whose words what is said |
 //! | `shared`, `notice`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `document` | what is edited and has a file: unsaved changes are asked about before they are lost |
 //! | `asking` | questions that Enter answers, and none in passing |
@@ -63,6 +64,7 @@ pub mod action;
 mod asking;
 mod budget;
 mod check;
+mod choosing_texts;
 mod columns;
 mod command;
 mod cycles;

@@ -105,7 +105,7 @@ impl FromGauge {
 
 /// A remark, and the gauge with which the value was measured.
 pub(super) fn measured_with(remark: &str, gauge: Option<&FromGauge>, shared: &Shared) -> String {
-    let told = gauge.map(|gauge| shared.words().say(&gauge.told()));
+    let told = gauge.map(|gauge| shared.recorded_words().say(&gauge.told()));
     let both = (!remark.is_empty()).then(|| remark.to_owned()).into_iter().chain(told);
     both.collect::<Vec<_>>().join("; ")
 }
