@@ -1,31 +1,22 @@
 //! How a setting is set, by its kind. Each takes effect at once.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align, Align2, Button, Color32, Id, Label, Layout, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
-};
+use eframe::egui::{Align, Align2, Button, Label, Layout, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
 
 use super::gauge_controls::{gauge_ui, port_ui};
+use super::slot::{Slot, buttons_ui, line_ui, value_ui, width_of};
 use super::told::told;
-use crate::gui::field::{FieldStyle, error_ui, field_ui};
+use crate::gui::field::error_ui;
 use crate::gui::segments::segments_ui;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, one_of_ui, remembered};
+use crate::gui::view::{View, one_of_ui};
 use crate::gui::who::who_ui;
 use crate::message::message;
-use crate::session::{Action, Control, Field, Ruler, RulerStep, Setting, SettingsAction, SettingsField, Told};
+use crate::session::{Action, Control, Ruler, RulerStep, Setting, SettingsAction, Told};
 
 /// As many choices stand in sight at most; more of them are a drop-down list.
 const MOST_SEGMENTS: usize = 5;
-
-/// Where a control stands.
-pub(super) struct Slot {
-    /// What labels it.
-    pub name: Id,
-    /// Whether it ends at the right edge.
-    pub is_right: bool,
-}
 
 pub(super) fn control_ui(ui: &mut Ui, view: &mut View<'_>, setting: &Setting, slot: &Slot) {
     match setting.control {
@@ -48,34 +39,6 @@ pub(super) fn control_ui(ui: &mut Ui, view: &mut View<'_>, setting: &Setting, sl
         Control::Port(actions) => port_ui(ui, view, actions, slot),
         Control::Told(of) => told_ui(ui, view, of, slot),
     }
-}
-
-/// A line that ends at the right edge and yet is in reading order: as wide as it was the last time.
-fn line_ui(ui: &mut Ui, slot: &Slot, what: &str, content: impl FnOnce(&mut Ui)) {
-    if !slot.is_right {
-        ui.horizontal(content);
-        return;
-    }
-    let id = slot.name.with(what);
-    let last: f32 = remembered(ui, id);
-    ui.horizontal(|ui| {
-        if 0.0 < last {
-            ui.add_space((ui.available_width() - last).max(0.0));
-        }
-        let width = ui.horizontal(content).response.rect.width();
-        if 0.5 < (width - last).abs() {
-            ui.data_mut(|data| data.insert_temp(id, width));
-            ui.ctx().request_discard("the width of a line is known");
-        }
-    });
-}
-
-/// The width of buttons with these texts beside each other.
-fn width_of(ui: &Ui, texts: &[String]) -> f32 {
-    let font = theme::font(sizes().body);
-    let text = |text: &String| ui.painter().layout_no_wrap(text.clone(), font.clone(), Color32::PLACEHOLDER).size().x;
-    let padding = 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x + 2.0;
-    texts.iter().map(|of| text(of) + padding).sum()
 }
 
 /// A few choices stand beside each other where they have room, else below each other; more are a list.
@@ -120,38 +83,6 @@ fn told_ui(ui: &mut Ui, view: &View<'_>, of: Told, slot: &Slot) {
     let text = RichText::new(said).font(theme::font(sizes().body));
     let align = if slot.is_right { Align::RIGHT } else { Align::LEFT };
     ui.with_layout(Layout::top_down(align), |ui| ui.add(Label::new(text).wrap().selectable(true)));
-}
-
-/// What can be done: beside each other where there is room.
-pub(super) fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action], slot: &Slot) {
-    if actions.is_empty() {
-        return;
-    }
-    let names: Vec<String> = actions.iter().map(|action| action.text(view.session, view.words)).collect();
-    if width_of(ui, &names) <= ui.available_width() {
-        line_ui(ui, slot, "buttons", |ui| {
-            for action in actions {
-                view.field_button(ui, *action);
-            }
-        });
-    } else {
-        for action in actions {
-            view.field_button(ui, *action);
-        }
-    }
-}
-
-/// A field with its unit; one without a unit and with buttons holds a longer text.
-pub(super) fn value_ui(ui: &mut Ui, view: &mut View<'_>, (field, unit): (Field, &str), slot: &Slot) {
-    if view.session.is_free_text(field) {
-        let width = ui.available_width();
-        let is_hidden = field == SettingsField::NewPin.into();
-        field_ui(ui, view, field, slot.name, FieldStyle { is_hidden, ..FieldStyle::text(width) });
-        return;
-    }
-    line_ui(ui, slot, "field", |ui| {
-        field_ui(ui, view, field, slot.name, FieldStyle::number(space(30.0)).unit(unit));
-    });
 }
 
 /// Smaller, what it is, larger.

@@ -2,7 +2,7 @@
 
 use eframe::egui::Ui;
 
-use super::controls::{Slot, buttons_ui, value_ui};
+use super::slot::{Slot, buttons_ui, value_ui};
 use super::told::told;
 use crate::gui::field::error_ui;
 use crate::gui::theme::space;

@@ -5,7 +5,7 @@
 //! | here | where everything stands |
 //! | `sections_panel` | left, or above where the window is narrow: the search and the sections |
 //! | `rows_panel` | the settings, a row each |
-//! | `controls` | how a setting is set, by its kind |
+//! | `controls`, `slot` | how a setting is set, by its kind; where, and what several kinds have |
 //! | `gauge_controls` | the gauge that is shown, its port, its lines |
 //! | `told` | what is in force |
 //! | `keys_panel` | every key |
@@ -15,6 +15,7 @@ mod gauge_controls;
 mod keys_panel;
 mod rows_panel;
 mod sections_panel;
+mod slot;
 mod told;
 
 use eframe::egui::{Frame, Id, Panel, Ui};

@@ -2,9 +2,10 @@
 
 use eframe::egui::{Align, Id, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
-use super::controls::{Slot, control_ui};
+use super::controls::control_ui;
 use super::gauge_controls::lines_ui;
 use super::keys_panel::keys_ui;
+use super::slot::Slot;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, quiet, steady};
