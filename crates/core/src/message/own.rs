@@ -51,7 +51,7 @@ pub enum OwnTextFault {
     Empty { given: String },
     /// A control character, or one that turns the direction of a line.
     Control { given: String, code: String },
-    /// Longer than [`LONGEST`], deeper than [`DEEPEST`], or with too many variants.
+    /// Longer than a text may be, deeper than braces may be, or with too many variants.
     TooMuch { given: String, longest: usize, deepest: usize },
     /// A placeable that the built-in text has not.
     Surplus { name: &'static str, given: String, allowed: String },
