@@ -51,6 +51,14 @@ fn own_texts_are_said_and_what_the_file_lacks_is_said_in_the_built_in_words() {
 }
 
 #[test]
+fn an_escape_without_its_digits_is_refused_where_it_stands() {
+    let said = reason("lot-unjudged = { $count }{ \"\\u٣E\" }\n");
+    assert!(said.contains("\\u takes four hexadecimal digits"), "{said}");
+    // Without quotation marks it is none.
+    assert_eq!(words(whole("measured-value = C:\\users\n"), Language::Nl).get("measured-value"), "C:\\users");
+}
+
+#[test]
 fn own_texts_of_one_language_do_not_count_in_another() {
     let own = whole("status-good = PRIMA\n");
     for language in Language::all().filter(|language| *language != Language::Nl) {

@@ -133,6 +133,10 @@ impl<'a> Reading<'a> {
         if entry.split_once('=').is_some_and(|(_, text)| text.trim().is_empty()) {
             return Err((OwnTextFault::Empty { given: given() }, 0));
         }
+        if let Some(at) = bad_escape(entry) {
+            let reason = r"\u takes four hexadecimal digits, and \U six".to_owned();
+            return Err((OwnTextFault::Syntax { given: given(), reason }, at));
+        }
         let read = parser::parse_runtime(entry).map_err(|(_, errors)| {
             let first = errors.first();
             let reason = first.map_or_else(String::new, ToString::to_string);
@@ -249,6 +253,36 @@ fn depth(text: &str) -> usize {
         most = most.max(now);
     }
     most
+}
+
+/// The byte at which an escape in a quoted text lacks its hexadecimal digits: Fluent's reader counts their bytes without looking at them, and
+/// ends within a letter.
+fn bad_escape(entry: &str) -> Option<usize> {
+    let bytes = entry.as_bytes();
+    let (mut depth, mut is_quoted, mut at) = (0_usize, false, 0_usize);
+    while let Some(byte) = bytes.get(at) {
+        match byte {
+            b'"' if 0 < depth => is_quoted = !is_quoted,
+            b'\n' => is_quoted = false,
+            b'{' if !is_quoted => depth = depth.saturating_add(1),
+            b'}' if !is_quoted => depth = depth.saturating_sub(1),
+            b'\\' if is_quoted => {
+                at = at.saturating_add(1);
+                let digits = match bytes.get(at) {
+                    Some(b'u') => 4,
+                    Some(b'U') => 6,
+                    _ => 0,
+                };
+                let given = bytes.iter().skip(at.saturating_add(1)).take(digits);
+                if given.filter(|byte| byte.is_ascii_hexdigit()).count() < digits {
+                    return Some(at);
+                }
+            }
+            _ => {}
+        }
+        at = at.saturating_add(1);
+    }
+    None
 }
 
 fn code_point(c: char) -> String {
