@@ -23,5 +23,5 @@ own-text-surplus = { $name } has { $given }, which nothing is put in for. Only {
 own-text-surplus-of-none = { $name } has { $given }, but nothing is put into this text: delete it
 own-text-lost = { $name } lacks { $lost } of the built-in text, at least in one variant, so that something would not be said: put it in
 own-text-read-back = { $name } says where a value comes from and is read back from files, so it cannot be replaced: delete it
-own-text-property = { $name } belongs to the language and is no text that can be replaced: delete it
+own-text-property = { $name } belongs to the language itself and cannot be replaced: delete it
 own-text-same-verdict = { $name } does not count, for { $clash } says { $word }, which { $other } says as well. Verdicts need words of their own, also beside the built-in and the English ones: give each another word
