@@ -129,3 +129,55 @@ report-more-parts = { $count ->
     [few] { $count } další díly nejsou zobrazeny celé, celých je jen prvních { $most }; jejich hodnoty jsou v seznamu
    *[other] { $count } dalších dílů není zobrazeno celých, celých je jen prvních { $most }; jejich hodnoty jsou v seznamu
 }
+
+## Šablony zpráv
+report-template-toml = { $reason }
+report-template-version = verze šablony { $found } není podporována: očekává se verze { $known }
+report-template-too-large = šablona má nejvýše { $most } bajtů
+report-template-text = { $key } je prázdné, delší než { $longest } znaků nebo obsahuje řídicí znak
+report-template-twice = { $key } uvádí { $word } dvakrát
+report-template-empty = { $key } je prázdné: je třeba aspoň jedna položka
+report-template-language = { $given } není jazyk zpráv: použijte jeden z { $known }
+report-template-logo = logo { $given } musí být název souboru vedle šablony
+report-section-verdict = Výrok
+report-section-head = Záhlaví
+report-section-picture = Obrázek s bublinami
+report-section-lot = Díly, nejhorší první
+report-section-features = Hodnoty
+report-section-statement = Prohlášení o shodě
+report-section-rule = Pravidlo a meze slovy
+report-section-caveats = Omezení měření
+report-section-remarks = Poznámky
+report-section-signature = Řádek podpisu
+report-section-code = Kód záznamu
+report-drawing = Výkres
+report-revision = Revize
+report-serial = Sériové číslo
+report-batch = Dávka
+report-customer = Zákazník
+report-material = Materiál
+report-station = Stanoviště
+report-instrument = Měřidlo
+report-calibrated = Kalibrováno
+report-date = Datum
+report-plan = Plán
+report-records = Záznamy
+report-band = Pole
+report-blank = Hodnota
+report-remark = Poznámka
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Štítek 62 × 29 mm
+report-paper-large-label = Štítek 100 × 50 mm
+report-template-inspection = Zpráva o kontrole
+report-template-inspection-purpose = Díly nebo kontroly, s obrázky
+report-template-first-article = První kus
+report-template-first-article-purpose = Každý prvek, i co chybí
+report-template-certificate = Osvědčení
+report-template-certificate-purpose = Hodnoty a prohlášení o shodě
+report-template-list = Seznam kontrol
+report-template-list-purpose = Všechny kontroly pod sebou
+report-template-sheet = Měřicí list
+report-template-sheet-purpose = Prázdný, k ručnímu vyplnění
+report-template-label = Štítek
+report-template-label-purpose = Výrok, díl a sériové číslo

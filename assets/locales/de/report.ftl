@@ -125,3 +125,55 @@ report-more-parts = { $count ->
     [one] Ein weiteres Teil wird nicht ganz gezeigt; seine Werte stehen in der Liste
    *[other] { $count } weitere Teile werden nicht ganz gezeigt, nur die ersten { $most }; ihre Werte stehen in der Liste
 }
+
+## Vorlagen für Berichte
+report-template-toml = { $reason }
+report-template-version = Vorlagenversion { $found } wird nicht unterstützt: erwartet wird Version { $known }
+report-template-too-large = eine Vorlage hat höchstens { $most } Byte
+report-template-text = { $key } ist leer, länger als { $longest } Zeichen oder enthält ein Steuerzeichen
+report-template-twice = { $key } nennt { $word } zweimal
+report-template-empty = { $key } ist leer: mindestens ein Eintrag ist nötig
+report-template-language = { $given } ist keine Sprache für Berichte: möglich sind { $known }
+report-template-logo = das Logo { $given } muss der Name einer Datei neben der Vorlage sein
+report-section-verdict = Urteil
+report-section-head = Kopf
+report-section-picture = Bild mit Stempeln
+report-section-lot = Teile, schlechtestes zuerst
+report-section-features = Werte
+report-section-statement = Konformitätsaussage
+report-section-rule = Regel und Grenzen in Worten
+report-section-caveats = Einschränkungen der Messung
+report-section-remarks = Bemerkungen
+report-section-signature = Unterschriftszeile
+report-section-code = Code des Eintrags
+report-drawing = Zeichnung
+report-revision = Revision
+report-serial = Seriennummer
+report-batch = Los
+report-customer = Kunde
+report-material = Werkstoff
+report-station = Station
+report-instrument = Messmittel
+report-calibrated = Kalibriert
+report-date = Datum
+report-plan = Prüfplan
+report-records = Einträge
+report-band = Zone
+report-blank = Wert
+report-remark = Bemerkung
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Etikett 62 × 29 mm
+report-paper-large-label = Etikett 100 × 50 mm
+report-template-inspection = Prüfbericht
+report-template-inspection-purpose = Teile oder Prüfungen, mit Bildern
+report-template-first-article = Erstmuster
+report-template-first-article-purpose = Jedes Merkmal, auch was fehlt
+report-template-certificate = Zertifikat
+report-template-certificate-purpose = Werte und Konformitätsaussage
+report-template-list = Liste der Prüfungen
+report-template-list-purpose = Alle Prüfungen untereinander
+report-template-sheet = Messblatt
+report-template-sheet-purpose = Leer, zum Ausfüllen von Hand
+report-template-label = Etikett
+report-template-label-purpose = Urteil, Teil und Seriennummer

@@ -125,3 +125,55 @@ report-more-parts = { $count ->
     [one] One more part is not shown in full; its values are in the list
    *[other] { $count } more parts are not shown in full, only the first { $most } are; their values are in the list
 }
+
+## Templates of reports
+report-template-toml = { $reason }
+report-template-version = template version { $found } is not supported: expected version { $known }
+report-template-too-large = a template has at most { $most } bytes
+report-template-text = { $key } is empty, is longer than { $longest } characters or has a control character
+report-template-twice = { $key } lists { $word } twice
+report-template-empty = { $key } is empty: list at least one
+report-template-language = { $given } is not a language of reports: use one of { $known }
+report-template-logo = the logo { $given } must be the name of a file beside the template
+report-section-verdict = Verdict
+report-section-head = Head
+report-section-picture = Picture with balloons
+report-section-lot = Parts, worst first
+report-section-features = Values
+report-section-statement = Statement of conformity
+report-section-rule = Rule and limits in words
+report-section-caveats = Limits of the measurement
+report-section-remarks = Remarks
+report-section-signature = Signature line
+report-section-code = Code of the record
+report-drawing = Drawing
+report-revision = Revision
+report-serial = Serial number
+report-batch = Batch
+report-customer = Customer
+report-material = Material
+report-station = Station
+report-instrument = Instrument
+report-calibrated = Calibrated
+report-date = Date
+report-plan = Plan
+report-records = Records
+report-band = Zone
+report-blank = Value
+report-remark = Remark
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Label 62 × 29 mm
+report-paper-large-label = Label 100 × 50 mm
+report-template-inspection = Inspection report
+report-template-inspection-purpose = Parts or checks, with pictures
+report-template-first-article = First article
+report-template-first-article-purpose = Every feature, also what is missing
+report-template-certificate = Certificate
+report-template-certificate-purpose = Values and statement of conformity
+report-template-list = List of checks
+report-template-list-purpose = Any checks, one below the other
+report-template-sheet = Measurement sheet
+report-template-sheet-purpose = Empty, to fill in by hand
+report-template-label = Label
+report-template-label-purpose = Verdict, part and serial number

@@ -125,3 +125,55 @@ report-more-parts = { $count ->
     [one] Una pieza más no se muestra completa; sus valores están en la lista
    *[other] { $count } piezas más no se muestran completas, solo las primeras { $most }; sus valores están en la lista
 }
+
+## Plantillas de informes
+report-template-toml = { $reason }
+report-template-version = no se admite la versión { $found } de la plantilla: se espera la versión { $known }
+report-template-too-large = una plantilla tiene como máximo { $most } bytes
+report-template-text = { $key } está vacío, supera los { $longest } caracteres o contiene un carácter de control
+report-template-twice = { $key } contiene { $word } dos veces
+report-template-empty = { $key } está vacío: hace falta al menos una entrada
+report-template-language = { $given } no es un idioma de informes: use uno de { $known }
+report-template-logo = el logotipo { $given } debe ser el nombre de un archivo junto a la plantilla
+report-section-verdict = Dictamen
+report-section-head = Cabecera
+report-section-picture = Imagen con globos
+report-section-lot = Piezas, la peor primero
+report-section-features = Valores
+report-section-statement = Declaración de conformidad
+report-section-rule = Regla y límites en palabras
+report-section-caveats = Limitaciones de la medición
+report-section-remarks = Observaciones
+report-section-signature = Línea de firma
+report-section-code = Código del registro
+report-drawing = Plano
+report-revision = Revisión
+report-serial = Número de serie
+report-batch = Lote
+report-customer = Cliente
+report-material = Material
+report-station = Puesto
+report-instrument = Instrumento
+report-calibrated = Calibrado
+report-date = Fecha
+report-plan = Plan
+report-records = Registros
+report-band = Zona
+report-blank = Valor
+report-remark = Observación
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Etiqueta 62 × 29 mm
+report-paper-large-label = Etiqueta 100 × 50 mm
+report-template-inspection = Informe de inspección
+report-template-inspection-purpose = Piezas o comprobaciones, con imágenes
+report-template-first-article = Primera pieza
+report-template-first-article-purpose = Cada elemento, también lo que falta
+report-template-certificate = Certificado
+report-template-certificate-purpose = Valores y declaración de conformidad
+report-template-list = Lista de comprobaciones
+report-template-list-purpose = Todas las comprobaciones, una tras otra
+report-template-sheet = Hoja de medición
+report-template-sheet-purpose = Vacía, para rellenar a mano
+report-template-label = Etiqueta
+report-template-label-purpose = Dictamen, pieza y número de serie

@@ -125,3 +125,55 @@ report-more-parts = { $count ->
     [one] { $count } autre pièce n'est pas présentée en entier, seulement les { $most } premières ; ses valeurs sont dans la liste
    *[other] { $count } autres pièces ne sont pas présentées en entier, seulement les { $most } premières ; leurs valeurs sont dans la liste
 }
+
+## Modèles de rapport
+report-template-toml = { $reason }
+report-template-version = la version { $found } du modèle n’est pas prise en charge : il faut la version { $known }
+report-template-too-large = un modèle compte au plus { $most } octets
+report-template-text = { $key } est vide, dépasse { $longest } caractères ou contient un caractère de contrôle
+report-template-twice = { $key } cite { $word } deux fois
+report-template-empty = { $key } est vide : il faut au moins une entrée
+report-template-language = { $given } n’est pas une langue de rapport : utiliser { $known }
+report-template-logo = le logo { $given } doit être le nom d’un fichier à côté du modèle
+report-section-verdict = Verdict
+report-section-head = En-tête
+report-section-picture = Image avec bulles
+report-section-lot = Pièces, la pire d’abord
+report-section-features = Valeurs
+report-section-statement = Déclaration de conformité
+report-section-rule = Règle et limites en toutes lettres
+report-section-caveats = Limites de la mesure
+report-section-remarks = Remarques
+report-section-signature = Ligne de signature
+report-section-code = Code du relevé
+report-drawing = Plan
+report-revision = Révision
+report-serial = Numéro de série
+report-batch = Lot
+report-customer = Client
+report-material = Matière
+report-station = Poste
+report-instrument = Instrument
+report-calibrated = Étalonné
+report-date = Date
+report-plan = Gamme
+report-records = Relevés
+report-band = Zone
+report-blank = Valeur
+report-remark = Remarque
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Étiquette 62 × 29 mm
+report-paper-large-label = Étiquette 100 × 50 mm
+report-template-inspection = Rapport de contrôle
+report-template-inspection-purpose = Pièces ou contrôles, avec images
+report-template-first-article = Premier article
+report-template-first-article-purpose = Chaque élément, même ce qui manque
+report-template-certificate = Certificat
+report-template-certificate-purpose = Valeurs et déclaration de conformité
+report-template-list = Liste des contrôles
+report-template-list-purpose = Tous les contrôles à la suite
+report-template-sheet = Feuille de mesure
+report-template-sheet-purpose = Vide, à remplir à la main
+report-template-label = Étiquette
+report-template-label-purpose = Verdict, pièce et numéro de série

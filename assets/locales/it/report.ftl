@@ -125,3 +125,55 @@ report-more-parts = { $count ->
     [one] Un altro pezzo non è mostrato per intero; i suoi valori sono nell'elenco
    *[other] Altri { $count } pezzi non sono mostrati per intero, solo i primi { $most } lo sono; i loro valori sono nell'elenco
 }
+
+## Modelli di rapporto
+report-template-toml = { $reason }
+report-template-version = la versione { $found } del modello non è supportata: serve la versione { $known }
+report-template-too-large = un modello ha al massimo { $most } byte
+report-template-text = { $key } è vuoto, supera { $longest } caratteri o contiene un carattere di controllo
+report-template-twice = { $key } elenca { $word } due volte
+report-template-empty = { $key } è vuoto: serve almeno una voce
+report-template-language = { $given } non è una lingua dei rapporti: usare una di { $known }
+report-template-logo = il logo { $given } deve essere il nome di un file accanto al modello
+report-section-verdict = Esito
+report-section-head = Intestazione
+report-section-picture = Immagine con pallini
+report-section-lot = Pezzi, il peggiore per primo
+report-section-features = Valori
+report-section-statement = Dichiarazione di conformità
+report-section-rule = Regola e limiti a parole
+report-section-caveats = Limitazioni della misura
+report-section-remarks = Osservazioni
+report-section-signature = Riga della firma
+report-section-code = Codice della registrazione
+report-drawing = Disegno
+report-revision = Revisione
+report-serial = Numero di serie
+report-batch = Lotto
+report-customer = Cliente
+report-material = Materiale
+report-station = Stazione
+report-instrument = Strumento
+report-calibrated = Tarato
+report-date = Data
+report-plan = Piano
+report-records = Registrazioni
+report-band = Zona
+report-blank = Valore
+report-remark = Osservazione
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Etichetta 62 × 29 mm
+report-paper-large-label = Etichetta 100 × 50 mm
+report-template-inspection = Rapporto di controllo
+report-template-inspection-purpose = Pezzi o controlli, con immagini
+report-template-first-article = Primo pezzo
+report-template-first-article-purpose = Ogni elemento, anche ciò che manca
+report-template-certificate = Certificato
+report-template-certificate-purpose = Valori e dichiarazione di conformità
+report-template-list = Elenco dei controlli
+report-template-list-purpose = Tutti i controlli uno sotto l’altro
+report-template-sheet = Foglio di misura
+report-template-sheet-purpose = Vuoto, da compilare a mano
+report-template-label = Etichetta
+report-template-label-purpose = Esito, pezzo e numero di serie

@@ -125,3 +125,55 @@ report-more-parts = { $count ->
     [one] Nog één onderdeel staat er niet als geheel in; zijn waarden staan in de lijst
    *[other] Nog { $count } onderdelen staan er niet als geheel in, alleen de eerste { $most }; hun waarden staan in de lijst
 }
+
+## Sjablonen van rapporten
+report-template-toml = { $reason }
+report-template-version = sjabloonversie { $found } wordt niet ondersteund: verwacht versie { $known }
+report-template-too-large = een sjabloon heeft hoogstens { $most } bytes
+report-template-text = { $key } is leeg, langer dan { $longest } tekens of heeft een besturingsteken
+report-template-twice = { $key } noemt { $word } twee keer
+report-template-empty = { $key } is leeg: noem er minstens één
+report-template-language = { $given } is geen taal van rapporten: gebruik een van { $known }
+report-template-logo = het logo { $given } moet de naam van een bestand naast het sjabloon zijn
+report-section-verdict = Oordeel
+report-section-head = Kop
+report-section-picture = Afbeelding met ballonnen
+report-section-lot = Onderdelen, slechtste eerst
+report-section-features = Waarden
+report-section-statement = Conformiteitsverklaring
+report-section-rule = Regel en grenzen in woorden
+report-section-caveats = Beperkingen van de meting
+report-section-remarks = Opmerkingen
+report-section-signature = Handtekeningregel
+report-section-code = Code van de regel
+report-drawing = Tekening
+report-revision = Revisie
+report-serial = Serienummer
+report-batch = Partij
+report-customer = Klant
+report-material = Materiaal
+report-station = Station
+report-instrument = Meetmiddel
+report-calibrated = Gekalibreerd
+report-date = Datum
+report-plan = Meetplan
+report-records = Regels
+report-band = Zone
+report-blank = Waarde
+report-remark = Opmerking
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Etiket 62 × 29 mm
+report-paper-large-label = Etiket 100 × 50 mm
+report-template-inspection = Meetrapport
+report-template-inspection-purpose = Onderdelen of controles, met afbeeldingen
+report-template-first-article = Eerste exemplaar
+report-template-first-article-purpose = Elk element, ook wat ontbreekt
+report-template-certificate = Certificaat
+report-template-certificate-purpose = Waarden en conformiteitsverklaring
+report-template-list = Lijst van controles
+report-template-list-purpose = Alle controles onder elkaar
+report-template-sheet = Meetblad
+report-template-sheet-purpose = Leeg, om met de hand in te vullen
+report-template-label = Etiket
+report-template-label-purpose = Oordeel, onderdeel en serienummer

@@ -133,3 +133,55 @@ report-more-parts = { $count ->
     [many] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
    *[other] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
 }
+
+## Szablony raportów
+report-template-toml = { $reason }
+report-template-version = wersja szablonu { $found } nie jest obsługiwana: oczekiwana wersja { $known }
+report-template-too-large = szablon ma najwyżej { $most } bajtów
+report-template-text = { $key } jest puste, dłuższe niż { $longest } znaków lub zawiera znak sterujący
+report-template-twice = { $key } wymienia { $word } dwa razy
+report-template-empty = { $key } jest puste: potrzebny jest co najmniej jeden wpis
+report-template-language = { $given } nie jest językiem raportów: użyj jednego z { $known }
+report-template-logo = logo { $given } musi być nazwą pliku obok szablonu
+report-section-verdict = Ocena
+report-section-head = Nagłówek
+report-section-picture = Rysunek z balonikami
+report-section-lot = Części, od najgorszej
+report-section-features = Wartości
+report-section-statement = Stwierdzenie zgodności
+report-section-rule = Reguła i granice słowami
+report-section-caveats = Ograniczenia pomiaru
+report-section-remarks = Uwagi
+report-section-signature = Linia podpisu
+report-section-code = Kod zapisu
+report-drawing = Rysunek
+report-revision = Rewizja
+report-serial = Numer seryjny
+report-batch = Partia
+report-customer = Klient
+report-material = Materiał
+report-station = Stanowisko
+report-instrument = Przyrząd
+report-calibrated = Wzorcowanie
+report-date = Data
+report-plan = Plan
+report-records = Zapisy
+report-band = Pole
+report-blank = Wartość
+report-remark = Uwaga
+report-paper-a4 = A4
+report-paper-letter = US Letter
+report-paper-small-label = Etykieta 62 × 29 mm
+report-paper-large-label = Etykieta 100 × 50 mm
+report-template-inspection = Raport z kontroli
+report-template-inspection-purpose = Części lub kontrole, z rysunkami
+report-template-first-article = Pierwsza sztuka
+report-template-first-article-purpose = Każdy element, także brakujące
+report-template-certificate = Świadectwo
+report-template-certificate-purpose = Wartości i stwierdzenie zgodności
+report-template-list = Lista kontroli
+report-template-list-purpose = Wszystkie kontrole jedna pod drugą
+report-template-sheet = Karta pomiarowa
+report-template-sheet-purpose = Pusta, do wypełnienia ręcznie
+report-template-label = Etykieta
+report-template-label-purpose = Ocena, część i numer seryjny

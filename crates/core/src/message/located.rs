@@ -27,6 +27,13 @@ impl FilePlace {
         Self { file: None, line: Some(line), column: Some(column) }
     }
 
+    /// The character that begins at a byte of a text that is named elsewhere; its end where the text has no such byte.
+    pub fn of_byte(text: &str, byte: usize) -> Self {
+        let before = text.get(..byte).unwrap_or(text);
+        let last = before.rsplit_once('\n').map_or(before, |(_, last)| last);
+        Self::in_line(before.matches('\n').count().saturating_add(1), last.chars().count().saturating_add(1))
+    }
+
     /// A character in a file.
     pub fn in_file(file: &Arc<str>, line: usize, column: usize) -> Self {
         Self { file: Some(Arc::clone(file)), line: Some(line), column: Some(column) }

@@ -160,17 +160,17 @@ impl Materials {
         let mut list: Vec<Material> = Vec::with_capacity(file.material.len());
         let mut taken = BTreeSet::new();
         for entry in file.material {
-            let (line, _) = line_and_column(text, entry.name.span().start);
+            let place = FilePlace { column: None, ..FilePlace::of_byte(text, entry.name.span().start) };
             let material = entry.material();
             if material.range.most < material.range.least {
-                return Err(Located::in_line(line, MaterialsError::Range));
+                return Err(Located { what: MaterialsError::Range, place });
             }
             let names = || std::iter::once(&material.name).chain(material.names.values());
             if !names().all(|name| is_name(name)) {
-                return Err(Located::in_line(line, MaterialsError::Name));
+                return Err(Located { what: MaterialsError::Name, place });
             }
             if let Some(name) = names().find(|name| taken.contains(&name.to_lowercase())) {
-                return Err(Located::in_line(line, MaterialsError::Twice { name: name.clone() }));
+                return Err(Located { what: MaterialsError::Twice { name: name.clone() }, place });
             }
             taken.extend(names().map(|name| name.to_lowercase()));
             list.push(material);
@@ -292,15 +292,6 @@ impl<T: FromStr<Err = ThermalError>> Visitor<'_> for NumberOrText<T> {
 }
 
 fn toml_error(text: &str, error: &toml::de::Error) -> Located<MaterialsError> {
-    let (line, column) = line_and_column(text, error.span().map_or(0, |span| span.start));
     let what = MaterialsError::Toml { reason: error.message().trim().replace('\n', ", ") };
-    Located { what, place: FilePlace { column: Some(column), ..FilePlace::line(line) } }
-}
-
-/// The line and column of a byte, counted from 1.
-fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
-    let before = text.get(..byte).unwrap_or(text);
-    let line = before.matches('\n').count() + 1;
-    let column = before.chars().rev().take_while(|character| *character != '\n').count() + 1;
-    (line, column)
+    Located { what, place: FilePlace::of_byte(text, error.span().map_or(0, |span| span.start)) }
 }

@@ -1,0 +1,223 @@
+//! What a report for people shows, in which order and on which paper: one small file a template.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | a template, and reading one |
+//! | `parts` | the sections, columns, head fields and papers that it chooses from |
+//!
+//! A template is TOML with `version = 1`; unknown keys and words are refused with what is allowed. There is no language in it and no
+//! code: it chooses and orders, and its texts are plain. The shipped ones are in `assets/report/templates`; `docs/manual/reports.md`
+//! describes the file.
+//!
+//! A template cannot make a report say less than it must: what is missing, left out, simulated, corrected or guarded, and every note of
+//! the report stand on its first page whatever the template says.
+//!
+//! To add a section, a column or a head field: a line in `parts`, its text in the locales, and drawing it in `pdf`.
+
+mod parts;
+
+use std::collections::BTreeSet;
+use std::hash::Hash;
+
+use fitcheck_core::message::{FilePlace, Located, Say};
+use fitcheck_core::words::Language;
+use serde::Deserialize;
+
+pub use parts::{Column, HeadField, Paper, Section};
+
+/// The version of the file that this program reads.
+const VERSION: u32 = 1;
+
+/// The most bytes of a file.
+const LARGEST: usize = 64 << 10;
+
+/// The longest text in a file, characters.
+pub const LONGEST: usize = 2_000;
+
+/// What a report for people shows, and how.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Template {
+    version: u32,
+    /// What the template is called where one is chosen; the name of a text for a shipped one.
+    pub name: String,
+    /// What it is for, in a few words; the name of a text for a shipped one.
+    #[serde(default)]
+    pub purpose: String,
+    /// The title of its reports; empty where the language's own word for an inspection report, or the caller's, stands there. The name of a
+    /// text for a shipped one.
+    #[serde(default)]
+    pub title: String,
+    #[serde(default)]
+    pub paper: Paper,
+    /// The code of its language, such as `de`; `None` where whoever makes the report chooses.
+    #[serde(default)]
+    pub language: Option<String>,
+    /// What stands on the page, from top to bottom.
+    pub sections: Vec<Section>,
+    /// The fields of the head, row by row; those without a value are left out.
+    #[serde(default = "HeadField::usual")]
+    pub head: Vec<HeadField>,
+    /// The columns of the table of features.
+    #[serde(default = "Column::usual")]
+    pub columns: Vec<Column>,
+    /// Said beside the decision rule, in the words of whoever signs.
+    #[serde(default)]
+    pub rule_text: String,
+    #[serde(default)]
+    pub company: Company,
+}
+
+/// Who stands at the top of the page.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Company {
+    #[serde(default)]
+    pub name: String,
+    /// Its lines.
+    #[serde(default)]
+    pub address: Vec<String>,
+    /// The file name of its logo beside the template, a PNG, JPEG or SVG; empty where it has none.
+    #[serde(default)]
+    pub logo: String,
+}
+
+/// Why a file is no template.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-template", error)]
+pub enum TemplateError {
+    /// Not TOML, or a key or a word that no template has.
+    Toml {
+        /// What the reader of TOML says.
+        reason: String,
+    },
+    /// A version that this program does not know.
+    #[say(args(known = VERSION))]
+    Version {
+        /// What was given.
+        found: u32,
+    },
+    #[say(args(most = LARGEST))]
+    TooLarge,
+    /// A text that is empty where it must not be, is too long, or has control characters.
+    #[say(args(longest = LONGEST))]
+    Text {
+        /// Its key.
+        key: &'static str,
+    },
+    /// A list that has the same word twice.
+    Twice {
+        /// The list's key.
+        key: &'static str,
+        word: &'static str,
+    },
+    /// A list that has to have a word has none.
+    Empty {
+        /// The list's key.
+        key: &'static str,
+    },
+    #[say(args(known = languages()))]
+    Language {
+        given: String,
+    },
+    /// A logo in another folder.
+    Logo {
+        given: String,
+    },
+}
+
+impl Template {
+    /// Reads a template.
+    ///
+    /// # Errors
+    /// [`TemplateError`], with line and column where the file has a place for it.
+    pub fn read(text: &str) -> Result<Self, Located<TemplateError>> {
+        let of_file = |what| Located { what, place: FilePlace::default() };
+        if LARGEST < text.len() {
+            return Err(of_file(TemplateError::TooLarge));
+        }
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let template: Self = toml::from_str(text).map_err(|error| {
+            let place = FilePlace::of_byte(text, error.span().map_or(0, |span| span.start));
+            Located { what: TemplateError::Toml { reason: error.message().trim().replace('\n', ", ") }, place }
+        })?;
+        template.checked().map_err(of_file)
+    }
+
+    /// The usual template: an inspection report of parts and checks.
+    pub fn usual() -> Self {
+        Self {
+            version: VERSION,
+            name: String::new(),
+            purpose: String::new(),
+            title: String::new(),
+            paper: Paper::default(),
+            language: None,
+            sections: Section::usual(),
+            head: HeadField::usual(),
+            columns: Column::usual(),
+            rule_text: String::new(),
+            company: Company::default(),
+        }
+    }
+
+    /// Whether a section stands on its pages.
+    pub fn has(&self, section: Section) -> bool {
+        self.sections.contains(&section)
+    }
+
+    fn checked(self) -> Result<Self, TemplateError> {
+        if self.version != VERSION {
+            return Err(TemplateError::Version { found: self.version });
+        }
+        if self.name.trim().is_empty() {
+            return Err(TemplateError::Text { key: "name" });
+        }
+        let texts = [
+            ("name", &self.name),
+            ("purpose", &self.purpose),
+            ("title", &self.title),
+            ("rule-text", &self.rule_text),
+            ("company.name", &self.company.name),
+        ];
+        let address = self.company.address.iter().map(|line| ("company.address", line));
+        let is_text = |text: &str| text.chars().count() <= LONGEST && !text.chars().any(char::is_control);
+        if let Some((key, _)) = texts.into_iter().chain(address).find(|(_, text)| !is_text(text)) {
+            return Err(TemplateError::Text { key });
+        }
+        once("sections", &self.sections, |section| section.word())?;
+        once("head", &self.head, |field| field.word())?;
+        once("columns", &self.columns, |column| column.word())?;
+        if self.sections.is_empty() {
+            return Err(TemplateError::Empty { key: "sections" });
+        }
+        if self.has(Section::Features) && self.columns.is_empty() {
+            return Err(TemplateError::Empty { key: "columns" });
+        }
+        if let Some(given) = &self.language
+            && !Language::all().any(|language| language.code() == given)
+        {
+            return Err(TemplateError::Language { given: given.clone() });
+        }
+        if !self.company.logo.is_empty() && !super::image::is_plain_name(&self.company.logo) {
+            return Err(TemplateError::Logo { given: self.company.logo.clone() });
+        }
+        Ok(self)
+    }
+}
+
+fn once<T: Copy + Eq + Hash + Ord>(
+    key: &'static str,
+    all: &[T],
+    word: impl Fn(T) -> &'static str,
+) -> Result<(), TemplateError> {
+    let mut seen = BTreeSet::new();
+    match all.iter().find(|one| !seen.insert(**one)) {
+        Some(again) => Err(TemplateError::Twice { key, word: word(*again) }),
+        None => Ok(()),
+    }
+}
+
+fn languages() -> String {
+    Language::all().map(|language| language.code()).collect::<Vec<_>>().join(", ")
+}

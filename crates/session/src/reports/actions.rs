@@ -1,0 +1,58 @@
+//! What can be done on the reports page.
+
+use fitcheck_core::words::Words;
+use fitcheck_exchange::report::{RENDERINGS, Rendering};
+
+use super::{Magnification, ReportOf, ReportsCommand};
+use crate::Session;
+use crate::action::row::{ActionRow, Actions, actions, keys, on};
+use crate::action::window::report_name;
+use crate::action::{Held, Key, Shortcut};
+use crate::command::Command;
+use crate::page::Page;
+use crate::purpose::Purpose;
+use crate::step::Step;
+
+actions! {
+    /// What can be done on the reports page.
+    ReportsAction
+
+    /// Writes the report as it is shown.
+    SavePdf;
+    /// Hands it to the system's printer.
+    Print;
+    /// Writes it in a format of the report's list, by its number there.
+    Save(usize): 0..RENDERINGS.len();
+    /// Chooses what is reported.
+    Of(ReportOf): ReportOf::ALL;
+    /// Goes to another page.
+    Move(Step): Step::PAGES;
+    /// Shows the whole page.
+    WholePage;
+}
+
+/// The place of the PDF in the list of renderings.
+fn pdf() -> usize {
+    RENDERINGS.iter().position(|rendering| rendering.name == "pdf").unwrap_or(0)
+}
+
+impl Actions for ReportsAction {
+    fn row(&self) -> ActionRow {
+        match *self {
+            Self::SavePdf => on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(pdf())))
+                .key(Shortcut::ctrl('S'))
+                .when(has_report),
+            Self::Print => on(Page::Reports, "reports-page-print", ReportsCommand::Print)
+                .key(Shortcut::ctrl('P'))
+                .when(has_report),
+            Self::Save(number) => {
+                on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(number))).when(has_report)
+            }
+            Self::Of(of) => on(Page::Reports, of.name(), ReportsCommand::Of(of)),
+            Self::Move(step) => on(Page::Reports, "reports-page-move", ReportsCommand::Move(step)).key(keys(step)),
+            Self::WholePage => {
+                on(Page::Reports, "reports-page-whole", ReportsCommand::Magnify(Magnification::WholePage))
+            }
+        }
+    }
+}

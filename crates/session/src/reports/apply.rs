@@ -1,0 +1,108 @@
+//! How commands and news change the reports page.
+
+use fitcheck_core::message::{Message, message};
+use fitcheck_core::words::Words;
+use fitcheck_exchange::report::Report;
+use jiff::civil::DateTime;
+
+use super::{ReportOf, ReportsCommand, ReportsField, ReportsPage};
+use crate::effect::Effect;
+use crate::page::Page;
+use crate::saved::{Saved, SavedReports};
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::texts::Texts;
+
+impl PageState for ReportsPage {
+    type Command = ReportsCommand;
+    type Field = ReportsField;
+
+    fn restored(saved: &Saved, _shared: &Shared) -> Self {
+        let SavedReports { template, language, paper, hidden } = saved.reports.clone();
+        Self { texts: Texts::restored(&saved.inputs.texts), template, language, paper, hidden, ..Self::default() }
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.inputs.texts.extend(self.texts.saved());
+        saved.reports = SavedReports {
+            template: self.template.clone(),
+            language: self.language,
+            paper: self.paper,
+            hidden: self.hidden.clone(),
+        };
+    }
+
+    fn apply(&mut self, command: ReportsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
+        match command {
+            ReportsCommand::Type(field, text) => self.texts.set(field, text),
+            ReportsCommand::Of(of) => self.of = Some(of),
+            ReportsCommand::Template(name) => {
+                self.template = name;
+                self.at = 0;
+            }
+            ReportsCommand::Language(language) => self.language = language,
+            ReportsCommand::Paper(paper) => self.paper = paper,
+            ReportsCommand::Show(section, true) => _ = self.hidden.remove(&section),
+            ReportsCommand::Show(section, false) => _ = self.hidden.insert(section),
+            ReportsCommand::Move(step) => {
+                self.at = step.place(Some(self.at()), self.last());
+                return Vec::new();
+            }
+            ReportsCommand::Magnify(magnification) => {
+                self.magnification = magnification;
+                return Vec::new();
+            }
+            ReportsCommand::Drawn { run, result } => {
+                self.take_pages(run, result);
+                return Vec::new();
+            }
+            ReportsCommand::Templates(own) => self.own = own,
+            ReportsCommand::Print => {
+                // What is printed is made where everything of the report is known.
+                self.prints = true;
+                return Vec::new();
+            }
+            ReportsCommand::Printed(Ok(())) => {
+                shared.note(message!("reports-page-printed"), Vec::new());
+                return Vec::new();
+            }
+            ReportsCommand::Printed(Err(why)) => {
+                shared.tell(why);
+                return Vec::new();
+            }
+        }
+        self.is_stale = true;
+        Vec::new()
+    }
+
+    fn follow(&mut self, news: &News, _shared: &mut Shared) {
+        match news {
+            // Whatever was measured meanwhile is in it.
+            News::Page(Page::Reports) => {
+                self.is_stale = true;
+                self.errands.push(Effect::ReadTemplates);
+            }
+            _ => {}
+        }
+    }
+
+    fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    fn typed(field: ReportsField, text: String) -> ReportsCommand {
+        ReportsCommand::Type(field, text)
+    }
+
+    fn text(&self, field: ReportsField) -> &str {
+        self.texts.text(field)
+    }
+
+    fn error(&self, _field: ReportsField) -> Option<&Message> {
+        None
+    }
+
+    fn is_free_text(&self, _field: ReportsField) -> bool {
+        true
+    }
+}

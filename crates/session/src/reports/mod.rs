@@ -1,0 +1,168 @@
+//! The reports page: what is reported, by which template, and its pages as they will print.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `field` | the text fields of the head |
+//! | `command`, `apply` | what can be done, and doing it |
+//! | `actions` | menus, buttons, keys |
+//! | `made` | the report that the page shows and writes |
+//!
+//! Pages of a long report take longer than a frame may, so drawing them is an errand: [`Effect::DrawReport`] asks for it with a number, and an
+//! answer with another number than the last one is dropped.
+
+mod actions;
+mod apply;
+mod command;
+mod field;
+mod made;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::words::Language;
+use fitcheck_exchange::report::pdf::Pages;
+use fitcheck_exchange::report::template::{Paper, Section, Template};
+
+pub use actions::ReportsAction;
+pub use command::ReportsCommand;
+pub use field::ReportsField;
+
+use crate::effect::Effect;
+use crate::texts::Texts;
+
+/// What a report is about.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum ReportOf {
+    /// The part that is being measured.
+    Part,
+    /// The verdict that stands on the check page.
+    Check,
+    /// What the check page lists.
+    #[default]
+    List,
+    /// The chosen records, or all that a question finds.
+    Records,
+}
+
+impl ReportOf {
+    pub const ALL: [Self; 4] = [Self::Part, Self::Check, Self::List, Self::Records];
+
+    /// The id of its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Part => "reports-page-part",
+            Self::Check => "reports-page-check",
+            Self::List => "reports-page-list",
+            Self::Records => "reports-page-records",
+        }
+    }
+}
+
+/// How large the pages are shown, per cent of their size on paper; the whole page at first.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Magnification {
+    #[default]
+    WholePage,
+    Percent(u16),
+}
+
+impl Magnification {
+    const STEPS: [u16; 8] = [25, 50, 75, 100, 125, 150, 200, 300];
+
+    /// The next larger or smaller one, from what the whole page comes to.
+    #[must_use]
+    pub fn step(self, is_larger: bool, whole_page: u16) -> Self {
+        let now = match self {
+            Self::WholePage => whole_page,
+            Self::Percent(percent) => percent,
+        };
+        let next = if is_larger {
+            Self::STEPS.into_iter().find(|step| now < *step)
+        } else {
+            Self::STEPS.into_iter().rev().find(|step| *step < now)
+        };
+        next.map_or(self, Self::Percent)
+    }
+}
+
+/// The state of the reports page.
+#[derive(Debug, Default)]
+pub struct ReportsPage {
+    texts: Texts<ReportsField>,
+    of: Option<ReportOf>,
+    /// The name of the chosen template; the first one where none of this name is there.
+    template: String,
+    /// The user's own, and why files beside them are none.
+    own: Vec<Result<Arc<Template>, Message>>,
+    /// Another language than the template's.
+    language: Option<Language>,
+    /// Another paper than the template's.
+    paper: Option<Paper>,
+    /// Sections of the template that are left out.
+    hidden: BTreeSet<Section>,
+    pages: Option<Result<Arc<Pages>, Message>>,
+    /// The page in sight, from 0.
+    at: usize,
+    pub magnification: Magnification,
+    /// Whether what is shown is not what would be written now.
+    is_stale: bool,
+    /// The number of the last question, and whether its answer is awaited.
+    run: u64,
+    at_work: Option<u64>,
+    errands: Vec<Effect>,
+}
+
+impl ReportsPage {
+    /// Every template: the shipped ones, then the user's own.
+    pub fn templates(&self) -> impl Iterator<Item = &Arc<Template>> {
+        Template::shipped().iter().chain(self.own.iter().filter_map(|own| own.as_ref().ok()))
+    }
+
+    /// Why files beside the user's own templates are none.
+    pub fn refused(&self) -> impl Iterator<Item = &Message> {
+        self.own.iter().filter_map(|own| own.as_ref().err())
+    }
+
+    /// The chosen template as it is.
+    pub fn template(&self) -> &Arc<Template> {
+        let named = self.templates().find(|template| template.name == self.template);
+        named.unwrap_or_else(|| Template::first())
+    }
+
+    /// Whether a section of the template stands on the pages.
+    pub fn shows(&self, section: Section) -> bool {
+        self.template().has(section) && !self.hidden.contains(&section)
+    }
+
+    /// The paper that it is set on.
+    pub fn paper(&self) -> Paper {
+        self.paper.unwrap_or_else(|| self.template().paper)
+    }
+
+    /// Its language, where it is another one than the window's.
+    pub fn language(&self) -> Option<Language> {
+        self.language.or_else(|| self.template().language())
+    }
+
+    /// Its pages as they will print, or why there are none; `None` while they are made.
+    pub fn pages(&self) -> Option<Result<&Arc<Pages>, &Message>> {
+        self.pages.as_ref().map(Result::as_ref)
+    }
+
+    /// The page in sight, from 0.
+    pub fn at(&self) -> usize {
+        self.at.min(self.last())
+    }
+
+    fn last(&self) -> usize {
+        let pages = self.pages.as_ref().and_then(|pages| pages.as_ref().ok());
+        pages.map_or(0, |pages| pages.count().saturating_sub(1))
+    }
+
+    /// Whether its pages are being made.
+    pub const fn is_at_work(&self) -> bool {
+        self.at_work.is_some()
+    }
+}

@@ -1,0 +1,77 @@
+//! Right: saving and printing; language, paper, sections, and what stands in the head.
+
+use eframe::egui::{Id, Ui, vec2};
+
+use crate::gui::field::{FieldStyle, field_ui};
+use crate::gui::theme::{control, palette, space};
+use crate::gui::view::{View, heading, one_of_ui, quiet};
+use crate::report::template::{Paper, Section};
+use crate::report::RENDERINGS;
+use crate::session::{ReportsAction, ReportsCommand, ReportsField};
+use crate::words::Language;
+
+pub(super) fn save_id() -> Id {
+    Id::unique("reports-save")
+}
+
+/// What is done with the report: it stands where a verdict stands on other pages.
+pub(super) fn write_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let colours = palette(ui.ctx());
+    let size = vec2(ui.available_width(), control(ui).max(44.0));
+    let filled = [colours.accent.0, colours.on_accent.0];
+    view.filled_button(ui, ReportsAction::SavePdf, size, filled, save_id());
+    ui.horizontal_wrapped(|ui| {
+        view.button(ui, ReportsAction::Print);
+        for (number, rendering) in RENDERINGS.iter().enumerate() {
+            if rendering.name != "pdf" {
+                view.button(ui, ReportsAction::Save(number));
+            }
+        }
+    });
+}
+
+pub(super) fn contents_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("reports-page-contents"));
+    language_ui(ui, view);
+    paper_ui(ui, view);
+    ui.separator();
+    heading(ui, view.text("reports-page-show"));
+    let template = std::sync::Arc::clone(view.session.reports().template());
+    for section in Section::ALL.iter().copied().filter(|section| template.has(*section)) {
+        let mut is_on = view.session.reports().shows(section);
+        if ui.checkbox(&mut is_on, view.text(section.text())).clicked() {
+            view.send(ReportsCommand::Show(section, is_on));
+        }
+    }
+    ui.separator();
+    heading(ui, view.text("report-section-head"));
+    for field in ReportsField::all() {
+        let name = quiet(ui, view.text(field.text()));
+        field_ui(ui, view, *field, name.id, FieldStyle::text(ui.available_width()));
+    }
+    ui.add_space(space(2.0));
+}
+
+fn language_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = quiet(ui, view.text("reports-page-language"));
+    let now = view.session.reports().language();
+    let as_window = (None, view.text("reports-page-language-of-window"));
+    let named = Language::all().map(|language| (Some(language), language.name().to_owned()));
+    let width = ui.available_width();
+    let (chosen, list) = one_of_ui(ui, "reports-language", width, &now, std::iter::once(as_window).chain(named));
+    list.labelled_by(name.id);
+    if let Some(language) = chosen {
+        view.send(ReportsCommand::Language(language));
+    }
+}
+
+fn paper_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = quiet(ui, view.text("reports-page-paper"));
+    let now = view.session.reports().paper();
+    let papers = Paper::ALL.iter().map(|paper| (*paper, view.text(paper.text())));
+    let (chosen, list) = one_of_ui(ui, "reports-paper", ui.available_width(), &now, papers);
+    list.labelled_by(name.id);
+    if let Some(paper) = chosen {
+        view.send(ReportsCommand::Paper(Some(paper)));
+    }
+}

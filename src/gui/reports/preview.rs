@@ -1,0 +1,93 @@
+//! Middle: a page as it will print, and the way to the others.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Button, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+
+use super::canvas::PainterCanvas;
+use crate::gui::empty::empty_ui;
+use crate::gui::theme::{self, Icon, control, palette, space};
+use crate::gui::view::{View, problem, quiet};
+use crate::message::message;
+use crate::session::{Magnification, ReportsAction, ReportsCommand, Step};
+
+/// Between the page and the edge of its ground.
+const MARGIN: f32 = 16.0;
+
+pub(super) fn preview_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let page = view.session.reports();
+    match page.pages() {
+        Some(Ok(pages)) => {
+            let pages = std::sync::Arc::clone(pages);
+            let at = page.at();
+            bar_ui(ui, view, &pages);
+            let [width, height] = pages.size();
+            let room = ui.available_size() - vec2(2.0 * MARGIN, 2.0 * MARGIN);
+            let whole = (room.x / width).min(room.y / height);
+            let scale = match page.magnification {
+                Magnification::WholePage => whole,
+                Magnification::Percent(percent) => f32::from(percent) / 100.0 * POINTS,
+            };
+            let ground = ui.available_rect_before_wrap();
+            ui.painter().rect_filled(ground, 8.0, palette(ui.ctx()).sunken.0);
+            ScrollArea::both().id_salt(("report-page", at)).auto_shrink(false).show(ui, |ui| {
+                let size = vec2(width * scale, height * scale);
+                let all = (size + vec2(2.0 * MARGIN, 2.0 * MARGIN)).max(ui.available_size());
+                let (area, response) = ui.allocate_exact_size(all, Sense::focusable_noninteractive());
+                let paper = Rect::from_center_size(area.center(), size);
+                let said = format!("{}: {}", view.text("reports-page-preview"), pages.text(at));
+                response.widget_info(|| WidgetInfo::labeled(Role::Document, true, &said));
+                ui.painter().rect(paper, 0.0, theme::paper(), theme::line(ui.ctx()), StrokeKind::Outside);
+                if response.has_focus() {
+                    let focus = Stroke::new(2.0, palette(ui.ctx()).focus.0);
+                    ui.painter().rect_stroke(paper.expand(3.0), 0.0, focus, StrokeKind::Outside);
+                }
+                pages.draw(at, &mut PainterCanvas::new(ui, paper, scale, &view.session.reports().pictures));
+            });
+        }
+        Some(Err(why)) => {
+            let why = view.words.say(why);
+            problem(ui, why);
+        }
+        None if page.is_at_work() => _ = quiet(ui, view.text("reports-page-drawing")),
+        None => {
+            let [title, hint] = ["reports-page-nothing", "reports-page-nothing-hint"].map(|id| view.text(id));
+            empty_ui(ui, &title, &hint);
+        }
+    }
+}
+
+/// Dots of the window a point of the page at its size on paper: 96 and 72 an inch.
+const POINTS: f32 = 96.0 / 72.0;
+
+/// Which page, and how large.
+fn bar_ui(ui: &mut Ui, view: &mut View<'_>, pages: &crate::report::pdf::Pages) {
+    let at = view.session.reports().at();
+    let count = pages.count();
+    ui.horizontal(|ui| {
+        for (step, sign) in [(Step::Left, "‹"), (Step::Right, "›")] {
+            let action = ReportsAction::Move(step);
+            let name = action_name(view, action);
+            let button = Button::new(sign).min_size(vec2(control(ui), control(ui)));
+            view.button_as(ui, action, button).accessible_name(name);
+            if step == Step::Left {
+                let said = message!("reports-page-at").count("at", at + 1).count("count", count);
+                ui.label(view.words.say(&said));
+            }
+        }
+        ui.add_space(space(2.0));
+        for (is_larger, icon, name) in [(false, Icon::Minus, "reports-page-smaller"), (true, Icon::Plus, "reports-page-larger")] {
+            let name = view.text(name);
+            let button = Button::new(icon.text(theme::Weight::Regular, space(4.0)));
+            let button = ui.add(button.min_size(vec2(control(ui), control(ui)))).accessible_name(&name).on_hover_text(&name);
+            if button.clicked() {
+                let magnification = view.session.reports().magnification.step(is_larger, 50);
+                view.send(ReportsCommand::Magnify(magnification));
+            }
+        }
+        view.button(ui, ReportsAction::WholePage);
+    });
+}
+
+fn action_name(view: &View<'_>, action: ReportsAction) -> String {
+    crate::session::Action::from(action).text(view.session, view.words)
+}
