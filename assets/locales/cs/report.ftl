@@ -129,3 +129,22 @@ report-more-parts = { $count ->
     [few] { $count } další díly nejsou zobrazeny celé, celých je jen prvních { $most }; jejich hodnoty jsou v seznamu
    *[other] { $count } dalších dílů není zobrazeno celých, celých je jen prvních { $most }; jejich hodnoty jsou v seznamu
 }
+
+## Stránky k tisku
+report-pdf-page = Strana { $page } z { $pages }
+report-pdf-band = Pás mezí
+report-pdf-remove = { $name }: odebrat { $um } µm na průměr
+report-pdf-simulated = Simulované hodnoty, které nikdo neměřil: { $count } z { $total }
+report-pdf-beyond = Hodnoty, které rozhodovací pravidlo přijímá mimo meze: { $count } z { $total }
+report-pdf-corrected = Hodnoty opravené na 20 °C: { $count } z { $total }
+report-pdf-guarded = Hodnoty s vlastním rozhodovacím pravidlem: { $count } z { $total }
+report-pdf-doubted = Pochybné hodnoty, označené otazníkem: { $count } z { $total }
+report-pdf-notes = Přeskočené řádky a varování, vypsané na konci: { $count }
+report-pdf-more-lacks = Další na stránkách dílů: { $count }
+report-pdf-more = Další v připojených datech: { $count }
+report-pdf-all-checks = Všechny kontroly
+report-pdf-attached = Připojeno k tomuto souboru, pro programy: { $names }
+report-pdf-not-attached = Nejsou připojena všechna data: soubor větší než { $most } MB by byl příliš velký
+report-pdf-contacts = Body dotyku jsou v připojených datech.
+report-pdf-cut = Text, který končí …, je zde zkrácen; v připojených datech je celý.
+report-pdf-substituted = □ zastupuje znak, který písma těchto stránek nemají, například znaky psané zprava doleva; zkopírovaný text a připojená data tento znak obsahují.

@@ -125,3 +125,22 @@ report-more-parts = { $count ->
     [one] Ein weiteres Teil wird nicht ganz gezeigt; seine Werte stehen in der Liste
    *[other] { $count } weitere Teile werden nicht ganz gezeigt, nur die ersten { $most }; ihre Werte stehen in der Liste
 }
+
+## Seiten zum Drucken
+report-pdf-page = Seite { $page } von { $pages }
+report-pdf-band = Toleranzband
+report-pdf-remove = { $name }: { $um } µm im Durchmesser abnehmen
+report-pdf-simulated = Simulierte Werte, von niemandem gemessen: { $count } von { $total }
+report-pdf-beyond = Werte, die die Entscheidungsregel außerhalb der Grenzmaße annimmt: { $count } von { $total }
+report-pdf-corrected = Auf 20 °C korrigierte Werte: { $count } von { $total }
+report-pdf-guarded = Werte mit eigener Entscheidungsregel: { $count } von { $total }
+report-pdf-doubted = Zweifelhafte Werte, mit Fragezeichen: { $count } von { $total }
+report-pdf-notes = Übersprungene Zeilen und Warnungen, am Ende aufgeführt: { $count }
+report-pdf-more-lacks = Weiteres auf den Seiten der Teile: { $count }
+report-pdf-more = Weitere in den angehängten Daten: { $count }
+report-pdf-all-checks = Alle Prüfungen
+report-pdf-attached = An diese Datei angehängt, für Programme: { $names }
+report-pdf-not-attached = Nicht alle Daten sind angehängt: eine Datei von mehr als { $most } MB wäre zu groß
+report-pdf-contacts = Die Antastpunkte stehen in den angehängten Daten.
+report-pdf-cut = Ein Text, der mit … endet, ist hier gekürzt; in den angehängten Daten steht er ganz.
+report-pdf-substituted = Ein □ steht für ein Zeichen, das die Schriften dieser Seiten nicht haben, etwa von rechts nach links geschriebene; kopierter Text und die angehängten Daten haben das Zeichen.

@@ -125,3 +125,22 @@ report-more-parts = { $count ->
     [one] One more part is not shown in full; its values are in the list
    *[other] { $count } more parts are not shown in full, only the first { $most } are; their values are in the list
 }
+
+## Pages to print
+report-pdf-page = Page { $page } of { $pages }
+report-pdf-band = Limit band
+report-pdf-remove = { $name }: remove { $um } µm on the diameter
+report-pdf-simulated = Simulated values, measured by nobody: { $count } of { $total }
+report-pdf-beyond = Values accepted outside the limits by the decision rule: { $count } of { $total }
+report-pdf-corrected = Values corrected to 20 °C: { $count } of { $total }
+report-pdf-guarded = Values judged by a decision rule of their own: { $count } of { $total }
+report-pdf-doubted = Values in doubt, marked with a question mark: { $count } of { $total }
+report-pdf-notes = Skipped rows and warnings, listed at the end: { $count }
+report-pdf-more-lacks = More on the pages of the parts: { $count }
+report-pdf-more = More in the attached data: { $count }
+report-pdf-all-checks = All checks
+report-pdf-attached = Attached to this file, for programs: { $names }
+report-pdf-not-attached = Not all data are attached: a file of more than { $most } MB would be too large
+report-pdf-contacts = The contacts are in the attached data.
+report-pdf-cut = A text that ends in … is cut here; it is whole in the attached data.
+report-pdf-substituted = A □ stands for a character that the fonts of these pages lack, such as those written from right to left; copied text and the attached data have the character.

@@ -125,3 +125,22 @@ report-more-parts = { $count ->
     [one] Una pieza más no se muestra completa; sus valores están en la lista
    *[other] { $count } piezas más no se muestran completas, solo las primeras { $most }; sus valores están en la lista
 }
+
+## Páginas para imprimir
+report-pdf-page = Página { $page } de { $pages }
+report-pdf-band = Banda de límites
+report-pdf-remove = { $name }: quitar { $um } µm en diámetro
+report-pdf-simulated = Valores simulados, que nadie midió: { $count } de { $total }
+report-pdf-beyond = Valores que la regla de decisión acepta fuera de los límites: { $count } de { $total }
+report-pdf-corrected = Valores corregidos a 20 °C: { $count } de { $total }
+report-pdf-guarded = Valores con una regla de decisión propia: { $count } de { $total }
+report-pdf-doubted = Valores dudosos, marcados con un signo de interrogación: { $count } de { $total }
+report-pdf-notes = Filas omitidas y advertencias, listadas al final: { $count }
+report-pdf-more-lacks = Más en las páginas de las piezas: { $count }
+report-pdf-more = Más en los datos adjuntos: { $count }
+report-pdf-all-checks = Todas las comprobaciones
+report-pdf-attached = Adjunto a este archivo, para programas: { $names }
+report-pdf-not-attached = No están adjuntos todos los datos: un archivo de más de { $most } MB sería demasiado grande
+report-pdf-contacts = Los puntos de palpación están en los datos adjuntos.
+report-pdf-cut = Un texto que termina en … está cortado aquí; en los datos adjuntos está entero.
+report-pdf-substituted = Un □ representa un carácter que falta en las fuentes de estas páginas, como los que se escriben de derecha a izquierda; el texto copiado y los datos adjuntos contienen el carácter.

@@ -125,3 +125,22 @@ report-more-parts = { $count ->
     [one] { $count } autre pièce n'est pas présentée en entier, seulement les { $most } premières ; ses valeurs sont dans la liste
    *[other] { $count } autres pièces ne sont pas présentées en entier, seulement les { $most } premières ; leurs valeurs sont dans la liste
 }
+
+## Pages à imprimer
+report-pdf-page = Page { $page } sur { $pages }
+report-pdf-band = Bande des limites
+report-pdf-remove = { $name } : enlever { $um } µm au diamètre
+report-pdf-simulated = Valeurs simulées, que personne n'a mesurées : { $count } sur { $total }
+report-pdf-beyond = Valeurs acceptées hors des limites par la règle de décision : { $count } sur { $total }
+report-pdf-corrected = Valeurs corrigées à 20 °C : { $count } sur { $total }
+report-pdf-guarded = Valeurs jugées par une règle de décision propre : { $count } sur { $total }
+report-pdf-doubted = Valeurs douteuses, marquées d'un point d'interrogation : { $count } sur { $total }
+report-pdf-notes = Rangées ignorées et avertissements, listés à la fin : { $count }
+report-pdf-more-lacks = Autres, sur les pages des pièces : { $count }
+report-pdf-more = Autres, dans les données jointes : { $count }
+report-pdf-all-checks = Tous les contrôles
+report-pdf-attached = Joint à ce fichier, pour les programmes : { $names }
+report-pdf-not-attached = Toutes les données ne sont pas jointes : un fichier de plus de { $most } Mo serait trop grand
+report-pdf-contacts = Les points de palpage sont dans les données jointes.
+report-pdf-cut = Un texte qui finit par … est coupé ici ; il est entier dans les données jointes.
+report-pdf-substituted = Un □ remplace un caractère que les polices de ces pages n'ont pas, comme ceux qui s'écrivent de droite à gauche ; le texte copié et les données jointes contiennent ce caractère.

@@ -125,3 +125,22 @@ report-more-parts = { $count ->
     [one] Un altro pezzo non è mostrato per intero; i suoi valori sono nell'elenco
    *[other] Altri { $count } pezzi non sono mostrati per intero, solo i primi { $most } lo sono; i loro valori sono nell'elenco
 }
+
+## Pagine da stampare
+report-pdf-page = Pagina { $page } di { $pages }
+report-pdf-band = Banda dei limiti
+report-pdf-remove = { $name }: asportare { $um } µm sul diametro
+report-pdf-simulated = Valori simulati, che nessuno ha misurato: { $count } su { $total }
+report-pdf-beyond = Valori che la regola di decisione accetta fuori dai limiti: { $count } su { $total }
+report-pdf-corrected = Valori corretti a 20 °C: { $count } su { $total }
+report-pdf-guarded = Valori con una propria regola di decisione: { $count } su { $total }
+report-pdf-doubted = Valori dubbi, con un punto interrogativo: { $count } su { $total }
+report-pdf-notes = Righe saltate e avvisi, elencati alla fine: { $count }
+report-pdf-more-lacks = Altro sulle pagine dei pezzi: { $count }
+report-pdf-more = Altri nei dati allegati: { $count }
+report-pdf-all-checks = Tutti i controlli
+report-pdf-attached = Allegato a questo file, per i programmi: { $names }
+report-pdf-not-attached = Non tutti i dati sono allegati: un file di più di { $most } MB sarebbe troppo grande
+report-pdf-contacts = I punti di contatto sono nei dati allegati.
+report-pdf-cut = Un testo che finisce con … qui è tagliato; nei dati allegati è intero.
+report-pdf-substituted = Un □ sta per un carattere che manca nei font di queste pagine, come quelli scritti da destra a sinistra; il testo copiato e i dati allegati contengono il carattere.

@@ -125,3 +125,22 @@ report-more-parts = { $count ->
     [one] Nog één onderdeel staat er niet als geheel in; zijn waarden staan in de lijst
    *[other] Nog { $count } onderdelen staan er niet als geheel in, alleen de eerste { $most }; hun waarden staan in de lijst
 }
+
+## Pagina's om af te drukken
+report-pdf-page = Pagina { $page } van { $pages }
+report-pdf-band = Grensband
+report-pdf-remove = { $name }: { $um } µm op diameter verspanen
+report-pdf-simulated = Gesimuleerde waarden, door niemand gemeten: { $count } van { $total }
+report-pdf-beyond = Waarden die de beslisregel buiten de grensmaten aanvaardt: { $count } van { $total }
+report-pdf-corrected = Naar 20 °C gecorrigeerde waarden: { $count } van { $total }
+report-pdf-guarded = Waarden met een eigen beslisregel: { $count } van { $total }
+report-pdf-doubted = Twijfelachtige waarden, met een vraagteken: { $count } van { $total }
+report-pdf-notes = Overgeslagen rijen en waarschuwingen, aan het einde vermeld: { $count }
+report-pdf-more-lacks = Meer op de pagina's van de onderdelen: { $count }
+report-pdf-more = Meer in de bijgevoegde gegevens: { $count }
+report-pdf-all-checks = Alle controles
+report-pdf-attached = Bij dit bestand gevoegd, voor programma's: { $names }
+report-pdf-not-attached = Niet alle gegevens zijn bijgevoegd: een bestand van meer dan { $most } MB zou te groot zijn
+report-pdf-contacts = De meetpunten staan in de bijgevoegde gegevens.
+report-pdf-cut = Een tekst die op … eindigt, is hier ingekort; in de bijgevoegde gegevens staat hij volledig.
+report-pdf-substituted = Een □ staat voor een teken dat de lettertypen van deze pagina's missen, zoals tekens die van rechts naar links worden geschreven; gekopieerde tekst en de bijgevoegde gegevens hebben het teken wel.

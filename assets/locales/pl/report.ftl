@@ -133,3 +133,22 @@ report-more-parts = { $count ->
     [many] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
    *[other] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
 }
+
+## Strony do druku
+report-pdf-page = Strona { $page } z { $pages }
+report-pdf-band = Wykres granic
+report-pdf-remove = { $name }: zebrać { $um } µm na średnicy
+report-pdf-simulated = Wartości symulowane, których nikt nie zmierzył: { $count } z { $total }
+report-pdf-beyond = Wartości przyjęte poza granicami przez regułę decyzyjną: { $count } z { $total }
+report-pdf-corrected = Wartości skorygowane do 20 °C: { $count } z { $total }
+report-pdf-guarded = Wartości z własną regułą decyzyjną: { $count } z { $total }
+report-pdf-doubted = Wartości wątpliwe, oznaczone znakiem zapytania: { $count } z { $total }
+report-pdf-notes = Pominięte wiersze i ostrzeżenia, wymienione na końcu: { $count }
+report-pdf-more-lacks = Więcej na stronach części: { $count }
+report-pdf-more = Więcej w dołączonych danych: { $count }
+report-pdf-all-checks = Wszystkie kontrole
+report-pdf-attached = Dołączone do tego pliku, dla programów: { $names }
+report-pdf-not-attached = Nie wszystkie dane są dołączone: plik większy niż { $most } MB byłby za duży
+report-pdf-contacts = Punkty pomiarowe są w dołączonych danych.
+report-pdf-cut = Tekst, który kończy się znakiem …, jest tu skrócony; w dołączonych danych jest cały.
+report-pdf-substituted = Znak □ zastępuje znak, którego nie mają czcionki tych stron, na przykład pisany od prawej do lewej; skopiowany tekst i dołączone dane zawierają ten znak.
