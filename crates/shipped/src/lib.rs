@@ -2,6 +2,8 @@
 //!
 //! The build makes the lists from the folders, so that a new file needs no line here.
 
+pub mod fonts;
+
 use std::borrow::Cow;
 use std::io::Read as _;
 

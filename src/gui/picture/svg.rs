@@ -1,50 +1,15 @@
-//! SVG pictures: their shapes are drawn as large as they are shown, and one that would take long is refused before it is drawn.
-
-use std::sync::Arc;
+//! SVG pictures: their shapes are drawn as large as they are shown.
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Group, ImageHrefResolver, Node, Options, Tree};
 
 use super::{Dots, LONGEST};
-use crate::message::{Message, message};
+use crate::message::Message;
 use crate::report::image::{broken, check_dots};
+use crate::report::shapes::tree;
 
-/// The most shapes, each counted as often as it is drawn.
-const MOST_SHAPES: usize = 200_000;
-
-/// The most groups that are drawn apart and then put together, in all and within each other: each has dots of its own.
-const MOST_LAYERS: usize = 256;
-const MOST_DEEP: usize = 12;
-
-/// The largest tile of a pattern, the side in units of the picture.
-const LARGEST_TILE: f32 = 1_000.0;
-
-/// How often the filled shapes may cover the picture.
-const MOST_COVERS: f32 = 1_000.0;
-
-/// SVG: shapes and texts, in the size in which they are shown. Other files and pictures within it are left out.
+/// SVG: shapes and texts, in the size in which they are shown.
 pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
-    let mut options = Options {
-        resources_dir: None,
-        image_href_resolver: ImageHrefResolver {
-            resolve_data: Box::new(|_, _, _| None),
-            resolve_string: Box::new(|_, _| None),
-        },
-        ..Options::default()
-    };
-    let fonts = Arc::make_mut(&mut options.fontdb);
-    fonts.load_font_data(include_bytes!("../../../assets/fonts/sans-regular.ttf").to_vec());
-    let family = fonts.faces().find_map(|face| Some(face.families.first()?.0.clone()));
-    if let Some(family) = family {
-        fonts.set_sans_serif_family(family.clone());
-        fonts.set_serif_family(family.clone());
-        fonts.set_monospace_family(family.clone());
-        options.font_family = family;
-    }
-    let tree = Tree::from_data(bytes, &options).map_err(|error| broken(name, &error))?;
-    if !is_light(&tree) {
-        return Err(message!("parts-page-picture-heavy").text("name", name));
-    }
+    let tree = tree(name, bytes)?;
     let size = tree.size().to_int_size();
     let longest = size.width().max(size.height());
     let scaled = if longest <= LONGEST {
@@ -70,54 +35,4 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
 /// How much larger something is drawn.
 fn ratio(drawn: u32, given: f32) -> f32 {
     u16::try_from(drawn).map_or(1.0, |drawn| f32::from(drawn) / given.max(1e-3))
-}
-
-/// What drawing a picture needs.
-struct Work {
-    shapes: usize,
-    layers: usize,
-    covers: f32,
-    /// The size of the whole picture.
-    area: f32,
-}
-
-/// Whether a picture is drawn in a reasonable time and room.
-fn is_light(tree: &Tree) -> bool {
-    let is_small = |side: f32| side <= LARGEST_TILE;
-    let mut patterns = tree.patterns().iter();
-    let tiles = patterns.all(|pattern| is_small(pattern.rect().width()) && is_small(pattern.rect().height()));
-    let area = (tree.size().width() * tree.size().height()).max(1.0);
-    let mut work = Work { shapes: 0, layers: 0, covers: 0.0, area };
-    // Filters repeat their steps as often as a file says.
-    tiles && tree.filters().is_empty() && work.add(tree.root(), 0)
-}
-
-impl Work {
-    /// Adds what a group needs; whether it still is little enough.
-    fn add(&mut self, group: &Group, deep: usize) -> bool {
-        let deep = deep + usize::from(group.should_isolate());
-        self.layers += usize::from(group.should_isolate());
-        for node in group.children() {
-            self.shapes += 1;
-            if let Node::Path(path) = node
-                && path.fill().is_some()
-            {
-                let of = path.abs_bounding_box();
-                self.covers += (of.width() * of.height() / self.area).min(1.0);
-            }
-            let mut is_light = self.is_little(deep);
-            if let Node::Group(group) = node {
-                is_light = is_light && self.add(group, deep);
-            }
-            node.subroots(|group| is_light = is_light && self.add(group, deep));
-            if !is_light {
-                return false;
-            }
-        }
-        self.is_little(deep)
-    }
-
-    fn is_little(&self, deep: usize) -> bool {
-        self.shapes <= MOST_SHAPES && self.layers <= MOST_LAYERS && deep <= MOST_DEEP && self.covers <= MOST_COVERS
-    }
 }

@@ -8,10 +8,11 @@ use eframe::egui::{
 };
 
 use super::{Palette, Weight, bold, font, line_width, look, mono, semibold, sizes, space};
+use crate::shipped::fonts;
 
 /// Fonts and style, light and dark.
 pub fn install(ctx: &Context) {
-    ctx.set_fonts(fonts());
+    ctx.set_fonts(all_fonts());
     for theme in [Theme::Light, Theme::Dark] {
         ctx.set_style_of(theme, style(theme, false));
     }
@@ -19,30 +20,30 @@ pub fn install(ctx: &Context) {
     ctx.options_mut(|options| options.input_options.max_double_click_delay = 0.5);
 }
 
-fn fonts() -> FontDefinitions {
-    let mut fonts = FontDefinitions::empty();
+fn all_fonts() -> FontDefinitions {
+    let mut all = FontDefinitions::empty();
     for (name, bytes) in [
-        ("sans", &include_bytes!("../../../assets/fonts/sans-regular.ttf")[..]),
-        ("semibold", &include_bytes!("../../../assets/fonts/sans-semibold.ttf")[..]),
-        ("mono", &include_bytes!("../../../assets/fonts/mono-regular.ttf")[..]),
-        ("symbols", &include_bytes!("../../../assets/fonts/symbols.ttf")[..]),
-        (Weight::Regular.font(), &include_bytes!("../../../assets/fonts/icons-regular.ttf")[..]),
-        (Weight::Bold.font(), &include_bytes!("../../../assets/fonts/icons-bold.ttf")[..]),
-        (Weight::Fill.font(), &include_bytes!("../../../assets/fonts/icons-fill.ttf")[..]),
+        ("sans", fonts::SANS),
+        ("semibold", fonts::SEMIBOLD),
+        ("mono", fonts::MONO),
+        ("symbols", fonts::SYMBOLS),
+        (Weight::Regular.font(), fonts::ICONS),
+        (Weight::Bold.font(), fonts::ICONS_BOLD),
+        (Weight::Fill.font(), fonts::ICONS_FILL),
     ] {
-        fonts.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
+        all.font_data.insert(name.to_owned(), Arc::new(FontData::from_static(bytes)));
     }
     for (family, first) in
         [(FontFamily::Proportional, "sans"), (semibold(), "semibold"), (FontFamily::Monospace, "mono")]
     {
         let mut order = vec![first.to_owned(), "sans".to_owned(), "symbols".to_owned()];
         order.dedup();
-        fonts.families.insert(family, order);
+        all.families.insert(family, order);
     }
     for icons in Weight::ALL.map(Weight::font) {
-        fonts.families.insert(FontFamily::Name(icons.into()), vec![icons.to_owned()]);
+        all.families.insert(FontFamily::Name(icons.into()), vec![icons.to_owned()]);
     }
-    fonts
+    all
 }
 
 /// How egui draws its own widgets.

@@ -23,14 +23,15 @@ pub const MOST_DOTS: u64 = 40_000_000;
 /// The bytes of a picture.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Image {
-    /// Its kind, as a page names it.
-    media: &'static str,
+    kind: ImageKind,
+    /// Width and height in dots; `None` where it has shapes instead.
+    dots: Option<(u32, u32)>,
     bytes: Arc<[u8]>,
 }
 
 impl fmt::Debug for Image {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Image({}, {} bytes)", self.media, self.bytes.len())
+        write!(f, "Image({}, {} bytes)", self.kind.media(), self.bytes.len())
     }
 }
 
@@ -87,22 +88,41 @@ impl Image {
         if kind.most_kib() < bytes.len() >> 10 {
             return Err(too_large(name, bytes.len(), kind.most_kib()));
         }
-        match kind {
-            ImageKind::Png => check_dots(name, png(bytes).ok_or_else(|| broken(name, &"PNG"))?)?,
-            ImageKind::Jpeg => check_dots(name, jpeg(bytes).ok_or_else(|| broken(name, &"JPEG"))?)?,
-            ImageKind::Svg => check_svg(name, bytes)?,
-        }
-        Ok(Self { media: kind.media(), bytes: bytes.into() })
+        let dots = match kind {
+            ImageKind::Png => Some(png(bytes).ok_or_else(|| broken(name, &"PNG"))?),
+            ImageKind::Jpeg => Some(jpeg(bytes).ok_or_else(|| broken(name, &"JPEG"))?),
+            ImageKind::Svg => {
+                check_svg(name, bytes)?;
+                None
+            }
+        };
+        dots.map_or(Ok(()), |dots| check_dots(name, dots))?;
+        Ok(Self { kind, dots, bytes: bytes.into() })
     }
 
     /// The picture as an address that a page can show.
     pub fn address(&self) -> String {
-        format!("data:{};base64,{}", self.media, base64(&self.bytes))
+        format!("data:{};base64,{}", self.kind.media(), base64(&self.bytes))
     }
 
     /// How many bytes it has.
     pub fn size(&self) -> usize {
         self.bytes.len()
+    }
+
+    /// What kind of file it is.
+    pub const fn kind(&self) -> ImageKind {
+        self.kind
+    }
+
+    /// Its width and height in dots; `None` where it has shapes instead.
+    pub const fn dots(&self) -> Option<(u32, u32)> {
+        self.dots
+    }
+
+    /// The bytes of its file.
+    pub const fn bytes(&self) -> &Arc<[u8]> {
+        &self.bytes
     }
 }
 

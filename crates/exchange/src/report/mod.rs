@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `html` | one self-contained page that prints well on A4 |
+//! | `pdf` | pages to sign and to keep: A4 or letter, tagged, with the data attached |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `figure` | an exact decimal in files for programs |
@@ -10,7 +11,10 @@
 //! | `pairing` | which parts go together, and its files |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
+//! | `shapes` | the picture of a part as shapes, for drawing |
+//! | `paper` | what pages are printed on |
 //! | `text` | sentences about status, source of the limits, size and position |
+//! | `said`, `origins`, `seen`, `shared` | what pages for people say of a part, of a check and of all checks |
 //!
 //! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
 //! bytes. Templates are in `assets/report`.
@@ -32,10 +36,17 @@ pub mod figure;
 pub mod html;
 pub mod image;
 pub mod json;
+mod origins;
 pub mod pairing;
+pub mod paper;
 pub mod part;
+pub mod pdf;
 mod picture;
 pub mod row;
+mod said;
+mod seen;
+pub mod shapes;
+mod shared;
 pub mod text;
 
 use std::io::{self, Write};
@@ -45,6 +56,7 @@ use std::sync::Arc;
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
+use paper::Paper;
 use part::PartSheet;
 
 use crate::journal::Record;
@@ -71,6 +83,8 @@ pub struct Report {
     pub notes: Vec<Message>,
     /// The whole parts whose values the checks are.
     pub parts: Vec<PartSheet>,
+    /// What renderings with pages of their own are printed on.
+    pub paper: Paper,
 }
 
 /// The checks of a report, one after the other, as often as a rendering asks for them: a report of many checks is
@@ -137,6 +151,7 @@ impl Report {
             checks: Arc::new(checks),
             notes: Vec::new(),
             parts: Vec::new(),
+            paper: Paper::default(),
         }
     }
 }
@@ -174,7 +189,7 @@ impl Rendering {
 }
 
 /// Every rendering: a new one is a line here.
-pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING];
+pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING, pdf::RENDERING];
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
 /// may fail, and an incomplete report must not be saved.
@@ -214,7 +229,7 @@ pub enum EndingError {
     },
 }
 
-/// Every ending with its point: `.html .htm .csv .json`.
+/// Every ending with its point: `.html .htm .csv .json .pdf`.
 pub fn endings() -> String {
     let all: Vec<String> = RENDERINGS.iter().flat_map(|r| r.endings).map(|ending| format!(".{ending}")).collect();
     all.join(" ")

@@ -170,15 +170,9 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         let x = at(0.0);
         Tick { x: units(x), text: String::new(), labelled: clear(x, LABEL) }
     });
-    let distances = text::distances(&record.verdict.size, words).map(|message| words.say(&message)).join(", ");
-    let value = format!(
-        "{} mm ({} µm)",
-        words.mm(record.measurement.diameter, decimals),
-        words.signed_um(record.verdict.size.deviation)
-    );
-    let title = message!("report-band-title").text("value", &value).text("distances", &distances);
+    let value = value_said(record, decimals, words);
+    let distances = distances_said(record, words);
     let guard = band.guard.as_ref();
-    let title = iter::once(words.say(&title)).chain(guard.into_iter().flat_map(|guard| described(guard, words)));
     // What is rejected begins where the rule says so; the zone is good as far as it is accepted.
     let rejected = match guard {
         Some(guard) => guard.rejected.map_or([LEFT, LEFT + WIDTH], |ends| ends.map(at)),
@@ -194,7 +188,7 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         side(band.right, [rejected[1].max(upper), LEFT + WIDTH], words.get("report-side-too-large"), words),
     ];
     BandPicture {
-        title: title.collect::<Vec<_>>().join("; "),
+        title: title_said(&band, &value, &distances, words),
         height: if guard.is_some() { 206 } else { 184 },
         sides: sides.into_iter().flatten().collect(),
         guards: guard.map_or_else(Vec::new, |guard| guards(guard, at)),
@@ -211,6 +205,27 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         marker: band.marker.map(|place| marker(&band, place, value, distances)),
     }
     .render()
+}
+
+/// What the limit band of a record shows, for those who do not see it.
+pub(super) fn band_said(record: &Record, decimals: usize, words: &Words) -> String {
+    let band = Band::by(&record.verdict.rule, &record.limits, Some(record.measurement.diameter));
+    title_said(&band, &value_said(record, decimals, words), &distances_said(record, words), words)
+}
+
+fn title_said(band: &Band, value: &str, distances: &str, words: &Words) -> String {
+    let title = message!("report-band-title").text("value", value).text("distances", distances);
+    let guards = band.guard.iter().flat_map(|guard| described(guard, words));
+    iter::once(words.say(&title)).chain(guards).collect::<Vec<_>>().join("; ")
+}
+
+fn value_said(record: &Record, decimals: usize, words: &Words) -> String {
+    let deviation = words.signed_um(record.verdict.size.deviation);
+    format!("{} mm ({deviation} µm)", words.mm(record.measurement.diameter, decimals))
+}
+
+fn distances_said(record: &Record, words: &Words) -> String {
+    text::distances(&record.verdict.size, words).map(|message| words.say(&message)).join(", ")
 }
 
 /// A side of the band, where the axis shows any of it.

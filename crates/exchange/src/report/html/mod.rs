@@ -7,10 +7,7 @@
 //! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
 //! The page is written check by check, and only one of them is in memory.
 
-mod origins;
 mod part;
-mod seen;
-mod shared;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -18,14 +15,16 @@ use std::io::{self, Write};
 use askama::Template;
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Say as _, message};
+use fitcheck_core::message::message;
 use fitcheck_core::probing::{Circle, Contact};
-use fitcheck_core::verdict::{Removal, Status, Verdict};
+use fitcheck_core::verdict::{Removal, Status};
 use fitcheck_core::words::Words;
-use seen::ReportSurvey;
 
+use super::origins::{self, Entry};
 use super::part::PartSheet;
 use super::picture;
+use super::said::{cause, decimals_of, is_hidden, nearest, undecided};
+use super::seen::ReportSurvey;
 use super::text;
 use super::{Rendering, Report};
 use crate::journal::Record;
@@ -141,12 +140,6 @@ macro_rules! parts {
 
 parts!(Head, PartSection, Notes, Line, Section, Annex, Foot);
 
-/// A label and what it says.
-struct Entry {
-    label: String,
-    value: String,
-}
-
 struct Summary {
     counts: Vec<Count>,
     total: usize,
@@ -208,12 +201,12 @@ struct ContactLine {
 }
 
 fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
-    let seen = ReportSurvey::of(report)?;
+    let seen = ReportSurvey::of(report, MOST_CHECKS)?;
     let head = Head {
         words,
         title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
         entries: entries(report, &seen, words),
-        has_guards: seen.has_guards,
+        has_guards: 0 < seen.guarded,
         has_parts: !report.parts.is_empty(),
         has_pictures: part::have_pictures(&report.parts),
         program: &report.program,
@@ -240,7 +233,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         writeln!(out, "<p>{}</p>", words.get("report-no-checks"))?;
     }
     seen.each(report, &mut |number, record| Section { words, check: &made(number, record)? }.write(out))?;
-    if seen.has_annex {
+    if CONTACTS_IN_CHECK < seen.contacts {
         seen.each(report, &mut |number, record| {
             if record.measurement.contacts.len() <= CONTACTS_IN_CHECK {
                 return Ok(());
@@ -254,10 +247,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
 /// The text without what a page must not contain: control characters, and marks that change the direction of writing
 /// and so the order of figures. Each becomes a replacement character, so that it is visible.
 fn printable(page: &str) -> Cow<'_, str> {
-    let hidden = |c: char| {
-        (c.is_control() && c != '\n' && c != '\t')
-            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
-    };
+    let hidden = |c: char| is_hidden(c) && c != '\n' && c != '\t';
     if !page.chars().any(hidden) {
         return Cow::Borrowed(page);
     }
@@ -351,23 +341,6 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
     })
 }
 
-/// Why the part is worse than its size alone.
-fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
-    (verdict.status() != verdict.size.status).then(|| {
-        let alone = words.told(&verdict.size.status);
-        words.say(&message!("report-cause-position").text("status", alone))
-    })
-}
-
-/// Why the value is to be measured again: what its contacts cannot tell, or the guard band.
-fn undecided(verdict: &Verdict, words: &Words) -> Option<String> {
-    let why = match verdict.undecided {
-        Some(why) => why.message(),
-        None => message!("report-in-guard-band"),
-    };
-    (verdict.size.status == Status::ReMeasure).then(|| words.say(&why))
-}
-
 /// What to remove, on diameter and per side. Half a nanometre per side is rounded up, so that it is enough.
 fn removals(removal: Removal, record: &Record, words: &Words) -> Vec<RemovalLine> {
     let line = |id: &str, amount: Length| RemovalLine {
@@ -375,10 +348,10 @@ fn removals(removal: Removal, record: &Record, words: &Words) -> Vec<RemovalLine
         diameter: words.um(amount),
         side: words.um(Length::ZERO.midpoint(amount)),
     };
-    let size = &record.verdict.size;
-    let is_to_limit = size.above_minimum.min(size.below_maximum).negated() == removal.to_limit;
-    let nearest = if is_to_limit { "report-remove-to-limit" } else { "report-remove-to-accepted" };
-    vec![line(nearest, removal.to_limit), line("report-remove-to-middle", removal.to_middle)]
+    vec![
+        line(nearest(&record.verdict.size, removal), removal.to_limit),
+        line("report-remove-to-middle", removal.to_middle),
+    ]
 }
 
 fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<ContactLine> {
@@ -396,9 +369,4 @@ fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<
         radial: circle.map_or_else(String::new, |circle| radial(contact, circle)),
     };
     contacts.iter().enumerate().map(line).collect()
-}
-
-/// How many decimals a size has in millimetres.
-fn decimals_of(length: Length) -> usize {
-    length.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len())
 }

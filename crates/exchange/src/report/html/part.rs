@@ -6,10 +6,11 @@ use fitcheck_core::part::{FeatureStanding, Size, Step};
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
-use super::{decimals_of, origins};
 use crate::report::image::Image;
+use crate::report::origins;
 use crate::report::part::PartSheet;
 use crate::report::picture::{self, shape, status_class};
+use crate::report::said::{balloon_said, beyond_limits, decimals_of, heading, lacks};
 
 /// The most bytes of pictures in one page: a browser opens it in seconds.
 const MOST_PICTURES: usize = 32 << 20;
@@ -156,15 +157,6 @@ fn shown(part: &PartSheet, image: &Image, said: String, words: &Words) -> Pictur
 
 fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStanding), words: &Words) -> BalloonView {
     let FeatureStanding { status, is_simulated, is_skipped, .. } = *standing;
-    let word = match status {
-        None if is_skipped => words.get("parts-page-balloon-skipped"),
-        None => words.get("parts-page-balloon-open"),
-        Some(status) if is_simulated => {
-            words.say(&message!("parts-page-balloon-simulated").text("status", words.told(&status)))
-        }
-        Some(status) => words.told(&status),
-    };
-    let said = message!("parts-page-balloon").text("label", label).text("name", name).text("status", word);
     let percent = |share: f64| format!("{:.2}", share.clamp(0.0, 1.0) * 100.0);
     BalloonView {
         class: status.map_or(if is_skipped { "skipped" } else { "open" }, status_class),
@@ -172,53 +164,10 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
         x: percent(x),
         y: percent(y),
         label: label.chars().take(LABEL).collect(),
-        said: words.say(&said),
+        said: balloon_said(label, name, standing, words),
         has_mark: status.is_some() || is_skipped,
         is_simulated,
     }
-}
-
-fn heading(part: &PartSheet, words: &Words) -> String {
-    let name = &part.plan.head.part;
-    let serial = part.serial();
-    words.say(&match (name.is_empty(), serial.is_empty()) {
-        (true, true) => message!("report-part"),
-        (true, false) => message!("walk-page-part-serial").text("serial", serial),
-        (false, true) => message!("walk-page-part-no-serial").text("part", name),
-        (false, false) => message!("walk-page-part").text("part", name).text("serial", serial),
-    })
-}
-
-/// The names of the sizes that their rule accepts although they lie beyond a limit.
-fn beyond_limits(part: &PartSheet) -> impl Iterator<Item = String> {
-    let is_it = |record: &crate::journal::Record| record.verdict.is_beyond_limits();
-    part.sizes().filter(move |(_, _, record)| record.is_some_and(|record| is_it(record))).map(|(size, ..)| size.name())
-}
-
-/// What keeps the part from being good, and what the list does not show.
-fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
-    let mut lacks = Vec::new();
-    let missing = part.missing();
-    if !missing.is_empty() {
-        lacks.push(words.say(&message!("walk-page-missing").text("names", missing.join(", "))));
-    }
-    for (name, reason) in part.left_out() {
-        let left = words.say(&message!("walk-page-skipped").text("reason", reason));
-        lacks.push(format!("{name}: {left}"));
-    }
-    let simulated = part.standing().simulated;
-    if 0 < simulated {
-        lacks.push(words.say(&message!("walk-page-simulated").count("count", simulated)));
-    }
-    let beyond: Vec<String> = beyond_limits(part).collect();
-    if !beyond.is_empty() {
-        lacks.push(words.say(&message!("walk-page-accepted").text("names", beyond.join(", "))));
-    }
-    let older = part.older();
-    if 0 < older {
-        lacks.push(words.say(&message!("report-part-older").count("count", older)));
-    }
-    lacks
 }
 
 fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Record>, words: &Words) -> SizeView {

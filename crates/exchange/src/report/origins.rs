@@ -8,8 +8,14 @@ use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::percent;
 use fitcheck_core::words::Words;
 
-use super::Entry;
+use super::said::decimals_of;
 use crate::journal::{Decision, Record};
+
+/// A label and what it says.
+pub(super) struct Entry {
+    pub label: String,
+    pub value: String,
+}
 
 /// Limits, measured value, verdict, and what a rule, a temperature and a budget add.
 pub(super) fn of(record: &Record, words: &Words) -> Vec<Entry> {
@@ -44,8 +50,8 @@ pub(super) fn rule(rule: Rule, words: &Words) -> String {
 }
 
 /// The measured value on its way to 20 °C.
-fn corrected(correction: &Correction, words: &Words) -> String {
-    let decimals = [correction.measured, correction.at_reference].map(super::decimals_of);
+pub(super) fn corrected(correction: &Correction, words: &Words) -> String {
+    let decimals = [correction.measured, correction.at_reference].map(decimals_of);
     let mm = |length: Length| words.mm(length, decimals.into_iter().fold(3, usize::max));
     let Correction { measured, at_reference, part, .. } = *correction;
     let message = message!("report-corrected")
@@ -66,10 +72,10 @@ pub(super) fn scales(correction: &Correction, words: &Words) -> String {
     })
 }
 
-fn accepted(decision: &Decision, words: &Words) -> String {
+pub(super) fn accepted(decision: &Decision, words: &Words) -> String {
     words.say(&match decision.zones.accepted {
         Some([least, most]) => {
-            let decimals = [least, most].into_iter().map(super::decimals_of).fold(3, usize::max);
+            let decimals = [least, most].into_iter().map(decimals_of).fold(3, usize::max);
             message!("report-accepted-zone")
                 .text("least", words.mm(least, decimals))
                 .text("most", words.mm(most, decimals))
@@ -79,7 +85,7 @@ fn accepted(decision: &Decision, words: &Words) -> String {
 }
 
 /// Whether the rule proves the status, and the probability of conformity; `None` where it says neither.
-fn proof(decision: &Decision, words: &Words) -> Option<String> {
+pub(super) fn proof(decision: &Decision, words: &Words) -> Option<String> {
     let proven =
         decision.proven.map(|is_proven| words.get(if is_proven { "report-proven" } else { "report-not-proven" }));
     let conformity = decision

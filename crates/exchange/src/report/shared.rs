@@ -9,7 +9,7 @@ use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::RuleInputs;
 use fitcheck_core::words::Words;
 
-use super::{Entry, origins};
+use super::origins::{self, Entry};
 use crate::journal::Record;
 
 /// What every check so far has.

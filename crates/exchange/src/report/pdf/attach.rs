@@ -1,0 +1,83 @@
+//! The data of a report as files within the PDF: what JSON and CSV write, byte for byte, so that a machine can read what a person signed.
+
+use std::io::{self, Write};
+
+use fitcheck_core::words::Words;
+use sha2::{Digest as _, Sha256};
+
+use crate::report::{Rendering, Report, csv, json};
+
+/// The largest file that is attached: what is larger is no page to read, and both would be in memory at once.
+pub(super) const MOST: usize = 32 << 20;
+
+/// A file within the PDF.
+pub(super) struct Attachment {
+    pub name: &'static str,
+    pub media: &'static str,
+    pub bytes: Vec<u8>,
+}
+
+/// What belongs to a report.
+pub(super) struct Attachments {
+    pub files: Vec<Attachment>,
+    /// Whether there is one that is too large.
+    pub is_left_out: bool,
+    /// A name for what the report says: it is the same for the same data alone.
+    pub digest: String,
+}
+
+impl Attachments {
+    /// # Errors
+    /// The checks cannot be read.
+    pub fn of(report: &Report, words: &Words) -> io::Result<Self> {
+        let mut all = Self { files: Vec::new(), is_left_out: false, digest: String::new() };
+        for (rendering, name, media) in
+            [(&json::RENDERING, "report.json", "application/json"), (&csv::RENDERING, "checks.csv", "text/csv")]
+        {
+            let file = Kept::of(rendering, report, words)?;
+            if all.digest.is_empty() {
+                all.digest = hexadecimal(&file.digest.finalize());
+            }
+            match file.bytes {
+                Some(bytes) => all.files.push(Attachment { name, media, bytes }),
+                None => all.is_left_out = true,
+            }
+        }
+        Ok(all)
+    }
+}
+
+/// A file as it is written: its digest, and its bytes while they are few enough.
+struct Kept {
+    digest: Sha256,
+    bytes: Option<Vec<u8>>,
+}
+
+impl Kept {
+    fn of(rendering: &Rendering, report: &Report, words: &Words) -> io::Result<Self> {
+        let mut kept = Self { digest: Sha256::new(), bytes: Some(Vec::new()) };
+        (rendering.render)(report, words, &mut kept)?;
+        Ok(kept)
+    }
+}
+
+impl Write for Kept {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.digest.update(bytes);
+        if let Some(kept) = &mut self.bytes {
+            kept.extend_from_slice(bytes);
+            if MOST < kept.len() {
+                self.bytes = None;
+            }
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,77 @@
+//! Checks without a plan, or besides those of whole parts: one after the other in a table.
+
+use std::io;
+
+use fitcheck_core::words::Words;
+
+use super::card::Card;
+use super::columns::Widths;
+use super::flow::Flow;
+use super::grounds::Grounds;
+use super::rows::Rows;
+use super::table::Table;
+use super::tags::TagId;
+use crate::journal::Record;
+use crate::report::Report;
+use crate::report::said::{cause, removal_said, undecided};
+use crate::report::seen::ReportSurvey;
+use crate::report::text;
+
+/// The answer of a single check.
+pub(super) fn card(record: &Record, words: &Words) -> Card {
+    let verdict = &record.verdict;
+    let mut lines: Vec<String> = removal_said(verdict, words).into_iter().collect();
+    lines.extend(cause(verdict, words));
+    lines.push(words.say(&text::size(&verdict.size, words)));
+    lines.extend(undecided(verdict, words));
+    lines.extend(record.doubt.map(|doubt| words.told(&doubt)));
+    Card {
+        status: Some(verdict.status()),
+        word: words.told(verdict),
+        simulated: record.measurement.origin.is_simulated().then(|| words.get("simulated")),
+        lines,
+        counts: Vec::new(),
+    }
+}
+
+/// The only check of a report.
+pub(super) fn only(report: &Report) -> io::Result<Option<Record>> {
+    let mut only = None;
+    report.checks.each(&mut |record| {
+        only.get_or_insert_with(|| record.clone());
+        Ok(())
+    })?;
+    Ok(only)
+}
+
+/// Writes the table of the checks that the pages list, and what they rest on.
+pub(super) fn write(
+    flow: &mut Flow<'_>,
+    section: TagId,
+    report: &Report,
+    seen: &ReportSurvey,
+    words: &Words,
+) -> io::Result<()> {
+    let rows = Rows { words, decimals: seen.decimals };
+    let mut widths = Widths::new(flow.fonts, words);
+    let mut are_any = false;
+    seen.each(report, &mut |number, record| {
+        widths.see(flow.fonts, &rows.plain(number.to_string(), record));
+        are_any = true;
+        Ok(())
+    })?;
+    if !are_any {
+        return Ok(());
+    }
+    let table = Table::begin(flow, section, widths.fit(flow.width()), words);
+    let mut grounds = Grounds::new(words);
+    seen.each(report, &mut |number, record| {
+        let row = rows.record(number.to_string(), record);
+        table.row(flow, &row);
+        grounds.see(&row.label, record);
+        Ok(())
+    })?;
+    table.end(flow);
+    grounds.write(flow, section);
+    Ok(())
+}

@@ -1,0 +1,197 @@
+//! The report as pages to print, to sign and to keep: PDF, A4 or letter, with its fonts, tagged, with its data attached.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | what stands on the pages, in its order |
+//! | `head`, `card` | the first page's head: title, answer, what must be known before the values |
+//! | `parts`, `checks` | a whole part; checks without a plan |
+//! | `rows`, `table`, `columns` | a value as a row, the table, the widths of its columns |
+//! | `bands`, `pictures`, `svg`, `signs` | limit bands, pictures with balloons, signs of verdicts |
+//! | `grounds` | what the verdicts rest on |
+//! | `closing` | notes, signature, and what stands on every page |
+//! | `flow`, `wrap`, `fonts`, `look` | where things go: pages, lines, letters, colours and sizes |
+//! | `sheet`, `tags` | pages as plain values, and their logical structure |
+//! | `attach`, `emit`, `brush` | the data as attachments; plain values become a file |
+//!
+//! The file conforms to PDF/A-3a (ISO 19005-3: it can be kept, and has its data in it) and to PDF/UA-1 (ISO 14289-1: it can be read aloud). Its
+//! text can be searched and copied. It has no links, no scripts and no forms, and nothing in it comes from a clock or from chance: the same
+//! report always gives the same bytes.
+//!
+//! All pages are in memory, and so are the tables' rows. So the pages list at most [`MOST_CHECKS`]: of a longer report those that are not good or
+//! in doubt.
+
+mod attach;
+mod bands;
+mod brush;
+mod card;
+mod checks;
+mod closing;
+mod columns;
+mod emit;
+mod flow;
+mod fonts;
+mod grounds;
+mod head;
+mod look;
+mod parts;
+mod pictures;
+mod rows;
+mod sheet;
+mod signs;
+mod svg;
+mod table;
+mod tags;
+mod wrap;
+
+use std::io::{self, Write};
+
+use fitcheck_core::words::Words;
+
+use attach::Attachments;
+use emit::{Book, EmitError};
+use flow::Flow;
+use fonts::Fonts;
+use pictures::Pictures;
+use tags::{Kind, Tags};
+
+use super::said::heading;
+use super::seen::ReportSurvey;
+use super::{Rendering, Report};
+
+pub const RENDERING: Rendering =
+    Rendering { name: "pdf", title: "PDF", is_for_people: true, is_checks_alone: false, endings: &["pdf"], render };
+
+/// The most checks that the pages list: some 500 pages.
+pub const MOST_CHECKS: usize = 20_000;
+
+/// How much is written at once.
+const PIECE: usize = 16 << 10;
+
+fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
+    let attachments = Attachments::of(report, words)?;
+    let seen = ReportSurvey::of(report, MOST_CHECKS)?;
+    let made = made(report, words, (&seen, &attachments), None);
+    let bytes = match made {
+        // The report is more than its picture.
+        Err(EmitError::Picture(why)) => made_without(report, words, (&seen, &attachments), &why)?,
+        other => other.map_err(io::Error::from)?,
+    };
+    bytes.chunks(PIECE).try_for_each(|piece| out.write_all(piece))
+}
+
+fn made_without(report: &Report, words: &Words, of: (&ReportSurvey, &Attachments), why: &str) -> io::Result<Vec<u8>> {
+    made(report, words, of, Some(why)).map_err(io::Error::from)
+}
+
+/// The file; `refused` says why it has no pictures.
+fn made(
+    report: &Report,
+    words: &Words,
+    (seen, attachments): (&ReportSurvey, &Attachments),
+    refused: Option<&str>,
+) -> Result<Vec<u8>, EmitError> {
+    let fonts = Fonts::new()?;
+    let pictures = Pictures::of(report, refused);
+    let mut flow = Flow::new(&fonts, report.paper.points());
+    let title = head::title(report, words);
+    let outline = write(&mut flow, report, (seen, attachments, &pictures), words)?;
+    let simulated = 0 < seen.simulated || report.parts.iter().any(|part| 0 < part.standing().simulated);
+    closing::write_running(&mut flow, report, (&title, simulated), words);
+    let Flow { sheets, tags, .. } = flow;
+    let book = Book {
+        fonts: &fonts,
+        size: report.paper.points(),
+        sheets,
+        tags,
+        pictures: pictures.all,
+        outline,
+        title,
+        language: words.language().code(),
+    };
+    emit::bytes(book, report, attachments)
+}
+
+/// Fills the pages; gives the headings with their places.
+fn write(
+    flow: &mut Flow<'_>,
+    report: &Report,
+    (seen, attachments, pictures): (&ReportSurvey, &Attachments, &Pictures),
+    words: &Words,
+) -> io::Result<Vec<(String, usize, f32)>> {
+    let title = head::title(report, words);
+    let mut outline = vec![(title.clone(), 0, 0.0)];
+    let about = match report.parts.as_slice() {
+        [only] => heading(only, words),
+        _ => report.part.clone().unwrap_or_default(),
+    };
+    head::write_title(flow, &title, &about);
+    let section = flow.tags.add(Tags::ROOT, Kind::Section);
+    let card = match report.parts.as_slice() {
+        [only] => parts::card(only, words),
+        [] if seen.total == 1 => match checks::only(report)? {
+            Some(record) => checks::card(&record, words),
+            None => head::counts(seen, words),
+        },
+        [] => head::counts(seen, words),
+        parts => head::counts_of_parts(parts, words),
+    };
+    head::write_card(flow, section, &card, &head::entries(report, words));
+    let mut signals = head::signals(report, seen, words);
+    if seen.total == 0 {
+        signals.push(words.get("report-no-checks"));
+    }
+    head::write_signals(flow, section, &signals);
+    if let [only] = report.parts.as_slice() {
+        parts::write_lacks(flow, section, only, words);
+    } else {
+        head::write_signals(flow, section, &lacks_of_all(report, words));
+    }
+    head::write_sentences(flow, section, &seen.shared.entries(words));
+    let is_one = report.parts.len() == 1;
+    for (number, part) in report.parts.iter().enumerate() {
+        let mut section = section;
+        if !is_one {
+            flow.turn();
+            let name = heading(part, words);
+            outline.push((name.clone(), flow.page(), flow.y));
+            section = flow.tags.add(Tags::ROOT, Kind::Section);
+            head::write_heading(flow, section, &name);
+            head::write_card(flow, section, &parts::card(part, words), &[]);
+            parts::write_lacks(flow, section, part, words);
+        }
+        parts::write(flow, section, part, (number, pictures), words);
+    }
+    // Values that are in no part's table: older ones, those of more parts, and those of no part.
+    let shown: usize = report.parts.iter().map(|part| part.standing().measured).sum();
+    if shown < seen.total {
+        let mut section = section;
+        if !report.parts.is_empty() {
+            section = flow.tags.add(Tags::ROOT, Kind::Section);
+            let name = words.get("report-pdf-all-checks");
+            flow.room(100.0);
+            outline.push((name.clone(), flow.page(), flow.y));
+            head::write_heading(flow, section, &name);
+        }
+        checks::write(flow, section, report, seen, words)?;
+    }
+    closing::write_notes(flow, report, (seen, attachments), words);
+    closing::write_signature(flow, report, words);
+    Ok(outline)
+}
+
+/// What parts lack, where there are several, up to so many lines; each is told on its own page, too.
+const MOST_LACKS: usize = 12;
+
+fn lacks_of_all(report: &Report, words: &Words) -> Vec<String> {
+    let mut all = Vec::new();
+    for part in &report.parts {
+        let name = heading(part, words);
+        all.extend(super::said::lacks(part, words).into_iter().map(|lack| format!("{name}: {lack}")));
+    }
+    let more = all.len().saturating_sub(MOST_LACKS);
+    all.truncate(MOST_LACKS);
+    if 0 < more {
+        all.push(words.say(&fitcheck_core::message::message!("report-pdf-more-lacks").count("count", more)));
+    }
+    all
+}

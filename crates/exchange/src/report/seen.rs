@@ -1,0 +1,112 @@
+//! A first look at the checks of a report: how many there are, what is special about them, and which of them a page lists.
+
+use std::io;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::verdict::Status;
+use fitcheck_core::words::Words;
+
+use super::Report;
+use super::said::decimals_of;
+use super::shared::Shared;
+use crate::journal::Record;
+
+/// What a first look at all checks finds.
+pub(super) struct ReportSurvey {
+    /// The most checks that the page lists.
+    most: usize,
+    /// How many there are of each status.
+    pub counts: [usize; Status::ALL.len()],
+    pub total: usize,
+    /// How many nobody measured, were brought to 20 °C, are in doubt, are accepted beyond a limit, or have a rule other than the plain one.
+    pub simulated: usize,
+    pub corrected: usize,
+    pub doubted: usize,
+    pub beyond: usize,
+    pub guarded: usize,
+    /// The most contacts of a check.
+    pub contacts: usize,
+    /// The most decimals of a size in millimetres, 3 at least.
+    pub decimals: usize,
+    /// The first that are not good or in doubt, by their place in the report, and how many there are.
+    wanted: Vec<usize>,
+    all_wanted: usize,
+    /// What all checks have in common.
+    pub shared: Shared,
+}
+
+impl ReportSurvey {
+    /// Looks at all checks, for a page that lists at most so many.
+    pub fn of(report: &Report, most: usize) -> io::Result<Self> {
+        let mut seen = Self {
+            most,
+            counts: [0; Status::ALL.len()],
+            total: 0,
+            simulated: 0,
+            corrected: 0,
+            doubted: 0,
+            beyond: 0,
+            guarded: 0,
+            contacts: 0,
+            decimals: 3,
+            wanted: Vec::new(),
+            all_wanted: 0,
+            shared: Shared::default(),
+        };
+        report.checks.each(&mut |record| {
+            seen.see(record);
+            Ok(())
+        })?;
+        Ok(seen)
+    }
+
+    fn see(&mut self, record: &Record) {
+        let status = record.verdict.status();
+        if let Some(count) = self.counts.get_mut(status.at()) {
+            *count += 1;
+        }
+        if status != Status::Good || record.doubt.is_some() {
+            self.all_wanted += 1;
+            if self.wanted.len() < self.most {
+                self.wanted.push(self.total);
+            }
+        }
+        self.simulated += usize::from(record.measurement.origin.is_simulated());
+        self.corrected += usize::from(record.correction.is_some());
+        self.doubted += usize::from(record.doubt.is_some());
+        self.beyond += usize::from(record.verdict.is_beyond_limits());
+        self.guarded += usize::from(!record.verdict.rule.is_plain());
+        self.contacts = self.contacts.max(record.measurement.contacts.len());
+        let sizes = [record.limits.maximum(), record.limits.minimum(), record.measurement.diameter];
+        self.decimals = sizes.into_iter().map(decimals_of).fold(self.decimals, usize::max);
+        self.shared.see(record, self.total == 0);
+        self.total += 1;
+    }
+
+    /// Whether the page lists all checks.
+    const fn is_whole(&self) -> bool {
+        self.total <= self.most
+    }
+
+    /// What the page says of the checks that it does not list.
+    pub fn note(&self, words: &Words) -> Option<String> {
+        let id = match self.wanted.len() {
+            _ if self.is_whole() => return None,
+            0 => "report-page-all-good",
+            listed if listed == self.all_wanted => "report-page-not-good",
+            _ => "report-page-first",
+        };
+        let listed = Message::new(id).count("listed", self.wanted.len()).count("wanted", self.all_wanted);
+        Some(words.say(&listed.count("total", self.total)))
+    }
+
+    /// Shows every check that the page lists, with its number in the report.
+    pub fn each(&self, report: &Report, see: &mut dyn FnMut(usize, &Record) -> io::Result<()>) -> io::Result<()> {
+        let mut at = 0;
+        let mut wanted = self.wanted.iter().peekable();
+        report.checks.each(&mut |record| {
+            at += 1;
+            if self.is_whole() || wanted.next_if_eq(&&(at - 1)).is_some() { see(at, record) } else { Ok(()) }
+        })
+    }
+}
