@@ -10,7 +10,7 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 
 /// Constant, folder, what it holds.
-const SHIPPED: [(&str, &str, &str); 8] = [
+const SHIPPED: [(&str, &str, &str); 9] = [
     ("DIALOGUES", "assets/dialogues", "Words of the control's dialogue languages, as `nl.toml`."),
     ("LOGS", "assets/logs", "Words and templates of measuring logs, as `nl.toml`."),
     ("MANUAL", "docs/manual", "Pages of the manual, as `check.md`."),
@@ -18,6 +18,7 @@ const SHIPPED: [(&str, &str, &str); 8] = [
     ("NC", "assets/nc", "NC programs and pages of text for a control, as `8255_nl.h`."),
     ("SAMPLES", "assets/samples", "Files to try the program with, as `sample_plate.toml`."),
     ("TRANSLATED", "docs/translated", "Pages of the manual in other languages, as `nl/operator.md`."),
+    ("TEMPLATES", "assets/report/templates", "Templates of reports, as `inspection.toml`."),
     ("TABLES", "tables", "Control tables, as `82553_hole.tab`."),
 ];
 

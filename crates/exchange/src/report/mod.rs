@@ -13,6 +13,7 @@
 //! | `picture` | the limit band and the verdict's sign as SVG |
 //! | `shapes` | the picture of a part as shapes, for drawing |
 //! | `paper` | what pages are printed on |
+//! | `template` | what a report for people shows, and in which order |
 //! | `text` | sentences about status, source of the limits, size and position |
 //! | `said`, `origins`, `seen`, `shared` | what pages for people say of a part, of a check and of all checks |
 //!
@@ -47,8 +48,10 @@ mod said;
 mod seen;
 pub mod shapes;
 mod shared;
+pub mod template;
 pub mod text;
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
@@ -58,8 +61,10 @@ use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
 use paper::Paper;
 use part::PartSheet;
+use template::{HeadField, Template};
 
 use crate::journal::Record;
+use crate::journal::chain::{ChainId, Head};
 
 /// What an inspection report says.
 ///
@@ -85,6 +90,24 @@ pub struct Report {
     pub parts: Vec<PartSheet>,
     /// What renderings with pages of their own are printed on.
     pub paper: Paper,
+    /// What such renderings show, and in which order.
+    pub template: Arc<Template>,
+    /// What else stands in its head, besides what the fields above say.
+    pub given: BTreeMap<HeadField, String>,
+    /// Where its records stand; `None` where they are in no journal.
+    pub journal: Option<ReportJournal>,
+}
+
+/// Where the records of a report stand.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ReportJournal {
+    pub chain: ChainId,
+    /// The last entry of the journal when the report was made: it proves all entries before it.
+    pub head: Head,
+    /// The newest entry that the report shows: its hash is in the code on the pages.
+    pub newest: Option<Head>,
+    /// The numbers of the entries that it shows, in words: `12, 14–18`.
+    pub numbers: String,
 }
 
 /// The checks of a report, one after the other, as often as a rendering asks for them: a report of many checks is
@@ -152,7 +175,28 @@ impl Report {
             notes: Vec::new(),
             parts: Vec::new(),
             paper: Paper::default(),
+            template: Template::usual(),
+            given: BTreeMap::new(),
+            journal: None,
         }
+    }
+
+    /// Puts something into its head. Blanks around it do not count, and an empty text is nothing.
+    pub fn tell(&mut self, field: HeadField, text: &str) {
+        let text = Some(text.trim().to_owned()).filter(|text| !text.is_empty());
+        match (field, text) {
+            (HeadField::Part, text) => self.part = text,
+            (HeadField::Order, text) => self.order = text,
+            (HeadField::Inspector, text) => self.inspector = text,
+            (_, Some(text)) => _ = self.given.insert(field, text),
+            (_, None) => _ = self.given.remove(&field),
+        }
+    }
+
+    /// The same, by a template and on its paper.
+    #[must_use]
+    pub fn by(self, template: &Arc<Template>) -> Self {
+        Self { paper: template.paper, template: Arc::clone(template), ..self }
     }
 }
 

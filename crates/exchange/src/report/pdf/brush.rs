@@ -19,7 +19,7 @@ use crate::report::band::{Guarded, Side};
 
 /// How a part of a band is hatched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Hatch {
+pub(super) enum Hatch {
     /// Wide slanting lines.
     Rework,
     /// A narrow lattice.
@@ -96,22 +96,14 @@ impl<'a> Brush<'a> {
     fn band(&mut self, surface: &mut Surface<'_>, area: Area, band: &BandShape) {
         let at = |share: f32| area.x + area.width * share;
         for (side, [from, to]) in band.sides {
-            let hatch = match side {
-                Side::Rework => Hatch::Rework,
-                Side::Scrap => Hatch::Scrap,
-            };
-            self.hatch(surface, area, [at(from), at(to)], hatch);
+            self.hatch(surface, area, [at(from), at(to)], side.into());
         }
         let [from, to] = band.zone.map(at);
         let tall =
             |x: f32, width: f32, more: f32| Area::new(x - width / 2.0, area.y - more, width, area.height + 2.0 * more);
         filled(surface, Area::new(from, area.y + 0.8, to - from, area.height - 1.6), ZONE);
         for (span, guarded) in &band.guards {
-            let hatch = match guarded {
-                Guarded::Undecided => Hatch::Undecided,
-                Guarded::AcceptedBeyond => Hatch::Beyond,
-            };
-            self.hatch(surface, area, span.map(at), hatch);
+            self.hatch(surface, area, span.map(at), (*guarded).into());
         }
         filled(surface, tall(from, 1.0, 0.6), ZONE_EDGE);
         filled(surface, tall(to, 1.0, 0.6), ZONE_EDGE);
@@ -174,18 +166,30 @@ fn kept(surface: &mut Surface<'_>, draw: impl FnOnce(&mut Surface<'_>)) -> Graph
 
 /// The hatching of a whole band.
 fn lines_of(surface: &mut Surface<'_>, hatch: Hatch, area: Area) {
-    let Area { width, height, .. } = area;
+    let (lines, ink) = hatched(hatch, Area::new(0.0, 0.0, area.width, area.height));
     let mut builder = PathBuilder::new();
-    let mut add = |from: Place, to: Place| {
+    for [from, to] in lines {
         builder.move_to(from[0], from[1]);
         builder.line_to(to[0], to[1]);
-    };
+    }
+    if let Some(path) = builder.finish() {
+        surface.set_fill(None);
+        surface.set_stroke(Some(stroke(Edge { ink, width: 0.6, is_dashed: false })));
+        surface.draw_path(&path);
+        surface.set_stroke(None);
+    }
+}
+
+/// The lines of the hatching of an area, and their colour; some begin or end beside it.
+pub(super) fn hatched(hatch: Hatch, Area { x, y, width, height }: Area) -> (Vec<[Place; 2]>, Ink) {
     let (step, end) = match hatch {
         Hatch::Rework => (4.6, width + height),
         Hatch::Scrap => (3.6, width + height),
         Hatch::Undecided => (2.2, width),
         Hatch::Beyond => (2.2, height),
     };
+    let mut lines = Vec::new();
+    let mut add = |[x1, y1]: Place, [x2, y2]: Place| lines.push([[x + x1, y + y1], [x + x2, y + y2]]);
     let mut at = step / 2.0;
     while at < end {
         match hatch {
@@ -204,11 +208,24 @@ fn lines_of(surface: &mut Surface<'_>, hatch: Hatch, area: Area) {
         Hatch::Scrap => HATCH_SCRAP,
         Hatch::Undecided | Hatch::Beyond => QUIET,
     };
-    if let Some(path) = builder.finish() {
-        surface.set_fill(None);
-        surface.set_stroke(Some(stroke(Edge { ink, width: 0.6, is_dashed: false })));
-        surface.draw_path(&path);
-        surface.set_stroke(None);
+    (lines, ink)
+}
+
+impl From<Side> for Hatch {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::Rework => Self::Rework,
+            Side::Scrap => Self::Scrap,
+        }
+    }
+}
+
+impl From<Guarded> for Hatch {
+    fn from(guarded: Guarded) -> Self {
+        match guarded {
+            Guarded::Undecided => Self::Undecided,
+            Guarded::AcceptedBeyond => Self::Beyond,
+        }
     }
 }
 
@@ -290,17 +307,16 @@ fn block(area: Area, radius: f32) -> Option<Path> {
 
 /// The outline of a verdict.
 fn outline_path(outline: Outline, [x, y]: Place, radius: f32) -> Option<Path> {
-    let corners: &[Place] = match outline {
+    match outline {
         Outline::Circle => return block(Area::new(x - radius, y - radius, 2.0 * radius, 2.0 * radius), radius),
         Outline::Square => {
             let side = radius * 0.94;
             return block(Area::new(x - side, y - side, 2.0 * side, 2.0 * side), radius * 0.25);
         }
-        Outline::Diamond => &[[0.0, -1.22], [1.22, 0.0], [0.0, 1.22], [-1.22, 0.0]],
-        Outline::Hexagon => &[[-0.58, -1.0], [0.58, -1.0], [1.16, 0.0], [0.58, 1.0], [-0.58, 1.0], [-1.16, 0.0]],
-    };
+        Outline::Diamond | Outline::Hexagon => {}
+    }
     let mut builder = PathBuilder::new();
-    for (number, [dx, dy]) in corners.iter().enumerate() {
+    for (number, [dx, dy]) in outline.corners().iter().enumerate() {
         let [to_x, to_y] = [x + dx * radius, y + dy * radius];
         if number == 0 {
             builder.move_to(to_x, to_y);

@@ -15,6 +15,7 @@ use crate::journal::Record;
 use crate::report::Report;
 use crate::report::said::{cause, removal_said, undecided};
 use crate::report::seen::ReportSurvey;
+use crate::report::template::Section;
 use crate::report::text;
 
 /// The answer of a single check.
@@ -52,8 +53,8 @@ pub(super) fn write(
     seen: &ReportSurvey,
     words: &Words,
 ) -> io::Result<()> {
-    let rows = Rows { words, decimals: seen.decimals };
-    let mut widths = Widths::new(flow.fonts, words);
+    let rows = Rows { words, decimals: seen.decimals, report };
+    let mut widths = Widths::new(flow.fonts, words, &report.template.columns);
     let mut are_any = false;
     seen.each(report, &mut |number, record| {
         widths.see(flow.fonts, &rows.plain(number.to_string(), record));
@@ -72,6 +73,8 @@ pub(super) fn write(
         Ok(())
     })?;
     table.end(flow);
-    grounds.write(flow, section);
+    for shown in [Section::Rule, Section::Caveats].into_iter().filter(|section| report.template.has(*section)) {
+        grounds.write(flow, section, shown);
+    }
     Ok(())
 }

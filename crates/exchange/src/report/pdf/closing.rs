@@ -1,16 +1,19 @@
 //! The end of the report: notes, what is attached, the signature; then what stands on every page.
 
-use fitcheck_core::message::message;
+use fitcheck_core::message::{Message, message};
+use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::attach::{Attachments, MOST};
+use super::code::{CODE, Code};
 use super::flow::{Flow, base};
 use super::head::{DATE, write_heading};
-use super::look::{FOOT, GAP, LABEL, NOTE, SIDE, STRONG, Style, TEXT, TOP};
+use super::look::{BODY, FOOT, GAP, LABEL, NOTE, SIDE, STRONG, Style, TEXT, TOP};
 use super::sheet::{Area, Edge, Piece, Place, Shape, Sheet};
 use super::tags::{Kind, Tags};
 use crate::report::Report;
 use crate::report::seen::ReportSurvey;
+use crate::report::template::Section;
 
 /// The height of the lines to sign on.
 const SIGNATURE: f32 = 46.0;
@@ -53,14 +56,63 @@ pub(super) fn write_notes(
     }
 }
 
-/// Writes the lines to sign on, at the foot of the last page.
-pub(super) fn write_signature(flow: &mut Flow<'_>, report: &Report, words: &Words) {
+/// Writes what stands at the foot of the last page: the statement of conformity, the lines to sign on, the code.
+pub(super) fn write_end(flow: &mut Flow<'_>, report: &Report, seen: &ReportSurvey, words: &Words) {
+    let template = &report.template;
+    if !template.rule_text.is_empty() {
+        let section = flow.tags.add(Tags::ROOT, Kind::Section);
+        flow.paragraph(section, BODY, &template.rule_text);
+    }
+    if template.has(Section::Statement) {
+        let section = flow.tags.add(Tags::ROOT, Kind::Section);
+        flow.room(3.0 * STRONG.line());
+        flow.paragraph(section, STRONG, &words.say(&statement(report, seen)));
+    }
+    let newest = report.journal.as_ref().and_then(|journal| journal.newest).filter(|_| template.has(Section::Code));
+    let code = newest.and_then(|head| Code::of(&head.hash.to_string()).map(|code| (head, code)));
+    let signs = template.has(Section::Signature);
+    if !signs && code.is_none() {
+        return;
+    }
     flow.y += GAP;
-    flow.room(SIGNATURE);
+    flow.room(if code.is_some() { CODE + 12.0 } else { SIGNATURE });
+    let mut right = flow.right();
+    if let Some((head, code)) = code {
+        let area = Area::new(right - CODE, flow.bottom() - CODE - 10.0, CODE, CODE);
+        let said = words.say(&message!("report-code-said").text("number", head.number).text("hash", head.hash));
+        code.write(flow, area, said);
+        let text = format!("{}:{}", head.number, head.hash.short());
+        let section = flow.tags.add(Tags::ROOT, Kind::Paragraph);
+        flow.say_to(Some(section), [right, flow.bottom()], FOOT, text);
+        right -= CODE + 18.0;
+    }
+    if signs {
+        write_signature(flow, report, right, words);
+    }
+    flow.y = flow.bottom();
+}
+
+/// What the values say together: only measured and complete ones within their limits are a statement of conformity.
+fn statement(report: &Report, seen: &ReportSurvey) -> Message {
+    let good = seen.counts.get(Status::Good.at()).copied().unwrap_or(0);
+    let open: usize = report.parts.iter().map(|part| part.missing().len() + part.left_out().len()).sum();
+    let bad = seen.total.saturating_sub(good) + seen.beyond;
+    if 0 < bad {
+        message!("report-statement-not").count("bad", bad).count("count", seen.total)
+    } else if 0 < seen.simulated {
+        message!("report-statement-simulated").count("count", seen.simulated)
+    } else if 0 < open || seen.total == 0 {
+        message!("report-statement-open").count("count", open)
+    } else {
+        message!("report-statement-conforms").count("count", seen.total)
+    }
+}
+
+fn write_signature(flow: &mut Flow<'_>, report: &Report, right: f32, words: &Words) {
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
     let line = flow.bottom() - 14.0;
     let gap = 18.0;
-    let width = (flow.width() - 2.0 * gap) / 3.0;
+    let width = (right - SIDE - 2.0 * gap) / 3.0;
     let mut x = SIDE;
     for id in ["report-sign-name", "report-sign-date", "report-sign-signature"] {
         flow.put(None, Shape::Line { from: [x, line], to: [x + width, line], width: 0.8, ink: TEXT });
@@ -73,7 +125,6 @@ pub(super) fn write_signature(flow: &mut Flow<'_>, report: &Report, words: &Word
         }
         x += width + gap;
     }
-    flow.y = flow.bottom();
 }
 
 /// Writes what stands on every page: above what the report is about, and that a value was simulated; below the program, and which page it is.

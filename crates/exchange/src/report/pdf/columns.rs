@@ -4,128 +4,83 @@ use fitcheck_core::words::Words;
 
 use super::fonts::Fonts;
 use super::look::{CELL, CHIP, LABEL, NOTE, SIDE, VALUE};
-use super::table::{CHIP_MORE, PAD, Row};
+use super::table::{CHIP_MORE, PAD, Row, count};
+use crate::report::template::Column;
 
-/// A column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Column {
-    Label,
-    Name,
-    Callout,
-    Minimum,
-    Maximum,
-    Measured,
-    Deviation,
-    Band,
-    Word,
-    Source,
+/// What stands above a column.
+pub(super) fn head(column: Column, words: &Words) -> String {
+    words.get(column.text())
 }
 
-impl Column {
-    /// All of them, from left to right.
-    pub const ALL: [Self; 10] = [
-        Self::Label,
-        Self::Name,
-        Self::Callout,
-        Self::Minimum,
-        Self::Maximum,
-        Self::Measured,
-        Self::Deviation,
-        Self::Band,
-        Self::Word,
-        Self::Source,
-    ];
-
-    const fn at(self) -> usize {
-        match self {
-            Self::Label => 0,
-            Self::Name => 1,
-            Self::Callout => 2,
-            Self::Minimum => 3,
-            Self::Maximum => 4,
-            Self::Measured => 5,
-            Self::Deviation => 6,
-            Self::Band => 7,
-            Self::Word => 8,
-            Self::Source => 9,
-        }
+/// The unit of its numbers.
+pub(super) const fn unit(column: Column) -> Option<&'static str> {
+    match column {
+        Column::Minimum | Column::Maximum | Column::Measured | Column::Blank => Some("mm"),
+        Column::Deviation => Some("µm"),
+        _ => None,
     }
+}
 
-    /// What stands above it.
-    pub fn head(self, words: &Words) -> String {
-        words.get(match self {
-            Self::Label => "report-contact",
-            Self::Name => "report-id",
-            Self::Callout => "report-callout",
-            Self::Minimum => "report-minimum",
-            Self::Maximum => "report-maximum",
-            Self::Measured => "report-measured",
-            Self::Deviation => "report-deviation",
-            Self::Band => "report-pdf-band",
-            Self::Word => "report-verdict",
-            Self::Source => "report-from",
-        })
-    }
+/// Whether its texts end at the right edge.
+pub(super) const fn is_number(column: Column) -> bool {
+    unit(column).is_some()
+}
 
-    /// The unit of its numbers.
-    pub const fn unit(self) -> Option<&'static str> {
-        match self {
-            Self::Minimum | Self::Maximum | Self::Measured => Some("mm"),
-            Self::Deviation => Some("µm"),
-            _ => None,
-        }
-    }
-
-    /// Whether its texts end at the right edge.
-    pub const fn is_number(self) -> bool {
-        self.unit().is_some()
-    }
-
-    /// Whether its texts may be broken where there is little room.
-    const fn is_text(self) -> bool {
-        matches!(self, Self::Name | Self::Callout | Self::Source)
-    }
+/// Whether its texts may be broken where there is little room.
+const fn is_text(column: Column) -> bool {
+    matches!(column, Column::Feature | Column::Callout | Column::From | Column::Instrument | Column::Remark)
 }
 
 /// The least and the usual width of the limit band.
 const BAND: [f32; 2] = [60.0, 112.0];
+/// The width of a cell that is filled in by hand.
+const BLANK: f32 = 70.0;
 /// The least width of a text.
 const TEXT: f32 = 36.0;
 
 /// The widths that the cells ask for, and then those that they get.
 #[derive(Debug, Clone)]
 pub(super) struct Widths {
-    /// The left edge of each column, and its width.
-    columns: [[f32; 2]; Column::ALL.len()],
+    /// From left to right, with the left edge of each and its width.
+    columns: Vec<(Column, [f32; 2])>,
 }
 
 impl Widths {
     /// What the heads ask for.
-    pub fn new(fonts: &Fonts, words: &Words) -> Self {
+    pub fn new(fonts: &Fonts, words: &Words, columns: &[Column]) -> Self {
         let width = |column: Column| {
-            let head = column.head(words);
+            let head = head(column, words);
             // A head is broken between its words.
             let widest = head.split(' ').map(|word| fonts.width(word, LABEL.weight, LABEL.size)).fold(0.0, f32::max);
-            let least = if column == Column::Label { 22.0 } else { 0.0 };
+            let least = match column {
+                Column::Number => 22.0,
+                Column::Blank => BLANK,
+                _ => 0.0,
+            };
             [SIDE, (widest + 2.0 * PAD + 0.5).max(least)]
         };
-        Self { columns: Column::ALL.map(width) }
+        Self { columns: columns.iter().map(|column| (*column, width(*column))).collect() }
+    }
+
+    /// The columns from left to right.
+    pub fn all(&self) -> impl Iterator<Item = Column> {
+        self.columns.iter().map(|(column, _)| *column)
     }
 
     /// What a row asks for.
     pub fn see(&mut self, fonts: &Fonts, row: &Row) {
-        for (column, place) in Column::ALL.into_iter().zip(&mut self.columns) {
-            let text = row.text(column);
+        for (column, place) in &mut self.columns {
+            let text = row.text(*column);
             let asked = match column {
                 Column::Band => continue,
                 // Long ones are broken anyway.
                 _ if 200 < text.len() => 200.0,
-                Column::Word => {
+                Column::Verdict => {
                     let widths = text.lines().map(|line| fonts.width(line, CHIP.weight, CHIP.size));
                     widths.fold(0.0, f32::max) + CHIP_MORE
                 }
-                Column::Name | Column::Measured => fonts.width(text, VALUE.weight, VALUE.size),
-                Column::Source => fonts.width(text, NOTE.weight, NOTE.size),
+                Column::Feature | Column::Measured => fonts.width(text, VALUE.weight, VALUE.size),
+                Column::From | Column::Remark => fonts.width(text, NOTE.weight, NOTE.size),
                 _ => fonts.width(text, CELL.weight, CELL.size),
             };
             place[1] = place[1].max(asked + 2.0 * PAD + 0.5);
@@ -134,40 +89,37 @@ impl Widths {
 
     /// Shares a width out: numbers and verdicts get what they ask for, the texts and the band what is left.
     pub fn fit(mut self, width: f32) -> Self {
-        let taken: f32 = Column::ALL
-            .into_iter()
-            .filter(|column| !column.is_text() && *column != Column::Band)
-            .map(|column| self.asked(column))
-            .sum();
-        let texts = Column::ALL.into_iter().filter(|column| column.is_text());
-        let asked: f32 = texts.clone().map(|column| self.asked(column)).sum();
+        let taken: f32 =
+            self.all().filter(|column| !is_text(*column) && *column != Column::Band).map(|column| self.asked(column)).sum();
+        let texts: Vec<f32> = self.all().filter(|column| is_text(*column)).map(|column| self.asked(column)).collect();
+        let asked: f32 = texts.iter().sum();
         let free = width - taken;
-        let band = (free - asked).clamp(BAND[0].max(self.asked(Column::Band)), BAND[1]);
-        let room = (free - band).max(3.0 * TEXT);
+        let has_band = self.all().any(|column| column == Column::Band);
+        let band = if has_band { (free - asked).clamp(BAND[0].max(self.asked(Column::Band)), BAND[1]) } else { 0.0 };
+        let room = (free - band).max(count(texts.len()) * TEXT);
         // What is too wide gives way: the widest ones share what the others leave.
         let mut most = f32::INFINITY;
         if room < asked {
-            most = room / 3.0;
-            for _ in 0..3 {
-                let small: Vec<f32> =
-                    texts.clone().map(|column| self.asked(column)).filter(|asked| *asked <= most).collect();
-                let wide = 3_u8.saturating_sub(u8::try_from(small.len()).unwrap_or(3)).max(1);
-                most = (room - small.iter().sum::<f32>()) / f32::from(wide);
+            most = room / count(texts.len().max(1));
+            for _ in 0..texts.len() {
+                let small: Vec<f32> = texts.iter().copied().filter(|asked| *asked <= most).collect();
+                let wide = texts.len().saturating_sub(small.len()).max(1);
+                most = (room - small.iter().sum::<f32>()) / count(wide);
             }
         }
-        let spare = (room - asked).max(0.0);
+        let mut spare = (room - asked).max(0.0);
         let mut x = SIDE;
-        for column in Column::ALL {
-            let mut given = if column.is_text() { self.asked(column).min(most) } else { self.asked(column) };
-            if column == Column::Band {
+        for (column, place) in &mut self.columns {
+            let asked = place[1];
+            let mut given = if is_text(*column) { asked.min(most) } else { asked };
+            if *column == Column::Band {
                 given = band;
             }
-            if column == Column::Name {
-                given += spare;
+            // What is left over goes to the first text.
+            if is_text(*column) {
+                given += std::mem::take(&mut spare);
             }
-            if let Some(place) = self.columns.get_mut(column.at()) {
-                *place = [x, given];
-            }
+            *place = [x, given];
             x += given;
         }
         self
@@ -179,6 +131,6 @@ impl Widths {
 
     /// The left edge of a column, and its width.
     pub fn of(&self, column: Column) -> [f32; 2] {
-        self.columns.get(column.at()).copied().unwrap_or([SIDE, 0.0])
+        self.columns.iter().find(|(known, _)| *known == column).map_or([SIDE, 0.0], |(_, place)| *place)
     }
 }

@@ -10,8 +10,11 @@ use super::flow::{Flow, base};
 use super::look::{BODY, GAP, NOTE, SIDE, STRONG};
 use super::tags::{Kind, TagId};
 use crate::journal::Record;
+use crate::report::template::Section;
 use crate::report::{origins, text};
 
+/// The label of what the measurements cannot tell.
+const CAVEATS: &str = "report-cannot-tell";
 /// The most sentences with a label: those of a lot with a file for each value would fill pages.
 const MOST: usize = 40;
 /// The most runs of rows that a sentence names.
@@ -47,7 +50,7 @@ pub(super) struct Grounds<'a> {
 
 impl<'a> Grounds<'a> {
     pub fn new(words: &'a Words) -> Self {
-        let labels = ["report-limits-from", "report-verdict-from", "report-budget", "report-cannot-tell"];
+        let labels = ["report-limits-from", "report-verdict-from", "report-budget", CAVEATS];
         Self { words, groups: labels.map(|label| (label, Group::default())), rows: 0 }
     }
 
@@ -67,10 +70,11 @@ impl<'a> Grounds<'a> {
         self.rows += 1;
     }
 
-    /// Writes the sentences.
-    pub fn write(&self, flow: &mut Flow<'_>, section: TagId) {
+    /// Writes the sentences of a section.
+    pub fn write(&self, flow: &mut Flow<'_>, section: TagId, shown: Section) {
         for (label, group) in &self.groups {
-            if !group.order.is_empty() {
+            let is_caveat = *label == CAVEATS;
+            if !group.order.is_empty() && is_caveat == (shown == Section::Caveats) {
                 self.group(flow, section, label, group);
             }
         }

@@ -1,5 +1,7 @@
 //! The head of the first page: what the report is about, the answer, and what a reader must know before anything else.
 
+use std::collections::BTreeSet;
+
 use fitcheck_core::message::message;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
@@ -13,6 +15,7 @@ use crate::report::Report;
 use crate::report::origins::Entry;
 use crate::report::part::PartSheet;
 use crate::report::seen::ReportSurvey;
+use crate::report::template::HeadField;
 
 /// How dates are written: the same in every language, so that nobody mistakes the day for the month.
 pub(super) const DATE: &str = "%Y-%m-%d %H:%M:%S";
@@ -27,30 +30,49 @@ pub(super) fn title(report: &Report, words: &Words) -> String {
     if report.title.is_empty() { words.get("report-title") } else { report.title.clone() }
 }
 
-/// Writes title, and what the report is about.
-pub(super) fn write_title(flow: &mut Flow<'_>, title: &str, about: &str) {
+/// Writes title, and what the report is about; on the right the company.
+pub(super) fn write_title(flow: &mut Flow<'_>, report: &Report, title: &str, about: &str) {
     let plain: String = title.chars().take(MOST_NAME).collect();
     let heading = flow.tags.add(Tags::ROOT, Kind::Heading(1, plain));
+    let top = flow.y;
+    let company = &report.template.company;
     // The sign of what is simulated has its place on the right.
-    let lines = flow.wrap(title, TITLE, flow.width() - 120.0, 3);
+    let aside = if company.name.is_empty() { 120.0 } else { COMPANY };
+    let lines = flow.wrap(title, TITLE, flow.width() - aside, 3);
     flow.lines(heading, SIDE, TITLE, lines);
     if !about.is_empty() {
         let element = flow.tags.add(Tags::ROOT, Kind::Paragraph);
-        let lines = flow.wrap(about, SUBTITLE, flow.width(), 3);
+        let lines = flow.wrap(about, SUBTITLE, flow.width() - aside, 3);
         flow.lines(element, SIDE, SUBTITLE, lines);
     }
-    flow.y += GAP - 2.0;
+    let left = flow.y;
+    if !company.name.is_empty() {
+        flow.y = top + 20.0;
+        let element = flow.tags.add(Tags::ROOT, Kind::Paragraph);
+        let address = company.address.iter().map(|line| (LABEL, line));
+        for (style, text) in std::iter::once((STRONG, &company.name)).chain(address) {
+            for line in flow.wrap(text, style, COMPANY - 10.0, 2) {
+                let place = [flow.right(), base(flow.y, style.line(), style)];
+                flow.say_to(Some(element), place, style, line);
+                flow.y += style.line();
+            }
+        }
+    }
+    flow.y = flow.y.max(left) + GAP - 2.0;
 }
+
+/// The width that the company has.
+const COMPANY: f32 = 190.0;
 
 /// The most signs of a name where it is only said, such as in the outline.
 pub(super) const MOST_NAME: usize = 300;
 
 /// Writes the card, and labels with their values beside it.
-pub(super) fn write_card(flow: &mut Flow<'_>, section: TagId, card: &Card, entries: &[Entry]) {
+pub(super) fn write_card(flow: &mut Flow<'_>, section: TagId, card: Option<&Card>, entries: &[Entry]) {
     let top = flow.y;
     let width = if entries.is_empty() { flow.width() } else { flow.width() * CARD };
-    let height = card.draw(flow, section, width);
-    let left = SIDE + width + 16.0;
+    let height = card.map_or(0.0, |card| card.draw(flow, section, width));
+    let left = if card.is_some() { SIDE + width + 16.0 } else { SIDE };
     let column = (flow.right() - left) / f32::from(COLUMNS);
     let mut y = top + 1.0;
     for row in entries.chunks(COLUMNS.into()) {
@@ -105,21 +127,48 @@ pub(super) fn write_sentences(flow: &mut Flow<'_>, section: TagId, entries: &[En
     }
 }
 
-/// What the report itself says in short: part, order, dates; the drawing where it is about one part.
+/// What the report itself says in short, as far as its template shows it and there is something to say.
 pub(super) fn entries(report: &Report, words: &Words) -> Vec<Entry> {
-    let created = report.created.strftime(DATE).to_string();
-    let drawing = report.parts.first().map(|part| part.plan.head.drawing.clone()).filter(|name| !name.is_empty());
-    [
-        ("report-part", report.part.as_ref()),
-        ("parts-page-head-drawing", drawing.as_ref()),
-        ("report-order", report.order.as_ref()),
-        ("report-inspector", report.inspector.as_ref()),
-        ("report-created", Some(&created)),
-        ("report-program", Some(&report.program)),
-    ]
-    .into_iter()
-    .filter_map(|(id, value)| Some(Entry { label: words.get(id), value: value?.clone() }))
-    .collect()
+    let shown = report.template.head.iter().filter_map(|field| {
+        let value = value(report, *field, words).filter(|value| !value.is_empty())?;
+        Some(Entry { label: words.get(field.text()), value })
+    });
+    shown.collect()
+}
+
+fn value(report: &Report, field: HeadField, words: &Words) -> Option<String> {
+    // Of several parts each has its own.
+    let only = if let [only] = report.parts.as_slice() { Some(only) } else { None };
+    let plan = report.parts.first().map(|part| &part.plan.head);
+    if let Some(given) = report.given.get(&field) {
+        return Some(given.clone());
+    }
+    match field {
+        HeadField::Part => report.part.clone().or_else(|| plan.map(|head| head.part.clone())),
+        HeadField::Drawing => plan.map(|head| head.drawing.clone()),
+        HeadField::Serial => only.map(|part| part.serial().to_owned()),
+        HeadField::Order => report.order.clone(),
+        HeadField::Inspector => report.inspector.clone(),
+        HeadField::Date => Some(report.created.strftime(DATE).to_string()),
+        HeadField::Records => report.journal.as_ref().map(|journal| journal.numbers.clone()),
+        HeadField::Material => {
+            let materials = report.parts.first().into_iter().flat_map(|part| part.plan.features());
+            let names: BTreeSet<&str> = materials.filter_map(|f| f.material.as_ref()).map(|m| m.name.as_str()).collect();
+            Some(names.into_iter().collect::<Vec<_>>().join(", "))
+        }
+        HeadField::Temperature => {
+            let warm = only?.records().filter_map(|record| record.correction.as_ref()).map(|correction| correction.part);
+            let all: BTreeSet<String> = warm.map(|warm| words.number(&warm.temperature.to_string())).collect();
+            Some(all.into_iter().map(|one| format!("{one} °C")).collect::<Vec<_>>().join(", "))
+        }
+        HeadField::Revision
+        | HeadField::Batch
+        | HeadField::Customer
+        | HeadField::Station
+        | HeadField::Instrument
+        | HeadField::Calibrated
+        | HeadField::Plan => None,
+    }
 }
 
 /// What is special about the checks, in numbers.

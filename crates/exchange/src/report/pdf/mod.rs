@@ -8,7 +8,10 @@
 //! | `rows`, `table`, `columns` | a value as a row, the table, the widths of its columns |
 //! | `bands`, `pictures`, `svg`, `signs` | limit bands, pictures with balloons, signs of verdicts |
 //! | `grounds` | what the verdicts rest on |
-//! | `closing` | notes, signature, and what stands on every page |
+//! | `lot` | many parts with their verdicts, the worst first |
+//! | `closing`, `code` | notes, statement, signature and code, and what stands on every page |
+//! | `label` | the answer on a label |
+//! | `pages` | the pages for a window |
 //! | `flow`, `wrap`, `fonts`, `look` | where things go: pages, lines, letters, colours and sizes |
 //! | `sheet`, `tags` | pages as plain values, and their logical structure |
 //! | `attach`, `emit`, `brush` | the data as attachments; plain values become a file |
@@ -24,6 +27,7 @@ mod attach;
 mod bands;
 mod brush;
 mod card;
+mod code;
 mod checks;
 mod closing;
 mod columns;
@@ -32,8 +36,11 @@ mod flow;
 mod fonts;
 mod grounds;
 mod head;
+mod label;
 mod look;
+mod lot;
 mod parts;
+mod pages;
 mod pictures;
 mod rows;
 mod sheet;
@@ -51,11 +58,13 @@ use attach::Attachments;
 use emit::{Book, EmitError};
 use flow::Flow;
 use fonts::Fonts;
+pub use pages::{Canvas, CanvasEdge, Pages};
 use pictures::Pictures;
 use tags::{Kind, Tags};
 
 use super::said::heading;
 use super::seen::ReportSurvey;
+use super::template::Section;
 use super::{Rendering, Report};
 
 pub const RENDERING: Rendering =
@@ -94,9 +103,7 @@ fn made(
     let pictures = Pictures::of(report, refused);
     let mut flow = Flow::new(&fonts, report.paper.points());
     let title = head::title(report, words);
-    let outline = write(&mut flow, report, (seen, attachments, &pictures), words)?;
-    let simulated = 0 < seen.simulated || report.parts.iter().any(|part| 0 < part.standing().simulated);
-    closing::write_running(&mut flow, report, (&title, simulated), words);
+    let outline = set(&mut flow, report, (seen, attachments, &pictures), words)?;
     let Flow { sheets, tags, .. } = flow;
     let book = Book {
         fonts: &fonts,
@@ -111,7 +118,35 @@ fn made(
     emit::bytes(book, report, attachments)
 }
 
-/// Fills the pages; gives the headings with their places.
+/// Sets all pages, with what stands on every one of them.
+fn set(
+    flow: &mut Flow<'_>,
+    report: &Report,
+    (seen, attachments, pictures): (&ReportSurvey, &Attachments, &Pictures),
+    words: &Words,
+) -> io::Result<Vec<(String, usize, f32)>> {
+    let simulated = 0 < seen.simulated || report.parts.iter().any(|part| 0 < part.standing().simulated);
+    if report.paper.is_label() {
+        label::write(flow, report, (&answer(report, seen, words)?, simulated), words);
+        return Ok(Vec::new());
+    }
+    let outline = write(flow, report, (seen, attachments, pictures), words)?;
+    closing::write_running(flow, report, (&head::title(report, words), simulated), words);
+    Ok(outline)
+}
+
+/// The pages as a window shows them.
+fn pages(report: &Report, words: &Words) -> io::Result<Pages> {
+    let fonts = Fonts::new()?;
+    let attachments = Attachments::of(report, words)?;
+    let seen = ReportSurvey::of(report, MOST_CHECKS)?;
+    let pictures = Pictures::of(report, None);
+    let mut flow = Flow::new(&fonts, report.paper.points());
+    set(&mut flow, report, (&seen, &attachments, &pictures), words)?;
+    Ok(Pages::new(flow.size(), flow.sheets, pictures.sources))
+}
+
+/// Fills the pages; gives the headings with their places. What must be known is told whatever the template shows.
 fn write(
     flow: &mut Flow<'_>,
     report: &Report,
@@ -124,18 +159,12 @@ fn write(
         [only] => heading(only, words),
         _ => report.part.clone().unwrap_or_default(),
     };
-    head::write_title(flow, &title, &about);
+    head::write_title(flow, report, &title, &about);
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
-    let card = match report.parts.as_slice() {
-        [only] => parts::card(only, words),
-        [] if seen.total == 1 => match checks::only(report)? {
-            Some(record) => checks::card(&record, words),
-            None => head::counts(seen, words),
-        },
-        [] => head::counts(seen, words),
-        parts => head::counts_of_parts(parts, words),
-    };
-    head::write_card(flow, section, &card, &head::entries(report, words));
+    let card = answer(report, seen, words)?;
+    let shows = |section| report.template.has(section);
+    let entries = if shows(Section::Head) { head::entries(report, words) } else { Vec::new() };
+    head::write_card(flow, section, shows(Section::Verdict).then_some(&card), &entries);
     let mut signals = head::signals(report, seen, words);
     if seen.total == 0 {
         signals.push(words.get("report-no-checks"));
@@ -146,7 +175,12 @@ fn write(
     } else {
         head::write_signals(flow, section, &lacks_of_all(report, words));
     }
-    head::write_sentences(flow, section, &seen.shared.entries(words));
+    if shows(Section::Rule) {
+        head::write_sentences(flow, section, &seen.shared.entries(words));
+    }
+    if shows(Section::Lot) && 1 < report.parts.len() {
+        lot::write(flow, section, &report.parts, words);
+    }
     let is_one = report.parts.len() == 1;
     for (number, part) in report.parts.iter().enumerate() {
         let mut section = section;
@@ -156,14 +190,14 @@ fn write(
             outline.push((name.clone(), flow.page(), flow.y));
             section = flow.tags.add(Tags::ROOT, Kind::Section);
             head::write_heading(flow, section, &name);
-            head::write_card(flow, section, &parts::card(part, words), &[]);
+            head::write_card(flow, section, Some(&parts::card(part, words)), &[]);
             parts::write_lacks(flow, section, part, words);
         }
-        parts::write(flow, section, part, (number, pictures), words);
+        parts::write(flow, (section, report), part, (number, pictures), words);
     }
     // Values that are in no part's table: older ones, those of more parts, and those of no part.
     let shown: usize = report.parts.iter().map(|part| part.standing().measured).sum();
-    if shown < seen.total {
+    if shown < seen.total && shows(Section::Features) {
         let mut section = section;
         if !report.parts.is_empty() {
             section = flow.tags.add(Tags::ROOT, Kind::Section);
@@ -175,8 +209,21 @@ fn write(
         checks::write(flow, section, report, seen, words)?;
     }
     closing::write_notes(flow, report, (seen, attachments), words);
-    closing::write_signature(flow, report, words);
+    closing::write_end(flow, report, seen, words);
     Ok(outline)
+}
+
+/// What the first card says: the verdict of the only part or check, or how many there are of each.
+fn answer(report: &Report, seen: &ReportSurvey, words: &Words) -> io::Result<card::Card> {
+    Ok(match report.parts.as_slice() {
+        [only] => parts::card(only, words),
+        [] if seen.total == 1 => match checks::only(report)? {
+            Some(record) => checks::card(&record, words),
+            None => head::counts(seen, words),
+        },
+        [] => head::counts(seen, words),
+        parts => head::counts_of_parts(parts, words),
+    })
 }
 
 /// What parts lack, where there are several, up to so many lines; each is told on its own page, too.

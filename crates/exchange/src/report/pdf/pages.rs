@@ -11,7 +11,6 @@ use super::sheet::{Area, Edge, Piece, Place, Shape, Sheet};
 use super::signs::Outline;
 use crate::report::Report;
 use crate::report::image::Image;
-use fitcheck_core::message::Message;
 
 /// What pages are drawn on. Places and sizes are in points from the left and upper edge of the page, colours red, green, blue.
 pub trait Canvas {
@@ -55,8 +54,6 @@ pub struct Pages {
     sheets: Vec<Sheet>,
     /// The pictures on them, by their numbers.
     pub pictures: Vec<(String, Image)>,
-    /// What is not as it was asked for.
-    pub notes: Vec<Message>,
 }
 
 impl Pages {
@@ -69,7 +66,7 @@ impl Pages {
     }
 
     pub(super) const fn new(size: [f32; 2], sheets: Vec<Sheet>, pictures: Vec<(String, Image)>) -> Self {
-        Self { size, sheets, pictures, notes: Vec::new() }
+        Self { size, sheets, pictures }
     }
 
     pub const fn count(&self) -> usize {

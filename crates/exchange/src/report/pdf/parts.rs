@@ -17,6 +17,8 @@ use super::tags::TagId;
 use crate::journal::Record;
 use crate::report::origins::Entry;
 use crate::report::part::PartSheet;
+use crate::report::Report;
+use crate::report::template::Section;
 use crate::report::said::{beyond_limits, decimals_of, lacks};
 
 /// What to remove is said in the card of so many sizes; of all of them in the table.
@@ -53,7 +55,7 @@ pub(super) fn write_lacks(flow: &mut Flow<'_>, section: TagId, part: &PartSheet,
 /// Writes the picture, the table and what it rests on.
 pub(super) fn write(
     flow: &mut Flow<'_>,
-    section: TagId,
+    (section, report): (TagId, &Report),
     part: &PartSheet,
     (number, pictures): (usize, &Pictures),
     words: &Words,
@@ -63,7 +65,7 @@ pub(super) fn write(
         let measured = record.map(|record| record.measurement.diameter);
         [size.limits.minimum(), size.limits.maximum()].into_iter().chain(measured)
     });
-    let rows = Rows { words, decimals: decimals.map(decimals_of).fold(3, usize::max) };
+    let rows = Rows { words, decimals: decimals.map(decimals_of).fold(3, usize::max), report };
     let all: Vec<(Row, Option<&Record>)> = part
         .sizes()
         .zip(&labels)
@@ -72,26 +74,34 @@ pub(super) fn write(
             (rows.size(label, &size, step, record), record)
         })
         .collect();
-    let mut widths = Widths::new(flow.fonts, words);
+    let template = &report.template;
+    let mut widths = Widths::new(flow.fonts, words, &template.columns);
     for (row, _) in &all {
         widths.see(flow.fonts, row);
     }
-    pictures.write(flow, section, part, (number, all.len()), words);
-    let table = Table::begin(flow, section, widths.fit(flow.width()), words);
     let mut grounds = Grounds::new(words);
     for (row, record) in &all {
-        table.row(flow, row);
         if let Some(record) = record {
             grounds.see(&row.label, record);
         }
     }
-    table.end(flow);
-    let remark = &part.plan.head.remark;
-    if !remark.is_empty() {
-        let entry = Entry { label: words.get("parts-page-head-remark"), value: remark.clone() };
-        head::write_sentences(flow, section, &[entry]);
+    for shown in &template.sections {
+        match shown {
+            Section::Picture => pictures.write(flow, section, part, (number, all.len()), words),
+            Section::Features => {
+                let table = Table::begin(flow, section, widths.clone().fit(flow.width()), words);
+                all.iter().for_each(|(row, _)| table.row(flow, row));
+                table.end(flow);
+            }
+            Section::Remarks if !part.plan.head.remark.is_empty() => {
+                let remark = part.plan.head.remark.clone();
+                let entry = Entry { label: words.get("parts-page-head-remark"), value: remark };
+                head::write_sentences(flow, section, &[entry]);
+            }
+            Section::Rule | Section::Caveats => grounds.write(flow, section, *shown),
+            _ => {}
+        }
     }
-    grounds.write(flow, section);
 }
 
 /// The numbers of the sizes: those of their balloons, or the places of their features in the plan.

@@ -53,6 +53,8 @@ impl Drawable {
 #[derive(Default)]
 pub(super) struct Pictures {
     pub all: Vec<Drawable>,
+    /// The same as they were given, with their names.
+    pub sources: Vec<(String, Image)>,
     /// Of each part: its picture, or why there is none.
     of_parts: Vec<Option<Result<usize, Message>>>,
 }
@@ -75,6 +77,7 @@ impl Pictures {
                         };
                         drawable.map(|drawable| {
                             pictures.all.push(drawable);
+                            pictures.sources.push((name.to_owned(), image.clone()));
                             pictures.all.len() - 1
                         })
                     })

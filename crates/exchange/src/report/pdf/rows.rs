@@ -10,12 +10,14 @@ use super::bands::BandShape;
 use super::table::Row;
 use crate::journal::Record;
 use crate::report::said::{cause, removal_said, undecided};
-use crate::report::{origins, picture, text};
+use crate::report::template::{Column, HeadField, Section};
+use crate::report::{Report, origins, picture, text};
 
 /// Makes rows: all sizes of a table have as many decimals, so that their decimal signs stand one below the other.
 pub(super) struct Rows<'a> {
     pub words: &'a Words,
     pub decimals: usize,
+    pub report: &'a Report,
 }
 
 impl Rows<'_> {
@@ -49,6 +51,8 @@ impl Rows<'_> {
             band: None,
             word,
             source: words.told(&measurement.origin),
+            instrument: self.instrument(),
+            remark: String::new(),
             notes: Vec::new(),
         }
     }
@@ -84,10 +88,18 @@ impl Rows<'_> {
         };
         row.name = size.name();
         row.callout = callout;
-        if !size.feature.remark.is_empty() {
-            row.notes.push(size.feature.remark.clone());
+        let remark = &size.feature.remark;
+        if self.report.template.columns.contains(&Column::Remark) {
+            row.remark.clone_from(remark);
+        } else if !remark.is_empty() && self.report.template.has(Section::Remarks) {
+            row.notes.push(remark.clone());
         }
         row
+    }
+
+    /// What every value was measured with, as far as the report says it.
+    fn instrument(&self) -> String {
+        self.report.given.get(&HeadField::Instrument).cloned().unwrap_or_else(String::new)
     }
 
     fn mm(&self, length: Length) -> String {

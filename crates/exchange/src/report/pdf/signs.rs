@@ -45,6 +45,15 @@ pub(super) enum Outline {
 }
 
 impl Outline {
+    /// Its corners round its middle, where it has straight sides.
+    pub const fn corners(self) -> &'static [[f32; 2]] {
+        match self {
+            Self::Circle | Self::Square => &[],
+            Self::Diamond => &[[0.0, -1.22], [1.22, 0.0], [0.0, 1.22], [-1.22, 0.0]],
+            Self::Hexagon => &[[-0.58, -1.0], [0.58, -1.0], [1.16, 0.0], [0.58, 1.0], [-0.58, 1.0], [-1.16, 0.0]],
+        }
+    }
+
     pub const fn of(status: Option<Status>) -> Self {
         match status {
             Some(Status::Good) | None => Self::Circle,

@@ -4,12 +4,13 @@ use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::bands::BandShape;
-use super::columns::{Column, Widths};
+use super::columns::{self, Widths};
 use super::flow::{Flow, base};
 use super::look::{CELL, CHIP, GAP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
 use super::sheet::{Area, Edge, Shape};
 use super::signs::{Outline, Sign};
 use super::tags::{Kind, TagId};
+use crate::report::template::Column;
 
 /// A row: a size and its value.
 #[derive(Debug, Clone, Default)]
@@ -27,6 +28,9 @@ pub(super) struct Row {
     pub band: Option<(BandShape, String)>,
     pub word: String,
     pub source: String,
+    /// What it is measured with.
+    pub instrument: String,
+    pub remark: String,
     /// What is special about it.
     pub notes: Vec<String>,
 }
@@ -35,16 +39,18 @@ impl Row {
     /// The text of a column.
     pub fn text(&self, column: Column) -> &str {
         match column {
-            Column::Label => &self.label,
-            Column::Name => &self.name,
+            Column::Number => &self.label,
+            Column::Feature => &self.name,
             Column::Callout => &self.callout,
             Column::Minimum => &self.minimum,
             Column::Maximum => &self.maximum,
             Column::Measured => &self.measured,
             Column::Deviation => &self.deviation,
-            Column::Band => "",
-            Column::Word => &self.word,
-            Column::Source => &self.source,
+            Column::Band | Column::Blank => "",
+            Column::Verdict => &self.word,
+            Column::From => &self.source,
+            Column::Instrument => &self.instrument,
+            Column::Remark => &self.remark,
         }
     }
 }
@@ -74,10 +80,10 @@ impl Table {
         let row = flow.tags.add(head, Kind::Row);
         let body = flow.tags.add(table, Kind::TableBody);
         let mut heads = Vec::new();
-        for column in Column::ALL {
+        for column in widths.all() {
             let [_, width] = widths.of(column);
-            let mut lines = flow.wrap(&column.head(words), LABEL, width - 2.0 * PAD, MOST_LINES);
-            lines.extend(column.unit().map(str::to_owned));
+            let mut lines = flow.wrap(&columns::head(column, words), LABEL, width - 2.0 * PAD, MOST_LINES);
+            lines.extend(columns::unit(column).map(str::to_owned));
             heads.push((column, lines));
         }
         let table = Self { widths, heads, body };
@@ -110,9 +116,9 @@ impl Table {
     /// Sets a line in a column.
     fn set(&self, flow: &mut Flow<'_>, cell: Option<TagId>, column: Column, y: f32, style: Style, line: String) {
         let [x, width] = self.widths.of(column);
-        if column.is_number() {
+        if columns::is_number(column) {
             flow.say_to(cell, [x + width - PAD, y], style, line);
-        } else if column == Column::Label {
+        } else if column == Column::Number {
             flow.say_round(cell, [x + width / 2.0, y], style, line);
         } else {
             flow.say(cell, [x + PAD, y], style, line);
@@ -123,19 +129,21 @@ impl Table {
     pub fn row(&self, flow: &mut Flow<'_>, row: &Row) {
         let mut most = 1;
         let mut texts = Vec::new();
-        for column in Column::ALL {
+        for column in self.widths.all() {
             let style = style(column);
             let [_, width] = self.widths.of(column);
-            let text = if row.text(column).is_empty() { NOTHING } else { row.text(column) };
+            // A cell that is filled in by hand stays empty.
+            let nothing = if column == Column::Blank { " " } else { NOTHING };
+            let text = if row.text(column).is_empty() { nothing } else { row.text(column) };
             let lines = match column {
                 Column::Band => Vec::new(),
-                Column::Word | Column::Label => vec![text.to_owned()],
+                Column::Verdict | Column::Number => vec![text.to_owned()],
                 _ => flow.wrap(text, style, width - 2.0 * PAD, MOST_LINES),
             };
             most = most.max(lines.len());
             texts.push((column, lines));
         }
-        let [left, _] = self.widths.of(Column::Name);
+        let [left, _] = self.widths.of(Column::Feature);
         let notes_width = flow.right() - left - 2.0 * PAD;
         let notes: Vec<Vec<String>> =
             row.notes.iter().map(|note| flow.wrap(note, NOTE, notes_width, MOST_LINES)).collect();
@@ -149,13 +157,13 @@ impl Table {
         let element = flow.tags.add(self.body, Kind::Row);
         let mut last = None;
         for (column, lines) in texts {
-            let kind = if column == Column::Name { Kind::RowHead } else { Kind::Cell };
+            let kind = if column == Column::Feature { Kind::RowHead } else { Kind::Cell };
             let cell = flow.tags.add(element, kind);
             let area = self.area(flow, column, height);
             match column {
-                Column::Label => balloon(flow, cell, area, row),
+                Column::Number => balloon(flow, cell, area, row),
                 Column::Band => band(flow, cell, area, row),
-                Column::Word => chip(flow, cell, area, row),
+                Column::Verdict => chip(flow, cell, area, row),
                 _ => {
                     let mut y = flow.y + (height - count(lines.len()) * NEXT) / 2.0;
                     for line in lines {
@@ -188,8 +196,8 @@ impl Table {
 
 const fn style(column: Column) -> Style {
     match column {
-        Column::Name | Column::Measured => VALUE,
-        Column::Source => NOTE,
+        Column::Feature | Column::Measured => VALUE,
+        Column::From | Column::Remark => NOTE,
         _ => CELL,
     }
 }

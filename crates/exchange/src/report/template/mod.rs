@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | here | a template, and reading one |
-//! | `parts` | the sections, columns, head fields and papers that it chooses from |
+//! | `parts` | the sections, columns and head fields that it chooses from |
 //!
 //! A template is TOML with `version = 1`; unknown keys and words are refused with what is allowed. There is no language in it and no
 //! code: it chooses and orders, and its texts are plain. The shipped ones are in `assets/report/templates`; `docs/manual/reports.md`
@@ -18,12 +18,15 @@ mod parts;
 
 use std::collections::BTreeSet;
 use std::hash::Hash;
+use std::sync::{Arc, LazyLock};
 
 use fitcheck_core::message::{FilePlace, Located, Say};
-use fitcheck_core::words::Language;
+use fitcheck_core::words::{Language, Words};
 use serde::Deserialize;
 
-pub use parts::{Column, HeadField, Paper, Section};
+pub use parts::{Column, HeadField, Section};
+
+use super::paper::Paper;
 
 /// The version of the file that this program reads.
 const VERSION: u32 = 1;
@@ -126,6 +129,17 @@ pub enum TemplateError {
     },
 }
 
+static SHIPPED: LazyLock<Vec<Arc<Template>>> = LazyLock::new(|| {
+    #[expect(clippy::expect_used, reason = "the files are part of the program and read by a test")]
+    let read = |(name, bytes): &(&str, &[u8])| {
+        Arc::new(Template::read(&String::from_utf8_lossy(bytes)).expect(name))
+    };
+    let mut all: Vec<Arc<Template>> = fitcheck_shipped::TEMPLATES.iter().map(read).collect();
+    // The usual one comes first; the others keep the order of their files.
+    all.sort_by_key(|template| template.name != "report-template-inspection");
+    all
+});
+
 impl Template {
     /// Reads a template.
     ///
@@ -144,12 +158,22 @@ impl Template {
         template.checked().map_err(of_file)
     }
 
+    /// The shipped templates; the first one is the usual inspection report.
+    pub fn shipped() -> &'static [Arc<Self>] {
+        &SHIPPED
+    }
+
     /// The usual template: an inspection report of parts and checks.
-    pub fn usual() -> Self {
+    pub fn usual() -> Arc<Self> {
+        SHIPPED.first().map_or_else(|| Arc::new(Self::plain()), Arc::clone)
+    }
+
+    /// What a report shows that nobody chose a template for.
+    fn plain() -> Self {
         Self {
             version: VERSION,
-            name: String::new(),
-            purpose: String::new(),
+            name: "report-template-inspection".to_owned(),
+            purpose: "report-template-inspection-purpose".to_owned(),
             title: String::new(),
             paper: Paper::default(),
             language: None,
@@ -159,6 +183,21 @@ impl Template {
             rule_text: String::new(),
             company: Company::default(),
         }
+    }
+
+    /// A text of it in a language: those of a shipped one are names of texts.
+    pub fn text(&self, text: &str, words: &Words) -> String {
+        if self.is_shipped() && !text.is_empty() { words.get(text) } else { text.to_owned() }
+    }
+
+    fn is_shipped(&self) -> bool {
+        SHIPPED.iter().any(|shipped| shipped.name == self.name)
+    }
+
+    /// The language that it is set in, where it names one.
+    pub fn language(&self) -> Option<Language> {
+        let code = self.language.as_deref()?;
+        Language::all().find(|language| language.code() == code)
     }
 
     /// Whether a section stands on its pages.

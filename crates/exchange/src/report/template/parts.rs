@@ -63,7 +63,7 @@ words! {
     /// A field of the head.
     HeadField {
         Part: "part", "report-part";
-        Drawing: "drawing", "report-drawing";
+        Drawing: "drawing", "parts-page-head-drawing";
         Revision: "revision", "report-revision";
         Serial: "serial", "report-serial";
         Batch: "batch", "report-batch";
@@ -87,7 +87,7 @@ words! {
     /// A column of the table of features.
     Column {
         /// The number of the balloon.
-        Number: "number", "report-balloon";
+        Number: "number", "report-contact";
         Feature: "feature", "report-id";
         Callout: "callout", "report-callout";
         Minimum: "minimum", "report-minimum";
@@ -95,48 +95,13 @@ words! {
         Measured: "measured", "report-measured";
         Deviation: "deviation", "report-deviation";
         /// The limits and the value as a small picture.
-        Band: "band", "report-band";
+        Band: "band", "report-pdf-band";
         Verdict: "verdict", "report-verdict";
         From: "from", "report-from";
         Instrument: "instrument", "report-instrument";
         /// An empty cell, to be filled in by hand.
         Blank: "blank", "report-blank";
         Remark: "remark", "report-remark";
-    }
-}
-
-words! {
-    /// A paper, or a label.
-    Paper {
-        A4: "A4", "report-paper-a4";
-        Letter: "letter", "report-paper-letter";
-        /// 62 × 29 mm: rolls of label printers.
-        SmallLabel: "label 62 x 29", "report-paper-small-label";
-        /// 100 × 50 mm.
-        LargeLabel: "label 100 x 50", "report-paper-large-label";
-    }
-}
-
-impl Paper {
-    /// Width and height, thousandths of a millimetre: letter is 8.5 × 11 inches.
-    pub const fn micrometres(self) -> [u32; 2] {
-        match self {
-            Self::A4 => [210_000, 297_000],
-            Self::Letter => [215_900, 279_400],
-            Self::SmallLabel => [62_000, 29_000],
-            Self::LargeLabel => [100_000, 50_000],
-        }
-    }
-
-    pub const fn is_label(self) -> bool {
-        matches!(self, Self::SmallLabel | Self::LargeLabel)
-    }
-}
-
-#[expect(clippy::derivable_impls, reason = "the words are declared by a macro")]
-impl Default for Paper {
-    fn default() -> Self {
-        Self::A4
     }
 }
 
