@@ -29,10 +29,11 @@ pub(super) enum BodyKind {
     Begin,
     Check,
     Withdrawal,
+    Report,
 }
 
 objects! {
-    /// An entry. Of the last three the one that the kind names is there, and the others are left out.
+    /// An entry. Of the last four the one that the kind names is there, and the others are left out.
     Body {
         v: u64,
         kind: BodyKind,
@@ -43,6 +44,8 @@ objects! {
         check: Option<Check>,
         #[serde(default, skip_serializing_if = "Option::is_none")]
         withdrawal: Option<Corrects>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        report: Option<Report>,
     }
     About {
         station: String,
@@ -69,6 +72,17 @@ objects! {
     }
     File { role: String, name: String, sha256: String }
     Corrects { number: u64, hash: String, reason: String, by: String }
+    Report {
+        name: String,
+        format: String,
+        sha256: String,
+        bytes: u64,
+        title: String,
+        checks: Vec<[u64; 2]>,
+        unrecorded: u64,
+        head: Option<Last>,
+    }
+    Last { number: u64, hash: String }
     Size {
         id: String,
         local_time: String,
