@@ -311,6 +311,11 @@ impl Check {
         }
     }
 
+    /// Whether it is of a size, and not of what a cycle says by itself.
+    pub const fn is_size(&self) -> bool {
+        matches!(self.what, Checked::Size(_))
+    }
+
     /// Whether nobody measured: never evidence.
     pub fn is_simulated(&self) -> bool {
         match &self.what {

@@ -72,12 +72,13 @@ objects! {
     }
     File { role: String, name: String, sha256: String }
     Corrects { number: u64, hash: String, reason: String, by: String }
+    /// The hash does not stand behind a text: so stand those of the files that checks were made with, which are looked for in all bodies.
     Report {
         name: String,
         format: String,
-        sha256: String,
-        bytes: u64,
         title: String,
+        bytes: u64,
+        sha256: String,
         checks: Vec<[u64; 2]>,
         unrecorded: u64,
         head: Option<Last>,

@@ -41,9 +41,9 @@ fn report(report: &Reported) -> Result<wire::Report, BodyError> {
     Ok(wire::Report {
         name: name("report.name", file)?,
         format: name("report.format", format)?,
-        sha256: sha256.to_string(),
-        bytes: whole("report.bytes", *bytes)?,
         title: name("report.title", title)?,
+        bytes: whole("report.bytes", *bytes)?,
+        sha256: sha256.to_string(),
         checks: checks.ranges().to_vec(),
         unrecorded: whole("report.unrecorded", *unrecorded)?,
         head: head.transpose()?,
