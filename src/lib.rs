@@ -19,6 +19,7 @@
 //! | [`batch`] | rows by the million, judged by several workers |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
+//! | [`proof`] | what a written report says, against the journal |
 //! | [`files`] | reading and writing files safely |
 //! | [`store`] | where records are kept: a file of one station, the server of a shop |
 //! | [`gauges`] | gauges on serial and USB ports |
@@ -33,7 +34,7 @@ pub mod cli;
 pub mod gui;
 
 pub use fitcheck_core::{budget, length, message, pairing, part, probing, text, tolerance, verdict, words};
-pub use fitcheck_exchange::{batch, exchange, journal, report};
+pub use fitcheck_exchange::{batch, exchange, journal, proof, report};
 pub use fitcheck_files as files;
 pub use fitcheck_gauges as gauges;
 pub use fitcheck_nc::{self as nc, control};

@@ -97,6 +97,10 @@ pub(super) enum CliError {
     ReportFormat { format: &'static str, file: PathBuf },
     /// No check could be used.
     ReportEmpty,
+    /// A report on standard output is to be recorded.
+    RecordNeedsFile,
+    /// The file is there, and the journal has no entry of it.
+    ReportNotKnown { file: String, error: Message },
 
     /// Inputs of a cycle that are larger than any.
     InputsTooLarge { most: usize },
@@ -163,6 +167,10 @@ pub(super) enum CliError {
         last: u64,
         path: PathBuf,
     },
+    /// Digits that no hash of a journal begins with.
+    NoHash { prefix: String, path: PathBuf },
+    /// Digits that the hashes of several entries begin with.
+    SeveralHashes { prefix: String, numbers: String },
     /// An entry that is not a check.
     NoCheck {
         #[say(with = printed)]

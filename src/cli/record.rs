@@ -12,8 +12,8 @@ use crate::exchange::{Labels, part_and_feature};
 use crate::journal::Record;
 use crate::journal::body;
 use crate::journal::chain::Hash;
-use crate::journal::entry::{About, Check, Checked, Content, CycleCheck, Entry, Kept, UsedFile};
-use crate::message::Say as _;
+use crate::journal::entry::{About, Check, Checked, Content, CycleCheck, Entry, Kept, Reported, UsedFile};
+use crate::message::{Message, Say as _};
 use crate::store::local::{Journal, Opening, Reader};
 use crate::store::{StoreError, StoreRemark, here};
 
@@ -103,13 +103,12 @@ impl RecordArgs {
         let part = self.part.as_ref();
         let serial = self.serial.as_ref();
         let about = about(station, [self.who.as_ref(), part, serial, self.feature_name.as_ref(), self.remark.as_ref()]);
-        let place = JournalPlace::of(self.journal.as_deref())?;
-        Ok(Some(Recorder { place, about, plan: None, is_file_first: false, entries: Vec::new() }))
+        Recorder::at(self.journal.as_deref(), about).map(Some)
     }
 }
 
 /// What is told of every check, at this moment: who, part, serial number, feature and remark.
-fn about(station: Option<&String>, given: [Option<&String>; 5]) -> About {
+pub(super) fn about(station: Option<&String>, given: [Option<&String>; 5]) -> About {
     let [who, part, serial, feature, remark] = given.map(|text| text.map_or_else(String::new, Clone::clone));
     About {
         station: station.cloned().unwrap_or_else(here::computer),
@@ -123,6 +122,12 @@ fn about(station: Option<&String>, given: [Option<&String>; 5]) -> About {
 }
 
 impl Recorder {
+    /// One that records in a journal that was named, or in the user's own.
+    pub(super) fn at(journal: Option<&str>, about: About) -> Result<Self, CliError> {
+        let place = JournalPlace::of(journal)?;
+        Ok(Self { place, about, plan: None, is_file_first: false, entries: Vec::new() })
+    }
+
     /// The same for the features of a plan, and the part that it is of.
     pub(super) fn of_plan(self, part: &str) -> Self {
         Self { plan: Some(part.to_owned()), ..self }
@@ -206,6 +211,33 @@ impl Recorder {
                 file.sha256 = sha256;
             }
         }
+    }
+
+    /// Keeps that a report was written, with the last entry that the journal has now, and says so.
+    ///
+    /// # Errors
+    /// Why the journal does not know it.
+    pub(super) fn keep_report(self, mut report: Reported, io: &mut Io<'_>) -> Result<(), Message> {
+        let Self { place, mut about, .. } = self;
+        about.time = here::moment();
+        let file = match &place {
+            JournalPlace::File(file) => file.clone(),
+            JournalPlace::Server(_) => own().map_err(|error| error.message())?,
+        };
+        warn_of_zone(io);
+        let mut journal = Journal::open(&file, &opening(&about)).map_err(|error| error.message())?;
+        report.shown.head = Some(journal.head().map_err(|error| error.message())?);
+        let station = about.station.clone();
+        let kept = journal.append(&[Entry { about, content: Content::Report(report) }]);
+        journal.keep_head();
+        tell_remarks(&journal, io);
+        tell_kept(&file, &kept.map_err(|error| error.message())?, io);
+        if let JournalPlace::Server(address) = place
+            && let Err(error) = server::send(&address, &file, &station, io)
+        {
+            io.warn(&Recorded::NotSent { error: error.message() });
+        }
+        Ok(())
     }
 
     /// Keeps all of them or none, and says so.

@@ -27,6 +27,7 @@ use crate::exchange::Remembered;
 use crate::exchange::batch::{ListedRows, Part, Sifting};
 use crate::files::{self, FileError};
 use crate::message::message;
+use crate::proof::Seen;
 use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
 use crate::session::{
@@ -372,6 +373,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::CloseGauge(_)
         | Effect::Sound(_)
         | Effect::ReadRecords(_)
+        | Effect::ReadReports(_)
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
     }
@@ -400,10 +402,23 @@ fn seen(purpose: Purpose, path: PathBuf, read: FileContents) -> Vec<Command> {
 }
 
 fn save(job: &Job, path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
-    let result = files::save_with(&path, replace, &mut |out| content.write(&mut Watched::new(out, job)));
+    let mut file = None;
+    let result = files::save_with(&path, replace, &mut |out| {
+        let mut out = Watched::new(out, job);
+        if !content.is_of_journal() {
+            return content.write(&mut out);
+        }
+        let mut seen = Seen::new(out);
+        content.write(&mut seen)?;
+        file = Some(seen.finish());
+        Ok(())
+    });
     let result =
         result.map_err(|error| if job.is_stopped() { FileError::Stopped { path: path.clone() } } else { error });
-    vec![Command::Saved { path, result }]
+    // The journal is told of a file that is whole, and of no other.
+    let reported = file.filter(|_| result.is_ok()).and_then(|file| content.reported(&path, file));
+    let reported = reported.map(|report| RecordsCommand::Reported(Box::new(report)).into());
+    reported.into_iter().chain([Command::Saved { path, result }]).collect()
 }
 
 /// Starts the system's program for a file, or the one that shows folders.

@@ -84,7 +84,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 
 /// The rooms from the ground up, each with its crate and the rooms of the same crate that it may name: an arrow only
 /// points down. Which crate may name which is in their manifests, and the compiler holds it.
-pub const ROOMS: [(&str, &str, &[&str]); 24] = [
+pub const ROOMS: [(&str, &str, &[&str]); 25] = [
     ("shipped", "shipped", &[]),
     ("core", "message", &[]),
     ("core", "length", &["message"]),
@@ -102,6 +102,7 @@ pub const ROOMS: [(&str, &str, &[&str]); 24] = [
     ("exchange", "exchange", &["journal"]),
     ("exchange", "batch", &["exchange"]),
     ("exchange", "report", &["journal", "exchange"]),
+    ("exchange", "proof", &["journal", "report"]),
     ("files", "files", &[]),
     ("store", "store", &[]),
     ("store", "watch", &[]),

@@ -179,6 +179,13 @@ impl Reads for Fake {
         Ok(numbers.iter().filter(|number| **number <= newest).map(row).collect())
     }
 
+    fn reports_of(&self, number: u64) -> Result<Vec<RecordRow>, ReadError> {
+        let written = self.written.lock().unwrap().clone();
+        let shows = |entry: &Entry| entry.report().is_some_and(|report| report.shown.checks.contains(number));
+        let places = (self.count + 1..).zip(&written).filter(|(_, entry)| shows(entry)).map(|(number, _)| number);
+        self.rows(&places.collect::<Vec<_>>())
+    }
+
     fn interrupt(&self) -> Arc<dyn Fn() + Send + Sync> {
         let stopped = Arc::clone(&self.stopped);
         Arc::new(move || _ = stopped.fetch_add(1, SeqCst))

@@ -40,6 +40,7 @@ journal-ask-callout = { $error }; předpis se píše do uvozovek: callout:"25 H7
 journal-ask-class = { $error }
 journal-ask-order = období končí dříve, než začne: from musí být před to
 journal-ask-both-origins = simulated a measured se vylučují
+journal-ask-both-kinds = reports a checks se vylučují
 journal-ask-too-long = dotaz má { $bytes } bajtů, dovoleno je nejvýše { $most }
 
 ## The journal of a station
@@ -60,6 +61,8 @@ store-no-beginning = { $path } neudává, který je to řetěz
 store-moved = { $path } byl mezitím přesunut nebo odložen stranou: nic nebylo zaznamenáno
 store-other-target = zápis { $number } není ten, který měl být korigován: nic nebylo zaznamenáno
 store-corrected = zápis { $number } už byl korigován nebo odvolán zápisem { $by }: korigujte ten, pokud to není odvolání
+store-is-report = zápis { $number } je zpráva: říká, který soubor byl zapsán, a nelze jej korigovat ani odvolat
+store-other-journal = zápis { $number } tohoto deníku není ten, který uvádí zpráva: nic nebylo zaznamenáno
 store-finding-no-beginning = deník nemá první zápis, který pojmenovává jeho řetěz
 store-finding-pages = stránky deníku si odporují a dotazy nemusí najít zápisy, které v něm jsou: { $reason }
 store-finding-index = rejstřík pro dotazy neodpovídá své tabulce: { $reason }

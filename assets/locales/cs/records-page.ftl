@@ -52,7 +52,7 @@ records-page-take-name = Použít toto jméno
 
 ## The question
 records-page-question = Hledat
-records-page-help = Slova, dobrý oprava zmetek, nebo part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Slova, dobrý oprava zmetek, nebo part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Další
 records-page-today = Dnes
 records-page-this-week = Tento týden
@@ -67,6 +67,8 @@ records-page-from = Od
 records-page-to = Do
 records-page-standing = Jen platné
 records-page-simulated-only = Jen simulované
+records-page-reports-only = Jen zprávy
+records-page-checks-only = Bez zpráv
 records-page-remove-filter = Odebrat filtr { $filter }
 records-page-looking = Hledá se
 records-page-count = { $many ->
@@ -125,6 +127,12 @@ records-page-out-cycles = { $count ->
     [few] { $count } záznamy cyklů jsou vynechány
    *[other] { $count } záznamů cyklů je vynecháno
 }
+records-page-out-reports = { $count ->
+    [one] 1 zpráva je vynechána: není to kontrola
+    [few] { $count } zprávy jsou vynechány: nejsou to kontroly
+    [many] { $count } zprávy je vynecháno: nejsou to kontroly
+   *[other] { $count } zpráv je vynecháno: nejsou to kontroly
+}
 records-page-out-unread = { $count ->
     [one] 1 nečitelný záznam je vynechán
     [few] { $count } nečitelné záznamy jsou vynechány
@@ -135,6 +143,7 @@ records-page-void = Záznam { $number }, neplatný: viz { $by }
 records-page-instead = místo { $number }
 records-page-takes-back = Odvolává { $number }
 records-page-withdrawal = Odvolání
+records-page-report-entry = Zpráva
 records-page-cycle = Cyklus { $cycle }
 records-page-went-back = { $time } (hodiny)
 
@@ -148,6 +157,9 @@ records-page-correct-hint = Přidá záznam místo tohoto; oba zůstanou
 records-page-simulated = Simulováno: nikdo to neměřil
 records-page-corrected-by = Korigován nebo odvolán záznamem { $number }
 records-page-corrects = Místo záznamu { $number }
+records-page-in-report = Ve zprávě { $number }, { $name }
+records-page-reports-unread = Zprávy s touto kontrolou nelze přečíst: { $why }
+records-page-report-unknown = { $name } je zapsán, ale deník jej nezná: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, díra
    *[shaft] { $callout }, hřídel
@@ -173,6 +185,16 @@ records-page-file-measurements = Měření
 records-page-file-program = Program
 records-page-file-workpiece = Obrobek
 records-page-file-budget = Bilance nejistot
+records-page-report-file = Soubor
+records-page-report-format = Formát
+records-page-report-size = Velikost
+records-page-report-bytes = { $count } B
+records-page-report-title = Název
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Zaznamenané kontroly
+records-page-report-numbers = Jejich záznamy
+records-page-report-unrecorded = Kontroly bez záznamu
+records-page-report-head = Tehdy nejnovější zápis
 records-page-chain = Řetěz
 records-page-chain-name = Deník
 records-page-hash = Hash

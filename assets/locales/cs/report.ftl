@@ -2,6 +2,25 @@
 
 ## Errors
 report-error-writer = zprávu { $format } nelze vytvořit: { $reason }
+report-attachment-too-large = data souboru jsou větší než { $most } bajtů
+report-attachment-packed = data v souboru jsou zabalena metodou { $filter }, kterou Fitcheck nečte
+report-attachment-damaged = data v souboru jsou poškozena: { $reason }
+report-attachment-several = počet příloh s kontrolami v souboru: { $count }, očekává se jedna
+report-difference-field = zápis { $number }: { $field } je v souboru { $said }, v deníku { $kept }
+report-difference-missing = zápis { $number }: žádná kontrola v souboru neříká to, co deník
+report-difference-more = { $count ->
+    [one] v souboru je o 1 kontrolu více
+    [few] v souboru je o { $count } kontroly více
+    [many] v souboru je o { $count } kontroly více
+   *[other] v souboru je o { $count } kontrol více
+}
+report-difference-fewer = { $count ->
+    [one] v souboru chybí 1 kontrola
+    [few] v souboru chybí { $count } kontroly
+    [many] v souboru chybí { $count } kontroly
+   *[other] v souboru chybí { $count } kontrol
+}
+report-data-json = data souboru nejsou zpráva programu Fitcheck: { $reason }
 report-ending-missing = { $file } nemá příponu, která určuje formát zprávy: použijte jednu z { $endings }
 report-ending-unknown = .{ $ending } není formát zprávy: použijte jednu z přípon { $endings }
 

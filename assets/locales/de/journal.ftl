@@ -39,6 +39,7 @@ journal-ask-callout = { $error }; eine Toleranzangabe gehört in Anführungszeic
 journal-ask-class = { $error }
 journal-ask-order = der Zeitraum endet, bevor er beginnt: from muss vor to liegen
 journal-ask-both-origins = simulated und measured schließen einander aus
+journal-ask-both-kinds = reports und checks schließen einander aus
 journal-ask-too-long = die Abfrage hat { $bytes } Byte, höchstens { $most } sind zulässig
 
 ## Das Journal einer Station
@@ -59,6 +60,8 @@ store-no-beginning = { $path } sagt nicht, welche Kette es ist
 store-moved = { $path } wurde inzwischen verschoben oder beiseitegelegt: nichts wurde aufgezeichnet
 store-other-target = Eintrag { $number } ist nicht der, der berichtigt werden sollte: nichts wurde aufgezeichnet
 store-corrected = Eintrag { $number } wurde schon durch Eintrag { $by } berichtigt oder zurückgenommen: jenen berichtigen, wenn er keine Rücknahme ist
+store-is-report = Eintrag { $number } ist ein Prüfbericht: er sagt, welche Datei geschrieben wurde, und kann nicht berichtigt oder zurückgenommen werden
+store-other-journal = Eintrag { $number } dieses Journals ist nicht der, den der Prüfbericht nennt: nichts wurde aufgezeichnet
 store-finding-no-beginning = das Journal hat keinen ersten Eintrag, der seine Kette nennt
 store-finding-pages = die Seiten des Journals widersprechen einander, und Abfragen können vorhandene Einträge übersehen: { $reason }
 store-finding-index = ein Index für Abfragen passt nicht zu seiner Tabelle: { $reason }

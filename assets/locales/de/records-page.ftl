@@ -48,7 +48,7 @@ records-page-take-name = Diesen Namen verwenden
 
 ## Die Frage
 records-page-question = Suchen
-records-page-help = Wörter, gut Nacharbeit Ausschuss, oder part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Wörter, gut Nacharbeit Ausschuss, oder part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Mehr
 records-page-today = Heute
 records-page-this-week = Diese Woche
@@ -63,6 +63,8 @@ records-page-from = Von
 records-page-to = Bis
 records-page-standing = Nur gültige
 records-page-simulated-only = Nur simulierte
+records-page-reports-only = Nur Prüfberichte
+records-page-checks-only = Ohne Prüfberichte
 records-page-remove-filter = Filter { $filter } entfernen
 records-page-looking = Suche läuft
 records-page-count = { $many ->
@@ -115,6 +117,10 @@ records-page-out-cycles = { $count ->
     [one] 1 Aufzeichnung eines Zyklus ist weggelassen
    *[other] { $count } Aufzeichnungen von Zyklen sind weggelassen
 }
+records-page-out-reports = { $count ->
+    [one] 1 Prüfbericht ist weggelassen: er ist keine Prüfung
+   *[other] { $count } Prüfberichte sind weggelassen: sie sind keine Prüfungen
+}
 records-page-out-unread = { $count ->
     [one] 1 nicht lesbare Aufzeichnung ist weggelassen
    *[other] { $count } nicht lesbare Aufzeichnungen sind weggelassen
@@ -124,6 +130,7 @@ records-page-void = Aufzeichnung { $number }, ungültig: siehe { $by }
 records-page-instead = statt { $number }
 records-page-takes-back = Nimmt { $number } zurück
 records-page-withdrawal = Rücknahme
+records-page-report-entry = Prüfbericht
 records-page-cycle = Zyklus { $cycle }
 records-page-went-back = { $time } (Uhr zurück)
 
@@ -137,6 +144,9 @@ records-page-correct-hint = Fügt eine Aufzeichnung anstelle dieser hinzu; beide
 records-page-simulated = Simuliert: niemand hat dies gemessen
 records-page-corrected-by = Berichtigt oder zurückgenommen durch Aufzeichnung { $number }
 records-page-corrects = Anstelle von Aufzeichnung { $number }
+records-page-in-report = Im Prüfbericht { $number }, { $name }
+records-page-reports-unread = Die Prüfberichte mit dieser Prüfung können nicht gelesen werden: { $why }
+records-page-report-unknown = { $name } ist geschrieben, aber das Journal kennt die Datei nicht: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, Bohrung
    *[shaft] { $callout }, Welle
@@ -162,6 +172,16 @@ records-page-file-measurements = Messungen
 records-page-file-program = Programm
 records-page-file-workpiece = Werkstück
 records-page-file-budget = Unsicherheitsbudget
+records-page-report-file = Datei
+records-page-report-format = Format
+records-page-report-size = Größe
+records-page-report-bytes = { $count } Byte
+records-page-report-title = Titel
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Aufgezeichnete Prüfungen
+records-page-report-numbers = Ihre Aufzeichnungen
+records-page-report-unrecorded = Prüfungen ohne Aufzeichnung
+records-page-report-head = Damals neuester Eintrag
 records-page-chain = Kette
 records-page-chain-name = Journal
 records-page-hash = Hash

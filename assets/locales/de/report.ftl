@@ -2,6 +2,21 @@
 
 ## Fehler
 report-error-writer = der Prüfbericht im Format { $format } konnte nicht erstellt werden: { $reason }
+report-attachment-too-large = die Daten der Datei sind größer als { $most } Byte
+report-attachment-packed = die Daten in der Datei sind mit { $filter } gepackt, das Fitcheck nicht liest
+report-attachment-damaged = die Daten in der Datei sind beschädigt: { $reason }
+report-attachment-several = die Datei hat { $count } Anhänge mit Prüfungen: erwartet wird einer
+report-difference-field = Eintrag { $number }: { $field } ist { $said } in der Datei, { $kept } im Journal
+report-difference-missing = Eintrag { $number }: keine Prüfung der Datei sagt, was das Journal sagt
+report-difference-more = { $count ->
+    [one] die Datei hat 1 Prüfung zu viel
+   *[other] die Datei hat { $count } Prüfungen zu viel
+}
+report-difference-fewer = { $count ->
+    [one] in der Datei fehlt 1 Prüfung
+   *[other] in der Datei fehlen { $count } Prüfungen
+}
+report-data-json = die Daten der Datei sind kein Prüfbericht von Fitcheck: { $reason }
 report-ending-missing = { $file } hat keine Endung, die das Format des Prüfberichts angibt: eine von { $endings } verwenden
 report-ending-unknown = .{ $ending } ist kein Format des Prüfberichts: eines von { $endings } verwenden
 

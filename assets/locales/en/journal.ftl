@@ -39,6 +39,7 @@ journal-ask-callout = { $error }; a callout goes in quotation marks: callout:"25
 journal-ask-class = { $error }
 journal-ask-order = the period ends before it begins: from must be before to
 journal-ask-both-origins = simulated and measured exclude each other
+journal-ask-both-kinds = reports and checks exclude each other
 journal-ask-too-long = the question has { $bytes } bytes, at most { $most } are allowed
 
 ## The journal of a station
@@ -59,6 +60,8 @@ store-no-beginning = { $path } does not say which chain it is
 store-moved = { $path } was moved or set aside in the meantime: nothing was recorded
 store-other-target = entry { $number } is not the one that was to be corrected: nothing was recorded
 store-corrected = entry { $number } was already corrected or withdrawn by entry { $by }: correct that one, unless it is a withdrawal
+store-is-report = entry { $number } is a report: it says which file was written, and cannot be corrected or withdrawn
+store-other-journal = entry { $number } of this journal is not the one that the report names: nothing was recorded
 store-finding-no-beginning = the journal has no first entry that names its chain
 store-finding-pages = the pages of the journal contradict each other, and questions may miss entries that are in it: { $reason }
 store-finding-index = an index for questions does not match its table: { $reason }

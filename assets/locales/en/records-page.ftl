@@ -48,7 +48,7 @@ records-page-take-name = Use this name
 
 ## The question
 records-page-question = Find
-records-page-help = Words, good rework scrap, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Words, good rework scrap, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = More
 records-page-today = Today
 records-page-this-week = This week
@@ -63,6 +63,8 @@ records-page-from = From
 records-page-to = To
 records-page-standing = Not void
 records-page-simulated-only = Simulated only
+records-page-reports-only = Reports only
+records-page-checks-only = No reports
 records-page-remove-filter = Remove filter { $filter }
 records-page-looking = Searching
 records-page-count = { $many ->
@@ -115,6 +117,10 @@ records-page-out-cycles = { $count ->
     [one] 1 record of a cycle is left out
    *[other] { $count } records of cycles are left out
 }
+records-page-out-reports = { $count ->
+    [one] 1 report is left out: it is not a check
+   *[other] { $count } reports are left out: they are not checks
+}
 records-page-out-unread = { $count ->
     [one] 1 record that cannot be read is left out
    *[other] { $count } records that cannot be read are left out
@@ -124,6 +130,7 @@ records-page-void = Record { $number }, void: see { $by }
 records-page-instead = for { $number }
 records-page-takes-back = Withdraws { $number }
 records-page-withdrawal = Withdrawal
+records-page-report-entry = Report
 records-page-cycle = Cycle { $cycle }
 records-page-went-back = { $time } (clock)
 
@@ -137,6 +144,9 @@ records-page-correct-hint = Adds a record in place of this one; both stay
 records-page-simulated = Simulated: nobody measured this
 records-page-corrected-by = Corrected or withdrawn by record { $number }
 records-page-corrects = In place of record { $number }
+records-page-in-report = In report { $number }, { $name }
+records-page-reports-unread = The reports with this check cannot be read: { $why }
+records-page-report-unknown = { $name } is written, but the journal does not know it: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, hole
    *[shaft] { $callout }, shaft
@@ -162,6 +172,16 @@ records-page-file-measurements = Measurements
 records-page-file-program = Program
 records-page-file-workpiece = Workpiece
 records-page-file-budget = Uncertainty budget
+records-page-report-file = File
+records-page-report-format = Format
+records-page-report-size = Size
+records-page-report-bytes = { $count } bytes
+records-page-report-title = Title
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Recorded checks
+records-page-report-numbers = Their records
+records-page-report-unrecorded = Checks without a record
+records-page-report-head = Newest entry then
 records-page-chain = Chain
 records-page-chain-name = Journal
 records-page-hash = Hash

@@ -2,6 +2,21 @@
 
 ## Errors
 report-error-writer = the { $format } report could not be made: { $reason }
+report-attachment-too-large = the data of the file is larger than { $most } bytes
+report-attachment-packed = the data in the file is packed with { $filter }, which Fitcheck does not read
+report-attachment-damaged = the data in the file is damaged: { $reason }
+report-attachment-several = the file has { $count } attachments with checks: expected one
+report-difference-field = entry { $number }: { $field } is { $said } in the file, { $kept } in the journal
+report-difference-missing = entry { $number }: no check of the file says what the journal says
+report-difference-more = { $count ->
+    [one] the file has 1 check too many
+   *[other] the file has { $count } checks too many
+}
+report-difference-fewer = { $count ->
+    [one] 1 check is missing in the file
+   *[other] { $count } checks are missing in the file
+}
+report-data-json = the data of the file is not a report of Fitcheck: { $reason }
 report-ending-missing = { $file } has no ending that gives the report's format: use one of { $endings }
 report-ending-unknown = .{ $ending } is not a format of the report: use one of { $endings }
 

@@ -39,6 +39,7 @@ journal-ask-callout = { $error }; una cota va entre comillas: callout:"25 H7"
 journal-ask-class = { $error }
 journal-ask-order = el período termina antes de empezar: from debe ser anterior a to
 journal-ask-both-origins = simulated y measured se excluyen
+journal-ask-both-kinds = reports y checks se excluyen
 journal-ask-too-long = la consulta tiene { $bytes } bytes, se admiten como máximo { $most }
 
 ## The journal of a station
@@ -59,6 +60,8 @@ store-no-beginning = { $path } no dice qué cadena es
 store-moved = { $path } se movió o se apartó entretanto: no se registró nada
 store-other-target = la entrada { $number } no es la que se debía corregir: no se registró nada
 store-corrected = la entrada { $number } ya fue corregida o retirada por la entrada { $by }: corrija esta, salvo que sea una retirada
+store-is-report = la entrada { $number } es un informe: dice qué archivo se escribió y no se puede corregir ni retirar
+store-other-journal = la entrada { $number } de este registro no es la que nombra el informe: no se registró nada
 store-finding-no-beginning = el registro no tiene una primera entrada que nombre su cadena
 store-finding-pages = las páginas del registro se contradicen, y las consultas pueden no hallar entradas que están en él: { $reason }
 store-finding-index = un índice para consultas no concuerda con su tabla: { $reason }

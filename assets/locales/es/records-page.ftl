@@ -48,7 +48,7 @@ records-page-take-name = Usar este nombre
 
 ## The question
 records-page-question = Buscar
-records-page-help = Palabras, bueno retrabajo desecho, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Palabras, bueno retrabajo desecho, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Más
 records-page-today = Hoy
 records-page-this-week = Esta semana
@@ -63,6 +63,8 @@ records-page-from = Desde
 records-page-to = Hasta
 records-page-standing = Vigentes
 records-page-simulated-only = Solo simuladas
+records-page-reports-only = Solo informes
+records-page-checks-only = Sin informes
 records-page-remove-filter = Quitar el filtro { $filter }
 records-page-looking = Buscando
 records-page-count = { $many ->
@@ -115,6 +117,10 @@ records-page-out-cycles = { $count ->
     [one] 1 entrada de un ciclo queda fuera
    *[other] { $count } entradas de ciclos quedan fuera
 }
+records-page-out-reports = { $count ->
+    [one] 1 informe queda fuera: no es una comprobación
+   *[other] { $count } informes quedan fuera: no son comprobaciones
+}
 records-page-out-unread = { $count ->
     [one] 1 entrada ilegible queda fuera
    *[other] { $count } entradas ilegibles quedan fuera
@@ -124,6 +130,7 @@ records-page-void = Entrada { $number }, anulada: ver { $by }
 records-page-instead = en vez de { $number }
 records-page-takes-back = Retira { $number }
 records-page-withdrawal = Retirada
+records-page-report-entry = Informe
 records-page-cycle = Ciclo { $cycle }
 records-page-went-back = { $time } (reloj)
 
@@ -137,6 +144,9 @@ records-page-correct-hint = Añade una entrada en lugar de esta; ambas se conser
 records-page-simulated = Simulada: nadie ha medido esto
 records-page-corrected-by = Corregida o retirada por la entrada { $number }
 records-page-corrects = En lugar de la entrada { $number }
+records-page-in-report = En el informe { $number }, { $name }
+records-page-reports-unread = Los informes con esta comprobación no se pueden leer: { $why }
+records-page-report-unknown = { $name } está escrito, pero el registro no lo conoce: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, agujero
    *[shaft] { $callout }, eje
@@ -162,6 +172,16 @@ records-page-file-measurements = Mediciones
 records-page-file-program = Programa
 records-page-file-workpiece = Pieza de trabajo
 records-page-file-budget = Balance de incertidumbre
+records-page-report-file = Archivo
+records-page-report-format = Formato
+records-page-report-size = Tamaño
+records-page-report-bytes = { $count } bytes
+records-page-report-title = Título
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Comprobaciones registradas
+records-page-report-numbers = Sus entradas
+records-page-report-unrecorded = Comprobaciones sin entrada
+records-page-report-head = Entrada más reciente entonces
 records-page-chain = Cadena
 records-page-chain-name = Registro
 records-page-hash = Hash

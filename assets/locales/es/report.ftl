@@ -2,6 +2,21 @@
 
 ## Errors
 report-error-writer = el informe { $format } no se pudo crear: { $reason }
+report-attachment-too-large = los datos del archivo superan { $most } bytes
+report-attachment-packed = los datos del archivo están comprimidos con { $filter }, que Fitcheck no lee
+report-attachment-damaged = los datos del archivo están dañados: { $reason }
+report-attachment-several = el archivo tiene { $count } adjuntos con comprobaciones: se espera uno
+report-difference-field = entrada { $number }: { $field } es { $said } en el archivo, { $kept } en el registro
+report-difference-missing = entrada { $number }: ninguna comprobación del archivo dice lo que dice el registro
+report-difference-more = { $count ->
+    [one] el archivo tiene 1 comprobación de más
+   *[other] el archivo tiene { $count } comprobaciones de más
+}
+report-difference-fewer = { $count ->
+    [one] falta 1 comprobación en el archivo
+   *[other] faltan { $count } comprobaciones en el archivo
+}
+report-data-json = los datos del archivo no son un informe de Fitcheck: { $reason }
 report-ending-missing = { $file } no tiene terminación que indique el formato del informe: use una de { $endings }
 report-ending-unknown = .{ $ending } no es un formato del informe: use uno de { $endings }
 

@@ -39,6 +39,7 @@ journal-ask-callout = { $error } ; une cote tolérancée se met entre guillemet
 journal-ask-class = { $error }
 journal-ask-order = la période finit avant de commencer : from doit être avant to
 journal-ask-both-origins = simulated et measured s'excluent
+journal-ask-both-kinds = reports et checks s'excluent
 journal-ask-too-long = la question a { $bytes } octets, au plus { $most } admis
 
 ## Le journal d'un poste
@@ -59,6 +60,8 @@ store-no-beginning = { $path } ne dit pas de quelle chaîne il s'agit
 store-moved = { $path } a été déplacé ou mis de côté entre-temps : rien n'a été consigné
 store-other-target = l'entrée { $number } n'est pas celle à corriger : rien n'a été consigné
 store-corrected = l'entrée { $number } a déjà été corrigée ou retirée par l'entrée { $by } : corriger celle-là, sauf si c'est un retrait
+store-is-report = l'entrée { $number } est un rapport : elle dit quel fichier a été écrit, et ne peut être ni corrigée ni retirée
+store-other-journal = l'entrée { $number } de ce journal n'est pas celle que nomme le rapport : rien n'a été consigné
 store-finding-no-beginning = le journal n'a pas de première entrée qui nomme sa chaîne
 store-finding-pages = les pages du journal se contredisent, et des questions peuvent manquer des entrées qui y sont : { $reason }
 store-finding-index = un index pour les questions ne correspond pas à sa table : { $reason }

@@ -48,7 +48,7 @@ records-page-take-name = Utiliser ce nom
 
 ## La question
 records-page-question = Rechercher
-records-page-help = Mots, bon retouche rebut, ou part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Mots, bon retouche rebut, ou part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Plus
 records-page-today = Aujourd'hui
 records-page-this-week = Cette semaine
@@ -63,6 +63,8 @@ records-page-from = Du
 records-page-to = Au
 records-page-standing = Valides seulement
 records-page-simulated-only = Simulés seulement
+records-page-reports-only = Rapports seulement
+records-page-checks-only = Sans rapports
 records-page-remove-filter = Retirer le filtre { $filter }
 records-page-looking = Recherche
 records-page-count = { $many ->
@@ -115,6 +117,10 @@ records-page-out-cycles = { $count ->
     [one] { $count } relevé d'un cycle est omis
    *[other] { $count } relevés de cycles sont omis
 }
+records-page-out-reports = { $count ->
+    [one] 1 rapport est omis : ce n'est pas un contrôle
+   *[other] { $count } rapports sont omis : ce ne sont pas des contrôles
+}
 records-page-out-unread = { $count ->
     [one] { $count } relevé illisible est omis
    *[other] { $count } relevés illisibles sont omis
@@ -124,6 +130,7 @@ records-page-void = Relevé { $number }, non valide : voir { $by }
 records-page-instead = pour { $number }
 records-page-takes-back = Retire { $number }
 records-page-withdrawal = Retrait
+records-page-report-entry = Rapport
 records-page-cycle = Cycle { $cycle }
 records-page-went-back = { $time } (horloge)
 
@@ -137,6 +144,9 @@ records-page-correct-hint = Ajoute un relevé à la place de celui-ci ; les deu
 records-page-simulated = Simulé : personne n'a mesuré ceci
 records-page-corrected-by = Corrigé ou retiré par le relevé { $number }
 records-page-corrects = À la place du relevé { $number }
+records-page-in-report = Dans le rapport { $number }, { $name }
+records-page-reports-unread = Les rapports avec ce contrôle ne peuvent pas être lus : { $why }
+records-page-report-unknown = { $name } est écrit, mais le journal ne le connaît pas : { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, alésage
    *[shaft] { $callout }, arbre
@@ -162,6 +172,16 @@ records-page-file-measurements = Mesures
 records-page-file-program = Programme
 records-page-file-workpiece = Pièce
 records-page-file-budget = Bilan d'incertitude
+records-page-report-file = Fichier
+records-page-report-format = Format
+records-page-report-size = Taille
+records-page-report-bytes = { $count } octets
+records-page-report-title = Titre
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Contrôles consignés
+records-page-report-numbers = Leurs relevés
+records-page-report-unrecorded = Contrôles sans relevé
+records-page-report-head = Entrée la plus récente alors
 records-page-chain = Chaîne
 records-page-chain-name = Journal
 records-page-hash = Empreinte

@@ -2,6 +2,21 @@
 
 ## Erreurs
 report-error-writer = le rapport { $format } n'a pas pu être établi : { $reason }
+report-attachment-too-large = les données du fichier dépassent { $most } octets
+report-attachment-packed = les données du fichier sont compressées avec { $filter }, que Fitcheck ne lit pas
+report-attachment-damaged = les données du fichier sont endommagées : { $reason }
+report-attachment-several = le fichier a { $count } pièces jointes avec des contrôles : une seule est attendue
+report-difference-field = entrée { $number } : { $field } est { $said } dans le fichier, { $kept } dans le journal
+report-difference-missing = entrée { $number } : aucun contrôle du fichier ne dit ce que dit le journal
+report-difference-more = { $count ->
+    [one] le fichier a 1 contrôle de trop
+   *[other] le fichier a { $count } contrôles de trop
+}
+report-difference-fewer = { $count ->
+    [one] il manque 1 contrôle dans le fichier
+   *[other] il manque { $count } contrôles dans le fichier
+}
+report-data-json = les données du fichier ne sont pas un rapport de Fitcheck : { $reason }
 report-ending-missing = { $file } n'a pas d'extension qui donne le format du rapport : utiliser { $endings }
 report-ending-unknown = .{ $ending } n'est pas un format du rapport : utiliser { $endings }
 

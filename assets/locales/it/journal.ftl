@@ -39,6 +39,7 @@ journal-ask-callout = { $error }; un'indicazione va tra virgolette: callout:"25 
 journal-ask-class = { $error }
 journal-ask-order = il periodo finisce prima di cominciare: from deve essere prima di to
 journal-ask-both-origins = simulated e measured si escludono a vicenda
+journal-ask-both-kinds = reports e checks si escludono a vicenda
 journal-ask-too-long = la domanda ha { $bytes } byte, ne sono ammessi al massimo { $most }
 
 ## Il registro di una stazione
@@ -59,6 +60,8 @@ store-no-beginning = { $path } non dice di quale catena è
 store-moved = { $path } nel frattempo è stato spostato o messo da parte: non è stato registrato nulla
 store-other-target = la voce { $number } non è quella che si voleva correggere: non è stato registrato nulla
 store-corrected = la voce { $number } è già stata corretta o ritirata dalla voce { $by }: correggere quella, a meno che sia un ritiro
+store-is-report = la voce { $number } è un rapporto: dice quale file è stato scritto e non si può correggere né ritirare
+store-other-journal = la voce { $number } di questo registro non è quella indicata dal rapporto: non è stato registrato nulla
 store-finding-no-beginning = il registro non ha una prima voce che indichi la sua catena
 store-finding-pages = le pagine del registro si contraddicono, e le domande possono non trovare voci che vi sono: { $reason }
 store-finding-index = un indice per le domande non corrisponde alla sua tabella: { $reason }

@@ -48,7 +48,7 @@ records-page-take-name = Usare questo nome
 
 ## La domanda
 records-page-question = Cercare
-records-page-help = Parole, buono ripresa scarto, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Parole, buono ripresa scarto, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Altro
 records-page-today = Oggi
 records-page-this-week = Questa settimana
@@ -63,6 +63,8 @@ records-page-from = Dal
 records-page-to = Al
 records-page-standing = Solo validi
 records-page-simulated-only = Solo simulati
+records-page-reports-only = Solo rapporti
+records-page-checks-only = Senza rapporti
 records-page-remove-filter = Rimuovere il filtro { $filter }
 records-page-looking = Ricerca…
 records-page-count = { $many ->
@@ -115,6 +117,10 @@ records-page-out-cycles = { $count ->
     [one] 1 registrazione di un ciclo è tralasciata
    *[other] { $count } registrazioni di cicli sono tralasciate
 }
+records-page-out-reports = { $count ->
+    [one] 1 rapporto è tralasciato: non è un controllo
+   *[other] { $count } rapporti sono tralasciati: non sono controlli
+}
 records-page-out-unread = { $count ->
     [one] 1 registrazione illeggibile è tralasciata
    *[other] { $count } registrazioni illeggibili sono tralasciate
@@ -124,6 +130,7 @@ records-page-void = Registrazione { $number }, non più valida: vedere { $by }
 records-page-instead = per { $number }
 records-page-takes-back = Ritira { $number }
 records-page-withdrawal = Ritiro
+records-page-report-entry = Rapporto
 records-page-cycle = Ciclo { $cycle }
 records-page-went-back = { $time } (orologio)
 
@@ -137,6 +144,9 @@ records-page-correct-hint = Aggiunge una registrazione al posto di questa; resta
 records-page-simulated = Simulato: nessuno lo ha misurato
 records-page-corrected-by = Corretta o ritirata dalla registrazione { $number }
 records-page-corrects = Al posto della registrazione { $number }
+records-page-in-report = Nel rapporto { $number }, { $name }
+records-page-reports-unread = I rapporti con questo controllo non si possono leggere: { $why }
+records-page-report-unknown = { $name } è stato scritto, ma il registro non lo conosce: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, foro
    *[shaft] { $callout }, albero
@@ -162,6 +172,16 @@ records-page-file-measurements = Misure
 records-page-file-program = Programma
 records-page-file-workpiece = Pezzo in lavorazione
 records-page-file-budget = Bilancio dell'incertezza
+records-page-report-file = File
+records-page-report-format = Formato
+records-page-report-size = Dimensione
+records-page-report-bytes = { $count } byte
+records-page-report-title = Titolo
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Controlli registrati
+records-page-report-numbers = Le loro registrazioni
+records-page-report-unrecorded = Controlli senza registrazione
+records-page-report-head = Voce più recente allora
 records-page-chain = Catena
 records-page-chain-name = Registro
 records-page-hash = Hash

@@ -2,6 +2,21 @@
 
 ## Errori
 report-error-writer = impossibile creare il rapporto { $format }: { $reason }
+report-attachment-too-large = i dati del file superano { $most } byte
+report-attachment-packed = i dati nel file sono compressi con { $filter }, che Fitcheck non legge
+report-attachment-damaged = i dati nel file sono danneggiati: { $reason }
+report-attachment-several = il file ha { $count } allegati con controlli: se ne aspetta uno
+report-difference-field = voce { $number }: { $field } è { $said } nel file, { $kept } nel registro
+report-difference-missing = voce { $number }: nessun controllo del file dice ciò che dice il registro
+report-difference-more = { $count ->
+    [one] il file ha 1 controllo di troppo
+   *[other] il file ha { $count } controlli di troppo
+}
+report-difference-fewer = { $count ->
+    [one] nel file manca 1 controllo
+   *[other] nel file mancano { $count } controlli
+}
+report-data-json = i dati del file non sono un rapporto di Fitcheck: { $reason }
 report-ending-missing = { $file } non ha un'estensione che indichi il formato del rapporto: usarne una tra { $endings }
 report-ending-unknown = .{ $ending } non è un formato del rapporto: usarne uno tra { $endings }
 

@@ -39,6 +39,7 @@ journal-ask-callout = { $error }; een passing staat tussen aanhalingstekens: cal
 journal-ask-class = { $error }
 journal-ask-order = de periode eindigt voordat zij begint: from moet vóór to liggen
 journal-ask-both-origins = simulated en measured sluiten elkaar uit
+journal-ask-both-kinds = reports en checks sluiten elkaar uit
 journal-ask-too-long = de zoekopdracht heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
 
 ## The journal of a station
@@ -59,6 +60,8 @@ store-no-beginning = { $path } zegt niet welke keten het is
 store-moved = { $path } is intussen verplaatst of opzij gezet: er is niets vastgelegd
 store-other-target = vermelding { $number } is niet de vermelding die gecorrigeerd moest worden: er is niets vastgelegd
 store-corrected = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die, tenzij het een intrekking is
+store-is-report = vermelding { $number } is een rapport: die zegt welk bestand is geschreven, en kan niet worden gecorrigeerd of ingetrokken
+store-other-journal = vermelding { $number } van dit logboek is niet de vermelding die het rapport noemt: er is niets vastgelegd
 store-finding-no-beginning = het logboek heeft geen eerste vermelding die zijn keten noemt
 store-finding-pages = de pagina's van het logboek spreken elkaar tegen, en zoekopdrachten kunnen vermeldingen missen die erin staan: { $reason }
 store-finding-index = een index voor zoekopdrachten klopt niet met zijn tabel: { $reason }

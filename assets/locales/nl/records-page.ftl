@@ -48,7 +48,7 @@ records-page-take-name = Deze naam gebruiken
 
 ## De vraag
 records-page-question = Zoeken
-records-page-help = Woorden, goed nabewerking afgekeurd, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Woorden, goed nabewerking afgekeurd, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Meer
 records-page-today = Vandaag
 records-page-this-week = Deze week
@@ -63,6 +63,8 @@ records-page-from = Vanaf
 records-page-to = Tot en met
 records-page-standing = Niet vervallen
 records-page-simulated-only = Alleen gesimuleerd
+records-page-reports-only = Alleen rapporten
+records-page-checks-only = Zonder rapporten
 records-page-remove-filter = Filter { $filter } verwijderen
 records-page-looking = Zoeken…
 records-page-count = { $many ->
@@ -115,6 +117,10 @@ records-page-out-cycles = { $count ->
     [one] 1 vastlegging van een cyclus is weggelaten
    *[other] { $count } vastleggingen van cycli zijn weggelaten
 }
+records-page-out-reports = { $count ->
+    [one] 1 rapport is weggelaten: het is geen controle
+   *[other] { $count } rapporten zijn weggelaten: het zijn geen controles
+}
 records-page-out-unread = { $count ->
     [one] 1 vastlegging die niet kan worden gelezen is weggelaten
    *[other] { $count } vastleggingen die niet kunnen worden gelezen zijn weggelaten
@@ -124,6 +130,7 @@ records-page-void = Vastlegging { $number }, vervallen: zie { $by }
 records-page-instead = i.p.v. { $number }
 records-page-takes-back = Trekt { $number } in
 records-page-withdrawal = Intrekking
+records-page-report-entry = Rapport
 records-page-cycle = Cyclus { $cycle }
 records-page-went-back = { $time } (klok terug)
 
@@ -137,6 +144,9 @@ records-page-correct-hint = Voegt een vastlegging toe in plaats van deze; beide 
 records-page-simulated = Gesimuleerd: niemand heeft dit gemeten
 records-page-corrected-by = Gecorrigeerd of ingetrokken door vastlegging { $number }
 records-page-corrects = In plaats van vastlegging { $number }
+records-page-in-report = In rapport { $number }, { $name }
+records-page-reports-unread = De rapporten met deze controle kunnen niet worden gelezen: { $why }
+records-page-report-unknown = { $name } is geschreven, maar het logboek kent het niet: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, boring
    *[shaft] { $callout }, as
@@ -162,6 +172,16 @@ records-page-file-measurements = Metingen
 records-page-file-program = Programma
 records-page-file-workpiece = Werkstuk
 records-page-file-budget = Onzekerheidsbudget
+records-page-report-file = Bestand
+records-page-report-format = Formaat
+records-page-report-size = Grootte
+records-page-report-bytes = { $count } bytes
+records-page-report-title = Titel
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Vastgelegde controles
+records-page-report-numbers = Hun vastleggingen
+records-page-report-unrecorded = Controles zonder vastlegging
+records-page-report-head = Nieuwste vermelding toen
 records-page-chain = Keten
 records-page-chain-name = Logboek
 records-page-hash = Hash

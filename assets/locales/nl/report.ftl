@@ -2,6 +2,21 @@
 
 ## Errors
 report-error-writer = het rapport in formaat { $format } kon niet worden gemaakt: { $reason }
+report-attachment-too-large = de gegevens van het bestand zijn groter dan { $most } bytes
+report-attachment-packed = de gegevens in het bestand zijn verpakt met { $filter }, dat Fitcheck niet leest
+report-attachment-damaged = de gegevens in het bestand zijn beschadigd: { $reason }
+report-attachment-several = het bestand heeft { $count } bijlagen met controles: er wordt één verwacht
+report-difference-field = vermelding { $number }: { $field } is { $said } in het bestand, { $kept } in het logboek
+report-difference-missing = vermelding { $number }: geen controle van het bestand zegt wat het logboek zegt
+report-difference-more = { $count ->
+    [one] het bestand heeft 1 controle te veel
+   *[other] het bestand heeft { $count } controles te veel
+}
+report-difference-fewer = { $count ->
+    [one] in het bestand ontbreekt 1 controle
+   *[other] in het bestand ontbreken { $count } controles
+}
+report-data-json = de gegevens van het bestand zijn geen rapport van Fitcheck: { $reason }
 report-ending-missing = { $file } heeft geen extensie waaruit het formaat van het rapport blijkt: gebruik een van { $endings }
 report-ending-unknown = .{ $ending } is geen formaat van het rapport: gebruik een van { $endings }
 

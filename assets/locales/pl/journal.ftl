@@ -49,6 +49,7 @@ journal-ask-callout = { $error }; wymiar tolerowany pisze się w cudzysłowie: c
 journal-ask-class = { $error }
 journal-ask-order = okres kończy się przed początkiem: from musi być przed to
 journal-ask-both-origins = simulated i measured wykluczają się
+journal-ask-both-kinds = reports i checks wykluczają się
 journal-ask-too-long = zapytanie ma { $bytes } { $bytes ->
         [one] bajt
         [few] bajty
@@ -74,6 +75,8 @@ store-no-beginning = { $path } nie mówi, który to łańcuch
 store-moved = { $path } w międzyczasie przeniesiono lub odłożono: niczego nie zarejestrowano
 store-other-target = wpis { $number } nie jest tym, który miał być skorygowany: niczego nie zarejestrowano
 store-corrected = wpis { $number } został już skorygowany lub wycofany wpisem { $by }: skorygować tamten, chyba że jest wycofaniem
+store-is-report = wpis { $number } to raport: mówi, który plik zapisano, i nie można go skorygować ani wycofać
+store-other-journal = wpis { $number } tego dziennika nie jest tym, który podaje raport: niczego nie zarejestrowano
 store-finding-no-beginning = dziennik nie ma pierwszego wpisu, który nazywa łańcuch
 store-finding-pages = strony dziennika są sprzeczne, a zapytania mogą nie znaleźć wpisów, które w nim są: { $reason }
 store-finding-index = indeks zapytań nie zgadza się z tabelą: { $reason }

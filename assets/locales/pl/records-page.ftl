@@ -54,7 +54,7 @@ records-page-take-name = Użyj tego nazwiska
 
 ## The question
 records-page-question = Szukaj
-records-page-help = Słowa, dobry poprawka brak, lub part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-help = Słowa, dobry poprawka brak, lub part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
 records-page-more-actions = Więcej
 records-page-today = Dziś
 records-page-this-week = Ten tydzień
@@ -69,6 +69,8 @@ records-page-from = Od
 records-page-to = Do
 records-page-standing = Ważne
 records-page-simulated-only = Tylko symulowane
+records-page-reports-only = Tylko raporty
+records-page-checks-only = Bez raportów
 records-page-remove-filter = Usuń filtr { $filter }
 records-page-looking = Szukanie
 records-page-count = { $many ->
@@ -133,6 +135,12 @@ records-page-out-cycles = { $count ->
     [many] pominięto { $count } zapisów z cykli
    *[other] pominięto { $count } zapisów z cykli
 }
+records-page-out-reports = { $count ->
+    [one] Pominięto 1 raport: nie jest kontrolą
+    [few] Pominięto { $count } raporty: nie są kontrolami
+    [many] Pominięto { $count } raportów: nie są kontrolami
+   *[other] Pominięto { $count } raportu: nie są kontrolami
+}
 records-page-out-unread = { $count ->
     [one] pominięto 1 zapis, którego nie można odczytać
     [few] pominięto { $count } zapisy, których nie można odczytać
@@ -144,6 +152,7 @@ records-page-void = Zapis { $number }, nieważny: patrz { $by }
 records-page-instead = zamiast { $number }
 records-page-takes-back = Wycofuje { $number }
 records-page-withdrawal = Wycofanie
+records-page-report-entry = Raport
 records-page-cycle = Cykl { $cycle }
 records-page-went-back = { $time } (zegar)
 
@@ -157,6 +166,9 @@ records-page-correct-hint = Dodaje zapis w miejsce tego; oba pozostają
 records-page-simulated = Symulowany: nikt tego nie zmierzył
 records-page-corrected-by = Skorygowany lub wycofany zapisem { $number }
 records-page-corrects = W miejsce zapisu { $number }
+records-page-in-report = W raporcie { $number }, { $name }
+records-page-reports-unread = Nie można odczytać raportów z tą kontrolą: { $why }
+records-page-report-unknown = { $name } został zapisany, ale dziennik go nie zna: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, otwór
    *[shaft] { $callout }, wałek
@@ -182,6 +194,16 @@ records-page-file-measurements = Pomiary
 records-page-file-program = Program
 records-page-file-workpiece = Detal
 records-page-file-budget = Budżet niepewności
+records-page-report-file = Plik
+records-page-report-format = Format
+records-page-report-size = Rozmiar
+records-page-report-bytes = { $count } B
+records-page-report-title = Tytuł
+records-page-report-sha256 = SHA-256
+records-page-report-checks = Zarejestrowane kontrole
+records-page-report-numbers = Ich zapisy
+records-page-report-unrecorded = Kontrole bez zapisu
+records-page-report-head = Najnowszy wpis wtedy
 records-page-chain = Łańcuch
 records-page-chain-name = Dziennik
 records-page-hash = Skrót

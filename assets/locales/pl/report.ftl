@@ -2,6 +2,25 @@
 
 ## Errors
 report-error-writer = nie można utworzyć raportu { $format }: { $reason }
+report-attachment-too-large = dane w pliku są większe niż { $most } B
+report-attachment-packed = dane w pliku są spakowane metodą { $filter }, której Fitcheck nie czyta
+report-attachment-damaged = dane w pliku są uszkodzone: { $reason }
+report-attachment-several = liczba załączników z kontrolami w pliku: { $count }, oczekiwano jednego
+report-difference-field = wpis { $number }: { $field } to w pliku { $said }, w dzienniku { $kept }
+report-difference-missing = wpis { $number }: żadna kontrola z pliku nie mówi tego, co dziennik
+report-difference-more = { $count ->
+    [one] w pliku jest o 1 kontrolę za dużo
+    [few] w pliku jest o { $count } kontrole za dużo
+    [many] w pliku jest o { $count } kontroli za dużo
+   *[other] w pliku jest o { $count } kontroli za dużo
+}
+report-difference-fewer = { $count ->
+    [one] w pliku brakuje 1 kontroli
+    [few] w pliku brakuje { $count } kontroli
+    [many] w pliku brakuje { $count } kontroli
+   *[other] w pliku brakuje { $count } kontroli
+}
+report-data-json = dane w pliku to nie raport programu Fitcheck: { $reason }
 report-ending-missing = { $file } nie ma rozszerzenia, które podaje format raportu: użyć jednego z { $endings }
 report-ending-unknown = .{ $ending } nie jest formatem raportu: użyć jednego z { $endings }
 

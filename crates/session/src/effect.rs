@@ -47,9 +47,10 @@ pub enum Effect {
         /// Which column is which.
         mapping: Box<Mapping>,
     },
-    /// Write a file that does not exist yet and send `Command::Saved`.
+    /// Write a file that does not exist yet and send `Command::Saved`; before it `RecordsCommand::Reported`, where the content is of the
+    /// journal and the file is whole.
     Save(PathBuf, Content),
-    /// Write a file over another one and send `Command::Saved`.
+    /// Write a file over another one and send the same.
     Replace(PathBuf, Content),
     /// Write the files of a set into a folder, all or none, and send `FilesCommand::SetWritten`.
     SaveSet {
@@ -127,6 +128,8 @@ pub enum Effect {
     },
     /// Read these records and send `RecordsCommand::Read`.
     ReadRecords(Vec<u64>),
+    /// Read the reports that show the check of a number, and send `RecordsCommand::ReportsRead`.
+    ReadReports(u64),
     /// Read the checks that answer a question from the journal, the oldest first and at most so many, and send
     /// `WalkCommand::Came`.
     ReadPart {

@@ -104,6 +104,17 @@ pub enum StoreError {
         #[say(with = printed)]
         by: u64,
     },
+    /// The entry that is corrected is a report: it says which file was written, and that stands.
+    IsReport {
+        #[say(with = printed)]
+        number: u64,
+    },
+    /// A report tells of checks of another journal.
+    OtherJournal {
+        /// The last entry that it knows.
+        #[say(with = printed)]
+        number: u64,
+    },
     NoEntry {
         /// The journal.
         path: PathBuf,

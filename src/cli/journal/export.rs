@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::path::PathBuf;
 
-use super::list::unread;
+use super::list::{unread, without_reports};
 use super::row::Line;
 use super::show::line;
 use super::{CliError, Format, IntoCliError as _, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, put, server};
@@ -26,6 +26,7 @@ fn help() -> String {
 
 An export is the journal at one moment, however many programs record into it. It includes corrected
 and withdrawn checks, and those that correct them (correction_of); standing leaves the former out.
+Reports are no checks: they are left out, unless reports asks for them alone.
 A server gives the checks of all stations, the last received first.
 
 Columns of csv:
@@ -57,7 +58,7 @@ pub(super) struct Args {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let question = self.question.read(io)?;
+        let question = without_reports(self.question.read(io)?);
         let from = match self.journal.place()? {
             JournalPlace::File(file) => {
                 let reader = Reader::open(&file).said()?;

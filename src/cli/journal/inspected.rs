@@ -23,7 +23,7 @@ object! {
         breaks: Vec<BreakAnswer> = inspected.breaks.iter().map(BreakAnswer::of).collect(),
     }
 
-    struct HeadAnswer of(head: Head) {
+    pub(super) struct HeadAnswer of(head: Head) {
         number: u64 = head.number,
         hash: String = head.hash.to_string(),
     }

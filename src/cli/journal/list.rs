@@ -1,6 +1,7 @@
 //! `fitcheck journal list`: the newest checks, or those that a question asks for.
 
 use super::row::{self, Line};
+use super::written::shown;
 use super::{
     CliError, CliRemark, Format, IntoCliError as _, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, server,
 };
@@ -8,7 +9,7 @@ use crate::cli::journal_place::JournalPlace;
 use crate::cli::people::Side::Left;
 use crate::cli::people::{Aligned, mm};
 use crate::cli::rows;
-use crate::journal::ask::Question;
+use crate::journal::ask::{AskedKinds, Question};
 use crate::journal::entry::{Check, Content, Entry};
 use crate::store::local::{ListedEntry, Reader};
 
@@ -17,11 +18,15 @@ fn help() -> String {
         "\
 {QUESTIONS}
 
+A report that was written is a line of its own; its file and what it shows stand under report in JSON.
+csv has checks and withdrawals alone, unless reports is asked for.
+
 Columns of --format csv, and names in JSON:
   {}
 
 Examples:
   fitcheck journal list
+  fitcheck journal list reports flange
   fitcheck journal list part:Flange verdict:scrap,rework week
   fitcheck journal list \"station:Mill 3\" today --format csv",
         rows::names::<Line>().join(",")
@@ -49,7 +54,9 @@ pub(super) struct Args {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let question = self.question.read(io)?;
+        let given = self.question.read(io)?;
+        // A table of checks for other programs has no columns for files.
+        let question = if self.format == Format::Csv { without_reports(given.clone()) } else { given.clone() };
         // One more than is listed tells that there are more.
         let most = self.limit.saturating_add(1);
         let mut rows = match self.journal.place()? {
@@ -77,13 +84,21 @@ impl Args {
             Format::Json => io.json(&rows.iter().map(Line::of).collect::<Vec<_>>()),
         }
         // A blank in the wrong place asks for another name.
-        if rows.is_empty() && question != Question::default() {
-            io.remark(&CliRemark::NothingFound { question: question.text(&super::here()) });
+        if rows.is_empty() && given != Question::default() {
+            io.remark(&CliRemark::NothingFound { question: given.text(&super::here()) });
         }
         if are_more {
             io.remark(&CliRemark::MoreEntries { limit: self.limit });
         }
         Ok(unread(&rows, io))
+    }
+}
+
+/// The question for checks and withdrawals alone, unless it asks for reports by name.
+pub(super) fn without_reports(question: Question) -> Question {
+    match question.kinds {
+        AskedKinds::All => Question { kinds: AskedKinds::Checks, ..question },
+        AskedKinds::Checks | AskedKinds::Reports => question,
     }
 }
 
@@ -116,7 +131,7 @@ fn cells(row: &ListedEntry) -> [String; 9] {
             crate::journal::entry::Checked::Cycle(cycle) => format!("cycle {}", cycle.cycle),
             crate::journal::entry::Checked::Size(_) => String::new(),
         },
-        (None, Content::Begin(_) | Content::Withdrawal(_)) => String::new(),
+        (None, Content::Begin(_) | Content::Withdrawal(_) | Content::Report(_)) => String::new(),
     };
     let measured = row::measured(row).map_or_else(String::new, mm);
     [
@@ -143,6 +158,7 @@ fn marks(row: &ListedEntry, content: &Content) -> String {
         Content::Check(check) => {
             marks.extend(check.corrects.as_ref().map(|one| format!("corrects entry {}", one.target.number)));
         }
+        Content::Report(report) => marks.push(format!("report {}: {}", report.name, shown(report))),
         Content::Begin(_) => {}
     }
     marks.extend(row.corrected_by.map(|number| format!("see entry {number}")));

@@ -6,7 +6,8 @@
 //! | `row` | the columns of a list |
 //! | `list`, `show`, `export` | checks as a list, one of them with its reasons, all of them for other programs |
 //! | `text` | an entry with its reasons, for people |
-//! | `verify` | whether a journal is whole |
+//! | `entry_name` | an entry by its number or its hash |
+//! | `verify`, `written` | whether a journal is whole, and whether a file is a report that it knows |
 //! | `correct` | a check in place of another one, or taken back |
 //! | `backup` | a copy |
 //! | `shop` | the server of a shop: its tables, and what is sent there |
@@ -14,6 +15,7 @@
 
 mod backup;
 mod correct;
+mod entry_name;
 mod export;
 mod inspected;
 mod list;
@@ -27,6 +29,7 @@ mod shop;
 mod show;
 mod text;
 mod verify;
+mod written;
 
 use jiff::Timestamp;
 
@@ -69,8 +72,10 @@ A question narrows the list word by word:
   from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
+  reports checks                                   only reports that were written, only what is none
   good rework re-measure scrap                     standing, with any of these verdicts
-  burr 25H7                                        begins a word of a name, callout, remark, reason
+  burr 25H7                                        begins a word of a name, callout, remark, reason,
+                                                   or of the file or title of a report
   25.012                                           begins the measured value in mm
   88                                               the same, and the record of this number";
 

@@ -1,8 +1,9 @@
 //! The columns of a list. They must not change.
 
+use super::inspected::HeadAnswer;
 use crate::cli::Figure;
 use crate::journal::Record;
-use crate::journal::entry::{Check, Checked, CycleCheck, Entry};
+use crate::journal::entry::{Check, Checked, CycleCheck, Entry, Reported};
 use crate::length::Length;
 use crate::report::csv::harmless;
 use crate::report::row::position;
@@ -43,6 +44,23 @@ row! {
         corrected_by: Option<u64> = row.corrected_by,
         remark: Option<String> = Some(about(row)?.remark.clone()).filter(|remark| !remark.is_empty()),
         error: Option<String> = Some(row.entry.as_ref().err()?.to_string()),
+        #[serde(skip_serializing_if = "Option::is_none")]
+        report: Option<ReportAnswer> = Some(ReportAnswer::of(entry(row)?.report()?)),
+    }
+}
+
+object! {
+    /// A file that was written.
+    pub(super) struct ReportAnswer of(report: &Reported) {
+        name: String = report.name.clone(),
+        format: String = report.format.clone(),
+        sha256: String = report.sha256.to_string(),
+        bytes: u64 = report.bytes,
+        title: String = report.title.clone(),
+        check_count: u64 = report.shown.checks.count(),
+        checks: Vec<[u64; 2]> = report.shown.checks.ranges().to_vec(),
+        unrecorded: u64 = report.shown.unrecorded,
+        head: Option<HeadAnswer> = report.shown.head.map(HeadAnswer::of),
     }
 }
 

@@ -7,8 +7,8 @@ use super::{CliRemark, Io};
 use crate::cli::people::mm;
 use crate::cli::said::decided;
 use crate::journal::Record;
-use crate::journal::chain::ChainId;
-use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry};
+use crate::journal::chain::{ChainId, Head};
+use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry, Reported};
 use crate::store::local::ListedEntry;
 use crate::tolerance::FigureWarning;
 
@@ -16,7 +16,7 @@ use crate::tolerance::FigureWarning;
 const MOST_CONTACTS: usize = 100;
 
 /// Writes a line after its name.
-fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
+pub(super) fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
     writeln!(io.people(), "{name:<13}{text}");
 }
 
@@ -38,6 +38,7 @@ pub(super) fn print(row: &ListedEntry, chain: ChainId, last: u64, io: &mut Io<'_
         Content::Begin(begin) => print_begin(begin, io),
         Content::Withdrawal(correction) => print_correction("withdraws", correction, io),
         Content::Check(check) => print_check(check, io),
+        Content::Report(report) => print_report(report, io),
     }
     if let Some(number) = row.corrected_by {
         line("see", format_args!("entry {number}, which corrects this one or withdraws it"), io);
@@ -66,6 +67,19 @@ fn print_correction(name: &str, correction: &Correction, io: &mut Io<'_>) {
     line(name, format_args!("entry {} ({})", correction.target.number, correction.target.hash), io);
     line("reason", &correction.reason, io);
     line("corrected by", &correction.by, io);
+}
+
+fn print_report(report: &Reported, io: &mut Io<'_>) {
+    let Reported { name, format, sha256, bytes, title, shown } = report;
+    line("report", name, io);
+    line("format", format, io);
+    some("title", title, io);
+    line("size", format_args!("{bytes} bytes"), io);
+    line("SHA-256", sha256, io);
+    line("shows", super::written::shown(report), io);
+    if let Some(Head { number, hash }) = shown.head {
+        line("made after", format_args!("entry {number} ({hash})"), io);
+    }
 }
 
 fn print_check(check: &Check, io: &mut Io<'_>) {

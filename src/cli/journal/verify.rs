@@ -1,9 +1,10 @@
 //! `fitcheck journal verify`: whether every entry is the one that was written.
 
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::inspected::{InspectedAnswer, bar};
+use super::written::{Written, WrittenAnswer};
 use super::{CliError, CliRemark, Format, IntoCliError as _, Io, JournalArgs, Outcome, server};
 use crate::cli::args::one_of;
 use crate::cli::journal_place::JournalPlace;
@@ -18,16 +19,25 @@ newest entries were cut off, an older copy was put back or everything was rewrit
 entry that is known elsewhere: the last one that this computer has seen, which Fitcheck keeps beside
 its settings, and those that --head gives.
 
+With FILE, verify also says whether this file is a report that was written: when, by whom, where, of
+which checks, and which of them were corrected or withdrawn since. A file is recognised by its bytes,
+whatever it is called. Data in it (a file of JSON, or what a PDF has attached) is compared with the
+journal, check by check; of a file that is not known, with the newest report of its name.
+
 Examples:
   fitcheck journal verify
   fitcheck journal verify --head 1204:9f86d081…
+  fitcheck journal verify flange.html
 
-The exit code is 1 if anything is not as it was written.";
+The exit code is 1 if anything is not as it was written, and if a file is not known.";
 
 /// Verify every entry of a journal
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(super) struct Args {
+    /// Reports to look for in the journal, in whatever format
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
     /// Entry that is known elsewhere, such as from a report or a backup, by its number and hash; on a server, its chain comes first
     #[arg(long = "head", value_name = "[CHAIN:]NUMBER:HASH", value_parser = head)]
     heads: Vec<Known>,
@@ -59,6 +69,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let file = match self.journal.place()? {
             JournalPlace::File(file) => file,
+            JournalPlace::Server(_) if !self.files.is_empty() => return Err(CliError::JournalIsServer),
             JournalPlace::Server(address) => {
                 let known = self.heads.iter().map(|(chain, head)| Some(((*chain)?, *head)));
                 let known: Vec<_> = known.collect::<Option<_>>().ok_or(CliError::HeadWithoutChain)?;
@@ -80,13 +91,32 @@ impl Args {
         });
         bar.finish_and_clear();
         let found = found.said()?;
-        let is_whole = found.is_whole() && replaced.is_none();
+        let files = self.written(&file, io)?;
+        let are_known = files.len() == self.files.len() && files.iter().all(Written::is_whole);
         if self.format == Format::Json {
-            io.json(&Answer::of(&found, chain, replaced.as_ref()));
+            io.json(&Answer::of(&found, chain, replaced.as_ref(), &files));
         } else {
             print(&found, &known, replaced.as_ref(), io);
+            for file in &files {
+                file.print(chain, io);
+            }
         }
+        let is_whole = found.is_whole() && replaced.is_none() && are_known;
         Ok(if is_whole { Outcome::Done } else { Outcome::BadData })
+    }
+
+    /// What is found of the files; one that cannot be read is told, and the others are looked for all the same.
+    fn written(&self, journal: &Path, io: &mut Io<'_>) -> Result<Vec<Written>, CliError> {
+        let reader = Reader::open(journal).said()?;
+        let mut found = Vec::new();
+        for path in &self.files {
+            match Written::of(path, &reader) {
+                Ok(written) => found.push(written),
+                Err(error @ CliError::File(_)) => io.fail(error),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(found)
     }
 }
 
@@ -136,7 +166,7 @@ fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &
 }
 
 object! {
-    struct Answer of(found: &Verified, chain: ChainId, replaced: Option<&StoreRemark>) {
+    struct Answer of(found: &Verified, chain: ChainId, replaced: Option<&StoreRemark>, written: &[Written]) {
         whole: bool = found.is_whole() && replaced.is_none(),
         chain: String = chain.to_string(),
         entries: u64 = found.inspected.entries,
@@ -144,5 +174,7 @@ object! {
         inspected: InspectedAnswer = InspectedAnswer::of(&found.inspected),
         findings: Vec<String> =
             found.findings.iter().map(ToString::to_string).chain(replaced.map(ToString::to_string)).collect(),
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        files: Vec<WrittenAnswer> = written.iter().map(WrittenAnswer::of).collect(),
     }
 }

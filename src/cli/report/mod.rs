@@ -2,13 +2,16 @@
 
 mod part;
 mod reading;
+mod recording;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 use part::ReportParts;
 use reading::{Collected, ReportChecks, name};
+use recording::ReportRecordArgs;
 
 use super::args::one_of;
 use super::judging::JudgeArgs;
@@ -17,9 +20,11 @@ use super::parts::RepeatArgs;
 use super::progress::Work;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::journal::Record;
+use crate::journal::entry::Shown;
 use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
+use crate::proof::{Seen, SeenFile};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -79,6 +84,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     repeats: RepeatArgs,
+
+    #[command(flatten)]
+    record: ReportRecordArgs,
 }
 
 const EXAMPLES: &str = "\
@@ -91,6 +99,7 @@ Examples:
   fitcheck report bores.csv --temperature 26 --material steel -o report.html
   fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
+  fitcheck report bores.csv -o bores.html --record --who Anna
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
@@ -102,7 +111,11 @@ error, and in the report as HTML and JSON; the others are reported, and the exit
 time; if values contradict each other, the worst one), and 1 if none is worse than good but a
 part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
 12 if something contradicts a verdict. CSV holds only the checks, with the name of the picture:
-standard error reports what it leaves out.";
+standard error reports what it leaves out.
+
+With --record, the journal gets an entry with the name and the SHA-256 of the file: fitcheck journal
+verify FILE then says whether a file is this one. If that cannot be recorded, the file stays, and the
+exit code is 1.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -149,6 +162,7 @@ fn output(text: &str) -> Result<Output, EndingError> {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
+        let recorder = self.record.recorder(matches!(self.output, Output::File(..)))?;
         let judge = self.by.judge(io)?;
         let sources = self.tables.load(io)?;
         let words = Words::new(self.language);
@@ -194,6 +208,7 @@ impl Args {
         let checks = Arc::new(given);
         let (parts, of_plan) = collected.end_parts(io);
         let Some(outcome) = collected.outcome() else { return Err(CliError::ReportEmpty) };
+        let count = collected.checks;
         let report = Report {
             title: self.title.as_ref().map_or_else(String::new, Clone::clone),
             part: self.part.clone().or(of_plan),
@@ -207,13 +222,18 @@ impl Args {
             self.warn_of_checks_alone(report.notes.len(), io);
         }
         let written = match &self.output {
-            Output::Standard => (rendering.render)(&report, &words, io.data()).map_err(CliError::from),
-            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io),
+            Output::Standard => (rendering.render)(&report, &words, io.data()).map(|()| None).map_err(CliError::from),
+            Output::File(path, _) => save(path, rendering, &report, &words, io).map(|seen| Some((path, seen))),
         };
         if let Some(stopped) = checks.stopped() {
             return Err(stopped);
         }
-        written?;
+        if let Some((recorder, (path, seen))) = recorder.zip(written?) {
+            let shown = Shown { unrecorded: count, ..Shown::default() };
+            let reported = seen.reported(name(path), rendering, &report.title, shown);
+            let unknown = |error| CliError::ReportNotKnown { file: name(path), error };
+            recorder.keep_report(reported, io).map_err(unknown)?;
+        }
         Ok(outcome)
     }
 
@@ -246,6 +266,25 @@ impl Args {
             (Output::Standard, named) => Ok(named.unwrap_or(&report::html::RENDERING)),
         }
     }
+}
+
+/// Writes the file, and sees what is written.
+fn save(
+    path: &Path,
+    rendering: &Rendering,
+    report: &Report,
+    words: &Words,
+    io: &mut Io<'_>,
+) -> Result<SeenFile, CliError> {
+    let mut file = Seen::new(std::io::sink()).finish();
+    let mut write = |out: &mut (dyn Write + Send)| {
+        let mut seen = Seen::new(out);
+        (rendering.render)(report, words, &mut seen)?;
+        file = seen.finish();
+        Ok(())
+    };
+    super::save_with(path, &mut write, io)?;
+    Ok(file)
 }
 
 /// Judges a `--check`: an optional name and colon, a callout, an equals sign, a diameter.

@@ -118,6 +118,8 @@ impl Checks for ReportChecks {
 #[derive(Debug, Default)]
 pub(super) struct Collected {
     pub(super) worst: Option<Status>,
+    /// How many there are.
+    pub(super) checks: u64,
     /// The worst of the checks that are of no file: with a plan they are of no part.
     worst_typed: Option<Status>,
     /// What the parts make of the exit code, with a plan.
@@ -197,6 +199,7 @@ impl Collected {
         }
         self.are_corrected |= record.correction.is_some();
         self.worst = self.worst.max(Some(record.verdict.status()));
+        self.checks = self.checks.saturating_add(1);
     }
 
     /// A check from an option.

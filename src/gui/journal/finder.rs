@@ -44,6 +44,11 @@ pub(super) enum FinderRequest {
         numbers: Vec<u64>,
         ctx: Context,
     },
+    /// The reports that show a record.
+    Reports {
+        number: u64,
+        ctx: Context,
+    },
     /// A few of the newest records, for the palette.
     Few {
         run: u64,
@@ -197,6 +202,21 @@ impl Finder {
                     Err(ReadError::Interrupted) => Ok(Vec::new()),
                 };
                 say(answers, &ctx, RecordsCommand::Read { numbers, result });
+            }
+            FinderRequest::Reports { number, ctx } => {
+                // Somebody else's interruption: once more.
+                let mut result = self.with_reader(|reader| reader.reports_of(number));
+                for _ in 0..TRIES {
+                    if result == Err(ReadError::Interrupted) {
+                        result = self.with_reader(|reader| reader.reports_of(number));
+                    }
+                }
+                let result = match result {
+                    Ok(rows) => Ok(rows.into_iter().map(Arc::new).collect()),
+                    Err(ReadError::Failed(why)) => Err(why),
+                    Err(ReadError::Interrupted) => Err(message!("records-page-interrupted")),
+                };
+                say(answers, &ctx, RecordsCommand::ReportsRead { number, result });
             }
             FinderRequest::Few { run, question, most, ctx } => {
                 let read = |reader: &dyn Reads| {

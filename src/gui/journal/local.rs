@@ -114,6 +114,11 @@ impl Reads for Reader {
         Ok(Self::rows(self, numbers).map_err(failed)?.into_iter().map(row).collect())
     }
 
+    fn reports_of(&self, number: u64) -> Result<Vec<RecordRow>, ReadError> {
+        let numbers = Self::reports_of(self, number).map_err(failed)?;
+        Ok(Self::rows(self, &numbers).map_err(failed)?.into_iter().map(row).collect())
+    }
+
     fn interrupt(&self) -> Arc<dyn Fn() + Send + Sync> {
         let interrupt = Self::interrupt(self);
         Arc::new(move || interrupt.stop())

@@ -101,6 +101,12 @@ pub trait Reads: Send {
     /// [`ReadError`].
     fn rows(&self, numbers: &[u64]) -> Result<Vec<RecordRow>, ReadError>;
 
+    /// The reports that show the check of a number, the oldest first.
+    ///
+    /// # Errors
+    /// [`ReadError`].
+    fn reports_of(&self, number: u64) -> Result<Vec<RecordRow>, ReadError>;
+
     /// Ends the call that runs now, from another thread.
     fn interrupt(&self) -> Arc<dyn Fn() + Send + Sync>;
 }
@@ -292,6 +298,7 @@ impl Desk {
                 self.find(ctx, FinderRequest::Few { run, question, most, ctx: ctx.clone() });
             }
             Effect::ReadRecords(numbers) => self.find(ctx, FinderRequest::Rows { numbers, ctx: ctx.clone() }),
+            Effect::ReadReports(number) => self.find(ctx, FinderRequest::Reports { number, ctx: ctx.clone() }),
             Effect::VerifyRecords { run } => self.verify(ctx, run),
             Effect::SendTo(address) => self.send_to(ctx, address.as_deref()),
             Effect::WakeSender => lock(&self.shop).wake(),

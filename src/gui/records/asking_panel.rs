@@ -94,6 +94,8 @@ fn key_id(key: &str) -> &'static str {
         "measured" => "records-page-measured-only",
         "simulated" => "records-page-simulated-only",
         "standing" => "records-page-standing",
+        "checks" => "records-page-checks-only",
+        "reports" => "records-page-reports-only",
         _ => "head-status",
     }
 }
@@ -215,7 +217,7 @@ pub(super) fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
     if count == 0 {
         return;
     }
-    let LeftOut { simulated: without, replaced, cycles, unread } = page.left_out();
+    let LeftOut { simulated: without, replaced, cycles, reports, unread } = page.left_out();
     ui.horizontal_wrapped(|ui| {
         quiet(ui, view.words.say(&message!("records-page-chosen").count("count", count)));
         let can_report = view.session.can(RecordsAction::ReportRecords(0));
@@ -236,6 +238,7 @@ pub(super) fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
             ("records-page-out-simulated", without),
             ("records-page-out-replaced", replaced),
             ("records-page-out-cycles", cycles),
+            ("records-page-out-reports", reports),
             ("records-page-out-unread", unread),
         ] {
             if 0 < count {

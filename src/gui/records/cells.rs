@@ -77,7 +77,8 @@ impl RecordCells {
         Self {
             number,
             time,
-            part: about.part.clone(),
+            // A report has no part: its file is what it is called.
+            part: entry.report().map_or(&about.part, |report| &report.name).clone(),
             serial: about.serial.clone(),
             feature: about.feature.clone(),
             callout,

@@ -3,12 +3,13 @@
 use crate::gui::check::{distances, worth_lines, worth_reasons};
 use crate::gui::view::{Digits, View, doubt_text};
 use crate::journal::Record;
-use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, UsedFile};
+use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, Reported, UsedFile};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
 use crate::probing::Origin;
 use crate::session::RecordRow;
 use crate::session::records::local_time;
+use crate::text::grouped;
 use crate::tolerance::Feature;
 
 /// A line of an open record.
@@ -33,6 +34,9 @@ pub(super) fn lines(view: &View<'_>, row: &RecordRow, by: Option<&RecordRow>) ->
         }
         lines.extend(check.remark().map(|remark| Line::Sentence(view.words.told(&remark))));
         lines.extend(check.files.iter().map(|file| of_file(view, file)));
+    }
+    if let Some(report) = entry.report() {
+        of_report(view, report, &mut lines);
     }
     lines.push(Line::Heading(view.text("records-page-chain")));
     let named = |id: &str, text: String| Line::Named(view.text(id), text);
@@ -158,6 +162,38 @@ fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
     let figures: Vec<String> =
         cycle.figures.iter().map(|(name, length)| format!("{name} {}", words.mm(*length, 3))).collect();
     lines.push(named("records-page-figures", figures.join(", ")));
+}
+
+/// What was written, and what it shows.
+fn of_report(view: &View<'_>, report: &Reported, lines: &mut Vec<Line>) {
+    let words = view.words;
+    let Reported { name, format, sha256, bytes, title, shown } = report;
+    let named = |id: &str, text: String| Line::Named(view.text(id), text);
+    lines.push(Line::Heading(view.text("records-page-report-entry")));
+    lines.push(named("records-page-report-file", name.clone()));
+    lines.push(named("records-page-report-format", format.clone()));
+    lines.push(named(
+        "records-page-report-size",
+        words.say(&message!("records-page-report-bytes").text("count", grouped(*bytes))),
+    ));
+    if !title.is_empty() {
+        lines.push(named("records-page-report-title", title.clone()));
+    }
+    lines.push(named("records-page-report-sha256", sha256.to_string()));
+    lines.push(named("records-page-report-checks", grouped(shown.checks.count())));
+    let numbers = shown
+        .checks
+        .ranges()
+        .iter()
+        .map(|[first, last]| if first == last { first.to_string() } else { format!("{first} … {last}") });
+    let numbers = numbers.collect::<Vec<_>>().join(", ");
+    if !numbers.is_empty() {
+        lines.push(named("records-page-report-numbers", numbers));
+    }
+    if 0 < shown.unrecorded {
+        lines.push(named("records-page-report-unrecorded", grouped(shown.unrecorded)));
+    }
+    lines.extend(shown.head.map(|head| named("records-page-report-head", format!("{} ({})", head.number, head.hash))));
 }
 
 /// A file, and SHA-256 of its bytes.

@@ -44,6 +44,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         verdict_ui(ui, view.words, row);
         links_ui(ui, view, row);
+        reports_ui(ui, view);
         for line in lines(view, row, open.by.as_deref()) {
             line_ui(ui, &line);
         }
@@ -81,6 +82,26 @@ fn links_ui(ui: &mut Ui, view: &mut View<'_>, row: &RecordRow) {
         let Some(number) = number else { continue };
         let text = view.words.say(&Message::new(id).text("number", number));
         if ui.button(text).clicked() {
+            view.send(RecordsCommand::Open(number));
+        }
+    }
+}
+
+/// The reports that show it, each to be opened.
+fn reports_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let Some(open) = view.session.records().open.as_ref() else { return };
+    let rows = match &open.reports {
+        Ok(rows) => rows,
+        Err(why) => {
+            problem(ui, view.words.say(&message!("records-page-reports-unread").message("why", why.clone())));
+            return;
+        }
+    };
+    for row in rows {
+        let number = row.head.number;
+        let Some(report) = row.entry.as_ref().ok().and_then(|entry| entry.report()) else { continue };
+        let said = message!("records-page-in-report").text("number", number).text("name", &report.name);
+        if ui.button(view.words.say(&said)).clicked() {
             view.send(RecordsCommand::Open(number));
         }
     }

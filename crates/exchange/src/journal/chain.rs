@@ -66,6 +66,33 @@ impl Hash {
     }
 }
 
+/// The first digits of a hash, as people copy them: enough to find an entry by, if no other one begins so.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HashPrefix(String);
+
+impl HashPrefix {
+    /// The fewest digits: those that a report shows.
+    pub const FEWEST: usize = 8;
+
+    /// The digits in a text; `None` where it has others, fewer than [`Self::FEWEST`] or more than a hash.
+    pub fn read(text: &str) -> Option<Self> {
+        let is_prefix = (Self::FEWEST..=64).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+        is_prefix.then(|| Self(text.to_ascii_lowercase()))
+    }
+
+    /// Whether a hash begins so.
+    pub fn begins(&self, hash: Hash) -> bool {
+        let mut digits = hash.0.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+        self.0.chars().all(|wanted| digits.next().is_some_and(|digit| wanted.to_digit(16) == Some(u32::from(digit))))
+    }
+}
+
+impl fmt::Display for HashPrefix {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
 /// SHA-256 of a file that is read piece by piece.
 #[derive(Debug, Clone, Default)]
 pub struct FileHash(Sha256);

@@ -13,6 +13,7 @@ use jiff::tz::Offset;
 
 use super::Record;
 use super::chain::{ChainId, Hash, Head};
+use super::ranges::EntryRanges;
 
 /// A point in time with what the station's clock showed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -127,6 +128,8 @@ pub enum Content {
     Check(Box<Check>),
     /// A check is taken back, and nothing stands in its place.
     Withdrawal(Correction),
+    /// A file of checks was written.
+    Report(Reported),
 }
 
 /// The beginning of a chain.
@@ -236,6 +239,34 @@ pub struct Correction {
     pub by: String,
 }
 
+/// A file of checks that was written: by its bytes it is recognised, whatever it is called later.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Reported {
+    /// Its name without its folder.
+    pub name: String,
+    /// The name of the rendering: `html`, `json`.
+    pub format: String,
+    /// SHA-256 of its bytes.
+    pub sha256: Hash,
+    /// How many bytes it has.
+    pub bytes: u64,
+    /// The title of the report; empty where nobody gave one.
+    pub title: String,
+    /// What it shows.
+    pub shown: Shown,
+}
+
+/// What a report shows, and how far the journal was when it was made.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Shown {
+    /// The entries of its checks. Those that correct them later are not in it.
+    pub checks: EntryRanges,
+    /// How many of its checks are in no journal.
+    pub unrecorded: u64,
+    /// The last entry that was known when it was made; `None` where there was none.
+    pub head: Option<Head>,
+}
+
 /// An entry as it is kept.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Kept {
@@ -250,7 +281,15 @@ impl Entry {
     pub fn check(&self) -> Option<&Check> {
         match &self.content {
             Content::Check(check) => Some(check),
-            Content::Begin(_) | Content::Withdrawal(_) => None,
+            Content::Begin(_) | Content::Withdrawal(_) | Content::Report(_) => None,
+        }
+    }
+
+    /// The report that it tells of.
+    pub const fn report(&self) -> Option<&Reported> {
+        match &self.content {
+            Content::Report(report) => Some(report),
+            Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => None,
         }
     }
 
@@ -258,7 +297,7 @@ impl Entry {
         match &self.content {
             Content::Check(check) => check.corrects.as_ref(),
             Content::Withdrawal(correction) => Some(correction),
-            Content::Begin(_) => None,
+            Content::Begin(_) | Content::Report(_) => None,
         }
     }
 }
@@ -270,6 +309,11 @@ impl Check {
             Checked::Size(record) => Some(record.verdict.status()),
             Checked::Cycle(cycle) => cycle.status,
         }
+    }
+
+    /// Whether it is of a size, and not of what a cycle says by itself.
+    pub const fn is_size(&self) -> bool {
+        matches!(self.what, Checked::Size(_))
     }
 
     /// Whether nobody measured: never evidence.

@@ -8,12 +8,17 @@ use fitcheck_core::verdict::Status;
 use unicode_normalization::UnicodeNormalization as _;
 use unicode_normalization::char::is_combining_mark;
 
+use super::chain::Hash;
+use super::ranges::EntryRanges;
+
 /// Which entries are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FoundEntryKind {
     Check,
     /// A check is taken back.
     Withdrawal,
+    /// A file of checks was written: never a check itself.
+    Report,
 }
 
 /// What an entry is found by, as it was written.
@@ -41,6 +46,20 @@ pub struct FoundEntry<'a> {
     pub corrects: Option<u64>,
     /// Why it corrects that; empty where it corrects none.
     pub reason: Cow<'a, str>,
+    /// The file that was written; only of a report.
+    pub report: Option<FoundReport<'a>>,
+}
+
+/// What a report is found by.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FoundReport<'a> {
+    /// The file's name without its folder.
+    pub name: Cow<'a, str>,
+    pub title: Cow<'a, str>,
+    /// SHA-256 of the file's bytes.
+    pub sha256: Hash,
+    /// The entries of the checks that it shows.
+    pub checks: EntryRanges,
 }
 
 /// What a size was asked for.
@@ -72,10 +91,12 @@ impl FoundEntry<'_> {
         class.map_or_else(String::new, |class| class.to_string())
     }
 
-    /// The words of part, serial number, feature, name, remark and reason, and of the callout with its blanks and without; the measured value
-    /// as a number.
+    /// The words of part, serial number, feature, name, remark and reason, of a report's file and title, and of the callout with its blanks
+    /// and without; the measured value as a number.
     pub fn words(&self) -> Vec<String> {
-        let texts = [&self.part, &self.serial, &self.feature, &self.who, &self.remark, &self.reason];
+        let own = [&self.part, &self.serial, &self.feature, &self.who, &self.remark, &self.reason];
+        let of_report = self.report.iter().flat_map(|report| [&report.name, &report.title]);
+        let texts: Vec<&Cow<'_, str>> = own.into_iter().chain(of_report).collect();
         let callout = self.callout();
         let joined: String = callout.split_whitespace().collect();
         let of_callout = [callout.as_ref(), joined.as_str()].into_iter().flat_map(words_of).collect::<Vec<_>>();

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | here | a record |
 //! | `entry` | a record with all that is kept beside it |
+//! | `ranges` | numbers of entries, as a report names its checks |
 //! | `body` | an entry as the bytes that are hashed and kept |
 //! | `chain` | each entry hashed over the one before |
 //! | `ask` | questions to a journal that lasts |
@@ -27,6 +28,7 @@
 //!    for byte the same; no body is ever written again.
 //! 3. Add a line each to `body/write.rs` and `body/read.rs` (`body/size.rs` for a record), and a row to `docs/JOURNAL.md`.
 //! 4. Raise `body::VERSION`: older versions of Fitcheck refuse a body with a field that they do not know. Every version up to it is read.
+//!    A body gets the smallest version that can hold it (`body::version_of`): entries without the field are written as before.
 //! 5. Leave the golden bodies of `tests/core/journal_body.rs` as they are and add new ones.
 //! 6. Show it in `cli/journal/text.rs` and `gui/records/reasons.rs`; take it in `cli/record.rs`; correct it in `cli/journal/correct.rs`.
 //! 7. Give it to the view of the server by a function of its own and as the last column (`store/shop/view.sql`).
@@ -43,6 +45,7 @@ pub mod memory;
 pub mod natural;
 pub mod planned;
 pub mod query;
+pub mod ranges;
 mod window;
 
 use std::sync::Arc;

@@ -1,9 +1,12 @@
 //! What a file gets: bytes, or a report that is made while it is written.
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::sync::Arc;
 
 use fitcheck_core::words::Words;
+use fitcheck_exchange::journal::entry::{Reported, Shown};
+use fitcheck_exchange::proof::SeenFile;
 use fitcheck_exchange::report::pairing::Format;
 use fitcheck_exchange::report::{Rendering, Report};
 
@@ -22,6 +25,8 @@ pub enum Content {
         rendering: &'static Rendering,
         /// Its texts.
         words: Arc<Words>,
+        /// What it shows of the journal; `None` where the journal has none of its checks.
+        shown: Option<Box<Shown>>,
     },
     /// Rows of a large file with their verdicts.
     Rows(Box<RowsText>),
@@ -41,10 +46,22 @@ impl Content {
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Bytes(bytes) => out.write_all(bytes),
-            Self::Report { report, rendering, words } => (rendering.render)(report, words, out),
+            Self::Report { report, rendering, words, .. } => (rendering.render)(report, words, out),
             Self::Rows(rows) => rows.write(out),
             Self::Pairs { paired, format } => (format.write)(&paired.answer, out),
         }
+    }
+
+    /// Whether the journal is told of the file.
+    pub const fn is_of_journal(&self) -> bool {
+        matches!(self, Self::Report { shown: Some(_), .. })
+    }
+
+    /// What the journal is told of the file that was written, once it is whole; `None` where it shows nothing of the journal.
+    pub fn reported(&self, path: &Path, file: SeenFile) -> Option<Reported> {
+        let Self::Report { report, rendering, shown: Some(shown), .. } = self else { return None };
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        Some(file.reported(name, rendering, &report.title, (**shown).clone()))
     }
 
     /// All of it in memory.

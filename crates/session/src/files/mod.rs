@@ -9,6 +9,7 @@
 //! | `kinds` | what a file given from outside is opened for |
 //! | `names` | proposed names |
 //! | `places` | last folders and recent files |
+//! | `reports` | reports as files get them, with what the journal is told of them |
 //! | `working` | the file that is being read or written |
 
 mod actions;
@@ -19,6 +20,7 @@ mod folder_list;
 mod kinds;
 mod names;
 mod places;
+mod reports;
 mod working;
 
 use std::path::{Path, PathBuf};
@@ -26,8 +28,6 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::{Absent, DeviationTable};
-use fitcheck_exchange::journal::Record;
-use fitcheck_exchange::report::{RENDERINGS, Report};
 use fitcheck_files::FileError;
 use fitcheck_nc::control::mask::Mask;
 use jiff::civil::DateTime;
@@ -291,34 +291,6 @@ impl Session {
             _ => return Ok(Effect::Read(purpose, path)),
         };
         Ok(Effect::Save(path, content))
-    }
-
-    /// The listed rows of a large file, or the chosen records, or all of them when none is chosen, as a report.
-    fn export(&self, format: usize, now: DateTime) -> Result<Content, Message> {
-        let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
-        let report = if let Some(rows) = self.check.rows.as_ref().filter(|_| self.lists_rows()) {
-            rows.report(&self.shared.sources, now).ok_or_else(|| message!("rows-export-not-yet"))?
-        } else {
-            let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
-            Report::new(now, records)
-        };
-        let report = Box::new(report);
-        Ok(Content::Report { report, rendering, words: Arc::new(self.shared.report_words()) })
-    }
-
-    /// The chosen records of the records page as a report.
-    fn report_records(&self, format: usize, now: DateTime) -> Result<Content, Message> {
-        let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
-        let journal = self.shared.recording.journal.as_ref().map(|journal| (journal.chain, journal.head));
-        let report = Box::new(self.records.report(now, journal));
-        Ok(Content::Report { report, rendering, words: Arc::new(self.shared.report_words()) })
-    }
-
-    /// The part that is being measured as a report.
-    fn report_part(&self, format: usize, now: DateTime) -> Result<Content, Message> {
-        let report = RENDERINGS.get(format).zip(self.parts.report(now));
-        let (rendering, report) = report.ok_or_else(|| message!("dialog-no-path"))?;
-        Ok(Content::Report { report: Box::new(report), rendering, words: Arc::new(self.shared.report_words()) })
     }
 
     pub(super) fn close(&mut self) {

@@ -131,12 +131,21 @@ impl History {
 
     /// The chosen checks, or those that are listed where none is chosen, oldest first.
     pub(super) fn for_report(&self) -> impl Iterator<Item = &Arc<Record>> {
+        self.reported().map(|(_, record)| record)
+    }
+
+    /// The numbers of these in the history, in the same order.
+    pub(super) fn ids_for_report(&self) -> impl Iterator<Item = RecordId> {
+        self.reported().map(|(id, _)| id)
+    }
+
+    fn reported(&self) -> impl Iterator<Item = (RecordId, &Arc<Record>)> {
         let listed: BTreeSet<RecordId> = if self.chosen.is_empty() {
             self.records.page(0..self.records.count()).into_iter().map(|(id, _)| id).collect()
         } else {
             self.chosen.clone()
         };
-        self.records.standing().filter(move |(id, _)| listed.contains(id)).map(|(_, record)| record)
+        self.records.standing().filter(move |(id, _)| listed.contains(id))
     }
 
     /// How many checks a report has.

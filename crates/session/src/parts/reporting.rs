@@ -10,6 +10,7 @@ use fitcheck_exchange::report::part::PartSheet;
 use jiff::civil::DateTime;
 
 use super::{PartsPage, PictureState};
+use crate::recording::Recording;
 
 impl PartsPage {
     /// The report; `None` before a part is begun.
@@ -22,6 +23,16 @@ impl PartsPage {
         let records: Vec<Arc<Record>> = sheet.records().map(Arc::clone).collect();
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
         Some(Report { part, parts: vec![sheet], ..Report::new(now, records) })
+    }
+
+    /// The numbers in the journal of the values of a report, in its order; `None` of one that the journal does not have.
+    pub(crate) fn numbers_for_report(&self, report: &Report, recording: &Recording) -> Vec<Option<u64>> {
+        let values: Vec<_> = (0..self.walking.count()).flat_map(|at| self.walking.values(at)).collect();
+        let number = |record: &Arc<Record>| {
+            let value = values.iter().find(|value| Arc::ptr_eq(&value.record, record))?;
+            value.number.or_else(|| recording.number_of(value.id?))
+        };
+        report.parts.iter().flat_map(PartSheet::records).map(number).collect()
     }
 
     /// The picture that the plan had when the part was begun, or why it is not at hand.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::Plan;
-use fitcheck_exchange::journal::ask::Question;
+use fitcheck_exchange::journal::ask::{AskedKinds, Question};
 use fitcheck_exchange::journal::entry::{Checked, Entry};
 use fitcheck_exchange::journal::query::RecordId;
 
@@ -136,7 +136,7 @@ impl PartsPage {
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
         let serial = Some(saved.serial).filter(|serial| !serial.is_empty());
         // What is corrected says in which order the values came.
-        let question = Box::new(Question { part, serial, ..Question::default() });
+        let question = Box::new(Question { part, serial, kinds: AskedKinds::Checks, ..Question::default() });
         self.errands.push(Effect::ReadPart { run: self.resume.run, question, most: MOST });
     }
 

@@ -151,7 +151,8 @@ impl Recording {
                 check.corrects = check.corrects.map(|correction| self.by_whom(correction));
                 Content::Check(check)
             }
-            begin @ Content::Begin(_) => begin,
+            // Nobody corrects by one of these.
+            other @ (Content::Begin(_) | Content::Report(_)) => other,
         };
         let entry = Entry { about, content };
         body::write(&entry).map_err(|error| error.message())?;

@@ -8,11 +8,13 @@
 //! | here | where records are kept, which checks are recorded, what failed |
 //! | `making` | from a check to an entry |
 //! | `people` | who is measuring |
+//! | `reports` | which file was written, and of which checks |
 //! | `server` | the server of the shop |
 //! | `undoing` | undo withdraws what it takes back |
 
 mod making;
 mod people;
+mod reports;
 mod server;
 mod undoing;
 
@@ -133,6 +135,8 @@ pub struct Recording {
     undone: Vec<Undone>,
     /// Batches of withdrawals that undo asked for.
     withdrawing: BTreeMap<u64, Withdrawing>,
+    /// Batches that tell of reports, each with the name of the file.
+    reports: BTreeMap<u64, String>,
     errands: Vec<Effect>,
 }
 

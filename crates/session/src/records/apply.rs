@@ -7,7 +7,7 @@ use std::sync::Arc;
 use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::Head;
-use fitcheck_exchange::journal::entry::{Check, Checked};
+use fitcheck_exchange::journal::entry::{Check, Checked, Reported};
 use jiff::civil::DateTime;
 
 use super::{OpenRecord, RecordRow, RecordsCommand, RecordsField, RecordsPage};
@@ -42,6 +42,7 @@ impl PageState for RecordsPage {
                 shared.recording.try_again();
             }
             RecordsCommand::Measured { name, sha256 } => shared.recording.saw(name, sha256),
+            RecordsCommand::Reported(report) => report_written(*report, shared),
             command @ (RecordsCommand::Sent { .. }
             | RecordsCommand::AskForServer(_)
             | RecordsCommand::TakeServer
@@ -54,24 +55,15 @@ impl PageState for RecordsPage {
                 shared.recording.use_name(self.text(RecordsField::Who));
                 self.texts.remove(&RecordsField::Who);
             }
-            RecordsCommand::Toggle(shorthand) => {
-                self.toggle(shorthand);
-                self.ask(shared, false);
-            }
-            RecordsCommand::RemoveFilter(word) => {
-                self.remove(&word);
-                self.ask(shared, false);
-            }
+            RecordsCommand::Toggle(shorthand) => self.toggle(shorthand, shared),
+            RecordsCommand::RemoveFilter(word) => self.remove(&word, shared),
             RecordsCommand::AskForFilter(is_filtering) => {
                 self.is_filtering = is_filtering;
                 let focus = is_filtering.then_some(Effect::Focus(RecordsField::Filter.into()));
                 return focus.into_iter().collect();
             }
             RecordsCommand::FilterBy(key) => self.filter_key = Some(key),
-            RecordsCommand::AddFilter => {
-                self.add_filter(shared);
-                self.ask(shared, false);
-            }
+            RecordsCommand::AddFilter => self.add_filter(shared),
             RecordsCommand::AskAgain => self.ask(shared, false),
             RecordsCommand::See(places) => {
                 let pages = self.listing.see(&places).into_iter();
@@ -84,6 +76,7 @@ impl PageState for RecordsPage {
                 self.correct_now(shared);
                 return gathered;
             }
+            RecordsCommand::ReportsRead { number, result } => self.reports_read(number, result),
             RecordsCommand::Move(step) => self.step(step),
             RecordsCommand::Open(number) => return self.open(number),
             RecordsCommand::CloseRecord => {
@@ -196,6 +189,10 @@ impl RecordsPage {
         let problem = result.as_ref().err().cloned();
         shared.spread(News::Kept(run, problem.is_none()));
         let is_failure = shared.recording.kept(run, result);
+        if let Some(name) = shared.recording.unknown_report(run) {
+            let why = problem.unwrap_or_else(|| message!("records-page-not-kept-why"));
+            return shared.tell(message!("records-page-report-unknown").text("name", name).message("why", why));
+        }
         shared.go_on_undoing();
         let count = shared.recording.failed();
         if is_failure && 0 < count {
@@ -285,14 +282,22 @@ impl RecordsPage {
     /// Opens a record; what was not read yet is asked for.
     pub(super) fn open(&mut self, number: u64) -> Vec<Effect> {
         let row = self.listing.row(number).map(|row| Ok(Arc::clone(row)));
-        let effects = if row.is_none() { vec![Effect::ReadRecords(vec![number])] } else { Vec::new() };
+        let mut effects = if row.is_none() { vec![Effect::ReadRecords(vec![number])] } else { Vec::new() };
+        effects.push(Effect::ReadReports(number));
         self.cursor = Some(number);
         self.look += 1;
-        self.open = Some(OpenRecord { number, row, by: None, asks_by: false });
+        self.open = Some(OpenRecord { number, row, by: None, asks_by: false, reports: Ok(Vec::new()) });
         self.correcting = None;
         self.corrects_soon = false;
         self.read_corrector(std::iter::empty());
         effects
+    }
+
+    /// Which reports show the open record.
+    fn reports_read(&mut self, number: u64, result: Result<Vec<Arc<RecordRow>>, Message>) {
+        if let Some(open) = self.open.as_mut().filter(|open| open.number == number) {
+            open.reports = result;
+        }
     }
 
     /// Why a record stands no longer is said by the entry that takes it back: it is read with it.
@@ -335,6 +340,14 @@ fn standing(row: &RecordRow) -> Option<(u64, Arc<Record>)> {
             Some((row.head.number, named))
         }
         Checked::Cycle(_) => None,
+    }
+}
+
+/// A report is whole on disk: the journal is told of it, or the user why not.
+fn report_written(report: Reported, shared: &mut Shared) {
+    let name = report.name.clone();
+    if let Some(why) = shared.recording.keep_report(report) {
+        shared.tell(message!("records-page-report-unknown").text("name", name).message("why", why));
     }
 }
 

@@ -114,13 +114,14 @@ impl RecordsPage {
         shorthand.words().iter().all(|wanted| asked.iter().any(|(_, word)| word == wanted))
     }
 
-    /// Takes a word out of the question.
-    pub(super) fn remove(&mut self, word: &str) {
+    /// Takes a word out of the question, and asks it.
+    pub(super) fn remove(&mut self, word: &str, shared: &Shared) {
         let text = self.text(RecordsField::Question);
         let others: Vec<&str> =
             words(text).into_iter().map(|(_, other)| other).filter(|other| *other != word).collect();
         let text = others.join(" ");
         self.texts.insert(RecordsField::Question, text);
+        self.ask(shared, false);
     }
 
     /// What the field of a new filter asks about.
@@ -128,7 +129,7 @@ impl RecordsPage {
         self.filter_key.unwrap_or("part")
     }
 
-    /// Puts the filter of the form into the question, in the place of one about the same.
+    /// Puts the filter of the form into the question, in the place of one about the same, and asks it.
     pub(super) fn add_filter(&mut self, shared: &Shared) {
         let key = self.filter_key();
         let named = named(&shared.words());
@@ -148,15 +149,17 @@ impl RecordsPage {
         let text = asked.join(" ");
         self.texts.insert(RecordsField::Question, text);
         self.texts.remove(&RecordsField::Filter);
+        self.ask(shared, false);
     }
 
-    /// Puts a word into the question, or takes it out.
-    pub(super) fn toggle(&mut self, shorthand: Shorthand) {
+    /// Puts a word into the question, or takes it out, and asks it.
+    pub(super) fn toggle(&mut self, shorthand: Shorthand, shared: &Shared) {
         let text = self.text(RecordsField::Question);
         let others = words(text).into_iter().map(|(_, word)| word).filter(|word| !shorthand.words().contains(word));
         let added = if self.has(shorthand) { &[] } else { shorthand.words() };
         let text = others.chain(added.iter().copied()).collect::<Vec<_>>().join(" ");
         self.texts.insert(RecordsField::Question, text);
+        self.ask(shared, false);
     }
 
     /// What a text asks of the journal.

@@ -28,6 +28,8 @@ pub struct LeftOut {
     pub replaced: usize,
     /// What a cycle says by itself.
     pub cycles: usize,
+    /// Files that were written: no checks.
+    pub reports: usize,
     /// Cannot be read.
     pub unread: usize,
 }
@@ -38,11 +40,15 @@ enum Use {
     Simulated(Arc<Record>),
     Replaced,
     Cycle,
+    Report,
     Unread,
 }
 
 fn use_of(row: &RecordRow) -> Use {
     let Ok(entry) = &row.entry else { return Use::Unread };
+    if entry.report().is_some() {
+        return Use::Report;
+    }
     let Some(check) = entry.check().filter(|_| row.corrected_by.is_none()) else { return Use::Replaced };
     // The record's own name is what its file or field called it; the entry says which part it is.
     let named = |record: &Arc<Record>| match entry.about.name() {
@@ -179,6 +185,7 @@ impl RecordsPage {
                 Use::Reported(_) | Use::Simulated(_) => {}
                 Use::Replaced => out.replaced += 1,
                 Use::Cycle => out.cycles += 1,
+                Use::Report => out.reports += 1,
                 Use::Unread => out.unread += 1,
             }
         }
@@ -192,8 +199,8 @@ impl RecordsPage {
 
     /// How many records a report has.
     pub fn reported(&self) -> usize {
-        let LeftOut { simulated, replaced, cycles, unread } = self.left_out();
-        self.for_use().len().saturating_sub(simulated + replaced + cycles + unread)
+        let LeftOut { simulated, replaced, cycles, reports, unread } = self.left_out();
+        self.for_use().len().saturating_sub(simulated + replaced + cycles + reports + unread)
     }
 
     /// The records of a report, the oldest first.
@@ -206,10 +213,21 @@ impl RecordsPage {
         used.collect()
     }
 
+    /// The entries of the records of a report, in the same order.
+    pub(crate) fn heads_for_report(&self) -> Vec<Head> {
+        let used = self.for_use().values().filter(|row| match use_of(row) {
+            Use::Reported(_) => true,
+            Use::Simulated(_) => self.with_simulated,
+            _ => false,
+        });
+        used.map(|row| row.head).collect()
+    }
+
     /// The chosen records as a report, which says what it leaves out and where its records stand.
     pub(crate) fn report(&self, now: DateTime, journal: Option<(ChainId, Head)>) -> Report {
         let mut report = Report::new(now, self.for_report());
-        let LeftOut { simulated, replaced, cycles, unread } = self.left_out();
+        // A report of checks says nothing of reports: they are none that it could have.
+        let LeftOut { simulated, replaced, cycles, reports: _, unread } = self.left_out();
         let with_simulated = if self.with_simulated { self.chosen_simulated() } else { 0 };
         for (id, count) in [
             ("records-page-report-simulated", with_simulated),
@@ -223,8 +241,9 @@ impl RecordsPage {
             }
         }
         if let Some((chain, head)) = journal {
-            let numbers: Vec<String> = self.for_use().keys().take(20).map(u64::to_string).collect();
-            let more = if numbers.len() < self.for_use().len() { ", …" } else { "" };
+            let all = self.for_use().iter().filter(|(_, row)| !matches!(use_of(row), Use::Report)).map(|(key, _)| key);
+            let numbers: Vec<String> = all.clone().take(20).map(u64::to_string).collect();
+            let more = if numbers.len() < all.count() { ", …" } else { "" };
             let said = message!("records-page-report-from").text("numbers", numbers.join(", ") + more);
             let said = said.text("chain", chain).text("number", head.number).text("hash", head.hash.short());
             report.notes.push(said);
@@ -270,7 +289,8 @@ fn cells(row: &RecordRow, words: &Words) -> [String; 11] {
     [
         number,
         cells.time,
-        text(&entry.about.part),
+        // A report has no part; its file is what it is called.
+        text(entry.report().map_or(&entry.about.part, |report| &report.name)),
         text(&entry.about.serial),
         text(&entry.about.feature),
         text(&cells.callout),
@@ -304,7 +324,8 @@ impl RowTexts {
         let Ok(entry) = &row.entry else { return Self::default() };
         let time = super::local_time(&entry.about.time);
         let Some(check) = entry.check() else {
-            return Self { time, status: words.get("records-page-withdrawal"), ..Self::default() };
+            let kind = if entry.report().is_some() { "records-page-report-entry" } else { "records-page-withdrawal" };
+            return Self { time, status: words.get(kind), ..Self::default() };
         };
         match &check.what {
             Checked::Size(record) => Self {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::Feature;
 use fitcheck_exchange::journal::chain::{Hash, Head};
+use fitcheck_exchange::journal::entry::Reported;
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 
@@ -45,6 +46,8 @@ pub enum RecordsCommand {
         /// SHA-256 of its bytes.
         sha256: Hash,
     },
+    /// A report was written, and is whole on disk.
+    Reported(Box<Reported>),
     /// What is known of the server of the shop.
     Sent {
         /// How many entries it does not have yet; `None` where that is not known.
@@ -94,6 +97,12 @@ pub enum RecordsCommand {
     Read {
         /// Those that were asked for.
         numbers: Vec<u64>,
+        result: Result<Vec<Arc<RecordRow>>, Message>,
+    },
+    /// The reports that show a record were read, or cannot be.
+    ReportsRead {
+        /// The record.
+        number: u64,
         result: Result<Vec<Arc<RecordRow>>, Message>,
     },
     /// Goes to another row.

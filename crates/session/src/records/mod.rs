@@ -103,6 +103,8 @@ pub struct OpenRecord {
     pub by: Option<Arc<RecordRow>>,
     /// Whether that is asked for.
     asks_by: bool,
+    /// The reports that show it, as far as they are read; or why they cannot be.
+    pub reports: Result<Vec<Arc<RecordRow>>, Message>,
 }
 
 /// The state of the records page.

@@ -1,7 +1,7 @@
 //! Where an entry is found: its row of `find`, and questions as conditions on it.
 
 use fitcheck_core::verdict::Status;
-use fitcheck_exchange::journal::ask::Question;
+use fitcheck_exchange::journal::ask::{AskedKinds, Question};
 use fitcheck_exchange::journal::found::{FoundEntry, FoundEntryKind, folded};
 use rusqlite::types::Value;
 use rusqlite::{Connection, Row, params};
@@ -62,6 +62,7 @@ const fn kind(kind: FoundEntryKind) -> i64 {
     match kind {
         FoundEntryKind::Check => 1,
         FoundEntryKind::Withdrawal => 2,
+        FoundEntryKind::Report => 3,
     }
 }
 
@@ -116,7 +117,13 @@ impl Conditions {
         }
         if let Some(is_simulated) = question.simulated {
             // As it is written in the index.
-            conditions.add(if is_simulated { "simulated = 1" } else { "simulated = 0" }, []);
+            conditions.add(if is_simulated { "simulated = 1" } else { "simulated = 0 AND kind <> 3" }, []);
+        }
+        match question.kinds {
+            AskedKinds::All => {}
+            AskedKinds::Checks => conditions.add("kind <> 3", []),
+            // As it is written in the index.
+            AskedKinds::Reports => conditions.add("kind = 3", []),
         }
         if question.standing {
             conditions.sql.push_str(

@@ -8,8 +8,8 @@ use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::body;
 use rusqlite::{Connection, Transaction, TransactionBehavior, params};
 
-use super::finding;
 use super::number::{integer, natural};
+use super::{finding, reports};
 
 /// So many entries wait to be indexed.
 const WAIT: i64 = 512;
@@ -45,6 +45,7 @@ pub(super) fn all_from(connection: &Connection, indexed: i64, last: i64) -> rusq
         let number = row.get(0)?;
         let Ok(Some(found)) = body::found(row.get_ref(1)?.as_blob()?) else { continue };
         finding::add(connection, number, &found)?;
+        reports::add(connection, number, &found)?;
         let words = found.words();
         if !words.is_empty() {
             insert.execute(params![number, words.join(" ")])?;
@@ -83,6 +84,11 @@ impl Waiting {
         let mut entries = connection.prepare_cached(sql)?;
         let entries = entries.query_map([], |row| Ok((natural(row.get(0)?), row.get(1)?)))?;
         Ok(Self(entries.collect::<Result<_, _>>()?))
+    }
+
+    /// Their numbers and bodies.
+    pub(super) fn entries(&self) -> &[(u64, Vec<u8>)] {
+        &self.0
     }
 
     /// Which entries they correct, each with the newest that does.

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | here | adding entries |
 //! | `opening` | what is looked at before a file is used; what a connection is set to |
+//! | `admission` | what an entry that is added may refer to |
 //! | `turn` | whose turn it is to write, where several programs add to one file |
 //! | `schema` | the tables, and what keeps entries as they are |
 //! | `finding` | what an entry is found by, and questions as conditions on it |
@@ -15,11 +16,13 @@
 //! | `number` | numbers of entries as SQLite keeps them |
 //! | `words` | questions for words |
 //! | `reader` | reading, beside the writer |
+//! | `reports` | which reports there are: by their bytes, their names, the checks that they show |
 //! | `verify` | whether every entry is the one that was written |
 //! | `backup` | a copy at one moment |
 //! | `anchor` | the last entry of each journal, kept elsewhere |
 //! | `aside` | a damaged journal makes room |
 
+mod admission;
 mod anchor;
 mod aside;
 mod backup;
@@ -28,6 +31,7 @@ mod index;
 mod number;
 mod opening;
 mod reader;
+mod reports;
 mod schema;
 mod turn;
 mod verify;
@@ -39,7 +43,7 @@ use std::time::Duration;
 use etcetera::BaseStrategy as _;
 use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head, entry_hash};
-use fitcheck_exchange::journal::entry::{About, Begin, Content, Correction, Entry, Kept, Moment};
+use fitcheck_exchange::journal::entry::{About, Begin, Content, Entry, Kept, Moment};
 use rusqlite::{Connection, OptionalExtension as _, params};
 
 pub use self::anchor::{Anchor, Anchors};
@@ -200,8 +204,8 @@ impl Journal {
         let turn = Turn::of(path, opening)?;
         let transaction = turn.begin(connection, path, opening)?;
         let mut head = head_of(&transaction).map_err(failed)?;
-        for correction in entries.iter().filter_map(Entry::corrects) {
-            may_correct(&transaction, path, correction)?;
+        for entry in entries {
+            admission::may_add(&transaction, path, entry)?;
         }
         let mut kept = Vec::with_capacity(bodies.len());
         for body in bodies {
@@ -324,22 +328,6 @@ fn file_id(path: &Path) -> Option<FileId> {
 #[cfg(not(unix))]
 fn file_id(_path: &Path) -> Option<FileId> {
     None
-}
-
-/// Whether an entry may be corrected: it is the one that was meant, and nothing has corrected it meanwhile.
-fn may_correct(connection: &Connection, path: &Path, correction: &Correction) -> Result<(), StoreError> {
-    let failed = |error: rusqlite::Error| StoreError::of(path, &error);
-    let Head { number, hash } = correction.target;
-    let mut there = connection.prepare_cached("SELECT hash FROM entry WHERE number = ?1").map_err(failed)?;
-    let found: Option<[u8; 32]> =
-        there.query_row([number::integer(number)], |row| row.get(0)).optional().map_err(failed)?;
-    if found != Some(hash.0) {
-        return Err(StoreError::OtherTarget { number });
-    }
-    match index::Corrections::of(connection).and_then(|all| all.newest(number)).map_err(failed)? {
-        Some(by) => Err(StoreError::Corrected { number, by }),
-        None => Ok(()),
-    }
 }
 
 /// Adds an entry behind another one.

@@ -21,7 +21,7 @@ use crate::error::StoreError;
 #[derive(Debug)]
 pub struct Reader {
     path: PathBuf,
-    connection: Connection,
+    pub(super) connection: Connection,
     chain: ChainId,
 }
 
@@ -99,7 +99,7 @@ impl Reader {
         read().map_err(|error| self.failed(&error))
     }
 
-    /// The numbers of checks and withdrawals that a question asks for, newest first, below a number.
+    /// The numbers of checks, withdrawals and reports that a question asks for, newest first, below a number.
     ///
     /// # Errors
     /// [`StoreError::Interrupted`] where somebody stopped it, and as for [`Self::head`].
@@ -135,7 +135,7 @@ impl Reader {
         read().map_err(|error| self.failed(&error))
     }
 
-    /// How many checks and withdrawals a question asks for, counted up to a number.
+    /// How many checks, withdrawals and reports a question asks for, counted up to a number.
     ///
     /// # Errors
     /// As for [`Self::numbers`].
@@ -207,7 +207,7 @@ impl Reader {
         read().map(|lines| lines.join("\n")).map_err(|error| self.failed(&error))
     }
 
-    fn failed(&self, error: &rusqlite::Error) -> StoreError {
+    pub(super) fn failed(&self, error: &rusqlite::Error) -> StoreError {
         StoreError::of(&self.path, error)
     }
 }

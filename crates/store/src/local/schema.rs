@@ -12,7 +12,7 @@ use super::index;
 /// What the file says it is: `Fitc` as a number.
 pub(super) const APPLICATION: i64 = 0x4669_7463;
 /// The version of the derived tables.
-pub(super) const VERSION: i64 = 3;
+pub(super) const VERSION: i64 = 4;
 
 /// The truth, and what keeps it: no change, no removal, and no entry out of its place, which `INSERT OR REPLACE` would be too.
 const ENTRY: [(&str, &str); 5] = [
@@ -37,6 +37,7 @@ const ENTRY: [(&str, &str); 5] = [
 ];
 
 /// What questions are answered by. Names are in small letters, as they are looked for; words have no accents either, and blanks between them.
+/// `report` has the files that were written, and `reported` the entries that each of them shows.
 const FIND: &str = "
 CREATE TABLE find(
   number INTEGER PRIMARY KEY,
@@ -66,6 +67,17 @@ CREATE VIRTUAL TABLE words USING fts5(text, content='', columnsize=0, detail='no
 CREATE TABLE indexed(number INTEGER NOT NULL) STRICT;
 INSERT INTO indexed VALUES (0);
 CREATE INDEX find_simulated ON find(number) WHERE simulated = 1;
+CREATE INDEX find_report ON find(number) WHERE kind = 3;
+CREATE TABLE report(number INTEGER PRIMARY KEY, sha256 BLOB NOT NULL, name TEXT NOT NULL) STRICT;
+CREATE INDEX report_sha256 ON report(sha256, number);
+CREATE INDEX report_name ON report(name, number);
+CREATE TABLE reported(
+  report INTEGER NOT NULL,
+  first INTEGER NOT NULL,
+  last INTEGER NOT NULL,
+  PRIMARY KEY(report, first)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX reported_last ON reported(last, first, report);
 ";
 
 /// Makes everything in an empty file.
@@ -82,7 +94,9 @@ pub(super) fn make(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
 pub(super) fn rebuild(connection: &mut Connection) -> rusqlite::Result<()> {
     let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
     let derived: Vec<String> = transaction
-        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' AND name IN ('find', 'words', 'indexed')")?
+        .prepare(
+            "SELECT name FROM sqlite_schema WHERE type = 'table' AND name IN ('find', 'words', 'indexed', 'report', 'reported')",
+        )?
         .query_map([], |row| row.get(0))?
         .collect::<Result<_, _>>()?;
     for name in derived {

@@ -20,7 +20,7 @@ use fitcheck_exchange::journal::found::FoundEntry;
 use fitcheck_exchange::journal::inspection::{Inspected, Inspection};
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _};
 
-use super::{finding, index, number, opening, reader, schema};
+use super::{finding, index, number, opening, reader, reports, schema};
 use crate::error::StoreError;
 
 /// After how many entries the progress is told.
@@ -176,7 +176,13 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
             let found = body::found(&kept.body).ok().flatten().filter(|_found| last <= indexed);
             let is_there = row.is_some_and(|row| row.get_ref(0).is_ok_and(|number| number.as_i64() == Ok(last)));
             let agrees = match (row, &found) {
-                (Some(row), Some(found)) if is_there => finding::is_of(row, found, classes.of(found))?,
+                (Some(row), Some(found)) if is_there => {
+                    finding::is_of(row, found, classes.of(found))?
+                        && match &found.report {
+                            Some(report) => reports::agrees(&transaction, last, report)?,
+                            None => true,
+                        }
+                }
                 (_, found) => !is_there && found.is_none(),
             };
             if is_there {
@@ -193,14 +199,21 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
         [last],
         |row| row.get(0),
     )?;
-    Ok(wrong.saturating_add(number::natural(more)))
+    let without = reports::without_report(&transaction)?;
+    Ok(wrong.saturating_add(number::natural(more)).saturating_add(without))
 }
 
 /// What is wrong with the table of questions and its indexes, and with the pages of the words, by the database's own look at them.
 fn indexes(connection: &Connection) -> rusqlite::Result<Option<String>> {
     first_of(
         connection,
-        &["PRAGMA integrity_check('find')", "PRAGMA quick_check('words_data')", "PRAGMA quick_check('words_idx')"],
+        &[
+            "PRAGMA integrity_check('find')",
+            "PRAGMA integrity_check('report')",
+            "PRAGMA integrity_check('reported')",
+            "PRAGMA quick_check('words_data')",
+            "PRAGMA quick_check('words_idx')",
+        ],
     )
 }
 

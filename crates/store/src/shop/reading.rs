@@ -1,6 +1,6 @@
 //! Questions to the server about the checks of all stations, answered page by page: what the server got last comes first.
 
-use fitcheck_exchange::journal::ask::Question;
+use fitcheck_exchange::journal::ask::{AskedKinds, Question};
 use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
 use fitcheck_exchange::journal::entry::Kept;
@@ -39,7 +39,7 @@ pub struct ShopRow {
 /// A part of the list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Page {
-    /// Checks and withdrawals that the question asks for.
+    /// Checks, withdrawals and reports that the question asks for.
     pub rows: Vec<ShopRow>,
     /// Where the list goes on; `None` at its end.
     pub next: Option<ListPlace>,
@@ -164,5 +164,7 @@ fn surely(question: &Question) -> Vec<String> {
     };
     let wanted = words.iter().flat_map(|text| WantedWord::all_of(text)).filter(|word| word.number.is_none());
     let wanted = wanted.map(|word| word.text).filter(|word| word.is_ascii()).map(figures);
-    names.filter(|word| word.is_ascii()).chain(wanted).collect()
+    // As a body has it: no text within one has these signs beside each other.
+    let kind = (question.kinds == AskedKinds::Reports).then(|| "\"kind\":\"report\"".to_owned());
+    names.filter(|word| word.is_ascii()).chain(wanted).chain(kind).collect()
 }

@@ -63,6 +63,8 @@ pub enum AskErrorKind {
     Order,
     /// Simulated checks alone and measured checks alone.
     BothOrigins,
+    /// Reports alone and checks alone.
+    BothKinds,
     /// A text that nobody typed.
     TooLong {
         /// How many bytes it has.

@@ -1,6 +1,6 @@
 //! Whether a question asks for an entry.
 
-use super::Question;
+use super::{AskedKinds, Question};
 use crate::journal::found::{FoundEntry, FoundEntryKind, WantedWord, folded};
 
 impl Question {
@@ -12,6 +12,7 @@ impl Question {
             (&self.who, &found.who),
             (&self.station, &found.station),
         ];
+        let is_report = found.kind == FoundEntryKind::Report;
         let is = |asked: &Option<String>, text: &str| asked.as_ref().is_none_or(|asked| asked == text);
         let is_name =
             |asked: &Option<String>, text: &str| asked.as_ref().is_none_or(|asked| folded(asked) == folded(text));
@@ -22,7 +23,8 @@ impl Question {
             && (self.verdicts.is_empty() || found.status.is_some_and(|status| self.verdicts.contains(&status)))
             && self.from_ms.is_none_or(|from| from <= found.at_ms)
             && self.before_ms.is_none_or(|before| found.at_ms < before)
-            && self.simulated.is_none_or(|simulated| simulated == found.is_simulated)
+            && self.simulated.is_none_or(|simulated| simulated == found.is_simulated && !is_report)
+            && self.kinds.has(is_report)
             && (!self.standing || (found.kind == FoundEntryKind::Check && !is_corrected))
             && self.wanted_words().is_some_and(|words| found.has_words(number, &words))
     }
@@ -32,6 +34,17 @@ impl Question {
         let words: Vec<WantedWord> = self.words.iter().flat_map(|text| WantedWord::all_of(text)).collect();
         let is_only_signs = words.is_empty() && self.words.iter().any(|text| !text.trim().is_empty());
         (!is_only_signs).then_some(words)
+    }
+}
+
+impl AskedKinds {
+    /// Whether reports, or all other entries, are asked for.
+    const fn has(self, is_report: bool) -> bool {
+        match self {
+            Self::All => true,
+            Self::Checks => !is_report,
+            Self::Reports => is_report,
+        }
     }
 }
 

@@ -12,8 +12,11 @@
 //! | `today` `week` | recorded today; in this week, which begins on Monday |
 //! | `simulated` `measured` | only simulated ones, only measured ones |
 //! | `standing` | that no other one corrects and that were not withdrawn |
+//! | `reports` `checks` | only files that were written; only checks and what takes them back |
 //! | `good` `rework` `re-measure` `scrap` | with this verdict, or with any of several, and `standing`; also in the words of who asks |
-//! | anything else | with a word that begins so, in names, callout, remark or reason; `88` is also record 88, `25.01` a measured value |
+//! | anything else | with a word that begins so, in names, callout, remark or reason, in a report's file or title; `88` is also record 88, `25.01` a measured value |
+//!
+//! What asks for a verdict, for simulated or measured checks or for `standing` finds checks alone, and no report.
 //!
 //! What has blanks or a colon goes in quotation marks, `""` within them is one; a word in quotation marks is never one of those above the
 //! last.
@@ -65,6 +68,18 @@ impl LocalNow {
     }
 }
 
+/// Which kinds of entries are asked for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum AskedKinds {
+    /// Checks, what takes them back, and files that were written.
+    #[default]
+    All,
+    /// Checks and what takes them back.
+    Checks,
+    /// Files that were written.
+    Reports,
+}
+
 /// Which checks are asked for. What is not given asks for nothing: an empty question finds every check.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Question {
@@ -92,6 +107,8 @@ pub struct Question {
     pub simulated: Option<bool>,
     /// Only checks that stand: none that another one corrects or that was taken back.
     pub standing: bool,
+    /// Which kinds of entries.
+    pub kinds: AskedKinds,
     /// Words that the part, serial number, feature, callout, name, remark or reason has, or begins a word with: all of them. A plain number is
     /// also the number of the record, and one with a decimal sign the measured value.
     pub words: Vec<String>,

@@ -3,7 +3,7 @@
 use jiff::Timestamp;
 
 use super::reading::{SWITCHES, begin_of, verdict_of};
-use super::{LocalNow, Question};
+use super::{AskedKinds, LocalNow, Question};
 
 impl Question {
     /// Its text. Where it begins and ends with days of the place where it is asked, these are named; other instants are in UTC.
@@ -30,6 +30,11 @@ impl Question {
         if self.standing {
             words.push("standing".to_owned());
         }
+        words.extend(match self.kinds {
+            AskedKinds::All => None,
+            AskedKinds::Checks => Some("checks".to_owned()),
+            AskedKinds::Reports => Some("reports".to_owned()),
+        });
         words.extend(self.words.iter().map(|text| word(text)));
         words.join(" ")
     }

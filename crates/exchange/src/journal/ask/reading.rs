@@ -10,7 +10,7 @@ use fitcheck_core::verdict::Status;
 use jiff::civil::{Date, DateTime};
 use jiff::{Timestamp, ToSpan as _};
 
-use super::{AskError, AskErrorKind, LocalNow, Question};
+use super::{AskError, AskErrorKind, AskedKinds, LocalNow, Question};
 
 /// The longest text of a question, bytes.
 pub(super) const LONGEST: usize = 65_536;
@@ -20,7 +20,7 @@ pub const KEYS: [&str; 10] =
     ["part", "serial", "feature", "callout", "class", "verdict", "who", "station", "from", "to"];
 
 /// What stands alone.
-pub const SWITCHES: [&str; 5] = ["today", "week", "simulated", "measured", "standing"];
+pub const SWITCHES: [&str; 7] = ["today", "week", "simulated", "measured", "standing", "checks", "reports"];
 
 struct Word {
     /// Before the colon, in small letters; `None` where there is none.
@@ -153,6 +153,14 @@ impl Question {
             "standing" => {
                 self.standing = true;
                 Ok(())
+            }
+            "checks" | "reports" => {
+                let asked = if switch == "checks" { AskedKinds::Checks } else { AskedKinds::Reports };
+                match std::mem::replace(&mut self.kinds, asked) {
+                    AskedKinds::All => Ok(()),
+                    before if before == asked => Err(twice()),
+                    _ => Err(wrong(AskErrorKind::BothKinds)),
+                }
             }
             _ => match self.simulated.replace(switch == "simulated") {
                 None => Ok(()),

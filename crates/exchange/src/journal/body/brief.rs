@@ -6,7 +6,8 @@ use fitcheck_core::verdict::Status;
 use serde::Deserialize;
 
 use super::{BodyError, wire};
-use crate::journal::found::{EntryCallout, FoundEntry, FoundEntryKind};
+use crate::journal::found::{EntryCallout, FoundEntry, FoundEntryKind, FoundReport};
+use crate::journal::ranges::EntryRanges;
 
 #[derive(Deserialize)]
 struct Brief<'a> {
@@ -17,6 +18,28 @@ struct Brief<'a> {
     check: Option<Check<'a>>,
     #[serde(borrow)]
     withdrawal: Option<Corrects<'a>>,
+    #[serde(borrow)]
+    report: Option<Report<'a>>,
+}
+
+#[derive(Deserialize)]
+struct Report<'a> {
+    #[serde(borrow)]
+    name: Cow<'a, str>,
+    #[serde(borrow)]
+    sha256: Cow<'a, str>,
+    #[serde(borrow)]
+    title: Cow<'a, str>,
+    checks: Vec<[u64; 2]>,
+}
+
+impl<'a> Report<'a> {
+    fn found(self) -> Result<FoundReport<'a>, BodyError> {
+        let Self { name, sha256, title, checks } = self;
+        super::texts::bounded("report.checks", &checks)?;
+        let checks = EntryRanges::read(checks).ok_or(BodyError::Contradiction { field: "report.checks" })?;
+        Ok(FoundReport { name, title, sha256: super::texts::printed("report.sha256", &sha256)?, checks })
+    }
 }
 
 #[derive(Deserialize)]
@@ -93,7 +116,12 @@ pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
         wire::BodyKind::Begin => return Ok(None),
         wire::BodyKind::Check => FoundEntryKind::Check,
         wire::BodyKind::Withdrawal => FoundEntryKind::Withdrawal,
+        wire::BodyKind::Report => FoundEntryKind::Report,
     };
+    let report = brief.report.map(Report::found).transpose()?;
+    if report.is_some() != (kind == FoundEntryKind::Report) {
+        return Err(BodyError::Contradiction { field: "kind" });
+    }
     let About { station, time, who, part, serial, feature, remark } = brief.about;
     let (status, is_simulated, size, cycle, corrects) = match brief.check {
         Some(check) => (check.status, check.simulated, check.size, check.cycle, check.corrects),
@@ -122,5 +150,6 @@ pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
         measured_nm,
         corrects,
         reason,
+        report,
     }))
 }

@@ -24,10 +24,10 @@ pub use brief::found;
 use fitcheck_core::message::{Say, printed, shortened};
 use serde::Deserialize;
 
-use super::entry::Entry;
+use super::entry::{Content, Entry};
 
-/// The version of the format that is written, and the newest that can be read.
-pub const VERSION: u64 = 1;
+/// The newest version of the format: every version up to it is read.
+pub const VERSION: u64 = 2;
 
 /// The longest body, bytes.
 pub const LONGEST: usize = 16 << 20;
@@ -107,6 +107,14 @@ impl BodyError {
 #[derive(Deserialize)]
 struct Head {
     v: u64,
+}
+
+/// The version that an entry is written as: the smallest that can hold it, so that older versions of Fitcheck read all that they know.
+const fn version_of(content: &Content) -> u64 {
+    match content {
+        Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => 1,
+        Content::Report(_) => 2,
+    }
 }
 
 /// The bytes of an entry.

@@ -5,12 +5,16 @@ use std::sync::Arc;
 use fitcheck_core::verdict::Status;
 
 use super::texts::{bounded, length, long, name, of_contacts, printed, seed, some_length, two_lengths, whole};
-use super::{BodyError, size, wire};
+use super::{BodyError, size, version_of, wire};
 use crate::journal::chain::Head;
 use crate::journal::entry::{
     About, Begin, Check, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, Entry, FileRole, Moment,
-    UsedFile,
+    Reported, Shown, UsedFile,
 };
+use crate::journal::ranges::EntryRanges;
+
+/// The first entry of a chain is its beginning: no check has a smaller number.
+const FIRST_CHECK: u64 = 2;
 
 /// Local time is nowhere further from UTC, minutes.
 const LARGEST_OFFSET: u32 = 25 * 60 + 59;
@@ -20,15 +24,63 @@ const TIMES: std::ops::RangeInclusive<i64> = -377_705_023_201_000..=253_402_207_
 
 pub(super) fn entry(body: wire::Body) -> Result<Entry, BodyError> {
     let about = about(&body.about)?;
-    let content = match (body.kind, body.begin, body.check, body.withdrawal) {
-        (wire::BodyKind::Begin, Some(content), None, None) => Content::Begin(begin(&content)?),
-        (wire::BodyKind::Check, None, Some(content), None) => Content::Check(Box::new(check(content)?)),
-        (wire::BodyKind::Withdrawal, None, None, Some(content)) => {
+    let content = match (body.kind, body.begin, body.check, body.withdrawal, body.report) {
+        (wire::BodyKind::Begin, Some(content), None, None, None) => Content::Begin(begin(&content)?),
+        (wire::BodyKind::Check, None, Some(content), None, None) => Content::Check(Box::new(check(content)?)),
+        (wire::BodyKind::Withdrawal, None, None, Some(content), None) => {
             Content::Withdrawal(corrects("withdrawal.reason", &content)?)
         }
+        (wire::BodyKind::Report, None, None, None, Some(content)) => Content::Report(report(content)?),
         _ => return Err(BodyError::Contradiction { field: "kind" }),
     };
+    // An entry has one body: the same in another version would have another hash.
+    if version_of(&content) != body.v {
+        return Err(BodyError::Contradiction { field: "v" });
+    }
     Ok(Entry { about, content })
+}
+
+fn report(report: wire::Report) -> Result<Reported, BodyError> {
+    bounded("report.checks", &report.checks)?;
+    let checks = EntryRanges::read(report.checks).ok_or(BodyError::Contradiction { field: "report.checks" })?;
+    let head = report.head.as_ref().map(|wire::Last { number, hash }| {
+        Ok(Head { number: whole("report.head.number", *number)?, hash: printed("report.head.hash", hash)? })
+    });
+    let shown = Shown { checks, unrecorded: whole("report.unrecorded", report.unrecorded)?, head: head.transpose()? };
+    sound_report(&report.name, &report.format, &shown)?;
+    Ok(Reported {
+        name: name("report.name", &report.name)?,
+        format: name("report.format", &report.format)?,
+        sha256: printed("report.sha256", &report.sha256)?,
+        bytes: whole("report.bytes", report.bytes)?,
+        title: name("report.title", &report.title)?,
+        shown,
+    })
+}
+
+/// What holds of every report: its file has a name without a folder and a format, and its checks were recorded before it was made.
+pub(super) fn sound_report(name: &str, format: &str, shown: &Shown) -> Result<(), BodyError> {
+    for (field, text) in [("report.name", name), ("report.format", format)] {
+        if text.trim().is_empty() {
+            return Err(BodyError::Empty { field });
+        }
+    }
+    if name.contains('/') {
+        return Err(BodyError::value("report.name", name));
+    }
+    let Shown { checks, head, .. } = shown;
+    bounded("report.checks", checks.ranges())?;
+    if head.is_some_and(|head| head.number == 0) {
+        return Err(BodyError::value("report.head.number", 0));
+    }
+    if let Some([first, _]) = checks.ranges().first().filter(|[first, _]| *first < FIRST_CHECK) {
+        return Err(BodyError::value("report.checks", first));
+    }
+    let known = head.map_or(0, |head| head.number);
+    if checks.last().is_some_and(|last| known < last) {
+        return Err(BodyError::Contradiction { field: "report.checks" });
+    }
+    Ok(())
 }
 
 /// Whether a time is one: the same when it is written.

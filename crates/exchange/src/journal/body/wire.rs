@@ -29,10 +29,11 @@ pub(super) enum BodyKind {
     Begin,
     Check,
     Withdrawal,
+    Report,
 }
 
 objects! {
-    /// An entry. Of the last three the one that the kind names is there, and the others are left out.
+    /// An entry. Of the last four the one that the kind names is there, and the others are left out.
     Body {
         v: u64,
         kind: BodyKind,
@@ -43,6 +44,8 @@ objects! {
         check: Option<Check>,
         #[serde(default, skip_serializing_if = "Option::is_none")]
         withdrawal: Option<Corrects>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        report: Option<Report>,
     }
     About {
         station: String,
@@ -69,6 +72,18 @@ objects! {
     }
     File { role: String, name: String, sha256: String }
     Corrects { number: u64, hash: String, reason: String, by: String }
+    /// The hash does not stand behind a text: so stand those of the files that checks were made with, which are looked for in all bodies.
+    Report {
+        name: String,
+        format: String,
+        title: String,
+        bytes: u64,
+        sha256: String,
+        checks: Vec<[u64; 2]>,
+        unrecorded: u64,
+        head: Option<Last>,
+    }
+    Last { number: u64, hash: String }
     Size {
         id: String,
         local_time: String,

@@ -9,16 +9,17 @@ use fitcheck_core::verdict::rules::Uncertainty;
 use fitcheck_core::verdict::{AxisPosition, Doubt, Rule, Undecided, Verdict};
 
 use super::texts::{bounded, contacts, long, name, three, whole};
-use super::{BodyError, VERSION, wire};
+use super::{BodyError, version_of, wire};
 use crate::journal::Record;
 use crate::journal::chain::Head;
 use crate::journal::entry::{
-    About, Begin, Check, Checked, Content, Correction, CycleCheck, CycleOrigin, Entry, UsedFile,
+    About, Begin, Check, Checked, Content, Correction, CycleCheck, CycleOrigin, Entry, Reported, Shown, UsedFile,
 };
 
 pub(super) fn body(entry: &Entry) -> Result<wire::Body, BodyError> {
     let about = about(&entry.about)?;
-    let body = |kind| wire::Body { v: VERSION, kind, about, begin: None, check: None, withdrawal: None };
+    let v = version_of(&entry.content);
+    let body = |kind| wire::Body { v, kind, about, begin: None, check: None, withdrawal: None, report: None };
     Ok(match &entry.content {
         Content::Begin(content) => wire::Body { begin: Some(begin(content)?), ..body(wire::BodyKind::Begin) },
         Content::Check(content) => wire::Body { check: Some(check(content)?), ..body(wire::BodyKind::Check) },
@@ -26,6 +27,26 @@ pub(super) fn body(entry: &Entry) -> Result<wire::Body, BodyError> {
             let withdrawal = Some(corrects("withdrawal.reason", content)?);
             wire::Body { withdrawal, ..body(wire::BodyKind::Withdrawal) }
         }
+        Content::Report(content) => wire::Body { report: Some(report(content)?), ..body(wire::BodyKind::Report) },
+    })
+}
+
+fn report(report: &Reported) -> Result<wire::Report, BodyError> {
+    let Reported { name: file, format, sha256, bytes, title, shown } = report;
+    super::read::sound_report(file, format, shown)?;
+    let Shown { checks, unrecorded, head } = shown;
+    let head = head.map(|Head { number, hash }| {
+        Ok(wire::Last { number: whole("report.head.number", number)?, hash: hash.to_string() })
+    });
+    Ok(wire::Report {
+        name: name("report.name", file)?,
+        format: name("report.format", format)?,
+        title: name("report.title", title)?,
+        bytes: whole("report.bytes", *bytes)?,
+        sha256: sha256.to_string(),
+        checks: checks.ranges().to_vec(),
+        unrecorded: whole("report.unrecorded", *unrecorded)?,
+        head: head.transpose()?,
     })
 }
 
