@@ -2,6 +2,8 @@
 //!
 //! | file | what |
 //! |---|---|
+//! | `lots` | parts, and checks that are out of the ordinary, for the files below |
+//! | `markdown`, `xlsx` | what people read: every text stays a text, nothing simulated is good |
 //! | `band` | the axis on which zone and value are drawn |
 //! | `csv`, `json` | the same columns for machines |
 //! | `picture` | the drawing in the page |
@@ -10,6 +12,8 @@
 mod band;
 mod csv;
 mod json;
+mod lots;
+mod markdown;
 mod picture;
 mod texts;
 

@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `html` | one self-contained page that prints well on A4 |
+//! | `markdown` | a page of headings and tables, for wikis and tickets |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `figure` | an exact decimal in files for programs |
@@ -10,6 +11,7 @@
 //! | `pairing` | which parts go together, and its files |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
+//! | `said` | a check and a part in words, for tables |
 //! | `text` | sentences about status, source of the limits, size and position |
 //!
 //! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
@@ -32,10 +34,12 @@ pub mod figure;
 pub mod html;
 pub mod image;
 pub mod json;
+pub mod markdown;
 pub mod pairing;
 pub mod part;
 mod picture;
 pub mod row;
+mod said;
 pub mod text;
 
 use std::io::{self, Write};
@@ -174,7 +178,12 @@ impl Rendering {
 }
 
 /// Every rendering: a new one is a line here.
-pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING];
+pub const RENDERINGS: &[Rendering] = &[
+    html::RENDERING,
+    csv::RENDERING,
+    json::RENDERING,
+    markdown::RENDERING,
+];
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
 /// may fail, and an incomplete report must not be saved.
@@ -214,7 +223,7 @@ pub enum EndingError {
     },
 }
 
-/// Every ending with its point: `.html .htm .csv .json`.
+/// Every ending with its point: `.html .htm .csv` and so on.
 pub fn endings() -> String {
     let all: Vec<String> = RENDERINGS.iter().flat_map(|r| r.endings).map(|ending| format!(".{ending}")).collect();
     all.join(" ")

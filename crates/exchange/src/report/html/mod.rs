@@ -7,12 +7,11 @@
 //! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
 //! The page is written check by check, and only one of them is in memory.
 
-mod origins;
-mod part;
-mod seen;
+pub(super) mod origins;
+pub(super) mod part;
+pub(super) mod seen;
 mod shared;
 
-use std::borrow::Cow;
 use std::io::{self, Write};
 
 use askama::Template;
@@ -26,6 +25,7 @@ use seen::ReportSurvey;
 
 use super::part::PartSheet;
 use super::picture;
+use super::said::printable;
 use super::text;
 use super::{Rendering, Report};
 use crate::journal::Record;
@@ -142,9 +142,9 @@ macro_rules! parts {
 parts!(Head, PartSection, Notes, Line, Section, Annex, Foot);
 
 /// A label and what it says.
-struct Entry {
-    label: String,
-    value: String,
+pub(super) struct Entry {
+    pub label: String,
+    pub value: String,
 }
 
 struct Summary {
@@ -251,20 +251,8 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     Foot { words, inspector: report.inspector.as_deref().unwrap_or("") }.write(out)
 }
 
-/// The text without what a page must not contain: control characters, and marks that change the direction of writing
-/// and so the order of figures. Each becomes a replacement character, so that it is visible.
-fn printable(page: &str) -> Cow<'_, str> {
-    let hidden = |c: char| {
-        (c.is_control() && c != '\n' && c != '\t')
-            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
-    };
-    if !page.chars().any(hidden) {
-        return Cow::Borrowed(page);
-    }
-    page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
-}
-
-fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<Entry> {
+/// The head: what the report is about, and what all checks have in common.
+pub(super) fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<Entry> {
     let created = report.created.strftime(DATE).to_string();
     [
         ("report-part", report.part.as_ref()),
@@ -352,7 +340,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
 }
 
 /// Why the part is worse than its size alone.
-fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
+pub(super) fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
     (verdict.status() != verdict.size.status).then(|| {
         let alone = words.told(&verdict.size.status);
         words.say(&message!("report-cause-position").text("status", alone))
@@ -360,7 +348,7 @@ fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
 }
 
 /// Why the value is to be measured again: what its contacts cannot tell, or the guard band.
-fn undecided(verdict: &Verdict, words: &Words) -> Option<String> {
+pub(super) fn undecided(verdict: &Verdict, words: &Words) -> Option<String> {
     let why = match verdict.undecided {
         Some(why) => why.message(),
         None => message!("report-in-guard-band"),
@@ -399,6 +387,6 @@ fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<
 }
 
 /// How many decimals a size has in millimetres.
-fn decimals_of(length: Length) -> usize {
+pub(super) fn decimals_of(length: Length) -> usize {
     length.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len())
 }

@@ -56,7 +56,7 @@ pub(super) struct BalloonView {
 }
 
 /// A size in the list.
-pub(super) struct SizeView {
+pub(in crate::report) struct SizeView {
     pub number: String,
     pub name: String,
     pub asked: String,
@@ -178,7 +178,8 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
     }
 }
 
-fn heading(part: &PartSheet, words: &Words) -> String {
+/// Its name and its serial number.
+pub(in crate::report) fn heading(part: &PartSheet, words: &Words) -> String {
     let name = &part.plan.head.part;
     let serial = part.serial();
     words.say(&match (name.is_empty(), serial.is_empty()) {
@@ -196,7 +197,7 @@ fn beyond_limits(part: &PartSheet) -> impl Iterator<Item = String> {
 }
 
 /// What keeps the part from being good, and what the list does not show.
-fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
+pub(in crate::report) fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
     let mut lacks = Vec::new();
     let missing = part.missing();
     if !missing.is_empty() {
@@ -221,7 +222,13 @@ fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
     lacks
 }
 
-fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Record>, words: &Words) -> SizeView {
+/// A size as a row of the list.
+pub(in crate::report) fn size_view(
+    size: &Size<'_>,
+    step: &Step,
+    record: Option<&crate::journal::Record>,
+    words: &Words,
+) -> SizeView {
     let deviations = &size.limits.deviations;
     let of_point = || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
     let mm = |length: Length| format!("{} mm", words.mm(length, decimals_of(length).max(3)));

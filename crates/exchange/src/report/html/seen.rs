@@ -13,34 +13,45 @@ use crate::report::Report;
 
 /// What a first look at all checks finds.
 #[derive(Default)]
-pub(super) struct ReportSurvey {
+pub(in crate::report) struct ReportSurvey {
     /// How many there are of each status.
     pub counts: [usize; Status::ALL.len()],
+    /// The same of those that nobody measured.
+    pub simulated: [usize; Status::ALL.len()],
     pub total: usize,
     /// The first that are not good or in doubt, by their place in the report, and how many there are.
     wanted: Vec<usize>,
     all_wanted: usize,
+    /// The most checks that are listed.
+    most: usize,
     /// Whether a check has contacts at the end.
     pub has_annex: bool,
     /// Whether a check was judged by a rule other than the plain one.
     pub has_guards: bool,
     /// What all checks have in common.
-    pub shared: Shared,
+    pub(in crate::report::html) shared: Shared,
 }
 
 impl ReportSurvey {
     pub fn of(report: &Report) -> io::Result<Self> {
-        let mut seen = Self::default();
+        Self::listing(report, MOST_CHECKS)
+    }
+
+    /// The same where so many checks are listed at most.
+    pub fn listing(report: &Report, most: usize) -> io::Result<Self> {
+        let mut seen = Self { most, ..Self::default() };
         report.checks.each(&mut |record| {
             let status = record.verdict.status();
-            if let Some(at) = Status::ALL.iter().position(|known| *known == status)
-                && let Some(count) = seen.counts.get_mut(at)
-            {
-                *count += 1;
+            let is_simulated = record.measurement.origin.is_simulated();
+            let counted = [(&mut seen.counts, true), (&mut seen.simulated, is_simulated)];
+            for (counts, counts_it) in counted {
+                if let Some(count) = counts.get_mut(status.at()) {
+                    *count += usize::from(counts_it);
+                }
             }
             if status != Status::Good || record.doubt.is_some() {
                 seen.all_wanted += 1;
-                if seen.wanted.len() < MOST_CHECKS {
+                if seen.wanted.len() < most {
                     seen.wanted.push(seen.total);
                 }
             }
@@ -54,8 +65,8 @@ impl ReportSurvey {
     }
 
     /// Whether the page lists all checks.
-    const fn is_whole(&self) -> bool {
-        self.total <= MOST_CHECKS
+    pub const fn is_whole(&self) -> bool {
+        self.total <= self.most
     }
 
     /// What the page says of the checks that it does not list.
