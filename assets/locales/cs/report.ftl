@@ -129,3 +129,12 @@ report-more-parts = { $count ->
     [few] { $count } další díly nejsou zobrazeny celé, celých je jen prvních { $most }; jejich hodnoty jsou v seznamu
    *[other] { $count } dalších dílů není zobrazeno celých, celých je jen prvních { $most }; jejich hodnoty jsou v seznamu
 }
+
+## Sešit
+report-sheets = Vlastní list má jen prvních { $listed } z { $total } dílů; list dílů je obsahuje všechny.
+report-sheets-without = Obrázky a body dotyku v tomto sešitu nejsou: zpráva HTML obsahuje obojí, zpráva JSON body dotyku.
+report-sheets-cut = { $count ->
+    [one] Jeden text je zkrácen: do buňky se vejde nejvýše 32767 znaků.
+    [few] { $count } texty jsou zkráceny: do buňky se vejde nejvýše 32767 znaků.
+   *[other] { $count } textů je zkráceno: do buňky se vejde nejvýše 32767 znaků.
+}

@@ -125,3 +125,11 @@ report-more-parts = { $count ->
     [one] Ein weiteres Teil wird nicht ganz gezeigt; seine Werte stehen in der Liste
    *[other] { $count } weitere Teile werden nicht ganz gezeigt, nur die ersten { $most }; ihre Werte stehen in der Liste
 }
+
+## Eine Arbeitsmappe
+report-sheets = Nur die ersten { $listed } von { $total } Teilen haben ein eigenes Blatt; das Blatt der Teile enthält alle.
+report-sheets-without = Bilder und Antastpunkte stehen nicht in dieser Arbeitsmappe: Ein Prüfbericht als HTML enthält beides, einer als JSON die Antastpunkte.
+report-sheets-cut = { $count ->
+    [one] Ein Text ist gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
+   *[other] { $count } Texte sind gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
+}

@@ -125,3 +125,11 @@ report-more-parts = { $count ->
     [one] One more part is not shown in full; its values are in the list
    *[other] { $count } more parts are not shown in full, only the first { $most } are; their values are in the list
 }
+
+## A workbook
+report-sheets = Only the first { $listed } of { $total } parts have a sheet of their own; the sheet of the parts lists all of them.
+report-sheets-without = Pictures and contacts are not in this workbook: an HTML report has both, a JSON report has the contacts.
+report-sheets-cut = { $count ->
+    [one] One text is cut short: a cell holds at most 32767 characters.
+   *[other] { $count } texts are cut short: a cell holds at most 32767 characters.
+}

@@ -125,3 +125,11 @@ report-more-parts = { $count ->
     [one] Una pieza más no se muestra completa; sus valores están en la lista
    *[other] { $count } piezas más no se muestran completas, solo las primeras { $most }; sus valores están en la lista
 }
+
+## Un libro
+report-sheets = Solo las primeras { $listed } de { $total } piezas tienen una hoja propia; la hoja de las piezas las contiene todas.
+report-sheets-without = Las imágenes y los puntos de palpación no están en este libro: un informe HTML contiene ambos, un informe JSON los puntos de palpación.
+report-sheets-cut = { $count ->
+    [one] Un texto está abreviado: una celda contiene como máximo 32767 caracteres.
+   *[other] { $count } textos están abreviados: una celda contiene como máximo 32767 caracteres.
+}

@@ -125,3 +125,11 @@ report-more-parts = { $count ->
     [one] { $count } autre pièce n'est pas présentée en entier, seulement les { $most } premières ; ses valeurs sont dans la liste
    *[other] { $count } autres pièces ne sont pas présentées en entier, seulement les { $most } premières ; leurs valeurs sont dans la liste
 }
+
+## Un classeur
+report-sheets = Seules les { $listed } premières pièces sur { $total } ont leur propre feuille ; la feuille des pièces les liste toutes.
+report-sheets-without = Les images et les points de palpage ne sont pas dans ce classeur : un rapport HTML contient les deux, un rapport JSON les points de palpage.
+report-sheets-cut = { $count ->
+    [one] { $count } texte est abrégé : une cellule contient au plus 32767 caractères.
+   *[other] { $count } textes sont abrégés : une cellule contient au plus 32767 caractères.
+}

@@ -125,3 +125,11 @@ report-more-parts = { $count ->
     [one] Un altro pezzo non è mostrato per intero; i suoi valori sono nell'elenco
    *[other] Altri { $count } pezzi non sono mostrati per intero, solo i primi { $most } lo sono; i loro valori sono nell'elenco
 }
+
+## Una cartella di lavoro
+report-sheets = Solo i primi { $listed } di { $total } pezzi hanno un foglio proprio; il foglio dei pezzi li elenca tutti.
+report-sheets-without = Immagini e punti di contatto non sono in questa cartella di lavoro: un rapporto HTML contiene entrambi, un rapporto JSON i punti di contatto.
+report-sheets-cut = { $count ->
+    [one] Un testo è abbreviato: una cella contiene al massimo 32767 caratteri.
+   *[other] { $count } testi sono abbreviati: una cella contiene al massimo 32767 caratteri.
+}

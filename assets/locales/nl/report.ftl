@@ -125,3 +125,11 @@ report-more-parts = { $count ->
     [one] Nog één onderdeel staat er niet als geheel in; zijn waarden staan in de lijst
    *[other] Nog { $count } onderdelen staan er niet als geheel in, alleen de eerste { $most }; hun waarden staan in de lijst
 }
+
+## Een werkmap
+report-sheets = Alleen de eerste { $listed } van { $total } onderdelen hebben een eigen blad; het blad met de onderdelen bevat ze allemaal.
+report-sheets-without = Afbeeldingen en meetpunten staan niet in deze werkmap: een rapport als HTML bevat beide, een rapport als JSON de meetpunten.
+report-sheets-cut = { $count ->
+    [one] Eén tekst is ingekort: in een cel passen hoogstens 32767 tekens.
+   *[other] { $count } teksten zijn ingekort: in een cel passen hoogstens 32767 tekens.
+}

@@ -133,3 +133,13 @@ report-more-parts = { $count ->
     [many] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
    *[other] Jeszcze { $count } części nie jest pokazanych w całości, w całości tylko pierwsze { $most }; ich wartości są na liście
 }
+
+## Skoroszyt
+report-sheets = Własny arkusz mają tylko pierwsze części ({ $listed } z { $total }); arkusz części podaje wszystkie.
+report-sheets-without = Obrazów i punktów pomiarowych nie ma w tym skoroszycie: raport HTML zawiera jedne i drugie, raport JSON punkty pomiarowe.
+report-sheets-cut = { $count ->
+    [one] Jeden tekst jest skrócony: komórka mieści najwyżej 32767 znaków.
+    [few] { $count } teksty są skrócone: komórka mieści najwyżej 32767 znaków.
+    [many] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
+   *[other] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
+}

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `html` | one self-contained page that prints well on A4 |
 //! | `markdown` | a page of headings and tables, for wikis and tickets |
+//! | `xlsx` | a workbook: a sheet a part, one for the lot, one for all checks |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `figure` | an exact decimal in files for programs |
@@ -41,6 +42,7 @@ mod picture;
 pub mod row;
 mod said;
 pub mod text;
+pub mod xlsx;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -183,6 +185,7 @@ pub const RENDERINGS: &[Rendering] = &[
     csv::RENDERING,
     json::RENDERING,
     markdown::RENDERING,
+    xlsx::RENDERING,
 ];
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
