@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `lots` | parts, and checks that are out of the ordinary, for the files below |
 //! | `markdown`, `xlsx` | what people read: every text stays a text, nothing simulated is good |
+//! | `dfq`, `qif` | what our own readers read back, and the structure |
 //! | `band` | the axis on which zone and value are drawn |
 //! | `csv`, `json` | the same columns for machines |
 //! | `picture` | the drawing in the page |
@@ -11,11 +12,13 @@
 
 mod band;
 mod csv;
+mod dfq;
 mod json;
 mod lots;
 mod markdown;
 mod picture;
 mod texts;
+mod xlsx;
 
 use std::path::Path;
 

@@ -6,6 +6,8 @@
 //! | `markdown` | a page of headings and tables, for wikis and tickets |
 //! | `xlsx` | a workbook: a sheet a part, one for the lot, one for all checks |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
+//! | `dfq`, `qif` | the values with their characteristics, for statistics and measuring software |
+//! | `given` | the values of a report as these two have them |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `figure` | an exact decimal in files for programs |
 //! | `part`, `image` | a whole part by its plan, and its picture |
@@ -31,7 +33,9 @@
 pub mod band;
 pub mod columns;
 pub mod csv;
+pub mod dfq;
 pub mod figure;
+mod given;
 pub mod html;
 pub mod image;
 pub mod json;
@@ -186,6 +190,7 @@ pub const RENDERINGS: &[Rendering] = &[
     json::RENDERING,
     markdown::RENDERING,
     xlsx::RENDERING,
+    dfq::RENDERING,
 ];
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
