@@ -17,6 +17,7 @@ mod json;
 mod lots;
 mod markdown;
 mod picture;
+mod qif;
 mod texts;
 mod xlsx;
 

@@ -43,6 +43,7 @@ pub mod markdown;
 pub mod pairing;
 pub mod part;
 mod picture;
+pub mod qif;
 pub mod row;
 mod said;
 pub mod text;
@@ -191,6 +192,7 @@ pub const RENDERINGS: &[Rendering] = &[
     markdown::RENDERING,
     xlsx::RENDERING,
     dfq::RENDERING,
+    qif::RENDERING,
 ];
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
