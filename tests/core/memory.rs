@@ -89,7 +89,7 @@ fn rows_are_judged_and_printed_one_by_one() {
         let (code, err) = run(BASE + kept, &args);
         assert_eq!(code, Some(11), "{format}: {err}");
     }
-    for ending in ["html", "csv", "json"] {
+    for ending in ["html", "csv", "json", "md", "dfq", "qif"] {
         let out = folder.path().join(format!("report.{ending}"));
         let (code, err) = run(BASE, &["report", path.to_str().unwrap(), "-o", out.to_str().unwrap()]);
         assert_eq!(code, Some(11), "{ending}: {err}");

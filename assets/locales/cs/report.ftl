@@ -223,3 +223,11 @@ report-statement-open = Bez prohlášení o shodě: chybějí hodnoty, celkem { 
 report-code-said = Kód záznamu { $number }, jeho otisk { $hash }
 report-lot-values = Hodnoty
 report-lot-order = Nejhorší díl je první; číslo je jeho místo v datech.
+## Sešit
+report-sheets = Vlastní list má jen prvních { $listed } z { $total } dílů; list dílů je obsahuje všechny.
+report-sheets-without = Obrázky a body dotyku v tomto sešitu nejsou: zpráva HTML obsahuje obojí, zpráva JSON body dotyku.
+report-sheets-cut = { $count ->
+    [one] Jeden text je zkrácen: do buňky se vejde nejvýše 32767 znaků.
+    [few] { $count } texty jsou zkráceny: do buňky se vejde nejvýše 32767 znaků.
+   *[other] { $count } textů je zkráceno: do buňky se vejde nejvýše 32767 znaků.
+}

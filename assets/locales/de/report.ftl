@@ -215,3 +215,10 @@ report-statement-open = Keine Konformitätsaussage: Werte fehlen, insgesamt { $c
 report-code-said = Code des Eintrags { $number }, sein Hash { $hash }
 report-lot-values = Werte
 report-lot-order = Das schlechteste Teil steht zuerst; die Nummer ist der Platz des Teils in den Daten.
+## Eine Arbeitsmappe
+report-sheets = Nur die ersten { $listed } von { $total } Teilen haben ein eigenes Blatt; das Blatt der Teile enthält alle.
+report-sheets-without = Bilder und Antastpunkte stehen nicht in dieser Arbeitsmappe: Ein Prüfbericht als HTML enthält beides, einer als JSON die Antastpunkte.
+report-sheets-cut = { $count ->
+    [one] Ein Text ist gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
+   *[other] { $count } Texte sind gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
+}

@@ -215,3 +215,10 @@ report-statement-open = Sin declaración de conformidad: faltan valores, { $coun
 report-code-said = Código del registro { $number }, su hash { $hash }
 report-lot-values = Valores
 report-lot-order = La peor pieza va primero; el número es su lugar en los datos.
+## Un libro
+report-sheets = Solo las primeras { $listed } de { $total } piezas tienen una hoja propia; la hoja de las piezas las contiene todas.
+report-sheets-without = Las imágenes y los puntos de palpación no están en este libro: un informe HTML contiene ambos, un informe JSON los puntos de palpación.
+report-sheets-cut = { $count ->
+    [one] Un texto está abreviado: una celda contiene como máximo 32767 caracteres.
+   *[other] { $count } textos están abreviados: una celda contiene como máximo 32767 caracteres.
+}

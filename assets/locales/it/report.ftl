@@ -215,3 +215,10 @@ report-statement-open = Nessuna dichiarazione di conformità: mancano valori, { 
 report-code-said = Codice della registrazione { $number }, il suo hash { $hash }
 report-lot-values = Valori
 report-lot-order = Il pezzo peggiore è il primo; il numero è il posto del pezzo nei dati.
+## Una cartella di lavoro
+report-sheets = Solo i primi { $listed } di { $total } pezzi hanno un foglio proprio; il foglio dei pezzi li elenca tutti.
+report-sheets-without = Immagini e punti di contatto non sono in questa cartella di lavoro: un rapporto HTML contiene entrambi, un rapporto JSON i punti di contatto.
+report-sheets-cut = { $count ->
+    [one] Un testo è abbreviato: una cella contiene al massimo 32767 caratteri.
+   *[other] { $count } testi sono abbreviati: una cella contiene al massimo 32767 caratteri.
+}

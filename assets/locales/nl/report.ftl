@@ -215,3 +215,10 @@ report-statement-open = Geen conformiteitsverklaring: er ontbreken waarden, { $c
 report-code-said = Code van regel { $number }, de hash { $hash }
 report-lot-values = Waarden
 report-lot-order = Onderdelen staan met het slechtste eerst; het nummer is de plaats van het onderdeel in de gegevens.
+## Een werkmap
+report-sheets = Alleen de eerste { $listed } van { $total } onderdelen hebben een eigen blad; het blad met de onderdelen bevat ze allemaal.
+report-sheets-without = Afbeeldingen en meetpunten staan niet in deze werkmap: een rapport als HTML bevat beide, een rapport als JSON de meetpunten.
+report-sheets-cut = { $count ->
+    [one] Eén tekst is ingekort: in een cel passen hoogstens 32767 tekens.
+   *[other] { $count } teksten zijn ingekort: in een cel passen hoogstens 32767 tekens.
+}

@@ -227,3 +227,12 @@ report-statement-open = Brak stwierdzenia zgodności: brakuje wartości, łączn
 report-code-said = Kod zapisu { $number }, jego skrót { $hash }
 report-lot-values = Wartości
 report-lot-order = Najgorsza część jest pierwsza; numer to jej miejsce w danych.
+## Skoroszyt
+report-sheets = Własny arkusz mają tylko pierwsze części ({ $listed } z { $total }); arkusz części podaje wszystkie.
+report-sheets-without = Obrazów i punktów pomiarowych nie ma w tym skoroszycie: raport HTML zawiera jedne i drugie, raport JSON punkty pomiarowe.
+report-sheets-cut = { $count ->
+    [one] Jeden tekst jest skrócony: komórka mieści najwyżej 32767 znaków.
+    [few] { $count } teksty są skrócone: komórka mieści najwyżej 32767 znaków.
+    [many] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
+   *[other] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
+}

@@ -64,7 +64,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     inspector: Option<String>,
 
-    /// Language of the HTML report; CSV and JSON are the same in every language
+    /// Language of the report as HTML, Markdown or XLSX; the other formats are the same in every language
     #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
     language: Language,
 
@@ -100,13 +100,20 @@ Examples:
   fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
   fitcheck report bores.csv -o bores.html --record --who Anna
+  fitcheck report bores.csv -o report.xlsx
+  fitcheck report --plan flange.toml results.csv -o flange.dfq
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
-positions on the picture.
+positions on the picture. Markdown and XLSX have it without the picture; AQDEF and QIF have the values of
+the parts with their serial numbers.
+
+AQDEF (.dfq) has limits and no decision rules: a value that its limits alone would call better than the
+report does is marked as not valid there, such as a simulated one. In QIF nothing but a good value
+that was measured is a PASS.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
+error, and in every report but CSV; the others are reported, and the exit code is 1. With
 --plan it is that of the worst part, by the value of each feature that counts (the last one by its
 time; if values contradict each other, the worst one), and 1 if none is worse than good but a
 part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
@@ -144,7 +151,7 @@ enum Output {
     File(PathBuf, &'static Rendering),
 }
 
-/// The help of `--output`: `.html, .htm, .csv or .json`.
+/// The help of `--output`: `.html, .htm, .csv, … or .qif`.
 fn output_help() -> String {
     let endings = report::endings().replace(' ', ", ");
     let (first, last) = endings.rsplit_once(", ").unwrap_or(("", &endings));

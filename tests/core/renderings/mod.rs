@@ -2,6 +2,9 @@
 //!
 //! | file | what |
 //! |---|---|
+//! | `lots` | parts, and checks that are out of the ordinary, for the files below |
+//! | `markdown`, `xlsx` | what people read: every text stays a text, nothing simulated is good |
+//! | `dfq`, `qif` | what our own readers read back, and the structure |
 //! | `band` | the axis on which zone and value are drawn |
 //! | `csv`, `json` | the same columns for machines |
 //! | `picture` | the drawing in the page |
@@ -9,9 +12,14 @@
 
 mod band;
 mod csv;
+mod dfq;
 mod json;
+mod lots;
+mod markdown;
 mod picture;
+mod qif;
 mod texts;
+mod xlsx;
 
 use std::path::Path;
 

@@ -236,7 +236,7 @@ impl Claim {
 
     /// What a word says of the status; `None` for one that is not known.
     pub(super) fn of_word(word: &str) -> Option<Self> {
-        if let Some(status) = status_of(word) {
+        if let Some(status) = status_of(word).or_else(|| of_workbook(word)) {
             return Some(Self::of(word, status));
         }
         let small = letters(word);
@@ -332,6 +332,18 @@ impl Claim {
             || ImportWarningKind::StatusDiffers { given: self.said.clone(), status: status.word().to_owned() };
         (!agrees.contains(&status)).then(warning)
     }
+}
+
+/// The verdict of a cell of our own workbooks: its mark, a blank and its word.
+fn of_workbook(cell: &str) -> Option<Status> {
+    let (mark, word) = cell.trim().split_once(' ')?;
+    let expected = match status_of(word)? {
+        Status::Good => "✓",
+        Status::Rework => "\u{21bb}",
+        Status::ReMeasure => "?",
+        Status::Scrap => "✗",
+    };
+    status_of(word).filter(|_| mark == expected)
 }
 
 /// The expansion by which a difference of temperatures is weighed, in nanometres per metre and kelvin: that of aluminium, the largest of

@@ -4,7 +4,11 @@
 //! |---|---|
 //! | `html` | one self-contained page that prints well on A4 |
 //! | `pdf` | pages to sign and to keep: A4 or letter, tagged, with the data attached |
+//! | `markdown` | a page of headings and tables, for wikis and tickets |
+//! | `xlsx` | a workbook: a sheet a part, one for the lot, one for all checks |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
+//! | `dfq`, `qif` | the values with their characteristics, for statistics and measuring software |
+//! | `given` | the values of a report as these two have them |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `figure` | an exact decimal in files for programs |
 //! | `part`, `image` | a whole part by its plan, and its picture |
@@ -14,6 +18,7 @@
 //! | `shapes` | the picture of a part as shapes, for drawing |
 //! | `paper` | what pages are printed on |
 //! | `template` | what a report for people shows, and in which order |
+//! | `told` | a check and a part in words, for the cells of tables |
 //! | `text` | sentences about status, source of the limits, size and position |
 //! | `said`, `origins`, `seen`, `shared` | what pages for people say of a part, of a check and of all checks |
 //!
@@ -33,16 +38,20 @@
 pub mod band;
 pub mod columns;
 pub mod csv;
+pub mod dfq;
 pub mod figure;
+mod given;
 pub mod html;
 pub mod image;
 pub mod json;
 mod origins;
+pub mod markdown;
 pub mod pairing;
 pub mod paper;
 pub mod part;
 pub mod pdf;
 mod picture;
+pub mod qif;
 pub mod row;
 mod said;
 mod seen;
@@ -50,6 +59,8 @@ pub mod shapes;
 mod shared;
 pub mod template;
 pub mod text;
+mod told;
+pub mod xlsx;
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -233,7 +244,16 @@ impl Rendering {
 }
 
 /// Every rendering: a new one is a line here.
-pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING, pdf::RENDERING];
+pub const RENDERINGS: &[Rendering] = &[
+    html::RENDERING,
+    csv::RENDERING,
+    json::RENDERING,
+    markdown::RENDERING,
+    xlsx::RENDERING,
+    dfq::RENDERING,
+    qif::RENDERING,
+    pdf::RENDERING,
+];
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
 /// may fail, and an incomplete report must not be saved.
@@ -274,6 +294,7 @@ pub enum EndingError {
 }
 
 /// Every ending with its point: `.html .htm .csv .json .pdf`.
+/// Every ending with its point: `.html .htm .csv` and so on.
 pub fn endings() -> String {
     let all: Vec<String> = RENDERINGS.iter().flat_map(|r| r.endings).map(|ending| format!(".{ending}")).collect();
     all.join(" ")

@@ -18,7 +18,7 @@ pub(super) struct Entry {
 }
 
 /// Limits, measured value, verdict, and what a rule, a temperature and a budget add.
-pub(super) fn of(record: &Record, words: &Words) -> Vec<Entry> {
+pub(in crate::report) fn of(record: &Record, words: &Words) -> Vec<Entry> {
     let entry = |id: &str, value: String| Entry { label: words.get(id), value };
     let measurement = &record.measurement;
     let origin = words.told(&measurement.origin);
@@ -41,7 +41,7 @@ pub(super) fn of(record: &Record, words: &Words) -> Vec<Entry> {
 }
 
 /// The rule's sentence, and the uncertainty where it does not have it.
-pub(super) fn rule(rule: Rule, words: &Words) -> String {
+pub(in crate::report) fn rule(rule: Rule, words: &Words) -> String {
     let sentence = words.told(&rule);
     match rule.uncertainty() {
         Some(uncertainty) if !rule.name().says_uncertainty() => format!("{sentence}; {}", words.told(&uncertainty)),

@@ -12,6 +12,7 @@ use super::shared::Shared;
 use crate::journal::Record;
 
 /// What a first look at all checks finds.
+#[derive(Default)]
 pub(super) struct ReportSurvey {
     /// The most checks that the page lists.
     most: usize,
@@ -20,6 +21,8 @@ pub(super) struct ReportSurvey {
     pub total: usize,
     /// How many nobody measured, were brought to 20 °C, are in doubt, are accepted beyond a limit, or have a rule other than the plain one.
     pub simulated: usize,
+    /// How many of each status nobody measured.
+    pub simulated_of: [usize; Status::ALL.len()],
     pub corrected: usize,
     pub doubted: usize,
     pub beyond: usize,
@@ -38,21 +41,7 @@ pub(super) struct ReportSurvey {
 impl ReportSurvey {
     /// Looks at all checks, for a page that lists at most so many.
     pub fn of(report: &Report, most: usize) -> io::Result<Self> {
-        let mut seen = Self {
-            most,
-            counts: [0; Status::ALL.len()],
-            total: 0,
-            simulated: 0,
-            corrected: 0,
-            doubted: 0,
-            beyond: 0,
-            guarded: 0,
-            contacts: 0,
-            decimals: 3,
-            wanted: Vec::new(),
-            all_wanted: 0,
-            shared: Shared::default(),
-        };
+        let mut seen = Self { most, decimals: 3, ..Self::default() };
         report.checks.each(&mut |record| {
             seen.see(record);
             Ok(())
@@ -71,7 +60,11 @@ impl ReportSurvey {
                 self.wanted.push(self.total);
             }
         }
-        self.simulated += usize::from(record.measurement.origin.is_simulated());
+        let is_simulated = record.measurement.origin.is_simulated();
+        self.simulated += usize::from(is_simulated);
+        if let Some(count) = self.simulated_of.get_mut(status.at()) {
+            *count += usize::from(is_simulated);
+        }
         self.corrected += usize::from(record.correction.is_some());
         self.doubted += usize::from(record.doubt.is_some());
         self.beyond += usize::from(record.verdict.is_beyond_limits());
@@ -84,7 +77,7 @@ impl ReportSurvey {
     }
 
     /// Whether the page lists all checks.
-    const fn is_whole(&self) -> bool {
+    pub const fn is_whole(&self) -> bool {
         self.total <= self.most
     }
 

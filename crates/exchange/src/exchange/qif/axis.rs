@@ -22,7 +22,12 @@ pub(super) type Placed = Result<Number, NoPlace>;
 
 /// The place of a nominal or measured feature; `None` where it says none.
 pub(super) fn placed(element: &Element) -> Option<Placed> {
-    let place = element.child("Location").or_else(|| element.at(&["Axis", "AxisPoint"])).and_then(Number::of)?;
+    let place = element.child("Location").or_else(|| element.at(&["Axis", "AxisPoint"]))?;
+    // A value that stands there only because one has to (`ValidityEnumType`).
+    if matches!(place.start.attribute("validity"), "DUMMY" | "MOOT") {
+        return None;
+    }
+    let place = Number::of(place)?;
     let name = &element.start.name;
     let kind = name.strip_suffix("FeatureNominal").or_else(|| name.strip_suffix("FeatureMeasurement"));
     if let Some(kind) = kind.filter(|kind| !PROBED.contains(kind)) {

@@ -55,7 +55,7 @@ pub(super) const FORMAT: Format = Format {
 
 /// The attributes that anything is known by.
 const ATTRIBUTES: &[&str] =
-    &["id", "n", "versionQIF", "linearUnit", "zoneVariance", "combinedUncertainty", "meanError"];
+    &["id", "n", "versionQIF", "linearUnit", "zoneVariance", "combinedUncertainty", "meanError", "validity"];
 
 /// By the name of its first element, whatever comes before it.
 fn recognises(beginning: &Beginning<'_>) -> bool {

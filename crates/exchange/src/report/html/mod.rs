@@ -7,9 +7,8 @@
 //! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
 //! The page is written check by check, and only one of them is in memory.
 
-mod part;
+pub(super) mod part;
 
-use std::borrow::Cow;
 use std::io::{self, Write};
 
 use askama::Template;
@@ -23,9 +22,10 @@ use fitcheck_core::words::Words;
 use super::origins::{self, Entry};
 use super::part::PartSheet;
 use super::picture;
-use super::said::{cause, decimals_of, is_hidden, nearest, undecided};
+use super::said::{cause, decimals_of, nearest, undecided};
 use super::seen::ReportSurvey;
 use super::text;
+use super::told::printable;
 use super::{Rendering, Report};
 use crate::journal::Record;
 
@@ -244,17 +244,8 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     Foot { words, inspector: report.inspector.as_deref().unwrap_or("") }.write(out)
 }
 
-/// The text without what a page must not contain: control characters, and marks that change the direction of writing
-/// and so the order of figures. Each becomes a replacement character, so that it is visible.
-fn printable(page: &str) -> Cow<'_, str> {
-    let hidden = |c: char| is_hidden(c) && c != '\n' && c != '\t';
-    if !page.chars().any(hidden) {
-        return Cow::Borrowed(page);
-    }
-    page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
-}
-
-fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<Entry> {
+/// The head: what the report is about, and what all checks have in common.
+pub(super) fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<Entry> {
     let created = report.created.strftime(DATE).to_string();
     [
         ("report-part", report.part.as_ref()),

@@ -57,7 +57,7 @@ pub(super) struct BalloonView {
 }
 
 /// A size in the list.
-pub(super) struct SizeView {
+pub(in crate::report) struct SizeView {
     pub number: String,
     pub name: String,
     pub asked: String,
@@ -170,7 +170,8 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
     }
 }
 
-fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Record>, words: &Words) -> SizeView {
+/// A size as a row of the list.
+pub(in crate::report) fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Record>, words: &Words) -> SizeView {
     let deviations = &size.limits.deviations;
     let of_point = || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
     let mm = |length: Length| format!("{} mm", words.mm(length, decimals_of(length).max(3)));
