@@ -4,7 +4,7 @@
 //! |---|---|
 //! | here | what stands on the pages, in its order |
 //! | `head`, `card` | the first page's head: title, answer, what must be known before the values |
-//! | `parts`, `checks` | a whole part; checks without a plan |
+//! | `parts`, `lot`, `checks` | a whole part; several on one page; checks without a plan |
 //! | `rows`, `table`, `columns` | a value as a row, the table, the widths of its columns |
 //! | `bands`, `pictures`, `svg`, `signs` | limit bands, pictures with balloons, signs of verdicts |
 //! | `grounds` | what the verdicts rest on |
@@ -33,6 +33,7 @@ mod fonts;
 mod grounds;
 mod head;
 mod look;
+mod lot;
 mod parts;
 mod pictures;
 mod rows;
@@ -148,6 +149,9 @@ fn write(
     }
     head::write_sentences(flow, section, &seen.shared.entries(words));
     let is_one = report.parts.len() == 1;
+    if 1 < report.parts.len() {
+        lot::write(flow, section, &report.parts, words);
+    }
     for (number, part) in report.parts.iter().enumerate() {
         let mut section = section;
         if !is_one {
