@@ -221,8 +221,7 @@ report-statement-not = Bez shody: { $bad } z { $count } hodnot nevyhovuje podle 
 report-statement-simulated = Bez prohlášení o shodě: { $count } hodnot je simulovaných a nikdo je neměřil.
 report-statement-open = Bez prohlášení o shodě: chybějí hodnoty, celkem { $count }.
 report-code-said = Kód záznamu { $number }, jeho otisk { $hash }
-report-lot-values = Hodnoty
-report-lot-order = Nejhorší díl je první; číslo je jeho místo v datech.
+report-lot-order = Nejhorší díl je první.
 ## Sešit
 report-sheets = Vlastní list má jen prvních { $listed } z { $total } dílů; list dílů je obsahuje všechny.
 report-sheets-without = Obrázky a body dotyku v tomto sešitu nejsou: zpráva HTML obsahuje obojí, zpráva JSON body dotyku.

@@ -213,8 +213,7 @@ report-statement-not = Keine Konformität: { $bad } von { $count } Werten sind n
 report-statement-simulated = Keine Konformitätsaussage: { $count } Werte sind simuliert und wurden von niemandem gemessen.
 report-statement-open = Keine Konformitätsaussage: Werte fehlen, insgesamt { $count }.
 report-code-said = Code des Eintrags { $number }, sein Hash { $hash }
-report-lot-values = Werte
-report-lot-order = Das schlechteste Teil steht zuerst; die Nummer ist der Platz des Teils in den Daten.
+report-lot-order = Das schlechteste Teil steht zuerst.
 ## Eine Arbeitsmappe
 report-sheets = Nur die ersten { $listed } von { $total } Teilen haben ein eigenes Blatt; das Blatt der Teile enthält alle.
 report-sheets-without = Bilder und Antastpunkte stehen nicht in dieser Arbeitsmappe: Ein Prüfbericht als HTML enthält beides, einer als JSON die Antastpunkte.

@@ -213,8 +213,7 @@ report-statement-not = No conformity: { $bad } of { $count } values do not confo
 report-statement-simulated = No statement of conformity: { $count } values are simulated and were measured by nobody.
 report-statement-open = No statement of conformity: values are missing, { $count } in all.
 report-code-said = Code of record { $number }, its hash { $hash }
-report-lot-values = Values
-report-lot-order = Parts are listed with the worst first; the number is the place of the part in the data.
+report-lot-order = Parts are listed with the worst first.
 ## A workbook
 report-sheets = Only the first { $listed } of { $total } parts have a sheet of their own; the sheet of the parts lists all of them.
 report-sheets-without = Pictures and contacts are not in this workbook: an HTML report has both, a JSON report has the contacts.

@@ -213,8 +213,7 @@ report-statement-not = Sin conformidad: { $bad } de { $count } valores no son co
 report-statement-simulated = Sin declaración de conformidad: { $count } valores son simulados y nadie los ha medido.
 report-statement-open = Sin declaración de conformidad: faltan valores, { $count } en total.
 report-code-said = Código del registro { $number }, su hash { $hash }
-report-lot-values = Valores
-report-lot-order = La peor pieza va primero; el número es su lugar en los datos.
+report-lot-order = La peor pieza va primero.
 ## Un libro
 report-sheets = Solo las primeras { $listed } de { $total } piezas tienen una hoja propia; la hoja de las piezas las contiene todas.
 report-sheets-without = Las imágenes y los puntos de palpación no están en este libro: un informe HTML contiene ambos, un informe JSON los puntos de palpación.

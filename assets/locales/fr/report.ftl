@@ -213,8 +213,7 @@ report-statement-not = Pas de conformité : { $bad } valeurs sur { $count } ne s
 report-statement-simulated = Pas de déclaration de conformité : { $count } valeurs sont simulées et n’ont été mesurées par personne.
 report-statement-open = Pas de déclaration de conformité : il manque des valeurs, { $count } en tout.
 report-code-said = Code du relevé { $number }, son empreinte { $hash }
-report-lot-values = Valeurs
-report-lot-order = La pire pièce vient en premier ; le numéro est sa place dans les données.
+report-lot-order = La pire pièce vient en premier.
 ## Un classeur
 report-sheets = Seules les { $listed } premières pièces sur { $total } ont leur propre feuille ; la feuille des pièces les liste toutes.
 report-sheets-without = Les images et les points de palpage ne sont pas dans ce classeur : un rapport HTML contient les deux, un rapport JSON les points de palpage.

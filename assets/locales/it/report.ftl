@@ -213,8 +213,7 @@ report-statement-not = Nessuna conformità: { $bad } valori su { $count } non so
 report-statement-simulated = Nessuna dichiarazione di conformità: { $count } valori sono simulati e nessuno li ha misurati.
 report-statement-open = Nessuna dichiarazione di conformità: mancano valori, { $count } in tutto.
 report-code-said = Codice della registrazione { $number }, il suo hash { $hash }
-report-lot-values = Valori
-report-lot-order = Il pezzo peggiore è il primo; il numero è il posto del pezzo nei dati.
+report-lot-order = Il pezzo peggiore è il primo.
 ## Una cartella di lavoro
 report-sheets = Solo i primi { $listed } di { $total } pezzi hanno un foglio proprio; il foglio dei pezzi li elenca tutti.
 report-sheets-without = Immagini e punti di contatto non sono in questa cartella di lavoro: un rapporto HTML contiene entrambi, un rapporto JSON i punti di contatto.

@@ -213,8 +213,7 @@ report-statement-not = Geen conformiteit: { $bad } van { $count } waarden voldoe
 report-statement-simulated = Geen conformiteitsverklaring: { $count } waarden zijn gesimuleerd en door niemand gemeten.
 report-statement-open = Geen conformiteitsverklaring: er ontbreken waarden, { $count } in totaal.
 report-code-said = Code van regel { $number }, de hash { $hash }
-report-lot-values = Waarden
-report-lot-order = Onderdelen staan met het slechtste eerst; het nummer is de plaats van het onderdeel in de gegevens.
+report-lot-order = Onderdelen staan met het slechtste eerst.
 ## Een werkmap
 report-sheets = Alleen de eerste { $listed } van { $total } onderdelen hebben een eigen blad; het blad met de onderdelen bevat ze allemaal.
 report-sheets-without = Afbeeldingen en meetpunten staan niet in deze werkmap: een rapport als HTML bevat beide, een rapport als JSON de meetpunten.

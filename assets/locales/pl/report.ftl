@@ -225,8 +225,7 @@ report-statement-not = Brak zgodności: { $bad } z { $count } wartości nie spe�
 report-statement-simulated = Brak stwierdzenia zgodności: { $count } wartości jest symulowanych i nikt ich nie zmierzył.
 report-statement-open = Brak stwierdzenia zgodności: brakuje wartości, łącznie { $count }.
 report-code-said = Kod zapisu { $number }, jego skrót { $hash }
-report-lot-values = Wartości
-report-lot-order = Najgorsza część jest pierwsza; numer to jej miejsce w danych.
+report-lot-order = Najgorsza część jest pierwsza.
 ## Skoroszyt
 report-sheets = Własny arkusz mają tylko pierwsze części ({ $listed } z { $total }); arkusz części podaje wszystkie.
 report-sheets-without = Obrazów i punktów pomiarowych nie ma w tym skoroszycie: raport HTML zawiera jedne i drugie, raport JSON punkty pomiarowe.

@@ -20,17 +20,9 @@ pub(super) struct Entry {
 /// Limits, measured value, verdict, and what a rule, a temperature and a budget add.
 pub(in crate::report) fn of(record: &Record, words: &Words) -> Vec<Entry> {
     let entry = |id: &str, value: String| Entry { label: words.get(id), value };
-    let measurement = &record.measurement;
-    let origin = words.told(&measurement.origin);
-    let measured = match measurement.circle {
-        Some(_) => words.say(
-            &message!("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
-        ),
-        None => origin,
-    };
     let mut entries = vec![
         entry("report-limits-from", words.say(&super::text::source(&record.limits.source, words))),
-        entry("report-measured-from", measured),
+        entry("report-measured-from", measured(record, words)),
     ];
     entries.extend(record.correction.map(|correction| entry("report-temperature", corrected(&correction, words))));
     entries.push(entry("report-verdict-from", rule(record.verdict.rule, words)));
@@ -38,6 +30,18 @@ pub(in crate::report) fn of(record: &Record, words: &Words) -> Vec<Entry> {
     entries.extend(record.decision().and_then(|decision| Some(entry("report-proof", proof(&decision, words)?))));
     entries.extend(record.budget.as_ref().map(|found| entry("report-budget", budget(found, words))));
     entries
+}
+
+/// Where the measured value comes from.
+pub(super) fn measured(record: &Record, words: &Words) -> String {
+    let measurement = &record.measurement;
+    let origin = words.told(&measurement.origin);
+    match measurement.circle {
+        Some(_) => words.say(
+            &message!("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
+        ),
+        None => origin,
+    }
 }
 
 /// The rule's sentence, and the uncertainty where it does not have it.

@@ -64,11 +64,13 @@ pub(super) fn write(
     if !are_any {
         return Ok(());
     }
-    let table = Table::begin(flow, section, widths.fit(flow.width()), words);
+    let mut table = Table::new(flow, section, widths.fit(flow.width()), words);
+    table.begin(flow);
     let mut grounds = Grounds::new(words);
     seen.each(report, &mut |number, record| {
         let row = rows.record(number.to_string(), record);
-        table.row(flow, &row);
+        let laid = table.lay(flow, &row);
+        table.row(flow, laid);
         grounds.see(&row.label, record);
         Ok(())
     })?;

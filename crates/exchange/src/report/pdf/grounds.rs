@@ -7,7 +7,8 @@ use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 
 use super::flow::{Flow, base};
-use super::look::{BODY, GAP, NOTE, SIDE, STRONG};
+use super::fonts::Weight;
+use super::look::{GAP, NOTE, SIDE, Style, TEXT};
 use super::tags::{Kind, TagId};
 use crate::journal::Record;
 use crate::report::template::Section;
@@ -17,8 +18,13 @@ use crate::report::{origins, text};
 const CAVEATS: &str = "report-cannot-tell";
 /// The most sentences with a label: those of a lot with a file for each value would fill pages.
 const MOST: usize = 40;
+/// Up to here a sentence is a short one.
+const SHORT: usize = 60;
 /// The most runs of rows that a sentence names.
 const MOST_SPANS: usize = 12;
+
+/// The most lines of a sentence, or of several short ones.
+const MOST_LINES: usize = 16;
 
 /// Rows one behind the other: the numbers of the first and the last one, and what they are called.
 struct Span {
@@ -44,22 +50,29 @@ struct Group {
 /// The sentences, by their labels.
 pub(super) struct Grounds<'a> {
     words: &'a Words,
-    groups: [(&'static str, Group); 4],
+    groups: [(&'static str, Group); 5],
     rows: usize,
 }
 
 impl<'a> Grounds<'a> {
     pub fn new(words: &'a Words) -> Self {
-        let labels = ["report-limits-from", "report-verdict-from", "report-budget", CAVEATS];
+        let labels = [
+            "report-limits-from",
+            "report-measured-from",
+            "report-verdict-from",
+            "report-budget",
+            CAVEATS,
+        ];
         Self { words, groups: labels.map(|label| (label, Group::default())), rows: 0 }
     }
 
     /// Adds what a row rests on.
     pub fn see(&mut self, label: &str, record: &Record) {
         let words = self.words;
-        let [limits, rule, budget, caveats] = &mut self.groups;
+        let [limits, measured, rule, budget, caveats] = &mut self.groups;
         let row = (self.rows, label);
         limits.1.see(row, words.say(&text::source(&record.limits.source, words)));
+        measured.1.see(row, origins::measured(record, words));
         rule.1.see(row, origins::rule(record.verdict.rule, words));
         if let Some(found) = &record.budget {
             budget.1.see(row, origins::budget(found, words));
@@ -85,6 +98,10 @@ impl<'a> Grounds<'a> {
         let mut sentences: Vec<String> = group.order.iter().map(|said| self.said(said, group)).collect();
         if 0 < group.left_out {
             sentences.push(self.words.say(&message!("report-pdf-more").count("count", group.left_out)));
+        }
+        // Short ones stand one behind the other.
+        if 1 < sentences.len() && sentences.iter().all(|said| said.chars().count() <= SHORT) {
+            sentences = vec![sentences.join("; ")];
         }
         labelled(flow, section, &self.words.get(label), &sentences);
     }
@@ -140,20 +157,21 @@ impl Group {
 pub(super) fn labelled(flow: &mut Flow<'_>, section: TagId, label: &str, sentences: &[String]) {
     let element = flow.tags.add(section, Kind::Paragraph);
     let indent = 112.0;
-    let heads = flow.wrap(label, STRONG, indent - 8.0, 3);
-    flow.room(BODY.line() * 2.0);
+    let style = Style { weight: Weight::Semibold, ..NOTE.in_ink(TEXT) };
+    let heads = flow.wrap(label, style, indent - 8.0, 3);
+    flow.room(style.line() * 2.0);
     let page = flow.page();
     let top = flow.y;
     let mut y = flow.y;
     for head in heads {
-        flow.say(Some(element), [SIDE, base(y, BODY.line(), STRONG)], STRONG, format!("{head} "));
-        y += BODY.line();
+        flow.say(Some(element), [SIDE, base(y, style.line(), style)], style, format!("{head} "));
+        y += style.line();
     }
     for said in sentences {
         let element = flow.tags.add(section, Kind::Paragraph);
         let width = flow.width() - indent;
-        let lines = flow.wrap(said, NOTE.in_ink(super::look::TEXT), width, 6);
-        flow.lines(element, SIDE + indent, NOTE.in_ink(super::look::TEXT), lines);
+        let lines = flow.wrap(said, NOTE.in_ink(TEXT), width, MOST_LINES);
+        flow.lines(element, SIDE + indent, NOTE.in_ink(TEXT), lines);
     }
     if flow.page() == page {
         flow.y = flow.y.max(y).max(top);

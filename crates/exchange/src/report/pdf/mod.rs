@@ -4,7 +4,7 @@
 //! |---|---|
 //! | here | what stands on the pages, in its order |
 //! | `head`, `card` | the first page's head: title, answer, what must be known before the values |
-//! | `parts`, `checks` | a whole part; checks without a plan |
+//! | `parts`, `lot`, `checks` | a whole part; several on one page; checks without a plan |
 //! | `rows`, `table`, `columns` | a value as a row, the table, the widths of its columns |
 //! | `bands`, `pictures`, `svg`, `signs` | limit bands, pictures with balloons, signs of verdicts |
 //! | `grounds` | what the verdicts rest on |

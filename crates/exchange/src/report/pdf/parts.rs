@@ -9,7 +9,6 @@ use super::columns::Widths;
 use super::flow::Flow;
 use super::grounds::Grounds;
 use super::head;
-use super::look::{GAP, STRONG};
 use super::pictures::Pictures;
 use super::rows::Rows;
 use super::table::{Row, Table};
@@ -18,11 +17,15 @@ use crate::journal::Record;
 use crate::report::origins::Entry;
 use crate::report::part::PartSheet;
 use crate::report::Report;
+use crate::report::said::{beyond_limits, cause, decimals_of, lacks};
 use crate::report::template::Section;
-use crate::report::said::{beyond_limits, decimals_of, lacks};
+use crate::report::text;
 
-/// What to remove is said in the card of so many sizes; of all of them in the table.
-const MOST_REMOVED: usize = 2;
+/// What stands below a table usually, and is to be on the same page: what the verdicts rest on, and the signature.
+const BELOW: f32 = 196.0;
+
+/// So many sizes are named in the card; all of them are in the table.
+const MOST_CAUSES: usize = 2;
 
 /// The answer of a part.
 pub(super) fn card(part: &PartSheet, words: &Words) -> Card {
@@ -34,15 +37,27 @@ pub(super) fn card(part: &PartSheet, words: &Words) -> Card {
         Some(_) if is_accepted => words.get("status-accepted"),
         Some(status) => words.told(&status),
     };
-    let removed = part.sizes().filter_map(|(size, _, record)| {
-        let removal = record?.verdict.size.removal?;
-        Some(words.say(&message!("report-pdf-remove").text("name", size.name()).text("um", words.um(removal.to_limit))))
+    // What makes the part what it is, and what to do.
+    let causes = part.sizes().filter_map(|(size, _, record)| {
+        let verdict = &record?.verdict;
+        let is_cause = Some(verdict.status()) == status && status != Some(Status::Good);
+        is_cause.then(|| match verdict.size.removal {
+            Some(removal) => {
+                let remove = message!("report-pdf-remove").text("name", size.name());
+                words.say(&remove.text("um", words.um(removal.to_limit)))
+            }
+            None => {
+                let why = cause(verdict, words).unwrap_or_else(|| words.say(&text::size(&verdict.size, words)));
+                format!("{}: {why}", size.name())
+            }
+        })
     });
+    let causes: Vec<String> = causes.take(MOST_CAUSES).collect();
     Card {
         status,
         word,
         simulated: (0 < standing.simulated).then(|| words.get("simulated")),
-        lines: removed.take(MOST_REMOVED).chain([words.say(&standing.message())]).collect(),
+        lines: causes.into_iter().chain([words.say(&standing.message())]).collect(),
         counts: Vec::new(),
     }
 }
@@ -87,10 +102,20 @@ pub(super) fn write(
     }
     for shown in &template.sections {
         match shown {
-            Section::Picture => pictures.write(flow, section, part, (number, all.len()), words),
+            Section::Picture if template.has(Section::Features) => {
+                let table = Table::new(flow, section, widths.clone().fit(flow.width()), words);
+                let laid = all.iter().map(|(row, _)| table.lay(flow, row).height());
+                let height = table.head_height() + laid.sum::<f32>();
+                pictures.write(flow, section, part, (number, height + BELOW), words);
+            }
+            Section::Picture => pictures.write(flow, section, part, (number, BELOW), words),
             Section::Features => {
-                let table = Table::begin(flow, section, widths.clone().fit(flow.width()), words);
-                all.iter().for_each(|(row, _)| table.row(flow, row));
+                let mut table = Table::new(flow, section, widths.clone().fit(flow.width()), words);
+                table.begin(flow);
+                for (row, _) in &all {
+                    let laid = table.lay(flow, row);
+                    table.row(flow, laid);
+                }
                 table.end(flow);
             }
             Section::Remarks if !part.plan.head.remark.is_empty() => {
@@ -112,9 +137,4 @@ fn labels(part: &PartSheet) -> Vec<String> {
         vec![label; feature.sizes().count()]
     };
     features.flat_map(label).collect()
-}
-
-/// The height of a table with so many rows, and of what stands below it, as far as it can be known before.
-pub(super) fn height_of(rows: usize) -> f32 {
-    super::table::count(rows) * 18.0 + 40.0 + 9.0 * STRONG.line() + GAP
 }

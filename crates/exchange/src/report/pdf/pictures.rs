@@ -10,7 +10,6 @@ use usvg::Tree;
 use super::bands::narrow;
 use super::flow::{Flow, base};
 use super::look::{CHIP, GAP, LINE, NOTE, PAPER, RADIUS, TEXT, tone};
-use super::parts::height_of;
 use super::sheet::{Area, Edge, Shape};
 use super::table::outline;
 use super::tags::{Kind, TagId};
@@ -88,13 +87,19 @@ impl Pictures {
         pictures
     }
 
-    /// Writes the picture of a part with its balloons, as large as the table below it allows, or why there is none.
-    pub fn write(&self, flow: &mut Flow<'_>, section: TagId, part: &PartSheet, place: (usize, usize), words: &Words) {
-        let (number, rows) = place;
+    /// Writes the picture of a part with its balloons, as large as what is below it allows, or why there is none.
+    pub fn write(
+        &self,
+        flow: &mut Flow<'_>,
+        section: TagId,
+        part: &PartSheet,
+        (number, below): (usize, f32),
+        words: &Words,
+    ) {
         match self.of_parts.get(number) {
             Some(Some(Ok(picture))) => {
                 if let Some(drawable) = self.all.get(*picture) {
-                    shown(flow, section, part, (*picture, drawable, rows), words);
+                    shown(flow, section, part, (*picture, drawable, below), words);
                 }
             }
             Some(Some(Err(why))) => flow.paragraph(section, NOTE.in_ink(TEXT), &words.say(why)),
@@ -135,18 +140,19 @@ fn shown(
     flow: &mut Flow<'_>,
     section: TagId,
     part: &PartSheet,
-    (number, drawable, rows): (usize, &Drawable, usize),
+    (number, drawable, below): (usize, &Drawable, f32),
     words: &Words,
 ) {
     let width = flow.width();
-    let free = flow.bottom() - flow.y - height_of(rows);
+    let free = flow.bottom() - flow.y - below;
     let most = if free < HEIGHT[0] { HEIGHT[1] } else { free.min(HEIGHT[1]) };
-    let height = (drawable.proportion() * (width - 16.0) + 16.0).clamp(60.0, most);
-    flow.room(height + 20.0);
+    let height = (drawable.proportion() * (width - 16.0) + 12.0 + NOTE.line()).clamp(60.0, most);
+    flow.room(height);
     let frame = Area::new(super::look::SIDE, flow.y, width, height);
     let edge = Edge { ink: LINE, width: 0.8, is_dashed: false };
     flow.put(None, Shape::Block { area: frame, radius: RADIUS, fill: Some(PAPER), edge: Some(edge) });
-    let room = frame.within(8.0);
+    // The caption has its place below the picture.
+    let room = Area::new(frame.x + 8.0, frame.y + 8.0, frame.width - 16.0, frame.height - 12.0 - NOTE.line());
     let scaled = (room.height / drawable.proportion().max(1e-4)).min(room.width);
     let [x, y] = room.middle();
     let tall = scaled * drawable.proportion();
@@ -155,13 +161,16 @@ fn shown(
     let figure = flow.tags.add(section, Kind::Figure(said(part, words), place));
     flow.put(Some(figure), Shape::Picture(area, number));
     let beside = balloons(flow, figure, part, area);
-    flow.y += height + 2.0;
     let mut caption = part.plan.head.picture.clone();
     if 0 < beside {
         caption = format!("{caption}; {}", words.say(&message!("report-picture-beside").count("count", beside)));
     }
-    flow.paragraph(section, NOTE, &caption);
-    flow.y += GAP / 2.0;
+    let element = flow.tags.add(section, Kind::Paragraph);
+    let at = base(frame.bottom() - NOTE.line() - 3.0, NOTE.line(), NOTE);
+    for line in flow.wrap(&caption, NOTE, width - 16.0, 1) {
+        flow.say(Some(element), [frame.x + 8.0, at], NOTE, line);
+    }
+    flow.y += height + GAP / 2.0;
 }
 
 /// Draws the balloons; gives how many features have none.

@@ -27,13 +27,12 @@ impl Area {
         self.x + self.width
     }
 
-    pub const fn middle(self) -> Place {
-        [self.x + self.width / 2.0, self.y + self.height / 2.0]
+    pub const fn bottom(self) -> f32 {
+        self.y + self.height
     }
 
-    /// The same, smaller on every side.
-    pub const fn within(self, by: f32) -> Self {
-        Self::new(self.x + by, self.y + by, self.width - 2.0 * by, self.height - 2.0 * by)
+    pub const fn middle(self) -> Place {
+        [self.x + self.width / 2.0, self.y + self.height / 2.0]
     }
 
     pub fn rect(self) -> Option<Rect> {

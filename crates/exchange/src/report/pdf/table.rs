@@ -6,10 +6,12 @@ use fitcheck_core::words::Words;
 use super::bands::BandShape;
 use super::columns::{self, Widths};
 use super::flow::{Flow, base};
+use super::fonts::Fonts;
 use super::look::{CELL, CHIP, GAP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
 use super::sheet::{Area, Edge, Shape};
 use super::signs::{Outline, Sign};
 use super::tags::{Kind, TagId};
+use super::wrap::wrap;
 use crate::report::template::Column;
 
 /// A row: a size and its value.
@@ -65,20 +67,37 @@ const MOST_LINES: usize = 3;
 /// Between a cell's edge and its text.
 pub(super) const PAD: f32 = 3.5;
 
+/// The most lines of where a value is from.
+const SOURCE_LINES: usize = 2;
+
+/// A row in lines.
+pub(super) struct Laid<'a> {
+    row: &'a Row,
+    texts: Vec<(Column, Vec<String>)>,
+    notes: Vec<String>,
+    height: f32,
+    below: f32,
+}
+
+impl Laid<'_> {
+    /// The height of the row with its notes.
+    pub const fn height(&self) -> f32 {
+        self.height + self.below
+    }
+}
+
 /// A table that is being written.
 pub(super) struct Table {
     widths: Widths,
     heads: Vec<(Column, Vec<String>)>,
+    section: TagId,
+    /// Where its rows belong, once it is begun.
     body: TagId,
 }
 
 impl Table {
-    /// Begins a table; at least two rows of it stand on this page.
-    pub fn begin(flow: &mut Flow<'_>, section: TagId, widths: Widths, words: &Words) -> Self {
-        let table = flow.tags.add(section, Kind::Table);
-        let head = flow.tags.add(table, Kind::TableHead);
-        let row = flow.tags.add(head, Kind::Row);
-        let body = flow.tags.add(table, Kind::TableBody);
+    /// A table with these columns.
+    pub fn new(flow: &mut Flow<'_>, section: TagId, widths: Widths, words: &Words) -> Self {
         let mut heads = Vec::new();
         for column in widths.all() {
             let [_, width] = widths.of(column);
@@ -86,13 +105,21 @@ impl Table {
             lines.extend(columns::unit(column).map(str::to_owned));
             heads.push((column, lines));
         }
-        let table = Self { widths, heads, body };
-        flow.room(table.head_height() + 2.0 * ROW);
-        table.head(flow, Some(row));
-        table
+        Self { widths, heads, section, body: section }
     }
 
-    fn head_height(&self) -> f32 {
+    /// Begins it here; at least two of its rows stand on this page.
+    pub fn begin(&mut self, flow: &mut Flow<'_>) {
+        let table = flow.tags.add(self.section, Kind::Table);
+        let head = flow.tags.add(table, Kind::TableHead);
+        let row = flow.tags.add(head, Kind::Row);
+        self.body = flow.tags.add(table, Kind::TableBody);
+        flow.room(self.head_height() + 2.0 * ROW);
+        self.head(flow, Some(row));
+    }
+
+    /// How high its head is.
+    pub fn head_height(&self) -> f32 {
         let lines = self.heads.iter().map(|(_, lines)| lines.len()).fold(1, usize::max);
         count(lines) * NEXT + 5.0
     }
@@ -125,8 +152,8 @@ impl Table {
         }
     }
 
-    /// Writes a row; a page that it does not fit on is turned first.
-    pub fn row(&self, flow: &mut Flow<'_>, row: &Row) {
+    /// A row in lines, and how high it is.
+    pub fn lay<'a>(&self, flow: &mut Flow<'_>, row: &'a Row) -> Laid<'a> {
         let mut most = 1;
         let mut texts = Vec::new();
         for column in self.widths.all() {
@@ -138,19 +165,30 @@ impl Table {
             let lines = match column {
                 Column::Band => Vec::new(),
                 Column::Verdict | Column::Number => vec![text.to_owned()],
+                // Where it stands in full is below the table.
+                Column::From => wrap(flow.fonts, &Fonts::clean(text), style, width - 2.0 * PAD, SOURCE_LINES).lines,
                 _ => flow.wrap(text, style, width - 2.0 * PAD, MOST_LINES),
             };
             most = most.max(lines.len());
             texts.push((column, lines));
         }
-        let [left, _] = self.widths.of(Column::Feature);
-        let notes_width = flow.right() - left - 2.0 * PAD;
-        let notes: Vec<Vec<String>> =
-            row.notes.iter().map(|note| flow.wrap(note, NOTE, notes_width, MOST_LINES)).collect();
+        let width = flow.right() - self.left() - 2.0 * PAD;
+        let notes = row.notes.iter().flat_map(|note| flow.wrap(note, NOTE, width, MOST_LINES)).collect::<Vec<_>>();
         let simulated = if row.is_simulated { 8.0 } else { 0.0 };
         let height = (ROW + count(most.saturating_sub(1)) * NEXT).max(ROW + simulated);
-        let below = count(notes.iter().map(Vec::len).sum()) * NEXT;
-        let below = if 0.0 < below { below + 2.0 } else { 0.0 };
+        let below = if notes.is_empty() { 0.0 } else { count(notes.len()) * NEXT + 2.0 };
+        Laid { row, texts, notes, height, below }
+    }
+
+    /// Where names, and notes below them, begin.
+    fn left(&self) -> f32 {
+        let [left, _] = self.widths.of(Column::Feature);
+        left
+    }
+
+    /// Writes a row; a page that it does not fit on is turned first.
+    pub fn row(&self, flow: &mut Flow<'_>, laid: Laid<'_>) {
+        let Laid { row, texts, notes, height, below } = laid;
         if flow.room(height + below) {
             self.head(flow, None);
         }
@@ -175,8 +213,8 @@ impl Table {
             last = Some(cell);
         }
         let mut y = flow.y + height - 2.0;
-        for line in notes.into_iter().flatten() {
-            flow.say(last, [left + PAD, base(y, NEXT, NOTE)], NOTE, line);
+        for line in notes {
+            flow.say(last, [self.left() + PAD, base(y, NEXT, NOTE)], NOTE, line);
             y += NEXT;
         }
         flow.y += height + below;

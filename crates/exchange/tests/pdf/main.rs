@@ -1,0 +1,18 @@
+//! Reports as PDF, read again by a small reader of our own: what the pages say, their logical structure, and what is attached.
+//!
+//! | file | what |
+//! |---|---|
+//! | `made` | reports to write |
+//! | `values`, `reader` | a small reader of PDF files |
+//! | `checks` | checks without a plan: rows, attachments, languages, paper |
+//! | `parts` | whole parts with pictures |
+//! | `names` | what names must not do |
+
+#![cfg(test)]
+
+mod checks;
+mod made;
+mod names;
+mod parts;
+mod reader;
+mod values;
