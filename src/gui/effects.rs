@@ -17,9 +17,11 @@ use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
 use super::pin;
+use super::printing::{self, drawn};
 use super::reading::{is_read, read};
 use super::rows::Runs;
 use super::sound::Sounds;
+use super::templates;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
 use crate::control::mask::Mask;
@@ -32,7 +34,7 @@ use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
-    RecordsCommand, RowsCommand, SettingsCommand, Working, WorkpieceCommand,
+    RecordsCommand, ReportsCommand, RowsCommand, SettingsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
@@ -268,6 +270,8 @@ fn may_wait(effect: &Effect) -> bool {
         | Effect::Launch(..)
         | Effect::Pair { .. }
         | Effect::ReadPicture(_)
+        | Effect::DrawReport { .. }
+        | Effect::Print(_)
         | Effect::HashPin(_)
         | Effect::TryPin { .. } => true,
         // What is judged waits for it, and nothing else has to.
@@ -345,6 +349,9 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let result = picture::read(&path).map(Arc::new);
             vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
         }
+        Effect::DrawReport { run, content } => vec![ReportsCommand::Drawn { run, result: drawn(&content) }.into()],
+        Effect::ReadTemplates(folder) => vec![ReportsCommand::Templates(templates::read(&folder)).into()],
+        Effect::Print(content) => vec![ReportsCommand::Printed(printing::print(&content, errands)).into()],
         Effect::HashPin(pin) => vec![SettingsCommand::PinHashed(pin::hash(&pin)).into()],
         Effect::TryPin { pin, hash } => vec![SettingsCommand::PinTried(pin::is_it(&pin, &hash)).into()],
         Effect::Copy(_)

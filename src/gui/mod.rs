@@ -13,16 +13,18 @@
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
 //! | `operator` | the window for an operator |
-//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts`, `help`, `settings` | the pages |
+//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `reports`, `parts`, `help`, `settings` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
 //! | `over_page`, `palette` | what lies over a page; everything that can be done, found by its name |
 //! | `rail`, `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
+//! | `templates` | the user's own templates of reports |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys`, `key_names` | actions as buttons, entries of menus and keys |
 //! | `zoom` | the scale of the window |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
+//! | `printing` | pages are handed to the system's printer |
 //! | `pin` | the PIN that locks the operator's window |
 //! | `table` | a list of rows with heads |
 //! | `columns`, `split`, `room` | three columns, a list with what is open of it, and how both fold |
@@ -87,11 +89,13 @@ mod palette;
 mod parts;
 mod picture;
 mod pin;
+mod printing;
 mod popup;
 mod program;
 mod rail;
 mod reading;
 mod records;
+mod reports;
 mod room;
 mod rows;
 mod section;
@@ -105,6 +109,7 @@ mod store;
 mod table;
 mod tables;
 mod theme;
+mod templates;
 mod tools;
 mod top_bar;
 mod verdict_card;

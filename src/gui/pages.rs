@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use super::page::PageView;
 use super::view::View;
-use super::{budget, check, cycles, fit, help, pairing, parts, program, records, settings, tables};
+use super::{budget, check, cycles, fit, help, pairing, parts, program, records, reports, settings, tables};
 use crate::session::Page;
 
 pub(super) const fn page_of(page: Page) -> PageView {
@@ -17,6 +17,7 @@ pub(super) const fn page_of(page: Page) -> PageView {
         Page::Pairing => pairing::PAGE,
         Page::Budget => budget::PAGE,
         Page::Records => records::PAGE,
+        Page::Reports => reports::PAGE,
         Page::Parts => parts::PAGE,
         Page::Help => help::PAGE,
         Page::Settings => settings::PAGE,

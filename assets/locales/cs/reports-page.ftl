@@ -26,3 +26,5 @@ reports-page-nothing = Zatím není o čem podat zprávu
 reports-page-nothing-hint = Posuďte hodnotu, změřte díl nebo vyberte záznamy: zpráva se zde ukáže tak, jak se vytiskne
 reports-page-refused = { $file } není šablona: { $reason }
 reports-page-preview = Stránka zprávy
+reports-page-title = Název zprávy
+reports-page-no-printer = Zpráva nebyla vytištěna: žádný z programů { $programs } není nainstalován

@@ -26,3 +26,5 @@ reports-page-nothing = Es gibt noch nichts zu berichten
 reports-page-nothing-hint = Einen Wert prüfen, ein Teil messen oder Einträge wählen: Der Bericht steht hier, wie er gedruckt wird
 reports-page-refused = { $file } ist keine Vorlage: { $reason }
 reports-page-preview = Seite des Berichts
+reports-page-title = Titel des Berichts
+reports-page-no-printer = Der Bericht wurde nicht gedruckt: Keines der Programme { $programs } ist installiert

@@ -26,3 +26,5 @@ reports-page-nothing = There is nothing to report yet
 reports-page-nothing-hint = Judge a value, measure a part, or choose records: its report stands here as it will print
 reports-page-refused = { $file } is not a template: { $reason }
 reports-page-preview = Page of the report
+reports-page-title = Title of the report
+reports-page-no-printer = The report was not printed: none of the programs { $programs } is installed

@@ -26,3 +26,5 @@ reports-page-nothing = Todavía no hay nada que informar
 reports-page-nothing-hint = Evalúe un valor, mida una pieza o elija registros: el informe aparece aquí tal como se imprimirá
 reports-page-refused = { $file } no es una plantilla: { $reason }
 reports-page-preview = Página del informe
+reports-page-title = Título del informe
+reports-page-no-printer = El informe no se ha imprimido: ninguno de los programas { $programs } está instalado

@@ -26,3 +26,5 @@ reports-page-nothing = Il n’y a encore rien à rapporter
 reports-page-nothing-hint = Jugez une valeur, mesurez une pièce ou choisissez des relevés : le rapport apparaît ici tel qu’il sera imprimé
 reports-page-refused = { $file } n’est pas un modèle : { $reason }
 reports-page-preview = Page du rapport
+reports-page-title = Titre du rapport
+reports-page-no-printer = Le rapport n’a pas été imprimé : aucun des programmes { $programs } n’est installé

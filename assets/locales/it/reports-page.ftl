@@ -26,3 +26,5 @@ reports-page-nothing = Non c’è ancora nulla da riportare
 reports-page-nothing-hint = Valutare un valore, misurare un pezzo o scegliere registrazioni: il rapporto appare qui come verrà stampato
 reports-page-refused = { $file } non è un modello: { $reason }
 reports-page-preview = Pagina del rapporto
+reports-page-title = Titolo del rapporto
+reports-page-no-printer = Il rapporto non è stato stampato: nessuno dei programmi { $programs } è installato

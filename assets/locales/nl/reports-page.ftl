@@ -26,3 +26,5 @@ reports-page-nothing = Er is nog niets te rapporteren
 reports-page-nothing-hint = Beoordeel een waarde, meet een onderdeel of kies regels uit het logboek: het rapport staat hier zoals het wordt afgedrukt
 reports-page-refused = { $file } is geen sjabloon: { $reason }
 reports-page-preview = Pagina van het rapport
+reports-page-title = Titel van het rapport
+reports-page-no-printer = Het rapport is niet afgedrukt: geen van de programma’s { $programs } is geïnstalleerd

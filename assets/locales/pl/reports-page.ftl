@@ -26,3 +26,5 @@ reports-page-nothing = Nie ma jeszcze czego raportować
 reports-page-nothing-hint = Oceń wartość, zmierz część lub wybierz zapisy: raport pojawi się tu tak, jak zostanie wydrukowany
 reports-page-refused = { $file } nie jest szablonem: { $reason }
 reports-page-preview = Strona raportu
+reports-page-title = Tytuł raportu
+reports-page-no-printer = Raportu nie wydrukowano: żaden z programów { $programs } nie jest zainstalowany

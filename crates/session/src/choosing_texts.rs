@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, OwnTexts};
-use fitcheck_core::words::Words;
+use fitcheck_core::words::{Language, Words};
 
 use super::Session;
 use super::own_texts::{ChosenTexts, TextsState};
@@ -22,6 +22,11 @@ impl Shared {
     /// The texts of reports: their numbers follow the language and no setting of the window.
     pub fn report_words(&self) -> Words {
         Words::new(self.language).with_own(self.texts_of_window().map(Arc::clone))
+    }
+
+    /// The same in a language that was chosen for the report: own texts are those of the window's language.
+    pub fn report_words_in(&self, language: Option<Language>) -> Words {
+        language.filter(|language| *language != self.language).map_or_else(|| self.report_words(), Words::new)
     }
 
     /// The texts of what is written into the journal and other files that are read back: nobody's own.

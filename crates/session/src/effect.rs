@@ -169,6 +169,16 @@ pub enum Effect {
     WakeSender,
     /// Send at once, whatever went wrong before.
     SendAgain,
+    /// Set the pages of a report and send `ReportsCommand::Drawn`.
+    DrawReport {
+        /// The number of the question.
+        run: u64,
+        content: Box<Content>,
+    },
+    /// Read the user's own templates of reports from a folder and send `ReportsCommand::Templates`.
+    ReadTemplates(PathBuf),
+    /// Hand a report to the system's printer and send `ReportsCommand::Printed`.
+    Print(Box<Content>),
     /// Read the part's picture and send `PlanCommand::PictureRead`.
     ReadPicture(PathBuf),
     /// Look for the ports of this computer and send `GaugeCommand::Ports`.

@@ -16,6 +16,7 @@ use super::pairing::PairingField;
 use super::parts::{PartsField, PlanField, WalkField};
 use super::program::{Input, ProgramField};
 use super::records::RecordsField;
+use super::reports::ReportsField;
 use super::settings_page::SettingsField;
 use super::tables::TablesField;
 
@@ -123,6 +124,17 @@ rows! {
     ShaftExpansion, "fit-shaft-expansion", PAGE, "expansion-of-the-shaft";
     WantedMinimum, "fit-wanted-minimum", PAGE, "minimum-of-the-clearance";
     WantedMaximum, "fit-wanted-maximum", PAGE, "maximum-of-the-clearance";
+}
+
+rows! {
+    ReportsField:
+    Title, "reports-page-title", PAGE, "title-of-the-report";
+    Order, "report-order", PAGE, "order-of-the-report";
+    Customer, "report-customer", PAGE, "customer";
+    Revision, "report-revision", PAGE, "revision";
+    Batch, "report-batch", PAGE, "batch";
+    Instrument, "report-instrument", PAGE, "instrument";
+    Calibrated, "report-calibrated", PAGE, "calibration-of-the-instrument";
 }
 
 rows! {
@@ -333,6 +345,7 @@ pub(super) fn all(cycle: &'static Cycle) -> Vec<Field> {
         .chain(of::<WalkField>())
         .chain(head)
         .chain(of::<RecordsField>())
+        .chain(of::<ReportsField>())
         .chain(of::<FitField>())
         .chain(of::<PairingField>())
         .chain(of::<TablesField>())
@@ -353,6 +366,7 @@ impl Field {
             Self::Parts(PartsField::Walk(field)) => field.row(),
             Self::Parts(PartsField::Plan(PlanField::Head(field))) => field.row(),
             Self::Records(field) => field.row(),
+            Self::Reports(field) => field.row(),
             Self::Fit(field) => field.row(),
             Self::Pairing(field) => field.row(),
             Self::Tables(field) => field.row(),
@@ -372,6 +386,7 @@ impl Field {
             Self::Check(_) => Page::Check,
             Self::Parts(_) => Page::Parts,
             Self::Records(_) => Page::Records,
+            Self::Reports(_) => Page::Reports,
             Self::Fit(_) => Page::Fit,
             Self::Pairing(_) => Page::Pairing,
             Self::Tables(_) => Page::Tables,

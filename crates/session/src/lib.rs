@@ -17,6 +17,7 @@
 //! | `pairing` | measured holes against measured shafts |
 //! | `budget` | how sure a measured value is |
 //! | `records` | everything that was recorded |
+//! | `reports` | reports to print, to sign and to keep |
 //! | `parts` | plans of whole parts, and the walk through them |
 //! | `help` | the manual, and the keys |
 //! | `settings_page` | everything that can be set |
@@ -91,6 +92,7 @@ mod purpose;
 mod readers;
 mod recording;
 pub mod records;
+mod reports;
 mod rows;
 mod ruler;
 mod saved;
@@ -167,10 +169,12 @@ pub use program::{ProgramAction, ProgramCommand, ProgramField, ProgramPage};
 pub use purpose::{CycleFile, ImportInto, Purpose};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, RecordsPage};
+pub use reports::{Magnification, ReportOf, ReportsAction, ReportsCommand, ReportsField, ReportsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
 pub use ruler::{Ruler, RulerStep};
 pub use saved::{
-    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedGauge, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
+    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedGauge, SavedInputs, SavedRecords, SavedReports, SavedWalk,
+    SavedWatch,
 };
 pub use settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 pub use settings_page::{
@@ -456,6 +460,8 @@ impl Session {
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
         effects.extend(errands);
+        effects.extend(self.draw_report(now));
+        let shared = &mut self.shared;
         effects.extend(shared.recording.take_errands());
         let effects = shared.in_order(effects);
         if !asked_before && self.asks_for_enter() {

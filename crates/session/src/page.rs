@@ -11,6 +11,8 @@ macro_rules! pages {
             Parts: parts, PartsPage, PartsCommand, PartsField, PartsAction, "page-parts", "parts.md";
             /// Everything that was recorded.
             Records: records, RecordsPage, RecordsCommand, RecordsField, RecordsAction, "page-records", "records.md";
+            /// Reports to print, to sign and to keep.
+            Reports: reports, ReportsPage, ReportsCommand, ReportsField, ReportsAction, "page-reports", "reports.md";
             /// Hole against shaft.
             Fit: fit, FitPage, FitCommand, FitField, FitAction, "page-fit", "fits.md";
             /// Measured holes against measured shafts.

@@ -84,6 +84,8 @@ pub enum Purpose {
     OpenParts(Feature),
     /// Writing the pairs in a format of their list, by its number there.
     SavePairs(usize),
+    /// Writing the report of the reports page in a format of their list, by its number there.
+    Report(usize),
     /// Writing the chosen records in a format of the report's list, by its number there.
     ReportRecords(usize),
     /// Writing the files for a control into a folder.
@@ -220,7 +222,7 @@ impl Purpose {
             Self::LoadTables => reads_folder("own-tables", "dialog-tables", &["tab"], &[]),
             Self::OpenTable => reads("table", "tables-dialog-open", Listed(&["tab"]), &[Page::Tables]),
             Self::SaveTable(format) => writes("table", "tables-dialog-save", Table(format)),
-            Self::Export(format) | Self::ReportRecords(format) | Self::ReportPart(format) => {
+            Self::Export(format) | Self::Report(format) | Self::ReportRecords(format) | Self::ReportPart(format) => {
                 writes("report", "dialog-export", Report(format))
             }
             Self::ExportRows(form) => writes("rows", "dialog-export-rows", Rows(form)),

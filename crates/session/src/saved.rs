@@ -2,7 +2,7 @@
 //!
 //! A TOML text with a version number. Reading and writing files is done elsewhere.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use fitcheck_core::message::Say;
@@ -10,6 +10,8 @@ use fitcheck_core::tolerance::{Base, iso286};
 use fitcheck_core::words::Language;
 use fitcheck_exchange::exchange::Remembered;
 use fitcheck_exchange::exchange::gauge::{LineUnit, Taught};
+use fitcheck_exchange::report::paper::Paper;
+use fitcheck_exchange::report::template::Section;
 use fitcheck_gauges::PortSettings;
 use serde::{Deserialize, Serialize};
 
@@ -72,6 +74,8 @@ pub struct Saved {
     pub columns: Remembered,
     /// Where checks are recorded, and who measures.
     pub records: SavedRecords,
+    /// How reports look.
+    pub reports: SavedReports,
     /// The part that is being measured.
     pub walk: SavedWalk,
     /// The gauges on ports of this computer.
@@ -90,6 +94,20 @@ pub struct SavedGauge {
     pub port: PortSettings,
     /// The form of its lines, where it is not a known one.
     pub taught: Option<Taught>,
+}
+
+/// What is kept of the reports page.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedReports {
+    /// The name of the template; empty for the usual one.
+    pub template: String,
+    /// Another language than the template's.
+    pub language: Option<Language>,
+    /// Another paper than the template's.
+    pub paper: Option<Paper>,
+    /// The sections that are left out.
+    pub hidden: BTreeSet<Section>,
 }
 
 /// What is kept of recording.
@@ -205,6 +223,7 @@ impl Default for Saved {
             files: SavedFiles::default(),
             columns: Remembered::default(),
             records: SavedRecords::default(),
+            reports: SavedReports::default(),
             walk: SavedWalk::default(),
             gauges: Vec::new(),
         }

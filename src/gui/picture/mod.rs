@@ -28,11 +28,27 @@ const STACK: usize = 64 << 20;
 pub(super) fn read(path: &Path) -> Result<PartPicture, Message> {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let bytes = file_or_sample(path)?;
-    // Decoders are by others: what goes wrong there ends with their thread, and not with the window.
+    apart(&name, || decode(&name, &bytes))
+}
+
+/// The dots of a picture that was read: its name, width and height, four bytes a dot.
+///
+/// # Errors
+/// It cannot be decoded.
+pub(super) fn dots_of(name: &str, image: &Image) -> Result<(String, [usize; 2], Vec<u8>), Message> {
+    let PartPicture { size, dots, .. } = apart(name, || decode(name, image.bytes()))?;
+    Ok((name.to_owned(), size, dots))
+}
+
+/// Decoders are by others: what goes wrong there ends with their thread, and not with the window.
+fn apart(
+    name: &str,
+    decode: impl FnOnce() -> Result<PartPicture, Message> + Send,
+) -> Result<PartPicture, Message> {
     std::thread::scope(|scope| {
         let thread = Builder::new().name("picture".to_owned()).stack_size(STACK);
-        let thread = thread.spawn_scoped(scope, || decode(&name, &bytes)).map_err(|error| broken(&name, &error))?;
-        thread.join().unwrap_or_else(|_panic| Err(broken(&name, &"?")))
+        let thread = thread.spawn_scoped(scope, decode).map_err(|error| broken(name, &error))?;
+        thread.join().unwrap_or_else(|_panic| Err(broken(name, &"?")))
     })
 }
 

@@ -1,25 +1,20 @@
 //! Right: saving and printing; language, paper, sections, and what stands in the head.
 
-use eframe::egui::{Id, Ui, vec2};
+use eframe::egui::{Ui, vec2};
 
 use crate::gui::field::{FieldStyle, field_ui};
-use crate::gui::theme::{control, palette, space};
+use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, one_of_ui, quiet};
-use crate::report::template::{Paper, Section};
 use crate::report::RENDERINGS;
+use crate::report::paper::Paper;
+use crate::report::template::Section;
 use crate::session::{ReportsAction, ReportsCommand, ReportsField};
 use crate::words::Language;
 
-pub(super) fn save_id() -> Id {
-    Id::unique("reports-save")
-}
-
 /// What is done with the report: it stands where a verdict stands on other pages.
 pub(super) fn write_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let colours = palette(ui.ctx());
     let size = vec2(ui.available_width(), control(ui).max(44.0));
-    let filled = [colours.accent.0, colours.on_accent.0];
-    view.filled_button(ui, ReportsAction::SavePdf, size, filled, save_id());
+    view.main_button(ui, ReportsAction::SavePdf, size);
     ui.horizontal_wrapped(|ui| {
         view.button(ui, ReportsAction::Print);
         for (number, rendering) in RENDERINGS.iter().enumerate() {
@@ -36,7 +31,7 @@ pub(super) fn contents_ui(ui: &mut Ui, view: &mut View<'_>) {
     paper_ui(ui, view);
     ui.separator();
     heading(ui, view.text("reports-page-show"));
-    let template = std::sync::Arc::clone(view.session.reports().template());
+    let template = view.session.reports().template();
     for section in Section::ALL.iter().copied().filter(|section| template.has(*section)) {
         let mut is_on = view.session.reports().shows(section);
         if ui.checkbox(&mut is_on, view.text(section.text())).clicked() {
@@ -46,7 +41,7 @@ pub(super) fn contents_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.separator();
     heading(ui, view.text("report-section-head"));
     for field in ReportsField::all() {
-        let name = quiet(ui, view.text(field.text()));
+        let name = quiet(ui, view.text(field.name()));
         field_ui(ui, view, *field, name.id, FieldStyle::text(ui.available_width()));
     }
     ui.add_space(space(2.0));

@@ -13,24 +13,20 @@ mod canvas;
 mod contents_panel;
 mod preview;
 
-use eframe::egui::{Id, Ui};
+use eframe::egui::Ui;
 
 use super::columns::{Page, THREE, columns_ui};
-use super::over_page::just_opened;
 use super::page::{Group, PageView};
 use super::theme::{Icon, space};
 use super::view::View;
-use crate::session::RecordsAction;
+use crate::session::WindowAction;
 
 pub(super) const PAGE: PageView = PageView {
-    action: |_| RecordsAction::Open.into(),
+    action: |_| WindowAction::OpenPage(crate::session::Page::Records).into(),
     ..PageView::of(Group::Results, Icon::FileText, reports_ui)
 };
 
 fn reports_ui(ui: &mut Ui, view: &mut View<'_>) {
-    if just_opened(ui, Id::unique("reports-page")) {
-        ui.memory_mut(|memory| memory.request_focus(contents_panel::save_id()));
-    }
     let page = Page {
         name: "reports",
         left: space(60.0),

@@ -1,13 +1,18 @@
 //! Middle: a page as it will print, and the way to the others.
 
+use std::sync::{Arc, Weak};
+
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2};
+use eframe::egui::{
+    Button, Id, Rect, ScrollArea, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, WidgetInfo, vec2,
+};
 
 use super::canvas::PainterCanvas;
 use crate::gui::empty::empty_ui;
 use crate::gui::theme::{self, Icon, control, palette, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
+use crate::report::pdf::Pages;
 use crate::session::{Magnification, ReportsAction, ReportsCommand, Step};
 
 /// Between the page and the edge of its ground.
@@ -17,7 +22,7 @@ pub(super) fn preview_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.reports();
     match page.pages() {
         Some(Ok(pages)) => {
-            let pages = std::sync::Arc::clone(pages);
+            let pages = Arc::clone(pages);
             let at = page.at();
             bar_ui(ui, view, &pages);
             let [width, height] = pages.size();
@@ -41,26 +46,40 @@ pub(super) fn preview_ui(ui: &mut Ui, view: &mut View<'_>) {
                     let focus = Stroke::new(2.0, palette(ui.ctx()).focus.0);
                     ui.painter().rect_stroke(paper.expand(3.0), 0.0, focus, StrokeKind::Outside);
                 }
-                pages.draw(at, &mut PainterCanvas::new(ui, paper, scale, &view.session.reports().pictures));
+                let pictures = textures(ui, &pages);
+                pages.draw(at, &mut PainterCanvas::new(ui, paper, scale, &pictures));
             });
         }
-        Some(Err(why)) => {
-            let why = view.words.say(why);
-            problem(ui, why);
-        }
+        Some(Err(_)) if view.session.report_of().is_none() => empty_ui(ui, view, "reports-page-nothing-hint", &[]),
+        Some(Err(why)) => _ = problem(ui, view.words.say(why)),
         None if page.is_at_work() => _ = quiet(ui, view.text("reports-page-drawing")),
-        None => {
-            let [title, hint] = ["reports-page-nothing", "reports-page-nothing-hint"].map(|id| view.text(id));
-            empty_ui(ui, &title, &hint);
-        }
+        None => empty_ui(ui, view, "reports-page-nothing-hint", &[]),
     }
+}
+
+/// The pictures of pages, whose dots go to the graphics card once.
+fn textures(ui: &Ui, pages: &Arc<Pages>) -> Vec<Option<TextureHandle>> {
+    type Kept = (Weak<Pages>, Vec<Option<TextureHandle>>);
+    let key = Id::unique("report-pictures");
+    let kept: Option<Kept> = ui.data(|data| data.get_temp(key));
+    // The memory of pages is no other's while they are remembered here.
+    if let Some((_, kept)) = kept.filter(|(of, _)| std::ptr::eq(of.as_ptr(), Arc::as_ptr(pages))) {
+        return kept;
+    }
+    let load = |(name, size, dots): &(String, [usize; 2], Vec<u8>)| {
+        let image = theme::picture(*size, dots);
+        Some(ui.ctx().load_texture(name, image, TextureOptions::LINEAR))
+    };
+    let loaded: Vec<Option<TextureHandle>> = pages.dots.iter().map(|dots| dots.as_ref().and_then(load)).collect();
+    ui.data_mut(|data| data.insert_temp(key, (Arc::downgrade(pages), loaded.clone())));
+    loaded
 }
 
 /// Dots of the window a point of the page at its size on paper: 96 and 72 an inch.
 const POINTS: f32 = 96.0 / 72.0;
 
 /// Which page, and how large.
-fn bar_ui(ui: &mut Ui, view: &mut View<'_>, pages: &crate::report::pdf::Pages) {
+fn bar_ui(ui: &mut Ui, view: &mut View<'_>, pages: &Pages) {
     let at = view.session.reports().at();
     let count = pages.count();
     ui.horizontal(|ui| {

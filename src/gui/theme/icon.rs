@@ -108,6 +108,11 @@ impl Icon {
         RichText::new(self.sign()).font(font(weight, size))
     }
 
+    /// An icon of a page that will be printed, by its sign in the font.
+    pub fn paint_sign(painter: &Painter, at: Pos2, sign: char, size: f32, colour: Color32) {
+        painter.text(at, Align2::CENTER_CENTER, sign, font(Weight::Bold, size), colour);
+    }
+
     /// In the middle of a place.
     pub fn paint(self, painter: &Painter, at: Pos2, weight: Weight, size: f32, colour: Color32) {
         painter.text(at, Align2::CENTER_CENTER, self.sign(), font(weight, size), colour);

@@ -85,6 +85,11 @@ pub fn space(steps: f32) -> f32 {
     TOKENS.sizes.step * steps
 }
 
+/// A colour of a page that will be printed, whatever the look.
+pub const fn ink([red, green, blue]: [u8; 3]) -> Color32 {
+    Color32::from_rgb(red, green, blue)
+}
+
 /// The white of paper, whatever the look.
 pub fn paper() -> Color32 {
     TOKENS.light.surface.0

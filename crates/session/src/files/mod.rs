@@ -20,7 +20,7 @@ mod folder_list;
 mod kinds;
 mod names;
 mod places;
-mod reports;
+pub(crate) mod reports;
 mod working;
 
 use std::path::{Path, PathBuf};
@@ -125,6 +125,7 @@ impl Session {
                 let judged = self.shared.words().say(&message!("rows-file-name").text("name", stem));
                 names::dated(&names::allowed(&judged), now, purpose.ending())
             }
+            Purpose::Report(_) => self.report_name(now, purpose.ending()),
             Purpose::Export(_) => {
                 let several = self.shared.words().get("file-name-checks");
                 let records = self.shared.history.for_report().map(Arc::as_ref);
@@ -135,12 +136,7 @@ impl Session {
                 let records = self.records.for_report();
                 names::of_records(records.iter().map(Arc::as_ref), &several, now, purpose.ending())
             }
-            Purpose::ReportPart(_) => self.parts.report(now).map_or_else(String::new, |report| {
-                let walking = &self.parts.walking;
-                let part = report.part.unwrap_or_else(|| self.shared.words().get("file-name-checks"));
-                let name = [part.as_str(), walking.serial()].into_iter().filter(|text| !text.is_empty());
-                names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, purpose.ending())
-            }),
+            Purpose::ReportPart(_) => self.part_name(now, purpose.ending()),
             Purpose::ExportStatus => {
                 let name = self.status_to_export().map_or_else(String::new, |status| status.name);
                 names::dated(&names::allowed(&name), now, purpose.ending())
@@ -259,6 +255,7 @@ impl Session {
             }
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
+            Purpose::Report(format) => self.report_to_write(format, now)?,
             Purpose::ExportRows(form) => {
                 let rows = self.check.rows.as_ref().ok_or_else(|| message!("rows-export-not-yet"))?;
                 Content::Rows(Box::new(rows.text(form, &self.shared.sources)?))

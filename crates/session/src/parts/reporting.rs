@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::chain::Head;
 use fitcheck_exchange::report::Report;
 use fitcheck_exchange::report::image::Image;
 use fitcheck_exchange::report::part::PartSheet;
@@ -33,6 +34,12 @@ impl PartsPage {
             value.number.or_else(|| recording.number_of(value.id?))
         };
         report.parts.iter().flat_map(PartSheet::records).map(number).collect()
+    }
+
+    /// The newest entry of the journal among its values, as far as this window wrote it.
+    pub(crate) fn newest_for_report(&self, recording: &Recording) -> Option<Head> {
+        let values = (0..self.walking.count()).flat_map(|at| self.walking.values(at));
+        values.filter_map(|value| recording.head_of(value.id?)).max_by_key(|head| head.number)
     }
 
     /// The picture that the plan had when the part was begun, or why it is not at hand.

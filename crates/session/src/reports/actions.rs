@@ -1,13 +1,13 @@
 //! What can be done on the reports page.
 
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::{RENDERINGS, Rendering};
+use fitcheck_exchange::report::RENDERINGS;
 
 use super::{Magnification, ReportOf, ReportsCommand};
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, actions, keys, on};
 use crate::action::window::report_name;
-use crate::action::{Held, Key, Shortcut};
+use crate::action::Shortcut;
 use crate::command::Command;
 use crate::page::Page;
 use crate::purpose::Purpose;
@@ -26,7 +26,7 @@ actions! {
     /// Chooses what is reported.
     Of(ReportOf): ReportOf::ALL;
     /// Goes to another page.
-    Move(Step): Step::PAGES;
+    Move(Step): [Step::PageUp, Step::PageDown];
     /// Shows the whole page.
     WholePage;
 }
@@ -48,11 +48,37 @@ impl Actions for ReportsAction {
             Self::Save(number) => {
                 on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(number))).when(has_report)
             }
-            Self::Of(of) => on(Page::Reports, of.name(), ReportsCommand::Of(of)),
+            Self::Of(of) => on(Page::Reports, of.name(), ReportsCommand::Of(of)).when(match of {
+                ReportOf::Part => |session| session.can_report(ReportOf::Part),
+                ReportOf::Check => |session| session.can_report(ReportOf::Check),
+                ReportOf::List => |session| session.can_report(ReportOf::List),
+                ReportOf::Records => |session| session.can_report(ReportOf::Records),
+            }),
             Self::Move(step) => on(Page::Reports, "reports-page-move", ReportsCommand::Move(step)).key(keys(step)),
             Self::WholePage => {
                 on(Page::Reports, "reports-page-whole", ReportsCommand::Magnify(Magnification::WholePage))
             }
         }
     }
+
+    fn name(&self, _session: &Session, words: &Words) -> Option<String> {
+        match *self {
+            Self::Save(number) => report_name(number, words),
+            Self::Move(Step::PageUp) => Some(words.get("reports-page-before")),
+            Self::Move(_) => Some(words.get("reports-page-next")),
+            _ => None,
+        }
+    }
+
+    fn is_on(&self, session: &Session) -> Option<bool> {
+        match *self {
+            Self::Of(of) => Some(session.report_of() == Some(of)),
+            Self::WholePage => Some(session.reports().magnification == Magnification::WholePage),
+            _ => None,
+        }
+    }
+}
+
+fn has_report(session: &Session) -> bool {
+    session.report_of().is_some()
 }

@@ -1,11 +1,9 @@
 //! How commands and news change the reports page.
 
 use fitcheck_core::message::{Message, message};
-use fitcheck_core::words::Words;
-use fitcheck_exchange::report::Report;
 use jiff::civil::DateTime;
 
-use super::{ReportOf, ReportsCommand, ReportsField, ReportsPage};
+use super::{ReportsCommand, ReportsField, ReportsPage};
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::saved::{Saved, SavedReports};
@@ -76,13 +74,10 @@ impl PageState for ReportsPage {
     }
 
     fn follow(&mut self, news: &News, _shared: &mut Shared) {
-        match news {
+        if *news == News::Opened(Page::Reports) {
             // Whatever was measured meanwhile is in it.
-            News::Page(Page::Reports) => {
-                self.is_stale = true;
-                self.errands.push(Effect::ReadTemplates);
-            }
-            _ => {}
+            self.is_stale = true;
+            self.reads_templates = true;
         }
     }
 

@@ -24,6 +24,11 @@ impl ReportsField {
         Self::ALL
     }
 
+    /// The id of its name.
+    pub fn name(self) -> &'static str {
+        self.head().map_or("reports-page-title", HeadField::text)
+    }
+
     /// The field of the head that it fills; `None` for the title, which stands above the head.
     pub const fn head(self) -> Option<HeadField> {
         match self {

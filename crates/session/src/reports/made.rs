@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
-use fitcheck_core::words::Words;
-use fitcheck_exchange::report::template::Template;
-use fitcheck_exchange::report::{RENDERINGS, Rendering, Report};
+use fitcheck_exchange::report::pdf::{self, Pages};
+use fitcheck_exchange::report::template::{HeadField, Template};
+use fitcheck_exchange::report::{RENDERINGS, Rendering};
 use jiff::civil::DateTime;
 
 use super::{ReportOf, ReportsField, ReportsPage};
@@ -13,13 +13,12 @@ use crate::Session;
 use crate::effect::Effect;
 use crate::files::Content;
 use crate::page::Page;
+use crate::state::PageState as _;
 
 impl ReportsPage {
     /// The template with what was chosen beside it.
     fn made_template(&self) -> Template {
-        let template = self.template();
-        let sections = template.sections.iter().copied().filter(|section| !self.hidden.contains(section));
-        Template { sections: sections.collect(), paper: self.paper(), ..template.as_ref().clone() }
+        self.template().without(&self.hidden, self.paper())
     }
 
     /// Asks for the pages of a report; while others are being drawn, it waits for them.
@@ -35,11 +34,7 @@ impl ReportsPage {
         }
     }
 
-    pub(super) fn take_pages(
-        &mut self,
-        run: u64,
-        result: Result<Arc<fitcheck_exchange::report::pdf::Pages>, Message>,
-    ) {
+    pub(super) fn take_pages(&mut self, run: u64, result: Result<Arc<Pages>, Message>) {
         if self.at_work == Some(run) {
             self.at_work = None;
             self.pages = Some(result);
@@ -48,27 +43,39 @@ impl ReportsPage {
 }
 
 impl Session {
-    /// What there is something of to report.
-    pub fn reportable(&self) -> impl Iterator<Item = ReportOf> {
-        ReportOf::ALL.into_iter().filter(|of| match of {
+    /// Whether there is something of it to report.
+    pub fn can_report(&self, of: ReportOf) -> bool {
+        match of {
             ReportOf::Part => self.parts.walking.is_begun(),
             ReportOf::Check => self.check.shown.is_some(),
             ReportOf::List => self.check.rows.is_some() || !self.shared.history.is_empty(),
             ReportOf::Records => 0 < self.records.reported(),
-        })
+        }
     }
 
     /// What the reports page is about: what was chosen, as long as there is something of it.
     pub fn report_of(&self) -> Option<ReportOf> {
-        let chosen = self.reports.of.filter(|of| self.reportable().any(|other| other == *of));
-        chosen.or_else(|| self.reportable().next())
+        let chosen = self.reports.of.filter(|of| self.can_report(*of));
+        chosen.or_else(|| ReportOf::ALL.into_iter().find(|of| self.can_report(*of)))
     }
 
     /// Asks for the pages that the open reports page does not have yet.
     pub(crate) fn draw_report(&mut self, now: DateTime) -> Vec<Effect> {
-        if self.shared.page == Page::Reports && self.reports.is_stale && self.reports.at_work.is_none() {
-            let made = self.made_report(&fitcheck_exchange::report::pdf::RENDERING, now);
+        let is_open = self.shared.page == Page::Reports;
+        if is_open && self.reports.is_stale && self.reports.at_work.is_none() {
+            let made = self.made_report(&pdf::RENDERING, now);
             self.reports.draw(made);
+        }
+        if std::mem::take(&mut self.reports.reads_templates)
+            && let Some(file) = &self.settings_page.state_file
+        {
+            self.reports.errands.push(Effect::ReadTemplates(file.with_file_name("templates")));
+        }
+        if std::mem::take(&mut self.reports.prints) {
+            match self.made_report(&pdf::RENDERING, now) {
+                Ok(content) => self.reports.errands.push(Effect::Print(Box::new(content))),
+                Err(why) => self.shared.tell(why),
+            }
         }
         self.reports.errands.drain(..).collect()
     }
@@ -84,25 +91,22 @@ impl Session {
 
     fn made_report(&self, rendering: &'static Rendering, now: DateTime) -> Result<Content, Message> {
         let of = self.report_of().ok_or_else(|| message!("reports-page-nothing"))?;
-        let report = match of {
-            ReportOf::Part => self.parts.report(now),
-            ReportOf::Check => self.check.shown.as_ref().map(|shown| Report::new(now, vec![Arc::clone(&shown.record)])),
-            ReportOf::List => Some(self.listed_report(now)?),
-            ReportOf::Records => Some(self.records_report(now)),
-        };
-        let mut report = report.ok_or_else(|| message!("reports-page-nothing"))?;
-        report.template = Arc::new(self.reports.made_template());
+        let mut composed = self.composed(of, now)?;
+        let words = self.shared.report_words_in(self.reports.language());
+        let template = Arc::new(self.reports.made_template());
+        let report = &mut composed.report;
+        report.title = template.text(&template.title, &words);
+        report.paper = template.paper;
+        report.template = template;
+        report.tell(HeadField::Inspector, self.shared.recording.who());
         for field in ReportsField::all() {
-            let text = self.reports.texts.text(*field).trim().to_owned();
-            if text.is_empty() {
-                continue;
-            }
+            let text = self.reports.text(*field);
             match field.head() {
-                None => report.title = text,
+                None if text.trim().is_empty() => {}
+                None => text.trim().clone_into(&mut report.title),
                 Some(head) => report.tell(head, text),
             }
         }
-        let words = self.reports.language().map_or_else(|| self.shared.report_words(), |language| self.shared.report_words_in(language));
-        Ok(Content::Report { report: Box::new(report), rendering, words: Arc::new(words) })
+        Ok(composed.content(rendering, words))
     }
 }

@@ -23,7 +23,8 @@ use std::sync::Arc;
 use fitcheck_core::message::Message;
 use fitcheck_core::words::Language;
 use fitcheck_exchange::report::pdf::Pages;
-use fitcheck_exchange::report::template::{Paper, Section, Template};
+use fitcheck_exchange::report::paper::Paper;
+use fitcheck_exchange::report::template::{Section, Template};
 
 pub use actions::ReportsAction;
 pub use command::ReportsCommand;
@@ -108,6 +109,10 @@ pub struct ReportsPage {
     pub magnification: Magnification,
     /// Whether what is shown is not what would be written now.
     is_stale: bool,
+    /// Whether the user's own templates are to be read.
+    reads_templates: bool,
+    /// Whether it is to be printed.
+    prints: bool,
     /// The number of the last question, and whether its answer is awaited.
     run: u64,
     at_work: Option<u64>,
@@ -126,9 +131,9 @@ impl ReportsPage {
     }
 
     /// The chosen template as it is.
-    pub fn template(&self) -> &Arc<Template> {
+    pub fn template(&self) -> Arc<Template> {
         let named = self.templates().find(|template| template.name == self.template);
-        named.unwrap_or_else(|| Template::first())
+        named.or_else(|| Template::shipped().first()).map_or_else(Template::usual, Arc::clone)
     }
 
     /// Whether a section of the template stands on the pages.

@@ -8,8 +8,9 @@ use fitcheck_core::words::Words;
 
 use super::card::{Card, Count};
 use super::flow::{Flow, base};
-use super::look::{GAP, LABEL, SIDE, STRONG, SUBTITLE, TEXT, TITLE};
-use super::sheet::Shape;
+use super::look::{GAP, LABEL, NOTE, SIDE, STRONG, SUBTITLE, TEXT, TITLE};
+use super::pictures::Pictures;
+use super::sheet::{Area, Shape};
 use super::tags::{Kind, TagId, Tags};
 use crate::report::Report;
 use crate::report::origins::Entry;
@@ -31,13 +32,18 @@ pub(super) fn title(report: &Report, words: &Words) -> String {
 }
 
 /// Writes title, and what the report is about; on the right the company.
-pub(super) fn write_title(flow: &mut Flow<'_>, report: &Report, title: &str, about: &str) {
+pub(super) fn write_title(
+    flow: &mut Flow<'_>,
+    (report, pictures): (&Report, &Pictures),
+    [title, about]: [&str; 2],
+    words: &Words,
+) {
     let plain: String = title.chars().take(MOST_NAME).collect();
     let heading = flow.tags.add(Tags::ROOT, Kind::Heading(1, plain));
     let top = flow.y;
-    let company = &report.template.company;
+    let has_company = !report.template.company.name.is_empty() || pictures.logo.is_some();
     // The sign of what is simulated has its place on the right.
-    let aside = if company.name.is_empty() { 120.0 } else { COMPANY };
+    let aside = if has_company { COMPANY } else { 120.0 };
     let lines = flow.wrap(title, TITLE, flow.width() - aside, 3);
     flow.lines(heading, SIDE, TITLE, lines);
     if !about.is_empty() {
@@ -46,23 +52,54 @@ pub(super) fn write_title(flow: &mut Flow<'_>, report: &Report, title: &str, abo
         flow.lines(element, SIDE, SUBTITLE, lines);
     }
     let left = flow.y;
-    if !company.name.is_empty() {
-        flow.y = top + 20.0;
+    if has_company {
+        flow.y = top + SIMULATED;
+        write_company(flow, report, pictures);
+    }
+    flow.y = flow.y.max(left);
+    if let Some(why) = &pictures.no_logo {
+        flow.paragraph(Tags::ROOT, NOTE.in_ink(TEXT), &words.say(why));
+    }
+    flow.y += GAP - 2.0;
+}
+
+/// What the sign of what is simulated needs at the top.
+const SIMULATED: f32 = 22.0;
+
+/// The height of a logo, and its most width.
+const LOGO: [f32; 2] = [34.0, 76.0];
+
+/// Name and address up to the right edge, and the logo before them.
+fn write_company(flow: &mut Flow<'_>, report: &Report, pictures: &Pictures) {
+    let company = &report.template.company;
+    let top = flow.y;
+    let mut widest: f32 = 0.0;
+    let address = company.address.iter().map(|line| (LABEL, line));
+    let name = std::iter::once((STRONG, &company.name)).filter(|(_, name)| !name.is_empty());
+    for (style, text) in name.chain(address) {
         let element = flow.tags.add(Tags::ROOT, Kind::Paragraph);
-        let address = company.address.iter().map(|line| (LABEL, line));
-        for (style, text) in std::iter::once((STRONG, &company.name)).chain(address) {
-            for line in flow.wrap(text, style, COMPANY - 10.0, 2) {
-                let place = [flow.right(), base(flow.y, style.line(), style)];
-                flow.say_to(Some(element), place, style, line);
-                flow.y += style.line();
-            }
+        for line in flow.wrap(text, style, COMPANY - LOGO[1] - 20.0, 2) {
+            widest = widest.max(flow.fonts.width(&line, style.weight, style.size));
+            let place = [flow.right(), base(flow.y, style.line(), style)];
+            flow.say_to(Some(element), place, style, line);
+            flow.y += style.line();
         }
     }
-    flow.y = flow.y.max(left) + GAP - 2.0;
+    let Some((number, drawable)) = pictures.logo.and_then(|number| Some((number, pictures.all.get(number)?))) else {
+        return;
+    };
+    let width = (LOGO[0] / drawable.proportion().max(1e-4)).min(LOGO[1]);
+    let gap = if 0.0 < widest { 10.0 } else { 0.0 };
+    let area = Area::new(flow.right() - widest - gap - width, top, width, width * drawable.proportion());
+    let place = Some((flow.page(), [area.x, area.y, area.width, area.height]));
+    let said = if company.name.is_empty() { company.logo.clone() } else { company.name.clone() };
+    let figure = flow.tags.add(Tags::ROOT, Kind::Figure(said, place));
+    flow.put(Some(figure), Shape::Picture(area, number));
+    flow.y = flow.y.max(area.bottom());
 }
 
 /// The width that the company has.
-const COMPANY: f32 = 190.0;
+const COMPANY: f32 = 240.0;
 
 /// The most signs of a name where it is only said, such as in the outline.
 pub(super) const MOST_NAME: usize = 300;

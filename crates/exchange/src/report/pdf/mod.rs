@@ -159,7 +159,7 @@ fn write(
         [only] => heading(only, words),
         _ => report.part.clone().unwrap_or_default(),
     };
-    head::write_title(flow, report, &title, &about);
+    head::write_title(flow, (report, pictures), [&title, &about], words);
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
     let card = answer(report, seen, words)?;
     let shows = |section| report.template.has(section);

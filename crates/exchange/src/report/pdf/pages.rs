@@ -54,6 +54,8 @@ pub struct Pages {
     sheets: Vec<Sheet>,
     /// The pictures on them, by their numbers.
     pub pictures: Vec<(String, Image)>,
+    /// The same as dots, once somebody has decoded them: name, width and height, four bytes a dot.
+    pub dots: Vec<Option<(String, [usize; 2], Vec<u8>)>>,
 }
 
 impl Pages {
@@ -66,7 +68,7 @@ impl Pages {
     }
 
     pub(super) const fn new(size: [f32; 2], sheets: Vec<Sheet>, pictures: Vec<(String, Image)>) -> Self {
-        Self { size, sheets, pictures }
+        Self { size, sheets, pictures, dots: Vec::new() }
     }
 
     pub const fn count(&self) -> usize {

@@ -37,7 +37,7 @@ pub(super) enum Drawable {
 
 impl Drawable {
     /// Its height where it is 1 wide.
-    fn proportion(&self) -> f32 {
+    pub fn proportion(&self) -> f32 {
         match self {
             Self::Dots(dots) => {
                 let (width, height) = dots.size();
@@ -54,6 +54,10 @@ pub(super) struct Pictures {
     pub all: Vec<Drawable>,
     /// The same as they were given, with their names.
     pub sources: Vec<(String, Image)>,
+    /// The company's logo.
+    pub logo: Option<usize>,
+    /// Why it is not shown.
+    pub no_logo: Option<Message>,
     /// Of each part: its picture, or why there is none.
     of_parts: Vec<Option<Result<usize, Message>>>,
 }
@@ -83,6 +87,18 @@ impl Pictures {
                     .clone(),
             });
             pictures.of_parts.push(found);
+        }
+        let name = &report.template.company.logo;
+        let logo = report.template.logo.clone().filter(|_| !name.is_empty());
+        let logo = logo.map(|logo| logo.and_then(|image| Ok((drawable(name, &image)?, image))));
+        match logo.filter(|_| refused.is_none()) {
+            Some(Ok((drawable, image))) => {
+                pictures.logo = Some(pictures.all.len());
+                pictures.all.push(drawable);
+                pictures.sources.push((name.clone(), image));
+            }
+            Some(Err(why)) => pictures.no_logo = Some(why),
+            None => {}
         }
         pictures
     }

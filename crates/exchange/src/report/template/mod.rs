@@ -20,12 +20,13 @@ use std::collections::BTreeSet;
 use std::hash::Hash;
 use std::sync::{Arc, LazyLock};
 
-use fitcheck_core::message::{FilePlace, Located, Say};
+use fitcheck_core::message::{FilePlace, Located, Message, Say};
 use fitcheck_core::words::{Language, Words};
 use serde::Deserialize;
 
 pub use parts::{Column, HeadField, Section};
 
+use super::image::Image;
 use super::paper::Paper;
 
 /// The version of the file that this program reads.
@@ -69,6 +70,9 @@ pub struct Template {
     pub rule_text: String,
     #[serde(default)]
     pub company: Company,
+    /// The logo that it names, or why it is not shown: whoever reads the file reads it, too.
+    #[serde(skip)]
+    pub logo: Option<Result<Image, Message>>,
 }
 
 /// Who stands at the top of the page.
@@ -182,7 +186,15 @@ impl Template {
             columns: Column::usual(),
             rule_text: String::new(),
             company: Company::default(),
+            logo: None,
         }
+    }
+
+    /// The same on a paper, without some sections.
+    #[must_use]
+    pub fn without(&self, hidden: &BTreeSet<Section>, paper: Paper) -> Self {
+        let shown = self.sections.iter().copied().filter(|section| !hidden.contains(section));
+        Self { sections: shown.collect(), paper, ..self.clone() }
     }
 
     /// A text of it in a language: those of a shipped one are names of texts.

@@ -1,12 +1,12 @@
 //! What a template chooses from: each word once, with its text's name.
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Declares words that a template may use: the variant, the word, the name of its text.
 macro_rules! words {
     ($(#[$doc:meta])* $Name:ident { $($(#[$of:meta])* $variant:ident: $word:literal, $text:literal;)+ }) => {
         $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
         pub enum $Name {
             $($(#[$of])* #[serde(rename = $word)] $variant,)+
         }
