@@ -20,6 +20,7 @@ use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
+use crate::report::paper::Paper;
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -59,9 +60,13 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     inspector: Option<String>,
 
-    /// Language of the HTML report; CSV and JSON are the same in every language
+    /// Language of a report as HTML or PDF; CSV and JSON are the same in every language
     #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
     language: Language,
+
+    /// Paper of a report as PDF
+    #[arg(long, default_value = "a4", value_parser = one_of(Paper::ALL.iter().copied(), |paper| paper.name()))]
+    paper: Paper,
 
     /// Date and time of the report, and of checks without their own; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
@@ -90,14 +95,19 @@ Examples:
   fitcheck report bores.csv --rule iso14253-2017 --budget station3.toml -o report.html
   fitcheck report bores.csv --temperature 26 --material steel -o report.html
   fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
+  fitcheck report --plan flange.toml results.qif --language de -o flange.pdf
+  fitcheck report bores.csv --paper letter -o report.pdf
   fitcheck report --check \"25 H7=25.012\" -o - --format json
+
+A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached to it, unless they
+are very large; the file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
 positions on the picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
+error, and in the report as HTML, PDF and JSON; the others are reported, and the exit code is 1. With
 --plan it is that of the worst part, by the value of each feature that counts (the last one by its
 time; if values contradict each other, the worst one), and 1 if none is worse than good but a
 part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
@@ -131,7 +141,7 @@ enum Output {
     File(PathBuf, &'static Rendering),
 }
 
-/// The help of `--output`: `.html, .htm, .csv or .json`.
+/// The help of `--output`: `.html, .htm, .csv, .json or .pdf`.
 fn output_help() -> String {
     let endings = report::endings().replace(' ', ", ");
     let (first, last) = endings.rsplit_once(", ").unwrap_or(("", &endings));
@@ -201,6 +211,7 @@ impl Args {
             inspector: self.inspector.clone(),
             notes: collected.notes(),
             parts,
+            paper: self.paper,
             ..Report::new(now, Arc::clone(&checks))
         };
         if rendering.is_checks_alone {
