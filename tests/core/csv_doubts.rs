@@ -311,7 +311,7 @@ fn a_report_as_csv_says_what_it_does_not_hold() {
     for output in [["-o", "r.csv"].as_slice(), &["-o", "-", "--format", "csv"]] {
         let said = report(output, &head);
         assert_eq!(said.code, 1);
-        let words = "warning: CSV has no place for --title, --part, --order, --inspector: HTML and JSON do";
+        let words = "warning: CSV has no place for --title, --part, --order, --inspector: HTML, JSON and PDF do";
         assert!(said.err.contains(words), "{}", said.err);
         assert!(said.err.contains("warning: 1 note is not in the CSV: HTML and JSON contain it"), "{}", said.err);
         let said = report(output, &["--part", "4711"]);

@@ -77,6 +77,7 @@ fn is_of(file: &Path, module: &[&str]) -> bool {
 fn every_test_that_a_document_names_exists() {
     let mut files = Vec::new();
     sources(&root().join("tests"), &mut files);
+    sources(&root().join("crates/exchange/tests"), &mut files);
     for folder in source_folders() {
         sources(&folder, &mut files);
     }

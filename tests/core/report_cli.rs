@@ -191,10 +191,32 @@ fn values_that_are_no_diameter_are_refused() {
     }
 }
 
+/// What a PDF says is read again in `crates/exchange/tests/pdf`.
+#[test]
+fn a_pdf_is_the_same_every_time_and_has_its_data_attached() {
+    let made = |paper: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report.pdf");
+        let args = [&THREE[..], &["--language", "nl", "--paper", paper, "-o", path.to_str().unwrap()]].concat();
+        let (code, _, err) = run(&args);
+        assert_eq!(code, 11, "{err}");
+        std::fs::read(path).unwrap()
+    };
+    let a4 = made("a4");
+    assert_eq!(a4, made("a4"));
+    assert_ne!(a4, made("letter"));
+    let has = |text: &[u8]| a4.windows(text.len()).any(|piece| piece == text);
+    assert!(a4.starts_with(b"%PDF-1.7\n"));
+    for text in ["/AFRelationship/Data", "(report.json)", "(checks.csv)", "/Lang(nl)"] {
+        assert!(has(text.as_bytes()), "{text}");
+    }
+    assert!(!has(b"<script>"));
+}
+
 #[test]
 fn an_unknown_ending_lists_the_known_ones() {
     for (file, reason) in [
-        ("report.pdf", ".pdf is not a format of the report: use one of "),
+        ("report.xps", ".xps is not a format of the report: use one of "),
         ("report", "report has no ending that gives the report's format: use one of "),
     ] {
         let (code, _, err) = run(&["--check", "25 H7=25.01", "-o", file]);

@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source a volby normy se nepoužijí: b
 cli-warning-empty-cell = { $class } nad { $over } do { $to } mm zůstává prázdné: ISO 286 nemá pro celý rozsah jedinou hodnotu
 cli-warning-budget-option = --{ $option } nemá účinek: bilance na tom nezávisí
 cli-warning-contacts-left = cyklus použil { $used } z { $count } bodů dotyku
-cli-warning-not-in-csv = CSV nemá místo pro { $options }: HTML a JSON ano
+cli-warning-not-in-csv = CSV nemá místo pro { $options }: HTML, JSON a PDF ano
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } hlášení není v CSV: HTML a JSON je obsahují
     [few] { $count } hlášení nejsou v CSV: HTML a JSON je obsahují

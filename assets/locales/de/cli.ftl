@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source und Optionen der Norm werden ni
 cli-warning-empty-cell = { $class } über { $over } bis { $to } mm bleibt leer: ISO 286 hat keinen Wert, der für den ganzen Bereich gilt
 cli-warning-budget-option = --{ $option } hat keine Wirkung: das Budget hängt nicht davon ab
 cli-warning-contacts-left = der Zyklus hat { $used } von { $count } Antastpunkten verwendet
-cli-warning-not-in-csv = CSV hat keinen Platz für { $options }: HTML und JSON schon
+cli-warning-not-in-csv = CSV hat keinen Platz für { $options }: HTML, JSON und PDF schon
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } Hinweis steht nicht in der CSV: HTML und JSON enthalten ihn
    *[other] { $count } Hinweise stehen nicht in der CSV: HTML und JSON enthalten sie

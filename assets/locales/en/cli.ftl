@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source and options of the standard are
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-budget-option = --{ $option } has no effect: the budget does not depend on it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
-cli-warning-not-in-csv = CSV has no place for { $options }: HTML and JSON do
+cli-warning-not-in-csv = CSV has no place for { $options }: HTML, JSON and PDF do
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } note is not in the CSV: HTML and JSON contain it
    *[other] { $count } notes are not in the CSV: HTML and JSON contain them

@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source y las opciones de la norma no s
 cli-warning-empty-cell = { $class } más de { $over } hasta { $to } mm queda vacío: ISO 286 no tiene un valor único para todo el intervalo
 cli-warning-budget-option = --{ $option } no tiene efecto: el balance no depende de ello
 cli-warning-contacts-left = el ciclo usó { $used } de { $count } puntos de palpación
-cli-warning-not-in-csv = CSV no tiene lugar para { $options }: HTML y JSON sí
+cli-warning-not-in-csv = CSV no tiene lugar para { $options }: HTML, JSON y PDF sí
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } nota no está en el CSV: HTML y JSON la contienen
    *[other] { $count } notas no están en el CSV: HTML y JSON las contienen

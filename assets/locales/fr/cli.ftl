@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source et les options de la norme ne s
 cli-warning-empty-cell = { $class } au-delà de { $over } jusqu'à { $to } mm reste vide : ISO 286 n'a pas de valeur unique pour tout cela
 cli-warning-budget-option = --{ $option } n'a pas d'effet : le bilan n'en dépend pas
 cli-warning-contacts-left = le cycle a utilisé { $used } points de palpage sur { $count }
-cli-warning-not-in-csv = CSV n'a pas de place pour { $options } : HTML et JSON en ont
+cli-warning-not-in-csv = CSV n'a pas de place pour { $options } : HTML, JSON et PDF en ont
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } note n'est pas dans le CSV : HTML et JSON la contiennent
    *[other] { $count } notes ne sont pas dans le CSV : HTML et JSON les contiennent

@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source e le opzioni della norma non ve
 cli-warning-empty-cell = { $class } oltre { $over } fino a { $to } mm resta vuoto: ISO 286 non ha un valore unico per tutto il campo
 cli-warning-budget-option = --{ $option } non ha effetto: il bilancio non ne dipende
 cli-warning-contacts-left = il ciclo ha usato { $used } di { $count } punti di contatto
-cli-warning-not-in-csv = CSV non ha posto per { $options }: HTML e JSON sì
+cli-warning-not-in-csv = CSV non ha posto per { $options }: HTML, JSON e PDF sì
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } nota non è nel CSV: HTML e JSON la contengono
    *[other] { $count } note non sono nel CSV: HTML e JSON le contengono

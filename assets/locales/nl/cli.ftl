@@ -141,7 +141,7 @@ cli-warning-tables-not-used = --tables, --source en opties van de norm worden ni
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-budget-option = --{ $option } heeft geen effect: het budget hangt er niet van af
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
-cli-warning-not-in-csv = CSV heeft geen plaats voor { $options }: HTML en JSON wel
+cli-warning-not-in-csv = CSV heeft geen plaats voor { $options }: HTML, JSON en PDF wel
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } opmerking staat niet in de CSV: in HTML en JSON wel
    *[other] { $count } opmerkingen staan niet in de CSV: in HTML en JSON wel

@@ -154,7 +154,7 @@ cli-warning-tables-not-used = --tables, --source i opcje normy nie są używane:
 cli-warning-empty-cell = { $class } ponad { $over } do { $to } mm pozostaje puste: ISO 286 nie ma jednej wartości dla całego zakresu
 cli-warning-budget-option = --{ $option } nie działa: budżet od tego nie zależy
 cli-warning-contacts-left = cykl użył { $used } z { $count } punktów pomiarowych
-cli-warning-not-in-csv = CSV nie ma miejsca na { $options }: mają je HTML i JSON
+cli-warning-not-in-csv = CSV nie ma miejsca na { $options }: mają je HTML, JSON i PDF
 cli-warning-notes-not-in-csv = { $count ->
     [one] { $count } uwagi nie ma w CSV: zawierają ją HTML i JSON
    *[other] { $count } uwag nie ma w CSV: zawierają je HTML i JSON

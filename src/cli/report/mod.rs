@@ -25,6 +25,7 @@ use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
 use crate::proof::{Seen, SeenFile};
+use crate::report::paper::Paper;
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -64,9 +65,13 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     inspector: Option<String>,
 
-    /// Language of the report as HTML, Markdown or XLSX; the other formats are the same in every language
+    /// Language of the report as HTML, PDF, Markdown or XLSX; the other formats are the same in every language
     #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
     language: Language,
+
+    /// Paper of a report as PDF
+    #[arg(long, default_value = "a4", value_parser = one_of(Paper::ALL.iter().copied(), |paper| paper.name()))]
+    paper: Paper,
 
     /// Date and time of the report, and of checks without their own; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
@@ -98,10 +103,15 @@ Examples:
   fitcheck report bores.csv --rule iso14253-2017 --budget station3.toml -o report.html
   fitcheck report bores.csv --temperature 26 --material steel -o report.html
   fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
+  fitcheck report --plan flange.toml results.qif --language de -o flange.pdf
+  fitcheck report bores.csv --paper letter -o report.pdf
   fitcheck report --check \"25 H7=25.012\" -o - --format json
   fitcheck report bores.csv -o bores.html --record --who Anna
   fitcheck report bores.csv -o report.xlsx
   fitcheck report --plan flange.toml results.csv -o flange.dfq
+
+A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached to it, unless they
+are very large; the file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
@@ -223,6 +233,7 @@ impl Args {
             inspector: self.inspector.clone(),
             notes: collected.notes(),
             parts,
+            paper: self.paper,
             ..Report::new(now, Arc::clone(&checks))
         };
         if rendering.is_checks_alone {

@@ -21,7 +21,7 @@ fn a_name_of_ten_thousand_signs_is_cut_and_that_is_told() {
     let all: String = pdf.pages().iter().map(|page| pdf.text(*page)).collect();
     assert!(all.contains("A text that ends in … is cut here"), "{all}");
     // It is whole in the attached data.
-    assert!(String::from_utf8(pdf.attachments()[0].2.clone()).unwrap().contains(&long));
+    assert!(String::from_utf8(pdf.attachments()[1].2.clone()).unwrap().contains(&long));
 }
 
 #[test]

@@ -15,8 +15,9 @@ fn first(report: &Report) -> String {
 }
 
 fn with_picture(picture: &[u8]) -> PartSheet {
-    let picture = Some(Image::read("flange.png", picture));
-    PartSheet { picture, ..part(&whole()) }
+    let mut sheet = part(&whole());
+    sheet.picture = Some(Image::read("flange.png", picture));
+    sheet
 }
 
 /// A PNG of 2 × 2 dots whose content is what is given.

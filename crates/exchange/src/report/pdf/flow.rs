@@ -88,7 +88,8 @@ impl<'a> Flow<'a> {
 
     /// The same, up to a place on the right.
     pub fn say_to(&mut self, element: Option<TagId>, [right, y]: Place, style: Style, text: String) {
-        let width = self.fonts.width(&text, style.weight, style.size);
+        // The space that parts it from the next line is beyond the edge.
+        let width = self.fonts.width(text.trim_end(), style.weight, style.size);
         self.say(element, [right - width, y], style, text);
     }
 
@@ -126,6 +127,15 @@ impl<'a> Flow<'a> {
         let shape = Shape::Line { from: [SIDE, y], to: [self.right(), y], width, ink };
         self.put(None, shape);
     }
+}
+
+/// Lines that belong together, with a space between them for whoever hears or copies them.
+pub(super) fn apart(mut lines: Vec<String>) -> Vec<String> {
+    let all = lines.len();
+    for line in lines.iter_mut().take(all.saturating_sub(1)).filter(|line| !line.ends_with(' ')) {
+        line.push(' ');
+    }
+    lines
 }
 
 /// The most lines of a paragraph.

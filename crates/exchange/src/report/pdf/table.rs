@@ -5,7 +5,7 @@ use fitcheck_core::words::Words;
 
 use super::bands::BandShape;
 use super::columns::{self, Widths};
-use super::flow::{Flow, base};
+use super::flow::{Flow, apart, base};
 use super::fonts::Fonts;
 use super::look::{CELL, CHIP, GAP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
 use super::sheet::{Area, Edge, Shape};
@@ -103,7 +103,7 @@ impl Table {
             let [_, width] = widths.of(column);
             let mut lines = flow.wrap(&columns::head(column, words), LABEL, width - 2.0 * PAD, MOST_LINES);
             lines.extend(columns::unit(column).map(str::to_owned));
-            heads.push((column, lines));
+            heads.push((column, apart(lines)));
         }
         Self { widths, heads, section, body: section }
     }
@@ -173,7 +173,8 @@ impl Table {
             texts.push((column, lines));
         }
         let width = flow.right() - self.left() - 2.0 * PAD;
-        let notes = row.notes.iter().flat_map(|note| flow.wrap(note, NOTE, width, MOST_LINES)).collect::<Vec<_>>();
+        let notes: Vec<_> =
+            row.notes.iter().flat_map(|note| flow.wrap(&format!("{note} "), NOTE, width, MOST_LINES)).collect();
         let simulated = if row.is_simulated { 8.0 } else { 0.0 };
         let height = (ROW + count(most.saturating_sub(1)) * NEXT).max(ROW + simulated);
         let below = if notes.is_empty() { 0.0 } else { count(notes.len()) * NEXT + 2.0 };
@@ -204,7 +205,11 @@ impl Table {
                 Column::Verdict => chip(flow, cell, area, row),
                 _ => {
                     let mut y = flow.y + (height - count(lines.len()) * NEXT) / 2.0;
-                    for line in lines {
+                    for mut line in lines {
+                        // The notes are read after where the value is from.
+                        if column == Column::From && !notes.is_empty() {
+                            line.push(' ');
+                        }
                         self.set(flow, Some(cell), column, base(y, NEXT, CELL), style(column), line);
                         y += NEXT;
                     }
@@ -281,8 +286,9 @@ fn chip(flow: &mut Flow<'_>, cell: TagId, area: Area, row: &Row) {
     let tone = tone(row.status);
     let ink = if row.is_simulated || row.status.is_none() { TEXT } else { tone.on };
     let style = CHIP.in_ink(ink);
-    let lines: Vec<String> = row.word.lines().map(str::to_owned).collect();
-    let width = lines.iter().map(|line| flow.fonts.width(line, style.weight, style.size)).fold(0.0, f32::max);
+    let lines = apart(row.word.lines().map(str::to_owned).collect());
+    let width =
+        lines.iter().map(|line| flow.fonts.width(line.trim_end(), style.weight, style.size)).fold(0.0, f32::max);
     let height = 4.4 + count(lines.len()) * 9.0;
     let chip = Area::new(area.x + PAD, area.middle()[1] - height / 2.0, width + CHIP_MORE, height);
     let edge = row.is_simulated.then_some(Edge { ink: TEXT, width: 0.8, is_dashed: true });
