@@ -1,6 +1,6 @@
 //! The language of questions to a journal: what each word asks for, errors with their places, and texts that read back.
 
-use fitcheck::journal::ask::{LocalNow, Question};
+use fitcheck::journal::ask::{AskedKinds, LocalNow, Question};
 use fitcheck::verdict::Status;
 use jiff::Timestamp;
 use jiff::tz::{Offset, TimeZone};
@@ -24,7 +24,7 @@ fn ms(text: &str) -> i64 {
 fn every_word_asks_for_what_it_says() {
     let some = |text: &str| Some(text.to_owned());
     let all = "part:Flange serial:17* feature:B1 callout:\"25H7\" class:H7 verdict:scrap,Rework who:Anna \
-        station:\"Mill 3\" from:2026-11-01 to:2026-11-23 measured standing burr";
+        station:\"Mill 3\" from:2026-11-01 to:2026-11-23 measured standing checks burr";
     let wanted = Question {
         part: some("Flange"),
         serial: some("17*"),
@@ -38,11 +38,14 @@ fn every_word_asks_for_what_it_says() {
         before_ms: Some(ms("2026-11-23T23:00:00Z")),
         simulated: Some(false),
         standing: true,
+        kinds: AskedKinds::Checks,
         words: vec!["burr".to_owned()],
     };
     assert_eq!(read(all), wanted);
     assert_eq!(read(" \t "), Question::default());
     assert_eq!(read("PART:x Simulated"), Question { part: some("x"), simulated: Some(true), ..Question::default() });
+    assert_eq!(read("Reports flange").kinds, AskedKinds::Reports);
+    assert_eq!(read("\"reports\""), Question { words: vec!["reports".to_owned()], ..Question::default() });
     assert_eq!(read("part:\"\""), Question { part: some(""), ..Question::default() });
     assert_eq!(read("part:\"a \"\"b\"\"\"").part, some("a \"b\""));
     // Limits from a log have no callout.
@@ -135,6 +138,8 @@ fn what_is_no_question_is_refused_with_its_place_and_what_is_allowed() {
     refused("today week", "week is given twice (character 7)");
     refused("simulated measured", "simulated and measured exclude each other (character 11)");
     refused("standing standing", "standing is given twice (character 10)");
+    refused("reports reports", "reports is given twice (character 9)");
+    refused("reports checks", "reports and checks exclude each other (character 9)");
     refused("part:\"a b", "a quotation mark is not closed (character 6)");
     refused("part:\"a\"b", "expected a blank after the closing quotation mark, found b (character 9)");
     refused("\"\"", "a word in quotation marks is empty (character 1)");
@@ -166,12 +171,13 @@ fn any_question() -> impl Strategy<Value = Question> {
         0..4_u8,
         any::<bool>(),
     );
-    let rest = (proptest::option::of(any::<bool>()), any::<bool>(), proptest::collection::vec(any_text(), 0..3));
+    let kinds = select([AskedKinds::All, AskedKinds::Checks, AskedKinds::Reports].as_slice());
+    let rest = (proptest::option::of(any::<bool>()), any::<bool>(), kinds, proptest::collection::vec(any_text(), 0..3));
     (names, callout, class, verdicts, span, rest).prop_map(|(names, callout, class, verdicts, span, rest)| {
         let mut names = names.into_iter();
         let (begin, length, which, is_day) = span;
         let begin = if is_day { begin / 86_400_000 * 86_400_000 - 3_600_000 } else { begin };
-        let (simulated, standing, words) = rest;
+        let (simulated, standing, kinds, words) = rest;
         Question {
             part: names.next().unwrap(),
             serial: names.next().unwrap(),
@@ -185,6 +191,7 @@ fn any_question() -> impl Strategy<Value = Question> {
             before_ms: (which & 2 == 2).then_some(begin + length),
             simulated,
             standing,
+            kinds,
             words: words.into_iter().filter(|word| !word.trim().is_empty()).collect(),
         }
     })

@@ -10,8 +10,9 @@ use fitcheck::journal::body::{self, BodyError, read, write};
 use fitcheck::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck::journal::entry::{
     About, Begin, Check, CheckRemark, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, Entry, FileRole,
-    Moment, UsedFile,
+    Moment, Reported, Shown, UsedFile,
 };
+use fitcheck::journal::ranges::EntryRanges;
 use fitcheck::length::Length;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin, measure_contacts};
 use fitcheck::tolerance::fit::thermal::{self, Warm};
@@ -266,6 +267,26 @@ fn any_head() -> impl Strategy<Value = Head> {
     (1..1_u64 << 53, any::<[u8; 32]>()).prop_map(|(number, hash)| Head { number, hash: Hash(hash) })
 }
 
+fn any_report() -> impl Strategy<Value = Reported> {
+    let name = || "[a-zé ]{0,9}x(\\.html)?";
+    let checks = proptest::collection::vec(2..1_u64 << 53, 0..9).prop_map(EntryRanges::of);
+    let shown = (checks, 0..1_u64 << 53, any::<[u8; 32]>(), any::<bool>());
+    let shown = shown.prop_map(|(checks, unrecorded, hash, is_head)| {
+        let number = checks.last().or(is_head.then_some(7));
+        Shown { checks, unrecorded, head: number.map(|number| Head { number, hash: Hash(hash) }) }
+    });
+    (name(), name(), any::<[u8; 32]>(), 0..1_u64 << 53, any_name(), shown).prop_map(
+        |(name, format, sha256, bytes, title, shown)| Reported {
+            name,
+            format,
+            sha256: Hash(sha256),
+            bytes,
+            title,
+            shown,
+        },
+    )
+}
+
 fn any_content() -> impl Strategy<Value = Content> {
     let correction = || {
         (any_head(), "[a-zé ]{0,9}x").prop_map(|(target, reason)| Correction {
@@ -291,6 +312,7 @@ fn any_content() -> impl Strategy<Value = Content> {
     prop_oneof![
         1 => begin.prop_map(Content::Begin),
         1 => correction().prop_map(Content::Withdrawal),
+        1 => any_report().prop_map(Content::Report),
         8 => check.prop_map(|check| Content::Check(Box::new(check))),
     ]
 }
@@ -341,7 +363,9 @@ proptest! {
         prop_assert_eq!(write(&found).unwrap(), &bytes[..]);
         let json: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
         prop_assert!(has_whole_numbers(&json), "{}", json);
-        prop_assert_eq!(&bytes[..15], b"{\"v\":1,\"kind\":\"");
+        let version = if found.report().is_some() { '2' } else { '1' };
+        let begins = format!("{{\"v\":{version},\"kind\":\"");
+        prop_assert!(bytes.starts_with(begins.as_bytes()), "{}", String::from_utf8_lossy(&bytes));
         // What this version wrote, it decides the same.
         prop_assert_eq!(found.check().and_then(Check::remark), None);
     }
@@ -474,10 +498,13 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     assert!(matches!(changed("\"who\"", "\"whom\""), BodyError::Json { .. }));
     assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
-    assert_eq!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Newer { version: 2 });
+    assert!(matches!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Json { .. }));
+    assert_eq!(changed("{\"v\":1,", "{\"v\":3,\"colour\":{},"), BodyError::Newer { version: 3 });
+    // An entry has one body: what version 1 can hold is of version 1.
+    assert_eq!(changed("{\"v\":1,", "{\"v\":2,"), BodyError::Contradiction { field: "v" });
     assert_eq!(
         refused("{\"v\":7}").to_string(),
-        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 1"
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 2"
     );
     assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
     for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]
@@ -486,6 +513,88 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     }
     assert!(matches!(refused(&"[".repeat(1 << 20)), BodyError::Json { .. }));
     assert!(matches!(read(b"{\"v\":1,\"kind\":\"\xff\"}"), Err(BodyError::Json { .. })));
+}
+
+// ---- reports ----
+
+fn report() -> Reported {
+    let head = Some(Head { number: 9, hash: Hash([9; 32]) });
+    let shown = Shown { checks: EntryRanges::of([2, 4, 5, 6]), unrecorded: 1, head };
+    Reported {
+        name: "flange.html".to_owned(),
+        format: "html".to_owned(),
+        sha256: Hash::of_file(b"<html>"),
+        bytes: 6,
+        title: "Flange 17".to_owned(),
+        shown,
+    }
+}
+
+fn of_report(report: Reported) -> Entry {
+    Entry { about: about(), content: Content::Report(report) }
+}
+
+/// A body of a report with one text replaced by another one.
+fn changed_report(from: &str, to: &str) -> BodyError {
+    let body = written(&of_report(report()));
+    assert!(body.contains(from), "{body}");
+    refused(&body.replacen(from, to, 1))
+}
+
+#[test]
+fn a_report_is_of_the_second_version_and_found_by_its_file_and_title() {
+    let body = written(&of_report(report()));
+    assert!(body.starts_with("{\"v\":2,\"kind\":\"report\""), "{body}");
+    assert!(body.contains("\"checks\":[[2,2],[4,6]],\"unrecorded\":1,\"head\":{\"number\":9,"), "{body}");
+    let found = body::found(body.as_bytes()).unwrap().unwrap();
+    let of_report = found.report.clone().unwrap();
+    assert_eq!((&*of_report.name, of_report.sha256), ("flange.html", Hash::of_file(b"<html>")));
+    assert!(["flange", "html", "17"].iter().all(|word| found.words().iter().any(|found| found == word)));
+    assert_eq!((found.status, found.measured_nm, found.corrects), (None, None, None));
+    let bare = Reported { title: String::new(), shown: Shown::default(), ..report() };
+    let entry = Entry { about: about(), content: Content::Report(bare) };
+    assert_eq!(read(&write(&entry).unwrap()).unwrap(), entry);
+}
+
+#[test]
+fn what_a_report_cannot_say_is_refused_with_its_field() {
+    assert_eq!(changed_report("{\"v\":2,", "{\"v\":1,"), BodyError::Contradiction { field: "v" });
+    let contradiction = BodyError::Contradiction { field: "report.checks" };
+    for checks in ["[[4,2]]", "[[2,4],[4,6]]", "[[4,6],[2,2]]", "[[0,1]]", "[[2,10]]"] {
+        assert_eq!(changed_report("[[2,2],[4,6]]", checks), contradiction, "{checks}");
+    }
+    assert_eq!(changed_report("\"head\":{\"number\":9,", "\"head\":{\"number\":5,"), contradiction);
+    let value = |from, to, field| {
+        let found = changed_report(from, to);
+        assert!(matches!(&found, BodyError::Value { field: at, .. } if *at == field), "{found:?}");
+    };
+    value("[[2,2]", "[[1,2]", "report.checks");
+    value("flange.html", "out/flange.html", "report.name");
+    value("\"bytes\":6", "\"bytes\":9007199254740993", "report.bytes");
+    value("\"unrecorded\":1", "\"unrecorded\":9007199254740993", "report.unrecorded");
+    value("\"sha256\":\"", "\"sha256\":\"00", "report.sha256");
+    let empty = |field| BodyError::Empty { field };
+    assert_eq!(changed_report("flange.html", " "), empty("report.name"));
+    assert_eq!(changed_report("\"format\":\"html\"", "\"format\":\"\""), empty("report.format"));
+    for text in ["[[2,2,3]]", "[2,4]", "[[2.0,2]]", "[[-2,2]]", "null"] {
+        assert!(matches!(changed_report("[[2,2],[4,6]]", text), BodyError::Json { .. }), "{text}");
+    }
+    let long = |name: usize| write(&of_report(Reported { name: "x".repeat(name), ..report() }));
+    assert!(long(1_024).is_ok());
+    assert_eq!(long(1_025), Err(BodyError::TooLong { field: "report.name", bytes: 1_025, most: 1_024 }));
+}
+
+#[test]
+fn a_report_has_a_thousand_ranges_and_no_more() {
+    let of = |count: u64| {
+        let checks = EntryRanges::of((1..=count).map(|number| 2 * number));
+        let head = Some(Head { number: 2 * count, hash: Hash([9; 32]) });
+        write(&of_report(Reported { shown: Shown { checks, unrecorded: 0, head }, ..report() }))
+    };
+    assert!(of(1_000).is_ok());
+    let refused = of(1_001).unwrap_err();
+    assert_eq!(refused, BodyError::TooMany { field: "report.checks", count: 1_001, most: 1_000 });
+    assert_eq!(refused.to_string(), "report.checks has 1001 entries, at most 1000 are allowed");
 }
 
 // ---- what was decided stands ----
@@ -551,8 +660,8 @@ fn folder() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/journal")
 }
 
-/// A chain of three: its beginning, a check, and a check in its place.
-fn three(chain: ChainId) -> Vec<Vec<u8>> {
+/// A chain of four: its beginning, a check, a check in its place, and a report of the latter.
+fn four(chain: ChainId) -> Vec<Vec<u8>> {
     let begin = Begin { chain, program: "fitcheck 0.1.0".to_owned(), after: None };
     let first = write(&Entry { about: about(), content: Content::Begin(begin) }).unwrap();
     let u = Uncertainty::standard("1.2").unwrap();
@@ -578,16 +687,20 @@ fn three(chain: ChainId) -> Vec<Vec<u8>> {
         reason: "the serial number was that of the next part".to_owned(),
         by: "Bert".to_owned(),
     });
-    let about = About { serial: "17-0043".to_owned(), ..about() };
+    let corrected = About { serial: "17-0043".to_owned(), ..about() };
     let content = Content::Check(Box::new(Check { corrects, ..check }));
-    vec![first, second, write(&Entry { about, content }).unwrap()]
+    let third = write(&Entry { about: corrected, content }).unwrap();
+    let head = Head { number: 3, hash: entry_hash(chain, target, &third).unwrap() };
+    let shown = Shown { checks: EntryRanges::of([3]), unrecorded: 1, head: Some(head) };
+    let fourth = write(&of_report(Reported { shown, ..report() })).unwrap();
+    vec![first, second, third, fourth]
 }
 
 /// The hashes in the folder are those of `hashes.py` there, which shares no line with Fitcheck.
 #[test]
 fn golden_bodies_and_their_hashes_never_change() {
     let chain: ChainId = "000102030405060708090a0b0c0d0e0f".parse().unwrap();
-    let bodies = three(chain);
+    let bodies = four(chain);
     if std::env::var_os("JOURNAL_GOLDEN").is_some_and(|value| value == "write") {
         for (number, body) in (1..).zip(&bodies) {
             fitcheck::files::write(&folder().join(format!("{number}.json")), body).unwrap();
@@ -602,5 +715,5 @@ fn golden_bodies_and_their_hashes_never_change() {
         head = Head { number, hash: entry_hash(chain, head, &golden).unwrap() };
         assert_eq!(format!("{number} {}", head.hash), hash);
     }
-    assert_eq!(head.number, 3);
+    assert_eq!(head.number, 4);
 }

@@ -7,12 +7,13 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use fitcheck::journal::Record;
-use fitcheck::journal::ask::{LocalNow, Question};
+use fitcheck::journal::ask::{AskedKinds, LocalNow, Question};
 use fitcheck::journal::body;
-use fitcheck::journal::chain::Head;
-use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Kept, Moment};
+use fitcheck::journal::chain::{Hash, Head};
+use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Kept, Moment, Reported, Shown};
 use fitcheck::journal::found::{FoundEntry, folded};
 use fitcheck::journal::inspection::Break;
+use fitcheck::journal::ranges::EntryRanges;
 use fitcheck::length::Unit;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::store::local::{Anchors, Finding, Journal, Opening, Reader, Verified, backup, verify};
@@ -53,6 +54,21 @@ pub(crate) fn check(callout: &str, measured: &str, [part, serial, who]: [&str; 3
 
 fn good(part: &str) -> Entry {
     check("25 H7", "25.012", [part, "17", "Anna"])
+}
+
+/// A report of these checks of a journal, whose last entry is `head`.
+pub(crate) fn report(name: &str, checks: &[u64], head: Head) -> Entry {
+    let shown = Shown { checks: EntryRanges::of(checks.iter().copied()), unrecorded: 0, head: Some(head) };
+    let about = About { part: String::new(), serial: String::new(), ..good("").about };
+    let report = Reported {
+        name: name.to_owned(),
+        format: "html".to_owned(),
+        sha256: Hash::of_file(name.as_bytes()),
+        bytes: 100,
+        title: "Lot 8".to_owned(),
+        shown,
+    };
+    Entry { about, content: Content::Report(report) }
 }
 
 /// A folder with the place of a journal and of its last entries.
@@ -416,7 +432,7 @@ fn a_file_that_is_no_journal_is_left_as_it_is() {
         (b"Time;Part;Measured\n".as_slice(), "is not a journal of Fitcheck"),
         (b"x".as_slice(), "is not a journal of Fitcheck"),
         (&other, "is not a journal of Fitcheck"),
-        (&newer, "was made by a newer Fitcheck (version 99, this one supports 3)"),
+        (&newer, "was made by a newer Fitcheck (version 99, this one supports 4)"),
     ] {
         let place = Place::new();
         std::fs::create_dir_all(place.path().parent().unwrap()).unwrap();
@@ -581,8 +597,14 @@ fn mixed() -> (Place, Vec<Entry>) {
     }
     // Some of them are indexed, and others wait.
     let mut journal = place.open();
-    journal.append(&entries[..40]).unwrap();
+    journal.append(&entries[..39]).unwrap();
+    let reported = |journal: &Journal, name: &str| report(name, &[2, 3, 7], journal.head().unwrap());
+    let first = reported(&journal, "burr flange.html");
+    entries.insert(39, first);
+    journal.append(&entries[39..40]).unwrap();
     journal.tidy().unwrap();
+    let second = reported(&journal, "Käfig 25.01.json");
+    entries.insert(45, second);
     journal.append(&entries[40..]).unwrap();
     drop(journal);
     let kept = place.entries();
@@ -618,8 +640,9 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
             _ => String::new(),
         };
         let reason = entry.corrects().map_or("", |correction| correction.reason.as_str());
+        let file = entry.report().map_or_else(String::new, |report| format!("{} {}", report.name, report.title));
         let names =
-            format!("{} {} {} {} {} {reason}", about.part, about.serial, about.feature, about.who, about.remark);
+            format!("{} {} {} {} {} {reason} {file}", about.part, about.serial, about.feature, about.who, about.remark);
         let words = format!("{names} {callout} {}", callout.replace(' ', "")).to_lowercase();
         let measured = match check.map(|check| &check.what) {
             Some(Checked::Size(record)) => record.measurement.diameter.exact(Unit::Millimetre, 6),
@@ -628,6 +651,7 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
         let has = |word: &String| {
             *word == number.to_string()
                 || word.contains('.') && measured.starts_with(word.as_str())
+                || word.contains('.') && file.contains(&format!(" {word}"))
                 || words
                     .split(|c: char| !c.is_alphanumeric())
                     .any(|one| !one.is_empty() && one.starts_with(&word.to_lowercase()))
@@ -643,7 +667,14 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
                 || check.is_some_and(|check| question.verdicts.contains(&check.status().unwrap())))
             && question.from_ms.is_none_or(|from| from <= about.time.utc_ms)
             && question.before_ms.is_none_or(|before| about.time.utc_ms < before)
-            && question.simulated.is_none_or(|asked| asked == check.is_some_and(Check::is_simulated))
+            && question
+                .simulated
+                .is_none_or(|asked| asked == check.is_some_and(Check::is_simulated) && entry.report().is_none())
+            && match question.kinds {
+                AskedKinds::All => true,
+                AskedKinds::Checks => entry.report().is_none(),
+                AskedKinds::Reports => entry.report().is_some(),
+            }
             && (!question.standing || (check.is_some() && !corrected.contains(&number)))
             && question.words.iter().all(has)
     };
@@ -750,17 +781,26 @@ fn question() -> impl Strategy<Value = Question> {
     );
     let verdicts = prop::collection::vec(prop::sample::select(&Status::ALL[..]), 0..3);
     let hours = prop::option::of(0..61_i64);
+    let kinds = prop::sample::select(&[AskedKinds::All, AskedKinds::Checks, AskedKinds::Reports][..]);
+    let flags = (prop::option::weighted(0.3, any::<bool>()), any::<bool>(), kinds);
     let words = prop::collection::vec(
         prop::sample::select(
             &[
                 "burr", "Deburr", "fla", "ø", "kafig", "S", "none", "ann", "25", "h7", "25H", "8h11", "7", "wrong",
-                "25.01", "24.9980", "8.0",
+                "25.01", "24.9980", "8.0", "html", "lot",
             ][..],
         ),
         0..3,
     );
-    (names, verdicts, hours.clone(), hours, prop::option::weighted(0.3, any::<bool>()), any::<bool>(), words).prop_map(
-        |((part, serial, feature, callout, class, who), verdicts, from, before, simulated, standing, words)| Question {
+    (names, verdicts, hours.clone(), hours, flags, words).prop_map(
+        |(
+            (part, serial, feature, callout, class, who),
+            verdicts,
+            from,
+            before,
+            (simulated, standing, kinds),
+            words,
+        )| Question {
             part,
             serial,
             feature,
@@ -773,6 +813,7 @@ fn question() -> impl Strategy<Value = Question> {
             before_ms: before.map(|hours| NOON + hours * 3_600_000),
             simulated,
             standing,
+            kinds,
             // An umlaut is found without its dots, which the look at every entry does not know.
             words: words.into_iter().filter(|word| *word != "kafig").map(str::to_owned).collect(),
         },
@@ -840,7 +881,7 @@ fn an_umlaut_is_found_without_its_dots_and_signs_alone_find_nothing() {
     }
     assert_eq!(count("burr OR flange"), 0, "OR is a word");
     assert_eq!(count("*"), 0);
-    assert_eq!(count(" "), 62);
+    assert_eq!(count(" "), 64);
     assert!(place.verify().is_whole());
 }
 
@@ -891,6 +932,7 @@ fn every_filter_has_its_index() {
         ("find_class", Question { class: text("a"), ..none() }),
         ("find_who", Question { who: text("a"), ..none() }),
         ("find_status", Question { verdicts: vec![Status::Scrap], ..none() }),
+        ("find_report", Question { kinds: AskedKinds::Reports, ..none() }),
     ] {
         let plan = reader.plan(&question).unwrap();
         assert!(plan.contains(index), "{question:?}: {plan}");
@@ -1103,6 +1145,7 @@ fn what_questions_are_answered_by_is_compared_with_how_it_is_made() {
         ("DROP INDEX find_status; CREATE INDEX find_status ON find(status, number) WHERE status <> 3", "find_status"),
         ("CREATE INDEX mine ON find(status)", "mine"),
         ("CREATE TABLE mine(number INTEGER)", "mine"),
+        ("DROP INDEX reported_last", "reported_last"),
         ("INSERT INTO indexed VALUES (0)", "indexed"),
         ("INSERT INTO chain VALUES (randomblob(16))", "chain"),
     ] {

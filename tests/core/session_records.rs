@@ -23,11 +23,11 @@ fn now() -> DateTime {
     date(2026, 11, 21).at(10, 42, 7, 0)
 }
 
-fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+pub(crate) fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
     session.apply(command.into(), now())
 }
 
-fn typed(session: &mut Session, field: impl Into<Field>, text: &str) -> Vec<Effect> {
+pub(crate) fn typed(session: &mut Session, field: impl Into<Field>, text: &str) -> Vec<Effect> {
     let command = field.into().typed(text.to_owned());
     session.apply(command, now())
 }
@@ -37,7 +37,7 @@ fn begin(session: &mut Session) -> Vec<Effect> {
     send(session, RecordsCommand::Begin { usual, station: "Mill 3".to_owned(), zone })
 }
 
-fn head(number: u64) -> Head {
+pub(crate) fn head(number: u64) -> Head {
     Head { number, hash: Hash([u8::try_from(number % 251).unwrap(); 32]) }
 }
 
@@ -46,14 +46,14 @@ fn journal(number: u64) -> OpenJournal {
 }
 
 /// A session whose journal is open.
-fn recording() -> Session {
+pub(crate) fn recording() -> Session {
     let mut session = Session::new(Language::En);
     begin(&mut session);
     send(&mut session, RecordsCommand::Opened(Ok((Box::new(journal(1)), Vec::new()))));
     session
 }
 
-fn measure(session: &mut Session, callout: &str, measured: &str) -> Vec<Effect> {
+pub(crate) fn measure(session: &mut Session, callout: &str, measured: &str) -> Vec<Effect> {
     typed(session, CheckField::Callout, callout);
     typed(session, CheckField::Measured, measured);
     send(session, CheckCommand::Measure)
@@ -61,7 +61,7 @@ fn measure(session: &mut Session, callout: &str, measured: &str) -> Vec<Effect> 
 
 /// What an effect wants to be kept.
 #[track_caller]
-fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
+pub(crate) fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
     let [Effect::Keep { run, entries }] = effects else { panic!("{effects:?}") };
     (*run, entries.clone())
 }
@@ -101,12 +101,12 @@ fn about(part: &str) -> About {
     }
 }
 
-fn row(number: u64, content: Content, corrected_by: Option<u64>) -> RecordRow {
+pub(crate) fn row(number: u64, content: Content, corrected_by: Option<u64>) -> RecordRow {
     let entry = Ok(Entry { about: about(&format!("P{number}")), content });
     RecordRow { head: head(number), entry, corrected_by, went_back: false }
 }
 
-fn check_row(number: u64, um: i64, corrected_by: Option<u64>) -> RecordRow {
+pub(crate) fn check_row(number: u64, um: i64, corrected_by: Option<u64>) -> RecordRow {
     let what = Checked::Size(Arc::new(record(&format!("P{number}"), um)));
     row(number, Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None })), corrected_by)
 }
@@ -425,13 +425,13 @@ fn rows_that_cannot_be_read_are_said_and_not_asked_for_again_and_again() {
 }
 
 /// A page with these records, the first of them open.
-fn opened(rows: Vec<RecordRow>) -> Session {
+pub(crate) fn opened(rows: Vec<RecordRow>) -> Session {
     let mut session = recording();
     open(&mut session, rows);
     session
 }
 
-fn open(session: &mut Session, rows: Vec<RecordRow>) {
+pub(crate) fn open(session: &mut Session, rows: Vec<RecordRow>) {
     let asked = send(session, Command::OpenPage(Page::Records));
     let [Effect::AskRecords { run, .. }] = asked.as_slice() else { panic!("{asked:?}") };
     let numbers: Vec<u64> = rows.iter().map(|row| row.head.number).collect();
@@ -706,7 +706,7 @@ fn records_are_sent_to_the_server_that_is_named_and_its_password_is_not_kept() {
 }
 
 /// What the newest notice says.
-fn told(session: &Session) -> String {
+pub(crate) fn told(session: &Session) -> String {
     let words = fitcheck::words::Words::new(session.language());
     session.notices().last().map_or_else(String::new, |notice| words.say(&notice.message))
 }

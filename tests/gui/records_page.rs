@@ -497,6 +497,31 @@ fn a_report_of_chosen_records_leaves_simulated_ones_out_unless_they_are_asked_fo
 }
 
 #[test]
+fn a_report_that_was_written_is_a_row_and_its_checks_name_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    let path = folder.path().join("lot.html");
+    send(&mut window, Command::OpenDialog(Purpose::Export(0)));
+    send(&mut window, Command::TypePath(path.display().to_string()));
+    send(&mut window, Command::Confirm);
+    window.run();
+    send(&mut window, Command::OpenPage(Page::Records));
+    let listed = rows(&window);
+    assert_eq!(listed.len(), 4, "{listed:?}");
+    assert!(listed[0].contains("lot.html") && listed[0].contains("Report"), "{listed:?}");
+    send(&mut window, RecordsCommand::Open(5));
+    window.run();
+    let sha256 = fitcheck::journal::chain::Hash::of_file(&std::fs::read(&path).unwrap()).to_string();
+    window.get_by_label(&sha256);
+    window.get_by_label("2 … 4");
+    send(&mut window, RecordsCommand::Open(3));
+    window.run();
+    click(&mut window, Role::Button, "In report 5, lot.html");
+    assert_eq!(window.state().session().records().open.as_ref().unwrap().number, 5);
+}
+
+#[test]
 fn every_page_that_judges_records_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = at(folder.path()).open();

@@ -1,7 +1,9 @@
 //! Questions about the checks of all stations: the same answers as a station's own journal gives, page by page.
 
-use fitcheck::journal::ask::Question;
-use fitcheck::journal::entry::{Content, Correction, Entry};
+use fitcheck::journal::ask::{AskedKinds, Question};
+use fitcheck::journal::chain::{Hash, Head};
+use fitcheck::journal::entry::{Content, Correction, Entry, Reported, Shown};
+use fitcheck::journal::ranges::EntryRanges;
 use fitcheck::store::shop::{ShopReader, Stop};
 use fitcheck::verdict::Status;
 
@@ -100,6 +102,46 @@ fn every_part_of_a_question_is_answered_for_all_stations() {
     let corrected: Vec<Option<u64>> = page.rows.iter().take(4).map(|row| row.row.corrected_by).collect();
     assert_eq!(corrected, [None, Some(5), None, Some(4)]);
     assert!(page.rows.iter().all(|row| row.row.entry.is_ok()));
+}
+
+/// A report of two checks, as a station sends it.
+pub(crate) fn report(head: Head) -> Content {
+    let shown = Shown { checks: EntryRanges::of([2, 3]), unrecorded: 1, head: Some(head) };
+    Content::Report(Reported {
+        name: "Flansch \"corrects\":{.html".to_owned(),
+        format: "html".to_owned(),
+        sha256: Hash([7; 32]),
+        bytes: 9,
+        title: "Lot 8".to_owned(),
+        shown,
+    })
+}
+
+#[test]
+fn reports_of_all_stations_are_listed_and_no_question_for_checks_finds_one() {
+    let Some(shop) = Shop::new() else { return };
+    let book = Book::new("Mill 3");
+    book.checks(2);
+    let head = book.add(&Entry { about: book.about("17-0042"), content: check(bore("25.012"), None) });
+    let mut about = book.about("");
+    about.part = String::new();
+    let own = book.add(&Entry { about, content: report(head) });
+    book.send(&shop.station("a")).unwrap();
+    let reader = ShopReader::open(&shop.admin(), SHORT, &Stop::default()).unwrap();
+    let numbers =
+        |question: &Question| asked(&reader, question, 2).into_iter().map(|(_, number)| number).collect::<Vec<_>>();
+    let none = Question::default;
+    assert!(numbers(&none()).contains(&own.number));
+    assert_eq!(numbers(&Question { kinds: AskedKinds::Reports, ..none() }), [own.number]);
+    assert_eq!(numbers(&Question { words: vec!["flansch".to_owned(), "lot".to_owned()], ..none() }), [own.number]);
+    for of_checks in [
+        Question { kinds: AskedKinds::Checks, ..none() },
+        Question { standing: true, ..none() },
+        Question { simulated: Some(false), ..none() },
+    ] {
+        let found = numbers(&of_checks);
+        assert!(!found.is_empty() && !found.contains(&own.number), "{of_checks:?}: {found:?}");
+    }
 }
 
 #[test]

@@ -41,6 +41,8 @@ fn a_check_is_a_row_of_plain_columns() {
     };
     let cycle = Check { what: Checked::Cycle(Box::new(cycle)), files: Vec::new(), corrects: None };
     book.add(&Entry { about: about("3"), content: Content::Check(Box::new(cycle)) });
+    // A report is no check.
+    book.add(&Entry { about: about(""), content: crate::asking::report(second) });
     book.send(&shop.station("a")).unwrap();
     let remark = "after the second cut";
     assert_eq!(

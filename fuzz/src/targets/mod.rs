@@ -41,6 +41,7 @@ mod probe_table;
 mod program;
 mod qif;
 mod question;
+mod report_data;
 mod shared;
 mod state;
 mod table;
@@ -102,6 +103,7 @@ targets! {
     program "klartext"
     qif "qif"
     question "question"
+    report_data "none"
     state "toml"
     table "table"
     tool_table "table"

@@ -6,7 +6,7 @@ import pathlib
 folder = pathlib.Path(__file__).parent
 chain = bytes.fromhex("000102030405060708090a0b0c0d0e0f")
 previous = bytes(32)
-for number in (1, 2, 3):
+for number in (1, 2, 3, 4):
     body = (folder / f"{number}.json").read_bytes()
     frame = b"fitcheck entry 1\0" + previous
     frame += len(chain).to_bytes(4, "big") + chain

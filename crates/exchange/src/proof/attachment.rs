@@ -112,7 +112,10 @@ fn streams(bytes: &[u8]) -> impl Iterator<Item = Stream<'_>> {
         let start = at.saturating_sub(before.len().saturating_sub(begins));
         let behind = bytes.get(after..)?;
         let behind = behind.get(..DICTIONARY).unwrap_or(behind);
-        let word = memchr::memmem::find(behind, b"stream")?;
+        // Behind the dictionary, and not within it as in `application/octet-stream`.
+        let is_end =
+            |at: &usize| behind.get(..*at).is_some_and(|dictionary| dictionary.trim_ascii_end().ends_with(b">>"));
+        let word = memchr::memmem::find_iter(behind, b"stream").find(is_end)?;
         // A name tree has no stream; what follows it belongs to another object.
         if memchr::memmem::find(behind.get(..word)?, b"endobj").is_some() {
             return None;
@@ -187,7 +190,7 @@ mod tests {
 
     #[test]
     fn the_attachment_with_checks_is_found_packed_and_as_it_is() {
-        let csv = ("/Filter /FlateDecode /Type/EmbeddedFile", packed(b"a,b\n"));
+        let csv = ("/Filter /FlateDecode /Type/EmbeddedFile /Subtype /application#2Foctet-stream\n", packed(b"a,b\n"));
         let both = pdf(&[csv.clone(), (FLATE, packed(DATA))]);
         assert_eq!(json_of(&both), Some(Ok(DATA.to_vec())));
         let plain = json_of(&pdf(&[("/Type /EmbeddedFile", DATA.to_vec())]));
