@@ -281,9 +281,10 @@ fn an_entry_is_shown_with_all_that_it_says_and_a_check_with_its_reports() {
     // By the digits that a report has.
     let digits = head.hash.to_string();
     // Figures alone are a number, up to sixteen of them.
-    let short =
-        (8..=16).find(|count| *count == 16 || digits[..*count].bytes().any(|digit| digit.is_ascii_alphabetic()));
-    for name in [&digits[..short.unwrap()], &digits, &digits[..16].to_uppercase()] {
+    let first = |count: usize| digits.chars().take(count).collect::<String>();
+    let is_name = |count: &usize| *count == 16 || first(*count).bytes().any(|digit| digit.is_ascii_alphabetic());
+    let short = (8..=16).find(is_name).unwrap();
+    for name in [first(short), digits.clone(), first(16).to_uppercase()] {
         assert!(place.done(&format!("show {name}")).starts_with("entry        5 of 5"), "{name}");
     }
     let unknown = if digits.starts_with("0000000") { "ffffffffff" } else { "00000000aa" };

@@ -18,8 +18,8 @@ fn help() -> String {
         "\
 {QUESTIONS}
 
-A report that was written is a line of its own; its file and what it shows stand under report in JSON.
-csv has checks and withdrawals alone, unless reports is asked for.
+A report that was written is a line of its own; JSON has its file and what it shows as report. csv
+leaves reports out, unless reports asks for them alone.
 
 Columns of --format csv, and names in JSON:
   {}

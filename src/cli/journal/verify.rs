@@ -19,10 +19,10 @@ newest entries were cut off, an older copy was put back or everything was rewrit
 entry that is known elsewhere: the last one that this computer has seen, which Fitcheck keeps beside
 its settings, and those that --head gives.
 
-With FILE, verify also says whether this file is a report that was written: when, by whom, where, of
-which checks, and which of them were corrected or withdrawn since. A file is recognised by its bytes,
-whatever it is called. Data in it (a file of JSON, or what a PDF has attached) is compared with the
-journal, check by check; of a file that is not known, with the newest report of its name.
+With FILE, verify also says whether this file is a report that was written: when, by whom and where,
+of which checks, and which of them were corrected or withdrawn since. A file is recognised by its
+bytes, whatever it is called. Data in it (a file of JSON, or what a PDF has attached) is compared
+with the journal, check by check; of a file that is not known, with the newest report of its name.
 
 Examples:
   fitcheck journal verify

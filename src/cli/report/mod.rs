@@ -130,9 +130,9 @@ part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the p
 12 if something contradicts a verdict. CSV holds only the checks, with the name of the picture:
 standard error reports what it leaves out.
 
-With --record, the journal gets an entry with the name and the SHA-256 of the file: fitcheck journal
-verify FILE then says whether a file is this one. If that cannot be recorded, the file stays, and the
-exit code is 1.";
+With --record, the journal gets an entry with the name and the SHA-256 of the file, and counts its
+checks as not recorded: fitcheck journal verify FILE then says whether a file is this one. If that
+cannot be recorded, the file stays, and the exit code is 1.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]

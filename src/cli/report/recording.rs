@@ -17,10 +17,10 @@ pub(super) struct ReportRecordArgs {
     /// Who writes the report
     #[arg(long, value_name = "NAME", requires = "record")]
     who: Option<String>,
-    /// Remark to record
+    /// Remark to record with the report
     #[arg(long, value_name = "TEXT", requires = "record")]
     remark: Option<String>,
-    /// The station; default: the name of the computer
+    /// The station that writes the report; default: the name of the computer
     #[arg(long, value_name = "NAME", requires = "record")]
     station: Option<String>,
 }
