@@ -132,6 +132,7 @@ report-more-parts = { $count ->
 
 ## Sešit
 report-sheets = Vlastní list má jen prvních { $listed } z { $total } dílů; list dílů je obsahuje všechny.
+report-sheets-corrected = korigováno na 20 °C
 report-sheets-without = Obrázky a body dotyku v tomto sešitu nejsou: zpráva HTML obsahuje obojí, zpráva JSON body dotyku.
 report-sheets-cut = { $count ->
     [one] Jeden text je zkrácen: do buňky se vejde nejvýše 32767 znaků.

@@ -93,7 +93,8 @@ impl Looks {
             // At least three decimals, and those that a finer size has.
             mm: top().set_num_format("0.000###"),
             um: top().set_num_format("+0.###;\u{2212}0.###;0"),
-            amount: top().set_num_format("0.###"),
+            // With its unit: a column whose name has one is taken for one of sizes while nothing is in it.
+            amount: top().set_num_format("0.### \"µm\""),
             whole: top().set_num_format("0"),
             time: top().set_num_format(TIME),
             whole_beside: top().set_num_format("0").set_align(FormatAlign::Left),
