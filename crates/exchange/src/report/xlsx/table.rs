@@ -35,7 +35,7 @@ const SHARED: [Column; 17] = [
     ("report-maximum", "mm", 10.0),
     ("report-measured", "mm", 10.0),
     ("report-deviation", "µm", 11.0),
-    ("report-verdict", "", 20.0),
+    ("report-verdict", "", 24.0),
     ("columns-page-role-simulated", "", 13.0),
     ("report-remove", "", 13.0),
     ("report-remove-to-middle", "", 14.0),
