@@ -245,6 +245,31 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
         shop.put("cut.csv", &text.replace("temperature_c", "t").replace("expansion_um_per_m_k", "e"));
         assert_eq!(shop.call(&[&["import", "cut.csv"][..], &WARM].concat()).0, Some(1), "{file}");
     }
+    // Other formats say it in their own way, and in every language.
+    for (name, language) in [
+        ("r.dfq", "en"),
+        ("r.qif", "en"),
+        ("r.md", "en"),
+        ("fr.md", "fr"),
+        ("r.xlsx", "en"),
+        ("nl.xlsx", "nl"),
+        ("de.xlsx", "de"),
+        ("it.xlsx", "it"),
+        ("fr.xlsx", "fr"),
+        ("es.xlsx", "es"),
+        ("pl.xlsx", "pl"),
+        ("cs.xlsx", "cs"),
+    ] {
+        let report = ["report", "raw.csv", "--language", language, "-o", name];
+        assert_eq!(shop.call(&[&report[..], &WARM].concat()).0, Some(11), "{name}");
+        let (code, out, said) = shop.call(&[&["import", name][..], &WARM].concat());
+        assert_eq!(code, Some(1), "{name}: {out}{said}");
+        assert!(said.contains("at 20 °C already"), "{name}: {out}{said}");
+        let (code, out, said) = shop.call(&["import", name]);
+        // The line below the head of a table of Markdown is no row.
+        let is_read = matches!(code, Some(11 | 14)) || name.ends_with(".md");
+        assert!(is_read && out.contains("25.023273"), "{name}: {code:?} {out}{said}");
+    }
     // A value that was not corrected is.
     shop.call(&["import", "raw.csv", "--record", "--part", "Q", "--journal", "other.sqlite"]);
     shop.print("plain.csv", &["journal", "export", "--journal", "other.sqlite"]);
@@ -271,5 +296,21 @@ fn a_column_that_says_corrected_is_not_corrected_again() {
         assert_eq!(code, expected, "{header}: {out}{said}");
         assert_eq!(said.contains("at 20 °C already"), is_corrected, "{header}: {said}");
         assert_eq!(shop.call(&["import", "a.csv"]).0, Some(0), "{header}");
+    }
+}
+
+#[test]
+fn no_report_of_a_simulated_value_comes_back_as_a_measured_one() {
+    let shop = Shop::new();
+    shop.put("simulated.csv", "id;callout;measured;simulated\nA;25 H7;25.01;true\nB;25 H7;25.012;true\n");
+    for language in ["en", "nl", "de", "it", "fr", "es", "pl", "cs"] {
+        for ending in ["xlsx", "dfq", "qif", "md"] {
+            let name = format!("{language}.{ending}");
+            shop.call(&["report", "simulated.csv", "--language", language, "-o", &name]);
+            assert!(shop.path().join(&name).exists(), "{name}");
+            for row in shop.recorded(&[&name]) {
+                assert_eq!(row["simulated"], true, "{name}: {row}");
+            }
+        }
     }
 }

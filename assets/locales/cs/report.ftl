@@ -224,6 +224,7 @@ report-code-said = Kód záznamu { $number }, jeho otisk { $hash }
 report-lot-order = Nejhorší díl je první.
 ## Sešit
 report-sheets = Vlastní list má jen prvních { $listed } z { $total } dílů; list dílů je obsahuje všechny.
+report-sheets-corrected = korigováno na 20 °C
 report-sheets-without = Obrázky a body dotyku v tomto sešitu nejsou: zpráva HTML obsahuje obojí, zpráva JSON body dotyku.
 report-sheets-cut = { $count ->
     [one] Jeden text je zkrácen: do buňky se vejde nejvýše 32767 znaků.

@@ -216,6 +216,7 @@ report-code-said = Code des Eintrags { $number }, sein Hash { $hash }
 report-lot-order = Das schlechteste Teil steht zuerst.
 ## Eine Arbeitsmappe
 report-sheets = Nur die ersten { $listed } von { $total } Teilen haben ein eigenes Blatt; das Blatt der Teile enthält alle.
+report-sheets-corrected = auf 20 °C
 report-sheets-without = Bilder und Antastpunkte stehen nicht in dieser Arbeitsmappe: Ein Prüfbericht als HTML enthält beides, einer als JSON die Antastpunkte.
 report-sheets-cut = { $count ->
     [one] Ein Text ist gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.

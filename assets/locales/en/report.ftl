@@ -216,6 +216,7 @@ report-code-said = Code of record { $number }, its hash { $hash }
 report-lot-order = Parts are listed with the worst first.
 ## A workbook
 report-sheets = Only the first { $listed } of { $total } parts have a sheet of their own; the sheet of the parts lists all of them.
+report-sheets-corrected = corrected to 20 °C
 report-sheets-without = Pictures and contacts are not in this workbook: an HTML report has both, a JSON report has the contacts.
 report-sheets-cut = { $count ->
     [one] One text is cut short: a cell holds at most 32767 characters.

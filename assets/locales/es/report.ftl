@@ -216,6 +216,7 @@ report-code-said = Código del registro { $number }, su hash { $hash }
 report-lot-order = La peor pieza va primero.
 ## Un libro
 report-sheets = Solo las primeras { $listed } de { $total } piezas tienen una hoja propia; la hoja de las piezas las contiene todas.
+report-sheets-corrected = corregido a 20 °C
 report-sheets-without = Las imágenes y los puntos de palpación no están en este libro: un informe HTML contiene ambos, un informe JSON los puntos de palpación.
 report-sheets-cut = { $count ->
     [one] Un texto está abreviado: una celda contiene como máximo 32767 caracteres.

@@ -216,6 +216,7 @@ report-code-said = Code du relevé { $number }, son empreinte { $hash }
 report-lot-order = La pire pièce vient en premier.
 ## Un classeur
 report-sheets = Seules les { $listed } premières pièces sur { $total } ont leur propre feuille ; la feuille des pièces les liste toutes.
+report-sheets-corrected = corrigé à 20 °C
 report-sheets-without = Les images et les points de palpage ne sont pas dans ce classeur : un rapport HTML contient les deux, un rapport JSON les points de palpage.
 report-sheets-cut = { $count ->
     [one] { $count } texte est abrégé : une cellule contient au plus 32767 caractères.

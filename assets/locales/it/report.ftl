@@ -216,6 +216,7 @@ report-code-said = Codice della registrazione { $number }, il suo hash { $hash }
 report-lot-order = Il pezzo peggiore è il primo.
 ## Una cartella di lavoro
 report-sheets = Solo i primi { $listed } di { $total } pezzi hanno un foglio proprio; il foglio dei pezzi li elenca tutti.
+report-sheets-corrected = a 20 °C
 report-sheets-without = Immagini e punti di contatto non sono in questa cartella di lavoro: un rapporto HTML contiene entrambi, un rapporto JSON i punti di contatto.
 report-sheets-cut = { $count ->
     [one] Un testo è abbreviato: una cella contiene al massimo 32767 caratteri.

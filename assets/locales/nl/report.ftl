@@ -216,6 +216,7 @@ report-code-said = Code van regel { $number }, de hash { $hash }
 report-lot-order = Onderdelen staan met het slechtste eerst.
 ## Een werkmap
 report-sheets = Alleen de eerste { $listed } van { $total } onderdelen hebben een eigen blad; het blad met de onderdelen bevat ze allemaal.
+report-sheets-corrected = op 20 °C
 report-sheets-without = Afbeeldingen en meetpunten staan niet in deze werkmap: een rapport als HTML bevat beide, een rapport als JSON de meetpunten.
 report-sheets-cut = { $count ->
     [one] Eén tekst is ingekort: in een cel passen hoogstens 32767 tekens.

@@ -228,6 +228,7 @@ report-code-said = Kod zapisu { $number }, jego skrót { $hash }
 report-lot-order = Najgorsza część jest pierwsza.
 ## Skoroszyt
 report-sheets = Własny arkusz mają tylko pierwsze części ({ $listed } z { $total }); arkusz części podaje wszystkie.
+report-sheets-corrected = skorygowano do 20 °C
 report-sheets-without = Obrazów i punktów pomiarowych nie ma w tym skoroszycie: raport HTML zawiera jedne i drugie, raport JSON punkty pomiarowe.
 report-sheets-cut = { $count ->
     [one] Jeden tekst jest skrócony: komórka mieści najwyżej 32767 znaków.

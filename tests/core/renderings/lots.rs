@@ -90,7 +90,7 @@ pub fn good_values(origin: &Origin) -> Vec<(usize, Record)> {
 pub fn lot() -> Report {
     let plan = plan();
     let good = good_values(&Origin::Typed);
-    let mut lacking = sheet(&plan, "18", good.get(..1).unwrap());
+    let mut lacking = sheet(&plan, "18", &good[..1]);
     lacking.skip(2, "no gauge");
     let scrap = [vec![(0, value("BORE_A", "25 H7", "25.1", Origin::Typed))], good[1..].to_vec()].concat();
     let nobody = good_values(&simulated());

@@ -1,4 +1,4 @@
-//! QIF: what our own reader reads back, the structure, and that only a measured good value is a pass. `tests/attack/qif` validates files
+//! QIF: what our own reader reads back, the structure, and that only a measured good value is a pass. `tests/attack/readers` validates files
 //! against the schema of the format, with a validator of others.
 
 use super::dfq::{read_back, values, warnings};

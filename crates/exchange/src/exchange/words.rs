@@ -16,7 +16,8 @@ const CORRECTED: &str = "temp comp|temp compensation|temp compensated|temperatur
     tempkomp|temp komp|temp kompensation|temperaturkompensation|temperaturkorrektur|temperatuurcompensatie|temperatuurcorrectie|\
     normalized|normalised|compensazione|compensazione termica|corrected|is corrected|temperature corrected|corrected to 20 c|at 20 c|temperature compensated|\
     compensated|gecorrigeerd|temperatuur gecorrigeerd|temperatuurgecorrigeerd|gecompenseerd|bij 20 c|op 20 c|korrigiert|\
-    temperaturkorrigiert|temperaturkompensiert|kompensiert|auf 20 c|bei 20 c|corretto|corretta|compensato|a 20 c|correction um";
+    temperaturkorrigiert|temperaturkompensiert|kompensiert|auf 20 c|bei 20 c|corretto|corretta|compensato|a 20 c|correction um|\
+    corrigé à 20 c|à 20 c|corregido a 20 c|skorygowano do 20 c|korigováno na 20 c|na 20 c";
 
 /// Words of a name whose numbers are those of features: a balloon, a characteristic, a bore. A number below another name may count the rows.
 const OF_FEATURES: &str = "name|naam|nome|bezeichnung|benaming|feature|merkmal|merkmalsnummer|kenmerk|kenmerknummer|\

@@ -29,7 +29,7 @@ pub const RENDERING: Rendering = Rendering {
 };
 
 /// The columns of the checks, by the names of their texts.
-const CHECKS: [&str; 13] = [
+const CHECKS: [&str; 15] = [
     "report-contact",
     "report-id",
     "report-callout",
@@ -39,6 +39,8 @@ const CHECKS: [&str; 13] = [
     "report-measured",
     "report-deviation",
     "report-verdict",
+    "columns-page-role-simulated",
+    "report-sheets-corrected",
     "report-limits-from",
     "report-from",
     "report-verdict-from",
@@ -150,6 +152,9 @@ fn check(number: usize, record: &Record, words: &Words) -> [String; CHECKS.len()
         measured,
         format!("{} µm", words.signed_um(answer.size.deviation)),
         verdict(record, words),
+        // Columns of their own: whoever reads the table with a program knows them by their names.
+        if measurement.origin.is_simulated() { words.get("simulated") } else { String::new() },
+        record.correction.map_or_else(String::new, |of| format!("{} µm", words.signed_um(of.change()))),
         said.limits_from,
         said.measured_from,
         said.rule,

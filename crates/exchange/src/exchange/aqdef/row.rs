@@ -25,6 +25,8 @@ pub(super) struct Fields {
     pub(super) value: String,
     pub(super) attribute: String,
     pub(super) date: String,
+    /// What stands beside the value in words.
+    pub(super) text: String,
     pub(super) batch: String,
     pub(super) who: String,
     pub(super) machine: String,
@@ -55,7 +57,7 @@ impl Fields {
 
     /// Whether the key is one of those that are used.
     pub(super) const fn is_used(key: Key) -> bool {
-        matches!(key.0, 1 | 2 | 4 | 6 | 8 | 10 | 12 | 14 | 20 | 21)
+        matches!(key.0, 1 | 2 | 4 | 6 | 8 | 9 | 10 | 12 | 14 | 20 | 21)
     }
 
     pub(super) fn first(&self) -> Key {
@@ -78,6 +80,7 @@ impl Fields {
             4 => &mut self.date,
             6 => &mut self.batch,
             8 => &mut self.who,
+            9 => &mut self.text,
             10 => &mut self.machine,
             12 => &mut self.gauge,
             14 => &mut self.serial,
@@ -88,7 +91,7 @@ impl Fields {
     /// Takes from what is said of all values what this one does not say.
     fn complete(&mut self, all: &Self) {
         let mut all = all.clone();
-        for key in [2, 4, 6, 8, 10, 12, 14].map(Key) {
+        for key in [2, 4, 6, 8, 9, 10, 12, 14].map(Key) {
             if all.has(key)
                 && !self.has(key)
                 && let Some(text) = all.field(key).map(std::mem::take)

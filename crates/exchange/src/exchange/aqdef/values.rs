@@ -18,6 +18,9 @@ use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Unjudged, WhyUnjudged};
 
+/// What our own files say in words of a value that was brought to 20 °C.
+pub(in crate::exchange) const CORRECTED: &str = "corrected to 20 °C";
+
 /// Attributes of a value that is none.
 const NO_VALUE: [u32; 2] = [255, 256];
 
@@ -134,5 +137,6 @@ fn labels(declared: &Declared, fields: Fields) -> Labels {
     let who = if fields.who.is_empty() { labels.who } else { fields.who };
     // This sign marks a batch that is a text.
     let batch = fields.batch.strip_prefix('#').map_or(fields.batch.as_str(), str::trim).to_owned();
-    Labels { who, batch, serial: fields.serial, machine: fields.machine, gauge: fields.gauge, ..labels }
+    let is_corrected = fields.text.contains(CORRECTED);
+    Labels { who, batch, serial: fields.serial, machine: fields.machine, gauge: fields.gauge, is_corrected, ..labels }
 }

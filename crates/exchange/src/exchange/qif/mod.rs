@@ -29,7 +29,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::{Sink, StatedLimits, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
-use super::xml::{self, Fault, Xml};
+use super::xml::{self, Element, Fault, Xml};
 use super::{Format, Labels};
 use definitions::Definitions;
 use fitcheck_core::length::Length;
@@ -55,7 +55,7 @@ pub(super) const FORMAT: Format = Format {
 
 /// The attributes that anything is known by.
 const ATTRIBUTES: &[&str] =
-    &["id", "n", "versionQIF", "linearUnit", "zoneVariance", "combinedUncertainty", "meanError", "validity"];
+    &["id", "n", "versionQIF", "linearUnit", "zoneVariance", "combinedUncertainty", "meanError", "name", "validity"];
 
 /// By the name of its first element, whatever comes before it.
 fn recognises(beginning: &Beginning<'_>) -> bool {
@@ -194,6 +194,9 @@ impl Reader<'_, '_> {
         labels.claims.extend(claim(status));
         measured.serial.clone_into(&mut labels.serial);
         labels.who.clone_from(&measured.trace.who);
+        // What our own files say of a value that was brought to 20 °C.
+        let said = element.child("Attributes").into_iter().flat_map(Element::children);
+        labels.is_corrected = said.into_iter().any(|one| one.start.attribute("name").ends_with(CORRECTED));
         if labels.place == [None; 3]
             && labels.no_place.is_none()
             && let Some((place, units)) = measured.place.zip(self.definitions.units.as_ref())
@@ -276,6 +279,9 @@ fn without_offset(given: &str) -> (&str, &str) {
     });
     given.split_at(begin.unwrap_or(given.len()))
 }
+
+/// The end of the name of an attribute with what was measured before.
+const CORRECTED: &str = "before the correction to 20 °C, mm";
 
 /// Statuses of characteristics (`CharacteristicStatusEnumType`) and of inspections (`InspectionStatusEnumType`) of which there is no
 /// value to judge: the measuring software could not determine it, or did not.

@@ -20,6 +20,8 @@ const OF_MEASUREMENT: &[&str] = &[
     "FeatureMeasurementIds",
     "Id",
     "ActualComponentId",
+    "Attributes",
+    "AttributeStr",
     "Value",
 ];
 

@@ -75,7 +75,7 @@ impl Looks {
     pub(super) fn new(words: &Words) -> Self {
         let top = || Format::new().set_align(FormatAlign::Top);
         // A number stands at the right of its cell, so a text behind it begins a little later.
-        let wrapped = || top().set_text_wrap().set_indent(1);
+        let wrapped = || top().set_align(FormatAlign::Left).set_text_wrap().set_indent(1);
         let coloured = |status: Option<Status>, back: u32, front: u32| {
             let format = Format::new().set_background_color(Color::RGB(back)).set_font_color(Color::RGB(front));
             (mark(status), format)
@@ -89,11 +89,12 @@ impl Looks {
                 .set_border_bottom(FormatBorder::Medium)
                 .set_background_color(Color::RGB(0x00E6_E6E6)),
             label: top().set_bold(),
-            strong: top().set_bold().set_indent(1),
+            strong: wrapped().set_bold(),
             // At least three decimals, and those that a finer size has.
             mm: top().set_num_format("0.000###"),
             um: top().set_num_format("+0.###;\u{2212}0.###;0"),
-            amount: top().set_num_format("0.###"),
+            // With its unit: a column whose name has one is taken for one of sizes while nothing is in it.
+            amount: top().set_num_format("0.### \"µm\""),
             whole: top().set_num_format("0"),
             time: top().set_num_format(TIME),
             whole_beside: top().set_num_format("0").set_align(FormatAlign::Left),
@@ -153,7 +154,7 @@ impl<'w> Paper<'w> {
         if !kept.is_empty() {
             self.sheet.write_string_with_format(row, column, kept, format).map_err(failed)?;
         }
-        if matches!(look, Look::Plain | Look::Head) {
+        if matches!(look, Look::Plain | Look::Head | Look::Strong) {
             self.make_room((row, column), kept)?;
         }
         Ok(kept.len() < text.len())

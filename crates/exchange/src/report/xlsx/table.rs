@@ -27,7 +27,7 @@ pub(super) const OF_SIZE: [Column; 3] = [("report-balloon", "", 8.0), ("report-i
 const TIME: Column = ("report-sign-date", "", 19.0);
 
 /// What follows in both.
-const SHARED: [Column; 16] = [
+const SHARED: [Column; 17] = [
     ("report-callout", "", 11.0),
     ("parts-page-column-feature", "", 8.0),
     ("report-nominal", "mm", 10.0),
@@ -35,11 +35,12 @@ const SHARED: [Column; 16] = [
     ("report-maximum", "mm", 10.0),
     ("report-measured", "mm", 10.0),
     ("report-deviation", "µm", 11.0),
-    ("report-verdict", "", 20.0),
+    ("report-verdict", "", 24.0),
     ("columns-page-role-simulated", "", 13.0),
-    ("report-remove-to-limit", "µm", 13.0),
-    ("report-remove-to-middle", "µm", 13.0),
+    ("report-remove", "", 13.0),
+    ("report-remove-to-middle", "", 14.0),
     ("report-position", "", 12.0),
+    ("report-sheets-corrected", "", 12.0),
     ("report-limits-from", "", 20.0),
     ("report-from", "", 18.0),
     ("report-verdict-from", "", 22.0),
@@ -54,7 +55,7 @@ const MEASURED: u16 = FIRST + 5;
 pub(super) const VERDICT: u16 = FIRST + 7;
 
 /// The last column.
-pub(super) const LAST: u16 = FIRST + 15;
+pub(super) const LAST: u16 = FIRST + 16;
 
 /// Writes the head of a table, and how wide its columns are.
 pub(super) fn head(book: &mut Book<'_>, paper: &mut Paper<'_>, left: &[Column; 3]) -> io::Result<()> {
@@ -68,11 +69,9 @@ pub(super) fn head(book: &mut Book<'_>, paper: &mut Paper<'_>, left: &[Column; 3
 }
 
 fn titled(words: &Words, id: &str, unit: &str) -> String {
-    // What is to be removed stands in two columns, each of which says of what it speaks.
+    // What is to be removed at least stands in the column before.
     let name = match id {
-        "report-remove-to-limit" | "report-remove-to-middle" => {
-            format!("{}, {}", words.get("report-remove"), words.get(id))
-        }
+        "report-remove-to-middle" => format!("{}, {}", words.get("report-remove"), words.get(id)),
         _ => words.get(id),
     };
     if unit.is_empty() { name } else { format!("{name} ({unit})") }
@@ -115,7 +114,16 @@ pub(super) fn answered(book: &mut Book<'_>, paper: &mut Paper<'_>, row: u32, rec
     }
     let position = book.words.say(&text::position(verdict.position));
     let said = CheckSaid::of(record, book.words);
-    let texts = [position, said.limits_from, said.measured_from, said.rule, said.remarks.join("; ")];
+    // A reader of the column takes any text for a yes, and corrects no second time.
+    let change = record.correction.map(|correction| format!("{} µm", book.words.signed_um(correction.change())));
+    let texts = [
+        position,
+        change.unwrap_or_default(),
+        said.limits_from,
+        said.measured_from,
+        said.rule,
+        said.remarks.join("; "),
+    ];
     (VERDICT + 4..).zip(texts).try_for_each(|(column, text)| book.text(paper, (row, column), &text, Look::Plain))
 }
 
