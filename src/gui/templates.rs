@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use crate::files;
 use crate::message::{Message, Say as _, message};
-use crate::report::image::Image;
 use crate::report::template::Template;
 
 /// The most files that are read.
@@ -23,11 +22,7 @@ fn template(path: &Path) -> Result<Arc<Template>, Message> {
     let refused = |reason: Message| message!("reports-page-refused").text("file", &name).message("reason", reason);
     let bytes = files::read_file(path).map_err(|error| refused(error.message()))?;
     let text = String::from_utf8_lossy(&bytes);
-    let mut template = Template::read(&text).map_err(|error| refused(error.message()))?;
-    let logo = template.company.logo.clone();
-    if !logo.is_empty() {
-        let read = files::read_file(&path.with_file_name(&logo)).map_err(|error| error.message());
-        template.logo = Some(read.and_then(|bytes| Image::read(&logo, &bytes)));
-    }
-    Ok(Arc::new(template))
+    let template = Template::read(&text).map_err(|error| refused(error.message()))?;
+    let logo = |name: &str| files::read_file(&path.with_file_name(name)).map_err(|error| error.message());
+    Ok(Arc::new(template.with_logo(logo)))
 }

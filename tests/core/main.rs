@@ -106,6 +106,7 @@ mod renderings;
 mod report;
 mod report_cli;
 mod report_parts;
+mod report_templates;
 
 mod rows;
 mod rules;

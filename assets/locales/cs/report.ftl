@@ -231,3 +231,4 @@ report-sheets-cut = { $count ->
     [few] { $count } texty jsou zkráceny: do buňky se vejde nejvýše 32767 znaků.
    *[other] { $count } textů je zkráceno: do buňky se vejde nejvýše 32767 znaků.
 }
+report-journal = Záznamy { $numbers } deníku { $chain }; jeho poslední záznam tehdy: { $number }:{ $hash }

@@ -222,3 +222,4 @@ report-sheets-cut = { $count ->
     [one] Ein Text ist gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
    *[other] { $count } Texte sind gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
 }
+report-journal = Einträge { $numbers } des Journals { $chain }; sein letzter Eintrag damals: { $number }:{ $hash }

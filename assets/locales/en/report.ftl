@@ -222,3 +222,4 @@ report-sheets-cut = { $count ->
     [one] One text is cut short: a cell holds at most 32767 characters.
    *[other] { $count } texts are cut short: a cell holds at most 32767 characters.
 }
+report-journal = Records { $numbers } of journal { $chain }; its last entry then: { $number }:{ $hash }

@@ -222,3 +222,4 @@ report-sheets-cut = { $count ->
     [one] Un texto está abreviado: una celda contiene como máximo 32767 caracteres.
    *[other] { $count } textos están abreviados: una celda contiene como máximo 32767 caracteres.
 }
+report-journal = Entradas { $numbers } del registro { $chain }; su última entrada entonces: { $number }:{ $hash }

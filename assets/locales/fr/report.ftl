@@ -222,3 +222,4 @@ report-sheets-cut = { $count ->
     [one] { $count } texte est abrégé : une cellule contient au plus 32767 caractères.
    *[other] { $count } textes sont abrégés : une cellule contient au plus 32767 caractères.
 }
+report-journal = Relevés { $numbers } du journal { $chain } ; sa dernière entrée alors : { $number }:{ $hash }

@@ -222,3 +222,4 @@ report-sheets-cut = { $count ->
     [one] Un testo è abbreviato: una cella contiene al massimo 32767 caratteri.
    *[other] { $count } testi sono abbreviati: una cella contiene al massimo 32767 caratteri.
 }
+report-journal = Registrazioni { $numbers } del registro { $chain }; la sua ultima voce allora: { $number }:{ $hash }

@@ -222,3 +222,4 @@ report-sheets-cut = { $count ->
     [one] Eén tekst is ingekort: in een cel passen hoogstens 32767 tekens.
    *[other] { $count } teksten zijn ingekort: in een cel passen hoogstens 32767 tekens.
 }
+report-journal = Regels { $numbers } van logboek { $chain }; de laatste regel was toen: { $number }:{ $hash }

@@ -236,3 +236,4 @@ report-sheets-cut = { $count ->
     [many] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
    *[other] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
 }
+report-journal = Zapisy { $numbers } dziennika { $chain }; jego ostatni wpis wtedy: { $number }:{ $hash }

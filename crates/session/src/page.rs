@@ -11,8 +11,6 @@ macro_rules! pages {
             Parts: parts, PartsPage, PartsCommand, PartsField, PartsAction, "page-parts", "parts.md";
             /// Everything that was recorded.
             Records: records, RecordsPage, RecordsCommand, RecordsField, RecordsAction, "page-records", "records.md";
-            /// Reports to print, to sign and to keep.
-            Reports: reports, ReportsPage, ReportsCommand, ReportsField, ReportsAction, "page-reports", "reports.md";
             /// Hole against shaft.
             Fit: fit, FitPage, FitCommand, FitField, FitAction, "page-fit", "fits.md";
             /// Measured holes against measured shafts.
@@ -25,6 +23,8 @@ macro_rules! pages {
             Program: program, ProgramPage, ProgramCommand, ProgramField, ProgramAction, "page-program", "programs.md";
             /// Uncertainty budgets.
             Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget", "uncertainty.md";
+            /// Reports to print, to sign and to keep.
+            Reports: reports, ReportsPage, ReportsCommand, ReportsField, ReportsAction, "page-reports", "reports.md";
             /// The manual, the keys and the samples.
             Help: help, HelpPage, HelpCommand, HelpField, HelpAction, "page-help", "window.md";
             /// Everything that can be set.

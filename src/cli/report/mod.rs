@@ -2,6 +2,7 @@
 
 mod part;
 mod reading;
+mod template;
 mod recording;
 
 use std::io::Write;
@@ -11,6 +12,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 use part::ReportParts;
 use reading::{Collected, ReportChecks, name};
+use template::TemplateArgs;
 use recording::ReportRecordArgs;
 
 use super::args::one_of;
@@ -25,7 +27,6 @@ use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
 use crate::proof::{Seen, SeenFile};
-use crate::report::paper::Paper;
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -69,9 +70,8 @@ pub(super) struct Args {
     #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
     language: Language,
 
-    /// Paper of a report as PDF
-    #[arg(long, default_value = "a4", value_parser = one_of(Paper::ALL.iter().copied(), |paper| paper.name()))]
-    paper: Paper,
+    #[command(flatten)]
+    look: TemplateArgs,
 
     /// Date and time of the report, and of checks without their own; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
@@ -105,6 +105,7 @@ Examples:
   fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
   fitcheck report --plan flange.toml results.qif --language de -o flange.pdf
   fitcheck report bores.csv --paper letter -o report.pdf
+  fitcheck report --plan flange.toml results.qif --template certificate --head customer=Northgate -o flange.pdf
   fitcheck report --check \"25 H7=25.012\" -o - --format json
   fitcheck report bores.csv -o bores.html --record --who Anna
   fitcheck report bores.csv -o report.xlsx
@@ -233,9 +234,13 @@ impl Args {
             inspector: self.inspector.clone(),
             notes: collected.notes(),
             parts,
-            paper: self.paper,
             ..Report::new(now, Arc::clone(&checks))
         };
+        let mut report = self.look.dress(report)?;
+        // The title of a template is that of its language.
+        if report.title.is_empty() {
+            report.title = report.template.text(&report.template.title, &words);
+        }
         if rendering.is_checks_alone {
             self.warn_of_checks_alone(report.notes.len(), io);
         }

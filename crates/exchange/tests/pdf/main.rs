@@ -7,6 +7,7 @@
 //! | `checks` | checks without a plan: rows, attachments, languages, paper |
 //! | `parts` | whole parts with pictures |
 //! | `names` | what names must not do |
+//! | `templates` | what templates show and leave out, certificates, lots, labels, codes |
 
 #![cfg(test)]
 
@@ -15,4 +16,5 @@ mod made;
 mod names;
 mod parts;
 mod reader;
+mod templates;
 mod values;

@@ -35,6 +35,11 @@ pub(super) fn write_notes(
         flow.y += GAP / 2.0;
     }
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
+    if let Some(journal) = &report.journal {
+        let said = message!("report-journal").text("numbers", &journal.numbers).text("chain", journal.chain);
+        let said = said.text("number", journal.head.number).text("hash", journal.head.hash);
+        flow.paragraph(section, NOTE, &words.say(&said));
+    }
     flow.paragraph(section, NOTE, &words.get("report-footer"));
     if 0 < seen.contacts && !attachments.files.is_empty() {
         flow.paragraph(section, NOTE, &words.get("report-pdf-contacts"));

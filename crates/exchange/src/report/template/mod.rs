@@ -29,6 +29,9 @@ pub use parts::{Column, HeadField, Section};
 use super::image::Image;
 use super::paper::Paper;
 
+/// What the names of the shipped ones begin with.
+const SHIPPED_NAME: &str = "report-template-";
+
 /// The version of the file that this program reads.
 const VERSION: u32 = 1;
 
@@ -195,6 +198,19 @@ impl Template {
     pub fn without(&self, hidden: &BTreeSet<Section>, paper: Paper) -> Self {
         let shown = self.sections.iter().copied().filter(|section| !hidden.contains(section));
         Self { sections: shown.collect(), paper, ..self.clone() }
+    }
+
+    /// What a shipped one is called on the command line: `first-article`.
+    pub fn word(&self) -> &str {
+        self.name.strip_prefix(SHIPPED_NAME).unwrap_or(&self.name)
+    }
+
+    /// Takes the logo that it names, where it names one; `read` reads a file beside the template.
+    #[must_use]
+    pub fn with_logo(self, read: impl FnOnce(&str) -> Result<Vec<u8>, Message>) -> Self {
+        let name = self.company.logo.as_str();
+        let logo = (!name.is_empty()).then(|| read(name).and_then(|bytes| Image::read(name, &bytes)));
+        Self { logo, ..self }
     }
 
     /// A text of it in a language: those of a shipped one are names of texts.

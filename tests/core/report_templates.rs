@@ -1,0 +1,101 @@
+//! Templates of reports: what a file may say, what the shipped ones show, and what none of them can leave out.
+
+use assert_cmd::cargo::cargo_bin_cmd;
+use fitcheck::report::paper::Paper;
+use fitcheck::report::template::{Column, HeadField, Section, Template};
+use fitcheck::words::{Language, Words};
+
+const OWN: &str = r#"version = 1
+name = "Goods in"
+title = "Incoming inspection"
+paper = "letter"
+language = "de"
+sections = ["verdict", "features", "signature"]
+head = ["part", "customer"]
+columns = ["feature", "measured", "verdict"]
+rule-text = "Rule QA-7."
+
+[company]
+name = "Northgate"
+address = ["Mill shop 2"]
+"#;
+
+fn refused(text: &str) -> String {
+    Template::read(text).unwrap_err().to_string()
+}
+
+#[test]
+fn a_template_chooses_sections_columns_head_and_paper() {
+    let template = Template::read(OWN).unwrap();
+    assert_eq!(template.paper, Paper::Letter);
+    assert_eq!(template.language().map(Language::code), Some("de"));
+    assert_eq!(template.sections, [Section::Verdict, Section::Features, Section::Signature]);
+    assert_eq!(template.head, [HeadField::Part, HeadField::Customer]);
+    assert_eq!(template.columns, [Column::Feature, Column::Measured, Column::Verdict]);
+    assert_eq!((template.company.name.as_str(), template.rule_text.as_str()), ("Northgate", "Rule QA-7."));
+}
+
+#[test]
+fn what_a_template_cannot_say_is_named_with_its_place() {
+    let wrong = |from: &str, to: &str| refused(&OWN.replace(from, to));
+    let unknown = wrong("rule-text", "rule-txt");
+    assert!(unknown.starts_with("line 9, column 1: ") && unknown.contains("rule-txt"), "{unknown}");
+    let word = wrong("\"signature\"", "\"sign\"");
+    assert!(word.starts_with("line 6, column ") && word.contains("`signature`"), "{word}");
+    for (from, to, said) in [
+        ("version = 1", "version = 2", "template version 2 is not supported: expected version 1"),
+        ("\"Goods in\"", "\" \"", "name is empty, is longer than 2000 characters or has a control character"),
+        ("[\"part\", \"customer\"]", "[\"part\", \"part\"]", "head lists part twice"),
+        ("[\"feature\", \"measured\", \"verdict\"]", "[]", "columns is empty: list at least one"),
+        ("\"de\"", "\"xx\"", "xx is not a language of reports: use one of cs, de, en, es, fr, it, nl, pl"),
+    ] {
+        assert_eq!(wrong(from, to), said);
+    }
+    let logo = refused(&format!("{OWN}logo = \"../secret.png\"\n"));
+    assert_eq!(logo, "the logo ../secret.png must be the name of a file beside the template");
+    assert_eq!(refused(&format!("#{}", "x".repeat(70_000))), "a template has at most 65536 bytes");
+}
+
+#[test]
+fn every_shipped_template_has_its_texts_and_the_usual_one_comes_first() {
+    let shipped = Template::shipped();
+    let words: Vec<&str> = shipped.iter().map(|template| template.word()).collect();
+    assert_eq!(words, ["inspection", "certificate", "first-article", "label", "list", "sheet"]);
+    assert_eq!(Template::usual().word(), "inspection");
+    for template in shipped {
+        for language in Language::all() {
+            let words = Words::new(language);
+            for text in [&template.name, &template.purpose] {
+                let said = template.text(text, &words);
+                assert!(!said.is_empty() && said != *text, "{} in {}", text, language.code());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_template_of_a_file_is_used_and_a_wrong_one_is_named_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let [own, pdf] = ["own.toml", "report.pdf"].map(|name| folder.path().join(name));
+    let run = |text: &str| {
+        std::io::Write::write_all(&mut std::fs::File::create(&own).unwrap(), text.as_bytes()).unwrap();
+        let mut command = cargo_bin_cmd!("fitcheck");
+        command.args(["report", "--check", "25 H7=25.012", "--template"]).arg(&own).arg("-o").arg(&pdf);
+        let output = command.output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, said) = run(OWN);
+    assert_eq!((code, said.as_str(), pdf.exists()), (Some(0), "", true));
+    std::fs::remove_file(&pdf).unwrap();
+    let (code, said) = run(&OWN.replace("rule-text", "rule-txt"));
+    assert_eq!((code, pdf.exists()), (Some(1), false));
+    assert!(said.contains("own.toml") && said.contains("line 9, column 1: ") && said.contains("rule-txt"), "{said}");
+}
+
+#[test]
+fn an_unknown_field_of_the_head_lists_the_known_ones() {
+    let mut command = cargo_bin_cmd!("fitcheck");
+    let output = command.args(["report", "--check", "25 H7=25", "--head", "color=red", "-o", "x.pdf"]).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(said.contains("color is not a field of the head: use one of part, drawing, revision"), "{said}");
+}
