@@ -99,18 +99,18 @@ Examples:
   fitcheck report bores.csv --paper letter -o report.pdf
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
-A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached to it, unless they
-are very large; the file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
+A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached, unless
+they are very large. The file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
 positions on the picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML, PDF and JSON; the others are reported, and the exit code is 1. With
---plan it is that of the worst part, by the value of each feature that counts (the last one by its
-time; if values contradict each other, the worst one), and 1 if none is worse than good but a
-part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
+error, and in the report as HTML, PDF and JSON; the others are reported, and the exit code is 1.
+With --plan it is that of the worst part, by the value of each feature that counts (the last one
+by its time; if values contradict each other, the worst one), and 1 if none is worse than good but
+a part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
 12 if something contradicts a verdict. CSV holds only the checks, with the name of the picture:
 standard error reports what it leaves out.";
 
