@@ -111,8 +111,8 @@ Examples:
   fitcheck report bores.csv -o report.xlsx
   fitcheck report --plan flange.toml results.csv -o flange.dfq
 
-A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached to it, unless they
-are very large; the file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
+A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached, unless
+they are very large. The file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
@@ -124,10 +124,10 @@ report does is marked as not valid there, such as a simulated one. In QIF nothin
 that was measured is a PASS.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in every report but CSV; the others are reported, and the exit code is 1. With
---plan it is that of the worst part, by the value of each feature that counts (the last one by its
-time; if values contradict each other, the worst one), and 1 if none is worse than good but a
-part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
+error, and in every report but CSV; the others are reported, and the exit code is 1.
+With --plan it is that of the worst part, by the value of each feature that counts (the last one
+by its time; if values contradict each other, the worst one), and 1 if none is worse than good but
+a part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
 12 if something contradicts a verdict. CSV holds only the checks, with the name of the picture:
 standard error reports what it leaves out.
 

@@ -153,11 +153,16 @@ fn what_is_guarded_corrected_or_doubted_is_told_on_the_first_page() {
 }
 
 #[test]
-fn notes_are_announced_on_the_first_page_and_listed_at_the_end() {
-    let notes = vec![fitcheck_core::message::message!("report-no-checks")];
-    let text = first(&Report { notes, ..report(three()) });
-    assert!(text.contains("Skipped rows and warnings, listed at the end: 1"), "{text}");
-    assert!(text.contains("This report has no checks."), "{text}");
+fn notes_stand_on_the_first_page_or_are_announced_there() {
+    let page = |count| {
+        let note = fitcheck_core::message::message!("report-total");
+        first(&Report { notes: vec![note; count], ..report(three()) })
+    };
+    let few = page(2);
+    assert_eq!((few.matches("Total").count(), few.contains("listed at the end")), (3, false), "{few}");
+    let many = page(9);
+    assert!(many.contains("Skipped rows and warnings, listed at the end: 9"), "{many}");
+    assert_eq!(many.matches("Total").count(), 10, "{many}");
 }
 
 #[test]

@@ -59,3 +59,14 @@ fn no_name_becomes_a_link_a_script_or_another_object() {
         assert!(!pdf.keys().contains(key), "{key}");
     }
 }
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config::with_cases(48))]
+
+    #[test]
+    fn every_name_gives_a_whole_file(name in proptest::prelude::any::<String>(), part in "\\PC{0,60}") {
+        let named = Report { part: Some(part), ..report(vec![record(&name, "25 H7", "25.012"), record("B", "8 H9", "8.01")]) };
+        let pdf = pdf(&named, "cs");
+        assert_eq!(pdf.structure().find("TR").len(), 3);
+    }
+}

@@ -7,7 +7,7 @@ use fitcheck_core::words::Words;
 use super::attach::{Attachments, MOST};
 use super::code::{CODE, Code};
 use super::flow::{Flow, base};
-use super::head::{DATE, write_heading};
+use super::head::{DATE, MOST_NOTES, write_heading};
 use super::look::{BODY, FOOT, GAP, LABEL, NOTE, SIDE, STRONG, Style, TEXT, TOP};
 use super::sheet::{Area, Edge, Piece, Place, Shape, Sheet};
 use super::tags::{Kind, Tags};
@@ -26,7 +26,7 @@ pub(super) fn write_notes(
     words: &Words,
 ) {
     let style = NOTE.in_ink(TEXT);
-    if !report.notes.is_empty() {
+    if MOST_NOTES < report.notes.len() {
         let section = flow.tags.add(Tags::ROOT, Kind::Section);
         write_heading(flow, section, &words.get("report-notes"));
         for note in &report.notes {

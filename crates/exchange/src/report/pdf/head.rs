@@ -208,7 +208,10 @@ fn value(report: &Report, field: HeadField, words: &Words) -> Option<String> {
     }
 }
 
-/// What is special about the checks, in numbers.
+/// So many notes stand on the first page; more stand at the end, and the first page says so.
+pub(super) const MOST_NOTES: usize = 6;
+
+/// What is special about the checks, in numbers, and what the report notes.
 pub(super) fn signals(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<String> {
     let mut counts = vec![
         ("report-pdf-corrected", seen.corrected),
@@ -226,8 +229,9 @@ pub(super) fn signals(report: &Report, seen: &ReportSurvey, words: &Words) -> Ve
     };
     let counted = counts.into_iter().filter(|(_, count)| 0 < *count).map(said);
     let notes = report.notes.len();
-    let noted = (0 < notes).then(|| words.say(&message!("report-pdf-notes").count("count", notes)));
-    seen.note(words).into_iter().chain(counted).chain(noted).collect()
+    let noted = (MOST_NOTES < notes).then(|| words.say(&message!("report-pdf-notes").count("count", notes)));
+    let few = report.notes.iter().filter(|_| noted.is_none()).map(|note| words.say(note));
+    seen.note(words).into_iter().chain(counted).chain(few).chain(noted.clone()).collect()
 }
 
 /// How many checks there are of each status.
