@@ -376,6 +376,28 @@ fn a_changed_file_is_not_known_and_says_which_check_is_another_one() {
     assert!(!said.out.contains("is a report of this name") && said.err.contains("none.html"), "{}", said.err);
 }
 
+#[test]
+fn a_journal_that_was_changed_proves_nothing_of_a_file() {
+    let place = Place::with_checks();
+    place.report("flange.json", &[2, 3]);
+    let change = "DROP TRIGGER entry_keeps; UPDATE entry SET hash = zeroblob(32) WHERE number = 3";
+    rusqlite::Connection::open(place.path("j.sqlite")).unwrap().execute_batch(change).unwrap();
+    let said = place.journal("verify flange.json");
+    assert_eq!(said.code, 1);
+    assert!(said.out.contains("the journal itself is not as it was written: what it says of the file proves nothing"));
+    assert!(!said.out.contains("stands as it was written"), "{}", said.out);
+}
+
+/// The files that checks were made with are looked for in all bodies: a report is none of them.
+#[test]
+fn a_report_is_no_file_that_a_watch_has_taken() {
+    let head = Head { number: 2, hash: Hash([7; 32]) };
+    let body = fitcheck::journal::body::write(&report("lot.csv", &[2], head)).unwrap();
+    let mut known = fitcheck::watch::TakenFiles::default();
+    known.see(&body);
+    assert_eq!(known.count(), 0);
+}
+
 /// A report whose entry says something else than its checks: whoever wrote that entry wrote no report of them.
 #[test]
 fn a_report_of_what_is_no_check_is_told() {

@@ -98,7 +98,7 @@ impl Args {
         } else {
             print(&found, &known, replaced.as_ref(), io);
             for file in &files {
-                file.print(chain, io);
+                file.print(chain, found.is_whole() && replaced.is_none(), io);
             }
         }
         let is_whole = found.is_whole() && replaced.is_none() && are_known;

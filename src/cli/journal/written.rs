@@ -98,7 +98,8 @@ impl Written {
         !self.known.is_empty() && self.known.iter().all(Found::is_whole)
     }
 
-    pub(super) fn print(&self, chain: ChainId, io: &mut Io<'_>) {
+    /// `is_whole`: whether the journal is as it was written; otherwise what it says of the file proves nothing.
+    pub(super) fn print(&self, chain: ChainId, is_whole: bool, io: &mut Io<'_>) {
         let path = self.path.display();
         for found in &self.known {
             let Found { number, about, report, .. } = found;
@@ -110,7 +111,13 @@ impl Written {
                 io.people(),
                 "{path} was written on {time}{who} at {station}, as entry {number} of chain {chain}: {shown}"
             );
-            found.print(io);
+            found.print(is_whole, io);
+            if !is_whole {
+                writeln!(
+                    io.people(),
+                    "  the journal itself is not as it was written: what it says of the file proves nothing"
+                );
+            }
         }
         if self.known.is_empty() {
             writeln!(io.people(), "{path} is not a file that this journal knows: it was changed, or written elsewhere");
@@ -173,7 +180,7 @@ impl Found {
         self.checks.others.is_empty() && !matches!(self.data, Some(Data::Differs(_)))
     }
 
-    fn print(&self, io: &mut Io<'_>) {
+    fn print(&self, is_whole: bool, io: &mut Io<'_>) {
         let Since { corrected, withdrawn, others } = &self.checks;
         for number in others {
             writeln!(io.people(), "  entry {number} is not a check of a size");
@@ -185,7 +192,7 @@ impl Found {
             writeln!(io.people(), "  entry {number} was withdrawn by entry {by} since");
         }
         let is_any = !self.report.shown.checks.is_empty();
-        if is_any && others.is_empty() && corrected.is_empty() && withdrawn.is_empty() {
+        if is_whole && is_any && others.is_empty() && corrected.is_empty() && withdrawn.is_empty() {
             writeln!(io.people(), "  every one of them stands as it was written");
         }
         match &self.data {

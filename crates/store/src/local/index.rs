@@ -9,7 +9,7 @@ use fitcheck_exchange::journal::body;
 use rusqlite::{Connection, Transaction, TransactionBehavior, params};
 
 use super::number::{integer, natural};
-use super::{finding, reports};
+use super::{finding, reported};
 
 /// So many entries wait to be indexed.
 const WAIT: i64 = 512;
@@ -45,7 +45,7 @@ pub(super) fn all_from(connection: &Connection, indexed: i64, last: i64) -> rusq
         let number = row.get(0)?;
         let Ok(Some(found)) = body::found(row.get_ref(1)?.as_blob()?) else { continue };
         finding::add(connection, number, &found)?;
-        reports::add(connection, number, &found)?;
+        reported::add(connection, number, &found)?;
         let words = found.words();
         if !words.is_empty() {
             insert.execute(params![number, words.join(" ")])?;

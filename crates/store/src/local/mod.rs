@@ -16,6 +16,7 @@
 //! | `number` | numbers of entries as SQLite keeps them |
 //! | `words` | questions for words |
 //! | `reader` | reading, beside the writer |
+//! | `reported` | what a report is found by |
 //! | `reports` | which reports there are: by their bytes, their names, the checks that they show |
 //! | `verify` | whether every entry is the one that was written |
 //! | `backup` | a copy at one moment |
@@ -31,6 +32,7 @@ mod index;
 mod number;
 mod opening;
 mod reader;
+mod reported;
 mod reports;
 mod schema;
 mod turn;

@@ -20,7 +20,7 @@ use fitcheck_exchange::journal::found::FoundEntry;
 use fitcheck_exchange::journal::inspection::{Inspected, Inspection};
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _};
 
-use super::{finding, index, number, opening, reader, reports, schema};
+use super::{finding, index, number, opening, reader, reported, schema};
 use crate::error::StoreError;
 
 /// After how many entries the progress is told.
@@ -179,7 +179,7 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
                 (Some(row), Some(found)) if is_there => {
                     finding::is_of(row, found, classes.of(found))?
                         && match &found.report {
-                            Some(report) => reports::agrees(&transaction, last, report)?,
+                            Some(report) => reported::agrees(&transaction, last, report)?,
                             None => true,
                         }
                 }
@@ -199,7 +199,7 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
         [last],
         |row| row.get(0),
     )?;
-    let without = reports::without_report(&transaction)?;
+    let without = reported::without_report(&transaction)?;
     Ok(wrong.saturating_add(number::natural(more)).saturating_add(without))
 }
 
