@@ -250,7 +250,6 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
         ("r.dfq", "en"),
         ("r.qif", "en"),
         ("r.md", "en"),
-        ("fr.md", "fr"),
         ("r.xlsx", "en"),
         ("nl.xlsx", "nl"),
         ("de.xlsx", "de"),
