@@ -29,6 +29,7 @@ mod plan_page;
 mod program_page;
 mod readme;
 mod records_page;
+mod reports_page;
 mod rows;
 mod rules;
 mod settings_page;

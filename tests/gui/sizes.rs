@@ -379,6 +379,10 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             send(&mut window, PairingCommand::Select(1));
         }
         Page::Records => recorded(&mut window),
+        Page::Reports => {
+            measured(&mut window, &["25.012", "24.998", "25.030"]);
+            send(&mut window, Command::OpenPage(page));
+        }
         Page::Parts => {
             send(&mut window, PartsCommand::Plan(PlanCommand::New));
             send(&mut window, PartsCommand::Show(PartsView::Plan));
@@ -418,7 +422,13 @@ fn recorded(window: &mut Harness<'_, App>) {
 const fn has_verdict(page: Page) -> bool {
     match page {
         Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget => true,
-        Page::Parts | Page::Tables | Page::Program | Page::Records | Page::Help | Page::Settings => false,
+        Page::Parts
+        | Page::Tables
+        | Page::Program
+        | Page::Records
+        | Page::Reports
+        | Page::Help
+        | Page::Settings => false,
     }
 }
 

@@ -28,3 +28,4 @@ reports-page-refused = { $file } není šablona: { $reason }
 reports-page-preview = Stránka zprávy
 reports-page-title = Název zprávy
 reports-page-no-printer = Zpráva nebyla vytištěna: žádný z programů { $programs } není nainstalován
+reports-page-open-records = Záznamy…

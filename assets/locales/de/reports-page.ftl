@@ -28,3 +28,4 @@ reports-page-refused = { $file } ist keine Vorlage: { $reason }
 reports-page-preview = Seite des Berichts
 reports-page-title = Titel des Berichts
 reports-page-no-printer = Der Bericht wurde nicht gedruckt: Keines der Programme { $programs } ist installiert
+reports-page-open-records = Journal…

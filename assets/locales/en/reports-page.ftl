@@ -28,3 +28,4 @@ reports-page-refused = { $file } is not a template: { $reason }
 reports-page-preview = Page of the report
 reports-page-title = Title of the report
 reports-page-no-printer = The report was not printed: none of the programs { $programs } is installed
+reports-page-open-records = Records…

@@ -28,3 +28,4 @@ reports-page-refused = { $file } no es una plantilla: { $reason }
 reports-page-preview = Página del informe
 reports-page-title = Título del informe
 reports-page-no-printer = El informe no se ha imprimido: ninguno de los programas { $programs } está instalado
+reports-page-open-records = Registro…

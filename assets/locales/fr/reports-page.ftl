@@ -28,3 +28,4 @@ reports-page-refused = { $file } n’est pas un modèle : { $reason }
 reports-page-preview = Page du rapport
 reports-page-title = Titre du rapport
 reports-page-no-printer = Le rapport n’a pas été imprimé : aucun des programmes { $programs } n’est installé
+reports-page-open-records = Relevés…

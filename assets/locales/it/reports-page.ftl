@@ -28,3 +28,4 @@ reports-page-refused = { $file } non è un modello: { $reason }
 reports-page-preview = Pagina del rapporto
 reports-page-title = Titolo del rapporto
 reports-page-no-printer = Il rapporto non è stato stampato: nessuno dei programmi { $programs } è installato
+reports-page-open-records = Registro…

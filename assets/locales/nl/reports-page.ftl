@@ -28,3 +28,4 @@ reports-page-refused = { $file } is geen sjabloon: { $reason }
 reports-page-preview = Pagina van het rapport
 reports-page-title = Titel van het rapport
 reports-page-no-printer = Het rapport is niet afgedrukt: geen van de programma’s { $programs } is geïnstalleerd
+reports-page-open-records = Logboek…

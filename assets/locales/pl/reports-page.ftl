@@ -28,3 +28,4 @@ reports-page-refused = { $file } nie jest szablonem: { $reason }
 reports-page-preview = Strona raportu
 reports-page-title = Tytuł raportu
 reports-page-no-printer = Raportu nie wydrukowano: żaden z programów { $programs } nie jest zainstalowany
+reports-page-open-records = Zapisy…

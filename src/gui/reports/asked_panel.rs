@@ -15,7 +15,7 @@ const TEMPLATES: &str = "report-templates";
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("reports-page-about"));
     for of in ReportOf::ALL {
-        view.radio(ui, ReportsAction::Of(of));
+        ui.add_enabled_ui(view.session.can(ReportsAction::Of(of)), |ui| view.radio(ui, ReportsAction::Of(of)));
     }
     ui.separator();
     heading(ui, view.text("reports-page-templates"));

@@ -19,10 +19,10 @@ use super::columns::{Page, THREE, columns_ui};
 use super::page::{Group, PageView};
 use super::theme::{Icon, space};
 use super::view::View;
-use crate::session::WindowAction;
+use crate::session::ReportsAction;
 
 pub(super) const PAGE: PageView = PageView {
-    action: |_| WindowAction::OpenPage(crate::session::Page::Records).into(),
+    action: |_| ReportsAction::OpenRecords.into(),
     ..PageView::of(Group::Results, Icon::FileText, reports_ui)
 };
 

@@ -29,6 +29,8 @@ actions! {
     Move(Step): [Step::PageUp, Step::PageDown];
     /// Shows the whole page.
     WholePage;
+    /// Goes to the records, to choose others.
+    OpenRecords;
 }
 
 /// The place of the PDF in the list of renderings.
@@ -55,6 +57,7 @@ impl Actions for ReportsAction {
                 ReportOf::Records => |session| session.can_report(ReportOf::Records),
             }),
             Self::Move(step) => on(Page::Reports, "reports-page-move", ReportsCommand::Move(step)).key(keys(step)),
+            Self::OpenRecords => on(Page::Reports, "reports-page-open-records", Command::OpenPage(Page::Records)),
             Self::WholePage => {
                 on(Page::Reports, "reports-page-whole", ReportsCommand::Magnify(Magnification::WholePage))
             }

@@ -1,0 +1,98 @@
+//! The reports page by label and key: what is reported, templates, the pages as they will print, saving.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::App;
+use fitcheck::report::paper::Paper;
+use fitcheck::session::{CheckField, Command, Field, Page, ReportsCommand};
+use fitcheck::words::Language;
+
+use crate::harness::{Window, click, press, type_into};
+
+fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command.into());
+    window.run();
+}
+
+/// The page after a value was judged.
+fn page() -> Harness<'static, App> {
+    let mut window = Window::default().open();
+    send(&mut window, Field::from(CheckField::Callout).typed("25 H7".to_owned()));
+    send(&mut window, Field::from(CheckField::Measured).typed("25.012".to_owned()));
+    send(&mut window, Command::Enter(CheckField::Measured.into()));
+    send(&mut window, Command::OpenPage(Page::Reports));
+    window
+}
+
+/// What is heard of the page in sight.
+fn heard(window: &Harness<'_, App>) -> String {
+    window.get_by_role(Role::Document).accesskit_node().label().unwrap_or_default()
+}
+
+#[test]
+fn the_pages_are_shown_as_they_will_print() {
+    let window = page();
+    let heard = heard(&window);
+    for said in ["Page of the report: Inspection report", "GOOD", "25 H7", "25.012"] {
+        assert!(heard.contains(said), "{said}: {heard}");
+    }
+    assert!(window.query_by_label("Page 1 of 1").is_some());
+}
+
+#[test]
+fn a_template_is_chosen_by_its_name_and_the_pages_follow() {
+    let mut window = page();
+    click(&mut window, Role::RadioButton, "Certificate, Values and statement of conformity");
+    let certificate = heard(&window);
+    assert!(certificate.contains("Statement of conformity: all 1 values"), "{certificate}");
+    type_into(&mut window, "Customer", "Northgate");
+    assert!(heard(&window).contains("Northgate"), "{}", heard(&window));
+    click(&mut window, Role::CheckBox, "Statement of conformity");
+    assert!(!heard(&window).contains("Statement of conformity: all"), "{}", heard(&window));
+}
+
+#[test]
+fn language_and_paper_are_those_of_the_report_alone() {
+    let mut window = page();
+    let german = Language::all().find(|language| language.code() == "de");
+    send(&mut window, ReportsCommand::Language(german));
+    assert!(heard(&window).contains("Page of the report: Prüfbericht"), "{}", heard(&window));
+    send(&mut window, ReportsCommand::Paper(Some(Paper::Letter)));
+    let pages = window.state().session().reports().pages();
+    assert_eq!(pages.and_then(Result::ok).map(|pages| pages.size()), Some([612.0, 792.0]));
+}
+
+#[test]
+fn the_keys_of_the_page_turn_pages_and_save() {
+    let mut window = page();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    window.run();
+    let dialog = window.state().session().dialog().map(|dialog| dialog.path.clone()).unwrap_or_default();
+    assert!(dialog.ends_with(".pdf"), "{dialog}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("bore.pdf");
+    type_into(&mut window, "File", &file.display().to_string());
+    press(&mut window, Key::Enter);
+    assert!(std::fs::read(file).unwrap().starts_with(b"%PDF-1.7"));
+}
+
+#[test]
+fn without_a_value_there_is_nothing_to_report_and_nothing_to_save() {
+    let mut window = Window::default().open();
+    send(&mut window, Command::OpenPage(Page::Reports));
+    assert!(window.query_by_role(Role::Document).is_none());
+    assert!(window.get_by_role_and_label(Role::Button, "Save PDF…").accesskit_node().is_disabled());
+    assert!(window.get_all_by_label_contains("Judge a value").next().is_some());
+}
+
+#[test]
+fn what_is_reported_is_chosen_among_what_there_is() {
+    let window = page();
+    for (name, is_possible) in [("The last verdict", true), ("The part being measured", false)] {
+        let choice = window.get_by_role_and_label(Role::RadioButton, name);
+        assert_eq!(!choice.accesskit_node().is_disabled(), is_possible, "{name}");
+    }
+}
