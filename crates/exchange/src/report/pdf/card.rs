@@ -14,7 +14,7 @@ pub(super) struct Count {
     /// Whose sign it has.
     pub status: Option<Status>,
     pub word: String,
-    pub count: usize,
+    pub number: usize,
 }
 
 /// What the card says.
@@ -94,7 +94,7 @@ impl Card {
     }
 
     fn counts(&self, flow: &mut Flow<'_>, section: TagId, [x, mut y]: [f32; 2]) {
-        for Count { status, word, count } in &self.counts {
+        for Count { status, word, number } in &self.counts {
             if status.is_some() {
                 let middle = [x + 7.0, y + PITCH / 2.0];
                 flow.put(None, outline(*status, false, middle, 6.4));
@@ -102,7 +102,7 @@ impl Card {
             }
             let element = flow.tags.add(section, Kind::Paragraph);
             let at = base(y, PITCH, CARD);
-            flow.say_to(Some(element), [x + 44.0, at], CARD, format!("{count} "));
+            flow.say_to(Some(element), [x + 44.0, at], CARD, format!("{number} "));
             flow.say(Some(element), [x + 47.0, at], BODY, word.clone());
             y += PITCH;
         }

@@ -8,6 +8,7 @@ use super::card::Card;
 use super::columns::Widths;
 use super::flow::Flow;
 use super::grounds::Grounds;
+use super::look::GAP;
 use super::rows::Rows;
 use super::table::Table;
 use super::tags::TagId;
@@ -73,7 +74,7 @@ pub(super) fn write(
         grounds.see(&row.label, record);
         Ok(())
     })?;
-    table.end(flow);
+    flow.y += GAP;
     grounds.write(flow, section);
     Ok(())
 }

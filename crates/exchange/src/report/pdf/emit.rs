@@ -84,7 +84,7 @@ fn fault(what: &'static str) -> EmitError {
 }
 
 /// Makes the file.
-pub(super) fn bytes(book: Book<'_>, report: &Report, attachments: &Attachments) -> Result<Vec<u8>, EmitError> {
+pub(super) fn bytes(book: &Book<'_>, report: &Report, attachments: &Attachments) -> Result<Vec<u8>, EmitError> {
     let configuration = ConfigurationBuilder::new()
         .with_archival_validator(Archival::A3_A)
         .with_accessibility_validator(Accessibility::UA1)
@@ -120,7 +120,7 @@ pub(super) fn bytes(book: Book<'_>, report: &Report, attachments: &Attachments) 
     }
     document.set_tag_tree(book.tags.tree(&identifiers));
     document.set_outline(outline(&book.outline));
-    document.set_metadata(metadata(&book, report, attachments));
+    document.set_metadata(metadata(book, report, attachments));
     for file in &attachments.files {
         let embedded = EmbeddedFile {
             path: file.name.to_owned(),

@@ -9,6 +9,7 @@ use super::columns::Widths;
 use super::flow::Flow;
 use super::grounds::Grounds;
 use super::head;
+use super::look::GAP;
 use super::pictures::Pictures;
 use super::rows::Rows;
 use super::table::{Laid, Row, Table};
@@ -39,15 +40,13 @@ pub(super) fn card(part: &PartSheet, words: &Words) -> Card {
     let causes = part.sizes().filter_map(|(size, _, record)| {
         let verdict = &record?.verdict;
         let is_cause = Some(verdict.status()) == status && status != Some(Status::Good);
-        is_cause.then(|| match verdict.size.removal {
-            Some(removal) => {
+        is_cause.then(|| {
+            if let Some(removal) = verdict.size.removal {
                 let remove = message!("report-pdf-remove").text("name", size.name());
-                words.say(&remove.text("um", words.um(removal.to_limit)))
+                return words.say(&remove.text("um", words.um(removal.to_limit)));
             }
-            None => {
-                let why = cause(verdict, words).unwrap_or_else(|| words.say(&text::size(&verdict.size, words)));
-                format!("{}: {why}", size.name())
-            }
+            let why = cause(verdict, words).unwrap_or_else(|| words.say(&text::size(&verdict.size, words)));
+            format!("{}: {why}", size.name())
         })
     });
     let causes: Vec<String> = causes.take(MOST_CAUSES).collect();
@@ -103,7 +102,7 @@ pub(super) fn write(
             grounds.see(&row.label, record);
         }
     }
-    table.end(flow);
+    flow.y += GAP;
     let remark = &part.plan.head.remark;
     if !remark.is_empty() {
         let entry = Entry { label: words.get("parts-page-head-remark"), value: remark.clone() };

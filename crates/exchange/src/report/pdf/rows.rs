@@ -66,28 +66,30 @@ impl Rows<'_> {
         let of_point =
             || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
         let callout = size.callout.map_or_else(of_point, |callout| words.number(&callout.to_string()));
-        let mut row = match record {
-            Some(record) => self.record(label.to_owned(), record),
-            None => {
-                let left = step.skipped.as_ref();
-                let word = if left.is_some() { "parts-page-balloon-skipped" } else { "parts-page-balloon-open" };
-                let why = left.map(|why| words.say(&message!("walk-page-skipped").text("reason", why)));
-                Row {
-                    label: label.to_owned(),
-                    minimum: self.mm(size.limits.minimum()),
-                    maximum: self.mm(size.limits.maximum()),
-                    word: words.get(word),
-                    notes: why.into_iter().collect(),
-                    ..Row::default()
-                }
-            }
-        };
+        let mut row =
+            record.map_or_else(|| self.empty(label, size, step), |record| self.record(label.to_owned(), record));
         row.name = size.name();
         row.callout = callout;
         if !size.feature.remark.is_empty() {
             row.notes.push(size.feature.remark.clone());
         }
         row
+    }
+
+    /// A size without a value.
+    fn empty(&self, label: &str, size: &Size<'_>, step: &Step) -> Row {
+        let words = self.words;
+        let left = step.skipped.as_ref();
+        let word = if left.is_some() { "parts-page-balloon-skipped" } else { "parts-page-balloon-open" };
+        let why = left.map(|why| words.say(&message!("walk-page-skipped").text("reason", why)));
+        Row {
+            label: label.to_owned(),
+            minimum: self.mm(size.limits.minimum()),
+            maximum: self.mm(size.limits.maximum()),
+            word: words.get(word),
+            notes: why.into_iter().collect(),
+            ..Row::default()
+        }
     }
 
     fn mm(&self, length: Length) -> String {

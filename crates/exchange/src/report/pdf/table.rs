@@ -7,7 +7,7 @@ use super::bands::BandShape;
 use super::columns::{Column, Widths};
 use super::flow::{Flow, apart, base};
 use super::fonts::Fonts;
-use super::look::{CELL, CHIP, GAP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
+use super::look::{CELL, CHIP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
 use super::sheet::{Area, Edge, Shape};
 use super::signs::{Outline, Sign};
 use super::tags::{Kind, TagId};
@@ -126,7 +126,7 @@ impl Table {
             let cell = row.map(|row| flow.tags.add(row, Kind::ColumnHead));
             let mut y = bottom - 3.0 - count(lines.len()) * NEXT;
             for line in lines {
-                self.set(flow, cell, *column, base(y, NEXT, LABEL), LABEL, line.clone());
+                self.set(flow, cell, (*column, base(y, NEXT, LABEL)), LABEL, line.clone());
                 y += NEXT;
             }
         }
@@ -135,7 +135,7 @@ impl Table {
     }
 
     /// Sets a line in a column.
-    fn set(&self, flow: &mut Flow<'_>, cell: Option<TagId>, column: Column, y: f32, style: Style, line: String) {
+    fn set(&self, flow: &mut Flow<'_>, cell: Option<TagId>, (column, y): (Column, f32), style: Style, line: String) {
         let [x, width] = self.widths.of(column);
         if column.is_number() {
             flow.say_to(cell, [x + width - PAD, y], style, line);
@@ -202,7 +202,7 @@ impl Table {
                         if column == Column::Source && !notes.is_empty() {
                             line.push(' ');
                         }
-                        self.set(flow, Some(cell), column, base(y, NEXT, CELL), style(column), line);
+                        self.set(flow, Some(cell), (column, base(y, NEXT, CELL)), style(column), line);
                         y += NEXT;
                     }
                 }
@@ -221,11 +221,6 @@ impl Table {
     fn area(&self, flow: &Flow<'_>, column: Column, height: f32) -> Area {
         let [x, width] = self.widths.of(column);
         Area::new(x, flow.y, width, height)
-    }
-
-    /// Ends the table.
-    pub fn end(self, flow: &mut Flow<'_>) {
-        flow.y += GAP;
     }
 }
 
