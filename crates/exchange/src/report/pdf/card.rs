@@ -50,8 +50,8 @@ impl Card {
         let mut height = 2.0 * PAD - 3.0;
         height += if is_simulated { 13.0 } else { 0.0 };
         height += if self.word.is_empty() { 0.0 } else { TALL };
-        height += lines.iter().map(|(style, lines)| style.line() * super::table::count(lines.len())).sum::<f32>();
-        height += PITCH * super::table::count(self.counts.len());
+        height += lines.iter().map(|(style, lines)| style.line() * super::cells::count(lines.len())).sum::<f32>();
+        height += PITCH * super::cells::count(self.counts.len());
         let height = height.max(76.0);
         let area = Area::new(super::look::SIDE, flow.y, width, height);
         let edge = is_simulated.then_some(Edge { ink: TEXT, width: 1.4, is_dashed: true });

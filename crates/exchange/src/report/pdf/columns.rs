@@ -1,91 +1,10 @@
-//! The columns of the table, and how wide they are: numbers as wide as the widest of them, texts as far as there is room.
+//! How wide the columns of the table are: numbers as wide as the widest of them, texts as far as there is room.
 
 use fitcheck_core::words::Words;
 
+use super::cells::{CHIP_MORE, Column, PAD, Row};
 use super::fonts::Fonts;
 use super::look::{CELL, CHIP, LABEL, NOTE, SIDE, VALUE};
-use super::table::{CHIP_MORE, PAD, Row};
-
-/// A column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Column {
-    Label,
-    Name,
-    Callout,
-    Minimum,
-    Maximum,
-    Measured,
-    Deviation,
-    Band,
-    Word,
-    Source,
-}
-
-impl Column {
-    /// All of them, from left to right.
-    pub const ALL: [Self; 10] = [
-        Self::Label,
-        Self::Name,
-        Self::Callout,
-        Self::Minimum,
-        Self::Maximum,
-        Self::Measured,
-        Self::Deviation,
-        Self::Band,
-        Self::Word,
-        Self::Source,
-    ];
-
-    const fn at(self) -> usize {
-        match self {
-            Self::Label => 0,
-            Self::Name => 1,
-            Self::Callout => 2,
-            Self::Minimum => 3,
-            Self::Maximum => 4,
-            Self::Measured => 5,
-            Self::Deviation => 6,
-            Self::Band => 7,
-            Self::Word => 8,
-            Self::Source => 9,
-        }
-    }
-
-    /// What stands above it.
-    pub fn head(self, words: &Words) -> String {
-        words.get(match self {
-            Self::Label => "report-contact",
-            Self::Name => "report-id",
-            Self::Callout => "report-callout",
-            Self::Minimum => "report-minimum",
-            Self::Maximum => "report-maximum",
-            Self::Measured => "report-measured",
-            Self::Deviation => "report-deviation",
-            Self::Band => "report-pdf-band",
-            Self::Word => "report-verdict",
-            Self::Source => "report-from",
-        })
-    }
-
-    /// The unit of its numbers.
-    pub const fn unit(self) -> Option<&'static str> {
-        match self {
-            Self::Minimum | Self::Maximum | Self::Measured => Some("mm"),
-            Self::Deviation => Some("µm"),
-            _ => None,
-        }
-    }
-
-    /// Whether its texts end at the right edge.
-    pub const fn is_number(self) -> bool {
-        self.unit().is_some()
-    }
-
-    /// Whether its texts may be broken where there is little room.
-    const fn is_text(self) -> bool {
-        matches!(self, Self::Name | Self::Callout | Self::Source)
-    }
-}
 
 /// The least and the usual width of the limit band.
 const BAND: [f32; 2] = [60.0, 112.0];

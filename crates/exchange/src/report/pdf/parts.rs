@@ -5,6 +5,7 @@ use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::card::Card;
+use super::cells::Row;
 use super::columns::Widths;
 use super::flow::Flow;
 use super::grounds::Grounds;
@@ -12,7 +13,7 @@ use super::head;
 use super::look::GAP;
 use super::pictures::Pictures;
 use super::rows::Rows;
-use super::table::{Laid, Row, Table};
+use super::table::{Laid, Table};
 use super::tags::TagId;
 use crate::journal::Record;
 use crate::report::origins::Entry;

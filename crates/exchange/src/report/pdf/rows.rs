@@ -7,7 +7,7 @@ use fitcheck_core::verdict::{PositionVerdict, Status};
 use fitcheck_core::words::Words;
 
 use super::bands::BandShape;
-use super::table::Row;
+use super::cells::Row;
 use crate::journal::Record;
 use crate::report::said::{cause, removal_said, undecided};
 use crate::report::{origins, picture, text};

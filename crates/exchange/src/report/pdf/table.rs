@@ -3,8 +3,8 @@
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
-use super::bands::BandShape;
-use super::columns::{Column, Widths};
+use super::cells::{CHIP_MORE, Column, PAD, Row, count};
+use super::columns::Widths;
 use super::flow::{Flow, apart, base};
 use super::fonts::Fonts;
 use super::look::{CELL, CHIP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
@@ -13,44 +13,6 @@ use super::signs::{Outline, Sign};
 use super::tags::{Kind, TagId};
 use super::wrap::wrap;
 
-/// A row: a size and its value.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Row {
-    pub label: String,
-    pub status: Option<Status>,
-    pub is_simulated: bool,
-    pub name: String,
-    pub callout: String,
-    pub minimum: String,
-    pub maximum: String,
-    pub measured: String,
-    pub deviation: String,
-    /// The limit band, and what it shows in words.
-    pub band: Option<(BandShape, String)>,
-    pub word: String,
-    pub source: String,
-    /// What is special about it.
-    pub notes: Vec<String>,
-}
-
-impl Row {
-    /// The text of a column.
-    pub fn text(&self, column: Column) -> &str {
-        match column {
-            Column::Label => &self.label,
-            Column::Name => &self.name,
-            Column::Callout => &self.callout,
-            Column::Minimum => &self.minimum,
-            Column::Maximum => &self.maximum,
-            Column::Measured => &self.measured,
-            Column::Deviation => &self.deviation,
-            Column::Band => "",
-            Column::Word => &self.word,
-            Column::Source => &self.source,
-        }
-    }
-}
-
 /// What stands in a cell with nothing in it, so that every row has all of its cells, also for those who hear it.
 const NOTHING: &str = "–";
 /// The height of a row of one line, and of each more.
@@ -58,9 +20,6 @@ const ROW: f32 = 18.0;
 const NEXT: f32 = 10.6;
 /// The most lines of a cell, and of a note below a row.
 const MOST_LINES: usize = 3;
-/// Between a cell's edge and its text.
-pub(super) const PAD: f32 = 3.5;
-
 /// The most lines of where a value is from.
 const SOURCE_LINES: usize = 2;
 
@@ -290,12 +249,4 @@ fn chip(flow: &mut Flow<'_>, cell: TagId, area: Area, row: &Row) {
         flow.say(Some(cell), [chip.x + 17.0, base(y, 9.0, style)], style, line);
         y += 9.0;
     }
-}
-
-/// What a chip has beside its word.
-pub(super) const CHIP_MORE: f32 = 22.0;
-
-/// A small number, for lengths.
-pub(super) fn count(count: usize) -> f32 {
-    u16::try_from(count).map_or(f32::from(u16::MAX), f32::from)
 }
