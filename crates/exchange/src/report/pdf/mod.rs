@@ -111,7 +111,7 @@ fn made(
         title,
         language: words.language().code(),
     };
-    emit::bytes(&book, report, attachments)
+    emit::bytes(book, report, attachments)
 }
 
 /// Fills the pages; gives the headings with their places.
