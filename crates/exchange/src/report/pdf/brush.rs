@@ -182,8 +182,8 @@ fn lines_of(surface: &mut Surface<'_>, hatch: Hatch, area: Area) {
         builder.line_to(to[0], to[1]);
     };
     let (step, end) = match hatch {
-        Hatch::Rework => (4.6, width + height),
-        Hatch::Scrap => (3.6, width + height),
+        Hatch::Rework => (5.0, width + height),
+        Hatch::Scrap => (4.4, width + height),
         Hatch::Undecided => (2.2, width),
         Hatch::Beyond => (2.2, height),
     };
@@ -207,7 +207,7 @@ fn lines_of(surface: &mut Surface<'_>, hatch: Hatch, area: Area) {
     };
     if let Some(path) = builder.finish() {
         surface.set_fill(None);
-        surface.set_stroke(Some(stroke(Edge { ink, width: 0.6, is_dashed: false })));
+        surface.set_stroke(Some(stroke(Edge { ink, width: 0.5, is_dashed: false })));
         surface.draw_path(&path);
         surface.set_stroke(None);
     }

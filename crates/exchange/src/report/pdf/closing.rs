@@ -13,7 +13,7 @@ use crate::report::Report;
 use crate::report::seen::ReportSurvey;
 
 /// The height of the lines to sign on.
-const SIGNATURE: f32 = 46.0;
+const SIGNATURE: f32 = 36.0;
 
 /// Writes the notes, and what the page cannot show.
 pub(super) fn write_notes(
@@ -55,7 +55,7 @@ pub(super) fn write_notes(
 
 /// Writes the lines to sign on, at the foot of the last page.
 pub(super) fn write_signature(flow: &mut Flow<'_>, report: &Report, words: &Words) {
-    flow.y += GAP;
+    flow.y += GAP / 2.0;
     flow.room(SIGNATURE);
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
     let line = flow.bottom() - 14.0;
