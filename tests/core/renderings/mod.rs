@@ -109,9 +109,10 @@ fn the_ending_chooses_the_rendering() {
     assert_eq!(name("B.HTM"), Ok("html"));
     assert_eq!(name("b.v2.csv"), Ok("csv"));
     assert_eq!(name("b.json"), Ok("json"));
+    assert_eq!(name("b.Pdf"), Ok("pdf"));
     let said = |path| name(path).unwrap_err().to_string();
     let endings: Vec<_> = RENDERINGS.iter().flat_map(|to| to.endings).map(|ending| format!(".{ending}")).collect();
     let endings = endings.join(" ");
-    assert_eq!(said("b.pdf"), format!(".pdf is not a format of the report: use one of {endings}"));
+    assert_eq!(said("b.xps"), format!(".xps is not a format of the report: use one of {endings}"));
     assert_eq!(said("b"), format!("b has no ending that gives the report's format: use one of {endings}"));
 }

@@ -28,7 +28,7 @@ pub struct Element {
     pub scope: String,
     /// What is said of it itself, then of what is in it.
     pub text: String,
-    pub children: Vec<Element>,
+    pub children: Vec<Self>,
 }
 
 impl Element {
@@ -62,8 +62,7 @@ impl Pdf {
         let mut values = Values::new(bytes, start);
         assert_eq!(values.next(), Some(Value::Word("xref".to_owned())));
         let mut offsets = Vec::new();
-        loop {
-            let Some(first) = values.next().unwrap().whole() else { break };
+        while let Some(first) = values.next().unwrap().whole() {
             let count = values.next().unwrap().whole().unwrap();
             for number in first..first + count {
                 let offset = values.next().unwrap().whole().unwrap();

@@ -8,8 +8,8 @@ pub enum Value {
     Number(f64),
     Name(String),
     Text(Vec<u8>),
-    Array(Vec<Value>),
-    Dictionary(BTreeMap<String, Value>),
+    Array(Vec<Self>),
+    Dictionary(BTreeMap<String, Self>),
     Reference(usize),
     /// `true`, `null`, `obj`, an operator.
     Word(String),

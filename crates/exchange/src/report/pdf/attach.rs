@@ -1,6 +1,7 @@
 //! The data of a report as files within the PDF: what JSON and CSV write, byte for byte, so that a machine can read what a person signed.
 
 use std::io::{self, Write};
+use std::sync::Arc;
 
 use fitcheck_core::words::Words;
 use sha2::{Digest as _, Sha256};
@@ -14,7 +15,7 @@ pub(super) const MOST: usize = 32 << 20;
 pub(super) struct Attachment {
     pub name: &'static str,
     pub media: &'static str,
-    pub bytes: Vec<u8>,
+    pub bytes: Arc<Vec<u8>>,
 }
 
 /// What belongs to a report.
@@ -39,7 +40,7 @@ impl Attachments {
                 all.digest = hexadecimal(&file.digest.finalize());
             }
             match file.bytes {
-                Some(bytes) => all.files.push(Attachment { name, media, bytes }),
+                Some(bytes) => all.files.push(Attachment { name, media, bytes: Arc::new(bytes) }),
                 None => all.is_left_out = true,
             }
         }
@@ -79,5 +80,6 @@ impl Write for Kept {
 }
 
 fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+    let digit = |value: u8| char::from_digit(value.into(), 16);
+    bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).flatten().collect()
 }

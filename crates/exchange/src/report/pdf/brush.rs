@@ -12,9 +12,10 @@ use krilla::surface::Surface;
 use super::bands::{BandShape, Mark};
 use super::fonts::Fonts;
 use super::look::{HATCH_REWORK, HATCH_SCRAP, Ink, PAPER, QUIET, Style, TEXT, ZONE, ZONE_EDGE};
+use super::paths::{block, outline_path};
 use super::pictures::Drawable;
 use super::sheet::{Area, Edge, Place, Shape};
-use super::signs::{Outline, Sign};
+use super::signs::Sign;
 use crate::report::band::{Guarded, Side};
 
 /// How a part of a band is hatched.
@@ -174,7 +175,7 @@ fn lines_of(surface: &mut Surface<'_>, hatch: Hatch, area: Area) {
     }
     if let Some(path) = builder.finish() {
         surface.set_fill(None);
-        surface.set_stroke(Some(stroke(Edge { ink, width: 0.6, is_dashed: false })));
+        surface.set_stroke(Some(stroke(Edge { ink, width: 0.5, is_dashed: false })));
         surface.draw_path(&path);
         surface.set_stroke(None);
     }
@@ -183,8 +184,8 @@ fn lines_of(surface: &mut Surface<'_>, hatch: Hatch, area: Area) {
 /// The lines of the hatching of an area, and their colour; some begin or end beside it.
 pub(super) fn hatched(hatch: Hatch, Area { x, y, width, height }: Area) -> (Vec<[Place; 2]>, Ink) {
     let (step, end) = match hatch {
-        Hatch::Rework => (4.6, width + height),
-        Hatch::Scrap => (3.6, width + height),
+        Hatch::Rework => (5.0, width + height),
+        Hatch::Scrap => (4.4, width + height),
         Hatch::Undecided => (2.2, width),
         Hatch::Beyond => (2.2, height),
     };
@@ -278,52 +279,4 @@ fn stroke(edge: Edge) -> Stroke {
         dash: edge.is_dashed.then(|| StrokeDash { array: vec![2.6, 1.9], offset: 0.0 }),
         ..Stroke::default()
     }
-}
-
-/// A rectangle with round corners.
-fn block(area: Area, radius: f32) -> Option<Path> {
-    let rect = area.rect()?;
-    let mut builder = PathBuilder::new();
-    if radius <= 0.0 {
-        builder.push_rect(rect);
-        return builder.finish();
-    }
-    let [left, top, right, bottom] = [rect.left(), rect.top(), rect.right(), rect.bottom()];
-    let r = radius.min(area.width / 2.0).min(area.height / 2.0);
-    // Where the handles of a quarter of a circle are.
-    let k = r * 0.447_715;
-    builder.move_to(left + r, top);
-    builder.line_to(right - r, top);
-    builder.cubic_to(right - k, top, right, top + k, right, top + r);
-    builder.line_to(right, bottom - r);
-    builder.cubic_to(right, bottom - k, right - k, bottom, right - r, bottom);
-    builder.line_to(left + r, bottom);
-    builder.cubic_to(left + k, bottom, left, bottom - k, left, bottom - r);
-    builder.line_to(left, top + r);
-    builder.cubic_to(left, top + k, left + k, top, left + r, top);
-    builder.close();
-    builder.finish()
-}
-
-/// The outline of a verdict.
-fn outline_path(outline: Outline, [x, y]: Place, radius: f32) -> Option<Path> {
-    match outline {
-        Outline::Circle => return block(Area::new(x - radius, y - radius, 2.0 * radius, 2.0 * radius), radius),
-        Outline::Square => {
-            let side = radius * 0.94;
-            return block(Area::new(x - side, y - side, 2.0 * side, 2.0 * side), radius * 0.25);
-        }
-        Outline::Diamond | Outline::Hexagon => {}
-    }
-    let mut builder = PathBuilder::new();
-    for (number, [dx, dy]) in outline.corners().iter().enumerate() {
-        let [to_x, to_y] = [x + dx * radius, y + dy * radius];
-        if number == 0 {
-            builder.move_to(to_x, to_y);
-        } else {
-            builder.line_to(to_x, to_y);
-        }
-    }
-    builder.close();
-    builder.finish()
 }

@@ -14,7 +14,7 @@ pub(super) struct Count {
     /// Whose sign it has.
     pub status: Option<Status>,
     pub word: String,
-    pub count: usize,
+    pub number: usize,
 }
 
 /// What the card says.
@@ -50,8 +50,8 @@ impl Card {
         let mut height = 2.0 * PAD - 3.0;
         height += if is_simulated { 13.0 } else { 0.0 };
         height += if self.word.is_empty() { 0.0 } else { TALL };
-        height += lines.iter().map(|(style, lines)| style.line() * super::table::count(lines.len())).sum::<f32>();
-        height += PITCH * super::table::count(self.counts.len());
+        height += lines.iter().map(|(style, lines)| style.line() * super::cells::count(lines.len())).sum::<f32>();
+        height += PITCH * super::cells::count(self.counts.len());
         let height = height.max(76.0);
         let area = Area::new(super::look::SIDE, flow.y, width, height);
         let edge = is_simulated.then_some(Edge { ink: TEXT, width: 1.4, is_dashed: true });
@@ -94,7 +94,7 @@ impl Card {
     }
 
     fn counts(&self, flow: &mut Flow<'_>, section: TagId, [x, mut y]: [f32; 2]) {
-        for Count { status, word, count } in &self.counts {
+        for Count { status, word, number } in &self.counts {
             if status.is_some() {
                 let middle = [x + 7.0, y + PITCH / 2.0];
                 flow.put(None, outline(*status, false, middle, 6.4));
@@ -102,7 +102,7 @@ impl Card {
             }
             let element = flow.tags.add(section, Kind::Paragraph);
             let at = base(y, PITCH, CARD);
-            flow.say_to(Some(element), [x + 44.0, at], CARD, format!("{count} "));
+            flow.say_to(Some(element), [x + 44.0, at], CARD, format!("{number} "));
             flow.say(Some(element), [x + 47.0, at], BODY, word.clone());
             y += PITCH;
         }

@@ -8,6 +8,7 @@ use super::card::Card;
 use super::columns::Widths;
 use super::flow::Flow;
 use super::grounds::Grounds;
+use super::look::GAP;
 use super::rows::Rows;
 use super::table::Table;
 use super::tags::TagId;
@@ -74,7 +75,7 @@ pub(super) fn write(
         grounds.see(&row.label, record);
         Ok(())
     })?;
-    table.end(flow);
+    flow.y += GAP;
     for shown in [Section::Rule, Section::Caveats].into_iter().filter(|section| report.template.has(*section)) {
         grounds.write(flow, section, shown);
     }

@@ -16,7 +16,7 @@ use crate::report::seen::ReportSurvey;
 use crate::report::template::Section;
 
 /// The height of the lines to sign on.
-const SIGNATURE: f32 = 46.0;
+const SIGNATURE: f32 = 36.0;
 
 /// Writes the notes, and what the page cannot show.
 pub(super) fn write_notes(

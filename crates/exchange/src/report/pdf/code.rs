@@ -28,8 +28,8 @@ impl Code {
         let figure = flow.tags.add(Tags::ROOT, Kind::Figure(said, place));
         flow.put(Some(figure), Shape::Block { area, radius: 0.0, fill: Some(PAPER), edge: None });
         let size = self.0.size;
-        let step = area.width / super::table::count(size + 2 * QUIET);
-        let at = |place: usize| step * super::table::count(place + QUIET);
+        let step = area.width / super::cells::count(size + 2 * QUIET);
+        let at = |place: usize| step * super::cells::count(place + QUIET);
         for row in 0..size {
             let mut from = None;
             for column in 0..=size {

@@ -2,34 +2,10 @@
 
 use fitcheck_core::words::Words;
 
+use super::cells::{CHIP_MORE, PAD, Row, count, head, is_text};
 use super::fonts::Fonts;
 use super::look::{CELL, CHIP, LABEL, NOTE, SIDE, VALUE};
-use super::table::{CHIP_MORE, PAD, Row, count};
 use crate::report::template::Column;
-
-/// What stands above a column.
-pub(super) fn head(column: Column, words: &Words) -> String {
-    words.get(column.text())
-}
-
-/// The unit of its numbers.
-pub(super) const fn unit(column: Column) -> Option<&'static str> {
-    match column {
-        Column::Minimum | Column::Maximum | Column::Measured | Column::Blank => Some("mm"),
-        Column::Deviation => Some("µm"),
-        _ => None,
-    }
-}
-
-/// Whether its texts end at the right edge.
-pub(super) const fn is_number(column: Column) -> bool {
-    unit(column).is_some()
-}
-
-/// Whether its texts may be broken where there is little room.
-const fn is_text(column: Column) -> bool {
-    matches!(column, Column::Feature | Column::Callout | Column::From | Column::Instrument | Column::Remark)
-}
 
 /// The least and the usual width of the limit band.
 const BAND: [f32; 2] = [60.0, 112.0];

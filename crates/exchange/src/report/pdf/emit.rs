@@ -1,6 +1,7 @@
 //! The pages become a file.
 
 use std::io;
+use std::sync::Arc;
 
 use jiff::civil::DateTime;
 use krilla::Document;
@@ -94,7 +95,8 @@ pub(super) fn bytes(book: Book<'_>, report: &Report, attachments: &Attachments) 
     let [width, height] = book.size;
     let mut identifiers: Vec<Identifier> = Vec::new();
     let mut brush = Brush::new(book.fonts, &book.pictures);
-    for sheet in &book.sheets {
+    // A page is let go once it is drawn.
+    for sheet in book.sheets {
         let settings = PageSettings::from_wh(width, height).ok_or_else(|| fault("a page without a size"))?;
         let mut page = document.start_page_with(settings);
         let mut surface = page.surface();
@@ -120,14 +122,14 @@ pub(super) fn bytes(book: Book<'_>, report: &Report, attachments: &Attachments) 
     }
     document.set_tag_tree(book.tags.tree(&identifiers));
     document.set_outline(outline(&book.outline));
-    document.set_metadata(metadata(&book, report, attachments));
+    document.set_metadata(metadata(&book.title, book.language, report, attachments));
     for file in &attachments.files {
         let embedded = EmbeddedFile {
             path: file.name.to_owned(),
             mime_type: MimeType::new(file.media),
             description: Some(short(&book.title)),
             association_kind: AssociationKind::Data,
-            data: file.bytes.clone().into(),
+            data: Arc::clone(&file.bytes).into(),
             modification_date: Some(stamp(report.created)),
             compress: Some(true),
             location: None,
@@ -151,14 +153,14 @@ fn outline(headings: &[(String, usize, f32)]) -> Outline {
     outline
 }
 
-fn metadata(book: &Book<'_>, report: &Report, attachments: &Attachments) -> Metadata {
+fn metadata(title: &str, language: &str, report: &Report, attachments: &Attachments) -> Metadata {
     let metadata = Metadata::new()
-        .title(short(&book.title))
-        .language(book.language.to_owned())
+        .title(short(title))
+        .language(language.to_owned())
         .creator(short(&report.program))
         .creation_date(stamp(report.created))
         // The same for the same data in the same language and on the same paper.
-        .document_id(format!("{}-{}-{}", attachments.digest, book.language, report.paper.name()));
+        .document_id(format!("{}-{}-{}", attachments.digest, language, report.paper.name()));
     match &report.inspector {
         Some(inspector) => metadata.authors(vec![short(inspector)]),
         None => metadata,

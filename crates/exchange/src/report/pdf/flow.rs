@@ -16,14 +16,24 @@ pub(super) struct Flow<'a> {
     /// Whether a text had to be cut.
     pub is_cut: bool,
     size: [f32; 2],
-    /// What the last piece of this page belongs to.
-    piece: Option<Option<TagId>>,
+    /// What the last piece of this page belongs to, where there is one.
+    piece: Option<TagId>,
+    is_begun: bool,
 }
 
 impl<'a> Flow<'a> {
     /// Pages of this size; the first one is begun.
     pub fn new(fonts: &'a Fonts, size: [f32; 2]) -> Self {
-        Self { fonts, tags: Tags::new(), sheets: vec![Sheet::default()], y: TOP, is_cut: false, size, piece: None }
+        Self {
+            fonts,
+            tags: Tags::new(),
+            sheets: vec![Sheet::default()],
+            y: TOP,
+            is_cut: false,
+            size,
+            piece: None,
+            is_begun: false,
+        }
     }
 
     /// Width and height of a page.
@@ -55,7 +65,7 @@ impl<'a> Flow<'a> {
     pub fn turn(&mut self) {
         self.sheets.push(Sheet::default());
         self.y = TOP_AFTER;
-        self.piece = None;
+        self.is_begun = false;
     }
 
     /// Turns the page where this much does not fit; whether it did.
@@ -69,8 +79,9 @@ impl<'a> Flow<'a> {
 
     /// Draws something that belongs to an element of the structure, or is without a meaning of its own.
     pub fn put(&mut self, element: Option<TagId>, shape: Shape) {
-        if self.piece != Some(element) {
-            self.piece = Some(element);
+        if !self.is_begun || self.piece != element {
+            self.piece = element;
+            self.is_begun = true;
             let piece = element.map_or(Piece::Layout, |element| Piece::Of(self.tags.piece(element)));
             if let Some(sheet) = self.sheets.last_mut() {
                 sheet.pieces.push((sheet.shapes.len(), piece));

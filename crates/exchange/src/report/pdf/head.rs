@@ -237,7 +237,7 @@ pub(super) fn signals(report: &Report, seen: &ReportSurvey, words: &Words) -> Ve
 /// How many checks there are of each status.
 pub(super) fn counts(seen: &ReportSurvey, words: &Words) -> Card {
     let counts = shown(seen.counts, words);
-    let all = Count { status: None, word: words.get("report-total"), count: seen.total };
+    let all = Count { status: None, word: words.get("report-total"), number: seen.total };
     Card { counts: counts.chain([all]).collect(), ..Card::default() }
 }
 
@@ -252,8 +252,8 @@ pub(super) fn counts_of_parts(parts: &[PartSheet], words: &Words) -> Card {
         }
     }
     let counts = shown(counts, words);
-    let without = (0 < none).then(|| Count { status: None, word: words.get("walk-page-not-complete"), count: none });
-    let all = Count { status: None, word: words.get("report-total"), count: parts.len() };
+    let without = (0 < none).then(|| Count { status: None, word: words.get("walk-page-not-complete"), number: none });
+    let all = Count { status: None, word: words.get("report-total"), number: parts.len() };
     Card { counts: counts.chain(without).chain([all]).collect(), ..Card::default() }
 }
 
@@ -261,7 +261,7 @@ fn shown(counts: [usize; Status::ALL.len()], words: &Words) -> impl Iterator<Ite
     Status::ALL.into_iter().zip(counts).filter_map(|(status, count)| {
         // Nothing is re-measured without a guard band, so a zero would only raise questions.
         let is_shown = status != Status::ReMeasure || 0 < count;
-        is_shown.then(|| Count { status: Some(status), word: words.told(&status), count })
+        is_shown.then(|| Count { status: Some(status), word: words.told(&status), number: count })
     })
 }
 

@@ -5,7 +5,7 @@
 //! | here | what stands on the pages, in its order |
 //! | `head`, `card` | the first page's head: title, answer, what must be known before the values |
 //! | `parts`, `lot`, `checks` | a whole part; several on one page; checks without a plan |
-//! | `rows`, `table`, `columns` | a value as a row, the table, the widths of its columns |
+//! | `rows`, `cells`, `table`, `columns` | a value as a row of cells, the table, the widths of its columns |
 //! | `bands`, `pictures`, `svg`, `signs` | limit bands, pictures with balloons, signs of verdicts |
 //! | `grounds` | what the verdicts rest on |
 //! | `lot` | many parts with their verdicts, the worst first |
@@ -14,7 +14,7 @@
 //! | `pages` | the pages for a window |
 //! | `flow`, `wrap`, `fonts`, `look` | where things go: pages, lines, letters, colours and sizes |
 //! | `sheet`, `tags` | pages as plain values, and their logical structure |
-//! | `attach`, `emit`, `brush` | the data as attachments; plain values become a file |
+//! | `attach`, `emit`, `brush`, `paths` | the data as attachments; plain values become a file |
 //!
 //! The file conforms to PDF/A-3a (ISO 19005-3: it can be kept, and has its data in it) and to PDF/UA-1 (ISO 14289-1: it can be read aloud). Its
 //! text can be searched and copied. It has no links, no scripts and no forms, and nothing in it comes from a clock or from chance: the same
@@ -27,6 +27,7 @@ mod attach;
 mod bands;
 mod brush;
 mod card;
+mod cells;
 mod code;
 mod checks;
 mod closing;
@@ -41,6 +42,7 @@ mod look;
 mod lot;
 mod parts;
 mod pages;
+mod paths;
 mod pictures;
 mod rows;
 mod sheet;

@@ -149,7 +149,7 @@ fn band(canvas: &mut dyn Canvas, area: Area, band: &BandShape) {
         let part = Area::new(from, area.y + 0.8, to - from, area.height - 1.6);
         if 0.6 < part.width {
             let (lines, ink) = hatched(hatch, area);
-            canvas.lines(&lines, sides(part), CanvasEdge { ink, width: 0.6, is_dashed: false });
+            canvas.lines(&lines, sides(part), CanvasEdge { ink, width: 0.5, is_dashed: false });
         }
     };
     for (side, span) in band.sides {

@@ -5,13 +5,15 @@ use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::card::Card;
+use super::cells::Row;
 use super::columns::Widths;
 use super::flow::Flow;
 use super::grounds::Grounds;
 use super::head;
+use super::look::GAP;
 use super::pictures::Pictures;
 use super::rows::Rows;
-use super::table::{Row, Table};
+use super::table::Table;
 use super::tags::TagId;
 use crate::journal::Record;
 use crate::report::origins::Entry;
@@ -41,15 +43,13 @@ pub(super) fn card(part: &PartSheet, words: &Words) -> Card {
     let causes = part.sizes().filter_map(|(size, _, record)| {
         let verdict = &record?.verdict;
         let is_cause = Some(verdict.status()) == status && status != Some(Status::Good);
-        is_cause.then(|| match verdict.size.removal {
-            Some(removal) => {
+        is_cause.then(|| {
+            if let Some(removal) = verdict.size.removal {
                 let remove = message!("report-pdf-remove").text("name", size.name());
-                words.say(&remove.text("um", words.um(removal.to_limit)))
+                return words.say(&remove.text("um", words.um(removal.to_limit)));
             }
-            None => {
-                let why = cause(verdict, words).unwrap_or_else(|| words.say(&text::size(&verdict.size, words)));
-                format!("{}: {why}", size.name())
-            }
+            let why = cause(verdict, words).unwrap_or_else(|| words.say(&text::size(&verdict.size, words)));
+            format!("{}: {why}", size.name())
         })
     });
     let causes: Vec<String> = causes.take(MOST_CAUSES).collect();
@@ -116,7 +116,7 @@ pub(super) fn write(
                     let laid = table.lay(flow, row);
                     table.row(flow, laid);
                 }
-                table.end(flow);
+                flow.y += GAP;
             }
             Section::Remarks if !part.plan.head.remark.is_empty() => {
                 let remark = part.plan.head.remark.clone();

@@ -7,7 +7,7 @@ use fitcheck_core::verdict::{PositionVerdict, Status};
 use fitcheck_core::words::Words;
 
 use super::bands::BandShape;
-use super::table::Row;
+use super::cells::Row;
 use crate::journal::Record;
 use crate::report::said::{cause, removal_said, undecided};
 use crate::report::template::{Column, HeadField, Section};
@@ -70,22 +70,8 @@ impl Rows<'_> {
         let of_point =
             || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
         let callout = size.callout.map_or_else(of_point, |callout| words.number(&callout.to_string()));
-        let mut row = match record {
-            Some(record) => self.record(label.to_owned(), record),
-            None => {
-                let left = step.skipped.as_ref();
-                let word = if left.is_some() { "parts-page-balloon-skipped" } else { "parts-page-balloon-open" };
-                let why = left.map(|why| words.say(&message!("walk-page-skipped").text("reason", why)));
-                Row {
-                    label: label.to_owned(),
-                    minimum: self.mm(size.limits.minimum()),
-                    maximum: self.mm(size.limits.maximum()),
-                    word: words.get(word),
-                    notes: why.into_iter().collect(),
-                    ..Row::default()
-                }
-            }
-        };
+        let mut row =
+            record.map_or_else(|| self.empty(label, size, step), |record| self.record(label.to_owned(), record));
         row.name = size.name();
         row.callout = callout;
         let remark = &size.feature.remark;
@@ -95,6 +81,23 @@ impl Rows<'_> {
             row.notes.push(remark.clone());
         }
         row
+    }
+
+    /// A size without a value.
+    fn empty(&self, label: &str, size: &Size<'_>, step: &Step) -> Row {
+        let words = self.words;
+        let left = step.skipped.as_ref();
+        let word = if left.is_some() { "parts-page-balloon-skipped" } else { "parts-page-balloon-open" };
+        let why = left.map(|why| words.say(&message!("walk-page-skipped").text("reason", why)));
+        Row {
+            label: label.to_owned(),
+            minimum: self.mm(size.limits.minimum()),
+            maximum: self.mm(size.limits.maximum()),
+            word: words.get(word),
+            instrument: self.instrument(),
+            notes: why.into_iter().collect(),
+            ..Row::default()
+        }
     }
 
     /// What every value was measured with, as far as the report says it.

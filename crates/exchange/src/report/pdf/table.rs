@@ -3,59 +3,16 @@
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
-use super::bands::BandShape;
-use super::columns::{self, Widths};
+use super::cells::{CHIP_MORE, PAD, Row, count, head, is_number, unit};
+use super::columns::Widths;
 use super::flow::{Flow, apart, base};
 use super::fonts::Fonts;
-use super::look::{CELL, CHIP, GAP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
+use super::look::{CELL, CHIP, LABEL, LINE, NOTE, Style, TEXT, VALUE, tone};
 use super::sheet::{Area, Edge, Shape};
 use super::signs::{Outline, Sign};
 use super::tags::{Kind, TagId};
 use super::wrap::wrap;
 use crate::report::template::Column;
-
-/// A row: a size and its value.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Row {
-    pub label: String,
-    pub status: Option<Status>,
-    pub is_simulated: bool,
-    pub name: String,
-    pub callout: String,
-    pub minimum: String,
-    pub maximum: String,
-    pub measured: String,
-    pub deviation: String,
-    /// The limit band, and what it shows in words.
-    pub band: Option<(BandShape, String)>,
-    pub word: String,
-    pub source: String,
-    /// What it is measured with.
-    pub instrument: String,
-    pub remark: String,
-    /// What is special about it.
-    pub notes: Vec<String>,
-}
-
-impl Row {
-    /// The text of a column.
-    pub fn text(&self, column: Column) -> &str {
-        match column {
-            Column::Number => &self.label,
-            Column::Feature => &self.name,
-            Column::Callout => &self.callout,
-            Column::Minimum => &self.minimum,
-            Column::Maximum => &self.maximum,
-            Column::Measured => &self.measured,
-            Column::Deviation => &self.deviation,
-            Column::Band | Column::Blank => "",
-            Column::Verdict => &self.word,
-            Column::From => &self.source,
-            Column::Instrument => &self.instrument,
-            Column::Remark => &self.remark,
-        }
-    }
-}
 
 /// What stands in a cell with nothing in it, so that every row has all of its cells, also for those who hear it.
 const NOTHING: &str = "–";
@@ -64,9 +21,6 @@ const ROW: f32 = 18.0;
 const NEXT: f32 = 10.6;
 /// The most lines of a cell, and of a note below a row.
 const MOST_LINES: usize = 3;
-/// Between a cell's edge and its text.
-pub(super) const PAD: f32 = 3.5;
-
 /// The most lines of where a value is from.
 const SOURCE_LINES: usize = 2;
 
@@ -101,8 +55,8 @@ impl Table {
         let mut heads = Vec::new();
         for column in widths.all() {
             let [_, width] = widths.of(column);
-            let mut lines = flow.wrap(&columns::head(column, words), LABEL, width - 2.0 * PAD, MOST_LINES);
-            lines.extend(columns::unit(column).map(str::to_owned));
+            let mut lines = flow.wrap(&head(column, words), LABEL, width - 2.0 * PAD, MOST_LINES);
+            lines.extend(unit(column).map(str::to_owned));
             heads.push((column, apart(lines)));
         }
         Self { widths, heads, section, body: section }
@@ -132,7 +86,7 @@ impl Table {
             let cell = row.map(|row| flow.tags.add(row, Kind::ColumnHead));
             let mut y = bottom - 3.0 - count(lines.len()) * NEXT;
             for line in lines {
-                self.set(flow, cell, *column, base(y, NEXT, LABEL), LABEL, line.clone());
+                self.set(flow, cell, (*column, base(y, NEXT, LABEL)), LABEL, line.clone());
                 y += NEXT;
             }
         }
@@ -141,9 +95,9 @@ impl Table {
     }
 
     /// Sets a line in a column.
-    fn set(&self, flow: &mut Flow<'_>, cell: Option<TagId>, column: Column, y: f32, style: Style, line: String) {
+    fn set(&self, flow: &mut Flow<'_>, cell: Option<TagId>, (column, y): (Column, f32), style: Style, line: String) {
         let [x, width] = self.widths.of(column);
-        if columns::is_number(column) {
+        if is_number(column) {
             flow.say_to(cell, [x + width - PAD, y], style, line);
         } else if column == Column::Number {
             flow.say_round(cell, [x + width / 2.0, y], style, line);
@@ -210,7 +164,7 @@ impl Table {
                         if column == Column::From && !notes.is_empty() {
                             line.push(' ');
                         }
-                        self.set(flow, Some(cell), column, base(y, NEXT, CELL), style(column), line);
+                        self.set(flow, Some(cell), (column, base(y, NEXT, CELL)), style(column), line);
                         y += NEXT;
                     }
                 }
@@ -229,11 +183,6 @@ impl Table {
     fn area(&self, flow: &Flow<'_>, column: Column, height: f32) -> Area {
         let [x, width] = self.widths.of(column);
         Area::new(x, flow.y, width, height)
-    }
-
-    /// Ends the table.
-    pub fn end(self, flow: &mut Flow<'_>) {
-        flow.y += GAP;
     }
 }
 
@@ -303,12 +252,4 @@ fn chip(flow: &mut Flow<'_>, cell: TagId, area: Area, row: &Row) {
         flow.say(Some(cell), [chip.x + 17.0, base(y, 9.0, style)], style, line);
         y += 9.0;
     }
-}
-
-/// What a chip has beside its word.
-pub(super) const CHIP_MORE: f32 = 22.0;
-
-/// A small number, for lengths.
-pub(super) fn count(count: usize) -> f32 {
-    u16::try_from(count).map_or(f32::from(u16::MAX), f32::from)
 }
