@@ -105,6 +105,7 @@ mod reader_language;
 mod renderings;
 mod report;
 mod report_cli;
+mod report_examples;
 mod report_parts;
 mod report_templates;
 

@@ -99,3 +99,16 @@ fn an_unknown_field_of_the_head_lists_the_known_ones() {
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(said.contains("color is not a field of the head: use one of part, drawing, revision"), "{said}");
 }
+
+#[test]
+fn a_sheet_to_fill_in_needs_a_plan_and_no_value() {
+    let folder = tempfile::tempdir().unwrap();
+    let pdf = folder.path().join("sheet.pdf");
+    let run = |template: &str| {
+        let mut command = cargo_bin_cmd!("fitcheck");
+        command.args(["report", "--plan", "assets/samples/sample_plate.toml", "--template", template, "-o"]).arg(&pdf);
+        command.output().unwrap().status.code()
+    };
+    assert_eq!((run("certificate"), pdf.exists()), (Some(1), false));
+    assert_eq!((run("sheet"), pdf.exists()), (Some(0), true));
+}

@@ -36,7 +36,7 @@ use crate::words::{Language, Words};
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
     /// Files of measurements to report, in any format that `fitcheck import` reads
-    #[arg(value_name = "FILE", required_unless_present = "checks")]
+    #[arg(value_name = "FILE", required_unless_present_any = ["checks", "plan"])]
     files: Vec<PathBuf>,
 
     /// A callout and its measured value in millimetres, optionally with a name before it; can be repeated
@@ -66,9 +66,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     inspector: Option<String>,
 
-    /// Language of the report as HTML, PDF, Markdown or XLSX; the other formats are the same in every language
-    #[arg(long, default_value = "en", value_parser = one_of(Language::all(), |language| language.code()))]
-    language: Language,
+    /// Language of the report as HTML, PDF, Markdown or XLSX; the other formats are the same in every language;
+    /// default: that of the template, else en
+    #[arg(long, value_parser = one_of(Language::all(), |language| language.code()))]
+    language: Option<Language>,
 
     #[command(flatten)]
     look: TemplateArgs,
@@ -78,7 +79,7 @@ pub(super) struct Args {
     time: Option<DateTime>,
 
     /// Judge by a part plan: values are matched to features, and the report shows the whole part with its picture
-    #[arg(long, value_name = "PLAN", requires = "files")]
+    #[arg(long, value_name = "PLAN")]
     plan: Option<PathBuf>,
 
     #[command(flatten)]
@@ -183,7 +184,8 @@ impl Args {
         let recorder = self.record.recorder(matches!(self.output, Output::File(..)))?;
         let judge = self.by.judge(io)?;
         let sources = self.tables.load(io)?;
-        let words = Words::new(self.language);
+        let template = self.look.template()?;
+        let words = Words::new(self.language.or_else(|| template.language()).unwrap_or_default());
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         if let Some(path) = &self.plan {
@@ -224,8 +226,10 @@ impl Args {
         }
         given.are_corrected = collected.are_corrected;
         let checks = Arc::new(given);
-        let (parts, of_plan) = collected.end_parts(io);
-        let Some(outcome) = collected.outcome() else { return Err(CliError::ReportEmpty) };
+        let (parts, of_plan) = collected.end_parts(template.is_blank(), io);
+        // A sheet that is filled in by hand needs no value.
+        let is_form = template.is_blank() && !parts.is_empty();
+        let outcome = collected.outcome().or(is_form.then_some(Outcome::Done)).ok_or(CliError::ReportEmpty)?;
         let count = collected.checks;
         let report = Report {
             title: self.title.as_ref().map_or_else(String::new, Clone::clone),
@@ -236,11 +240,7 @@ impl Args {
             parts,
             ..Report::new(now, Arc::clone(&checks))
         };
-        let mut report = self.look.dress(report)?;
-        // The title of a template is that of its language.
-        if report.title.is_empty() {
-            report.title = report.template.text(&report.template.title, &words);
-        }
+        let report = self.look.dress(report, &template, &words);
         if rendering.is_checks_alone {
             self.warn_of_checks_alone(report.notes.len(), io);
         }

@@ -17,7 +17,7 @@ use crate::tolerance::Sources;
 use crate::verdict::Status;
 
 /// The most parts that a report shows as a whole.
-const MOST: usize = 20;
+const MOST: usize = 1_000;
 
 /// Name and serial number, as the files have them.
 type Key = (String, String);
@@ -64,6 +64,18 @@ impl ReportParts {
         sheet.picture.clone_from(&self.picture);
         sheet.take(at, Arc::new(record.clone()), labels.time);
         self.sheets.push((key, sheet));
+    }
+
+    /// Whether no value was of a part.
+    pub(super) const fn is_empty(&self) -> bool {
+        self.sheets.is_empty()
+    }
+
+    /// A part of the plan that nobody has measured.
+    pub(super) fn unmeasured(&self) -> PartSheet {
+        let mut sheet = PartSheet::new(&self.plan, "");
+        sheet.picture.clone_from(&self.picture);
+        sheet
     }
 
     /// The values that contradict each other.

@@ -175,12 +175,16 @@ impl Collected {
     }
 
     /// The whole parts, and the name of the part that the plan is of. What keeps them from being complete is told.
-    pub(super) fn end_parts(&mut self, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<String>) {
+    /// `is_form` is a sheet that is filled in by hand, for a part that nobody has measured, too.
+    pub(super) fn end_parts(&mut self, is_form: bool, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<String>) {
         let Some(parts) = self.parts.take() else { return (Vec::new(), None) };
         if let Some(why) = parts.unseen() {
             io.tell(warning(why));
         }
         let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
+        if is_form && parts.is_empty() {
+            return (vec![parts.unmeasured()], name);
+        }
         self.outcome = Some(parts.outcome(self.worst_typed));
         for contradiction in parts.contradictions() {
             io.look_first();

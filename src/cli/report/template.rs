@@ -9,6 +9,7 @@ use crate::message::Say as _;
 use crate::report::Report;
 use crate::report::paper::Paper;
 use crate::report::template::{HeadField, Template};
+use crate::words::Words;
 
 /// How a report for people looks.
 #[derive(Debug, Clone, clap::Args)]
@@ -36,20 +37,25 @@ fn head(text: &str) -> Result<(HeadField, String), String> {
 }
 
 impl TemplateArgs {
-    /// The report by the template, on the paper and with the head that were asked for.
+    /// The template that was asked for, or the usual one.
     ///
     /// # Errors
-    /// The template cannot be read.
-    pub(super) fn dress(&self, report: Report) -> Result<Report, CliError> {
-        let mut report = match self.template.as_deref() {
-            Some(name) => report.by(&read(name)?),
-            None => report,
-        };
+    /// It cannot be read.
+    pub(super) fn template(&self) -> Result<Arc<Template>, CliError> {
+        self.template.as_deref().map_or_else(|| Ok(Template::usual()), read)
+    }
+
+    /// The report by a template, on the paper and with the head that were asked for.
+    pub(super) fn dress(&self, report: Report, template: &Arc<Template>, words: &Words) -> Report {
+        let mut report = report.by(template);
+        if report.title.is_empty() {
+            report.title = template.text(&template.title, words);
+        }
         report.paper = self.paper.unwrap_or(report.paper);
         for (field, text) in &self.heads {
             report.tell(*field, text);
         }
-        Ok(report)
+        report
     }
 }
 

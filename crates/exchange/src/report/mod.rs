@@ -204,6 +204,12 @@ impl Report {
         }
     }
 
+    /// The parts without their values, and no checks: a sheet that is filled in by hand.
+    fn blank(&self) -> Self {
+        let parts = self.parts.iter().map(PartSheet::unmeasured).collect();
+        Self { parts, checks: Arc::new(Vec::<Record>::new()), ..self.clone() }
+    }
+
     /// The same, by a template and on its paper.
     #[must_use]
     pub fn by(self, template: &Arc<Template>) -> Self {

@@ -45,6 +45,12 @@ impl PartSheet {
         Self { walk: self.walk.by(repeats), ..self }
     }
 
+    /// The same part before anything was measured.
+    #[must_use]
+    pub fn unmeasured(&self) -> Self {
+        Self { picture: self.picture.clone(), ..Self::new(&self.plan, self.serial()) }
+    }
+
     /// Takes a value of a size, by its place in the plan, and when it was measured, where its file says so.
     pub fn take(&mut self, at: usize, record: Arc<Record>, when: Option<DateTime>) {
         let status = record.verdict.status();

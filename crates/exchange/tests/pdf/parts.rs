@@ -133,8 +133,9 @@ fn several_parts_are_listed_and_each_has_its_page() {
     assert!(text.contains("Missing: SEAT, HUB"), "{text}");
     let structure = pdf.structure();
     let rows: Vec<String> = structure.find("Table")[0].find("TR").iter().map(|row| row.said()).collect();
-    assert_eq!(rows[1], "Flange 4711, serial number 17 REWORK 3 0 0 0");
-    assert_eq!(rows[2], "Flange 4711, serial number 17 SCRAP 1 2 0 0");
+    // The worst part comes first.
+    assert_eq!(rows[1], "Flange 4711, serial number 17 SCRAP 1 2 0 0");
+    assert_eq!(rows[2], "Flange 4711, serial number 17 REWORK 3 0 0 0");
     assert!(pdf.text(pdf.pages()[1]).contains("HUB: remove 2 µm on the diameter"));
     assert!(pdf.text(pdf.pages()[2]).contains("BORE_A: 9 µm too large"));
 }

@@ -54,6 +54,17 @@ fn a_first_article_lists_every_feature_also_what_is_missing_with_its_instrument(
     for name in ["BORE_A", "SEAT", "HUB", "Missing: SEAT, HUB", "Mill 3, probe 1"] {
         assert!(said.contains(name), "{name}: {said}");
     }
+    // Once in the head, and once for the value that was measured with it.
+    assert_eq!(said.matches("Mill 3, probe 1").count(), 2, "{said}");
+}
+
+#[test]
+fn a_sheet_to_fill_in_shows_limits_and_no_value() {
+    let said = by("sheet", of_part(part(&whole()), &whole()));
+    for text in ["Measurement sheet", "HUB", "39.998", "REWORK", "Missing"] {
+        assert_eq!(said.contains(text), matches!(text, "Measurement sheet" | "HUB"), "{text}: {said}");
+    }
+    assert!(said.contains("25.000") && said.contains("25.021"), "{said}");
 }
 
 #[test]

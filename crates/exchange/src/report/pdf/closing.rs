@@ -70,6 +70,7 @@ pub(super) fn write_end(flow: &mut Flow<'_>, report: &Report, seen: &ReportSurve
     }
     if template.has(Section::Statement) {
         let section = flow.tags.add(Tags::ROOT, Kind::Section);
+        flow.y += GAP;
         flow.room(3.0 * STRONG.line());
         flow.paragraph(section, STRONG, &words.say(&statement(report, seen)));
     }

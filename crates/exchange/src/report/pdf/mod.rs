@@ -62,7 +62,7 @@ use flow::Flow;
 use fonts::Fonts;
 pub use pages::{Canvas, CanvasEdge, Pages};
 use pictures::Pictures;
-use tags::{Kind, Tags};
+use tags::{Kind, TagId, Tags};
 
 use super::said::heading;
 use super::seen::ReportSurvey;
@@ -79,6 +79,13 @@ pub const MOST_CHECKS: usize = 20_000;
 const PIECE: usize = 16 << 10;
 
 fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
+    if report.template.is_blank() {
+        return rendered(&report.blank(), words, out);
+    }
+    rendered(report, words, out)
+}
+
+fn rendered(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
     let attachments = Attachments::of(report, words)?;
     let seen = ReportSurvey::of(report, MOST_CHECKS)?;
     let made = made(report, words, (&seen, &attachments), None);
@@ -139,6 +146,13 @@ fn set(
 
 /// The pages as a window shows them.
 fn pages(report: &Report, words: &Words) -> io::Result<Pages> {
+    if report.template.is_blank() {
+        return set_pages(&report.blank(), words);
+    }
+    set_pages(report, words)
+}
+
+fn set_pages(report: &Report, words: &Words) -> io::Result<Pages> {
     let fonts = Fonts::new()?;
     let attachments = Attachments::of(report, words)?;
     let seen = ReportSurvey::of(report, MOST_CHECKS)?;
@@ -167,15 +181,9 @@ fn write(
     let shows = |section| report.template.has(section);
     let entries = if shows(Section::Head) { head::entries(report, words) } else { Vec::new() };
     head::write_card(flow, section, shows(Section::Verdict).then_some(&card), &entries);
-    let mut signals = head::signals(report, seen, words);
-    if seen.total == 0 {
-        signals.push(words.get("report-no-checks"));
-    }
-    head::write_signals(flow, section, &signals);
-    if let [only] = report.parts.as_slice() {
-        parts::write_lacks(flow, section, only, words);
-    } else {
-        head::write_signals(flow, section, &lacks_of_all(report, words));
+    // A sheet that is filled in by hand lacks every value.
+    if !report.template.is_blank() {
+        write_first(flow, section, report, seen, words);
     }
     if shows(Section::Rule) {
         head::write_sentences(flow, section, &seen.shared.entries(words));
@@ -192,8 +200,10 @@ fn write(
             outline.push((name.clone(), flow.page(), flow.y));
             section = flow.tags.add(Tags::ROOT, Kind::Section);
             head::write_heading(flow, section, &name);
-            head::write_card(flow, section, Some(&parts::card(part, words)), &[]);
-            parts::write_lacks(flow, section, part, words);
+            if !report.template.is_blank() {
+                head::write_card(flow, section, Some(&parts::card(part, words)), &[]);
+                parts::write_lacks(flow, section, part, words);
+            }
         }
         parts::write(flow, (section, report), part, (number, pictures), words);
     }
@@ -213,6 +223,20 @@ fn write(
     closing::write_notes(flow, report, (seen, attachments), words);
     closing::write_end(flow, report, seen, words);
     Ok(outline)
+}
+
+/// What must be known before the values.
+fn write_first(flow: &mut Flow<'_>, section: TagId, report: &Report, seen: &ReportSurvey, words: &Words) {
+    let mut signals = head::signals(report, seen, words);
+    if seen.total == 0 {
+        signals.push(words.get("report-no-checks"));
+    }
+    head::write_signals(flow, section, &signals);
+    if let [only] = report.parts.as_slice() {
+        parts::write_lacks(flow, section, only, words);
+    } else {
+        head::write_signals(flow, section, &lacks_of_all(report, words));
+    }
 }
 
 /// What the first card says: the verdict of the only part or check, or how many there are of each.

@@ -94,7 +94,6 @@ impl Rows<'_> {
             minimum: self.mm(size.limits.minimum()),
             maximum: self.mm(size.limits.maximum()),
             word: words.get(word),
-            instrument: self.instrument(),
             notes: why.into_iter().collect(),
             ..Row::default()
         }

@@ -165,6 +165,11 @@ impl Template {
         template.checked().map_err(of_file)
     }
 
+    /// Whether its reports are sheets that are filled in by hand: they show no value.
+    pub fn is_blank(&self) -> bool {
+        self.columns.contains(&Column::Blank) && !self.columns.contains(&Column::Measured)
+    }
+
     /// The shipped templates; the first one is the usual inspection report.
     pub fn shipped() -> &'static [Arc<Self>] {
         &SHIPPED
