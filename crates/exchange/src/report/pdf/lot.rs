@@ -5,7 +5,7 @@ use fitcheck_core::words::Words;
 
 use super::flow::{Flow, base};
 use super::look::{CELL, CHIP, GAP, LABEL, LINE, NOTE, SIDE, TEXT, VALUE, tone};
-use super::sheet::{Area, Shape};
+use super::sheet::{Area, Edge, Shape};
 use super::signs::Sign;
 use super::tags::{Kind, TagId};
 use crate::report::part::PartSheet;
@@ -90,17 +90,21 @@ fn part_row(flow: &mut Flow<'_>, row: TagId, part: &PartSheet, words: &Words) {
     }
     let status = part.status();
     let word = status.map_or_else(|| words.get("walk-page-not-complete"), |status| words.told(&status));
-    let style = CHIP.in_ink(tone(status).on);
+    let standing = part.standing();
+    let is_simulated = 0 < standing.simulated;
+    let style = CHIP.in_ink(if is_simulated { TEXT } else { tone(status).on });
     let width = flow.fonts.width(&word, style.weight, style.size);
     let chip = Area::new(verdicts(flow), flow.y + 2.3, width + 22.0, ROW - 4.6);
     if status.is_some() {
-        flow.put(None, Shape::Block { area: chip, radius: 3.0, fill: Some(tone(status).ground), edge: None });
+        let tone = tone(status);
+        let edge = is_simulated.then_some(Edge { ink: TEXT, width: 0.8, is_dashed: true });
+        let fill = if is_simulated { tone.pale } else { tone.ground };
+        flow.put(None, Shape::Block { area: chip, radius: 3.0, fill: Some(fill), edge });
     }
     let middle = [chip.x + 9.0, chip.middle()[1]];
     flow.put(None, Shape::Sign { sign: Sign::of(status), middle, size: 9.5, ink: style.ink });
     let cell = flow.tags.add(row, Kind::Cell);
     flow.say(Some(cell), [chip.x + 17.0, base(flow.y, ROW, style)], style, word);
-    let standing = part.standing();
     let mut x = numbers(flow);
     for number in [standing.measured, standing.missing, standing.skipped, standing.simulated] {
         x += NUMBER;

@@ -51,7 +51,7 @@ fn line_end(fonts: &Fonts, text: &str, style: Style, width: f32) -> Option<usize
         if width < taken {
             // Better within a word than a line of which little is used.
             let first = text.chars().next().map_or(0, char::len_utf8);
-            return Some(space.or(mark).unwrap_or(at).max(first));
+            return Some(space.or(mark).unwrap_or(at).max(first)).filter(|end| *end < text.len());
         }
         if matches!(sign, '-' | '/' | '_' | ',' | ';' | '.' | '\\') {
             mark = Some(end);
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn what_has_no_room_ends_in_an_ellipsis() {
-        check("one two three four", 40.0, 2, &["one two ", "three…"], true);
+        check("one two three fourteen", 40.0, 2, &["one two ", "three fo…"], true);
         check(&"M".repeat(10_000), 24.0, 2, &["MMM", "MM…"], true);
     }
 }
