@@ -43,7 +43,8 @@ pub(super) fn print(content: &Content, errands: Errands) -> Result<(), Message> 
     if errands == Errands::AtOnce {
         return Err(failed(&"no program is started at once"));
     }
-    let mut file = tempfile::Builder::new().prefix("fitcheck").suffix(".pdf").tempfile().map_err(|error| failed(&error))?;
+    let mut file =
+        tempfile::Builder::new().prefix("fitcheck").suffix(".pdf").tempfile().map_err(|error| failed(&error))?;
     content.write(&mut file).and_then(|()| file.flush()).map_err(|error| failed(&error))?;
     // Windows lets nobody read what is open for writing.
     print_file(&file.into_temp_path())

@@ -43,6 +43,9 @@ fn the_examples_are_what_the_program_writes() {
         if std::env::var_os("EXAMPLES").is_some() {
             std::fs::copy(&made, &kept).unwrap();
         }
-        assert!(std::fs::read(&made).unwrap() == std::fs::read(&kept).unwrap(), "{name} is not what the program writes");
+        assert!(
+            std::fs::read(&made).unwrap() == std::fs::read(&kept).unwrap(),
+            "{name} is not what the program writes"
+        );
     }
 }

@@ -95,7 +95,8 @@ fn a_template_of_a_file_is_used_and_a_wrong_one_is_named_with_its_place() {
 #[test]
 fn an_unknown_field_of_the_head_lists_the_known_ones() {
     let mut command = cargo_bin_cmd!("fitcheck");
-    let output = command.args(["report", "--check", "25 H7=25", "--head", "color=red", "-o", "x.pdf"]).output().unwrap();
+    let output =
+        command.args(["report", "--check", "25 H7=25", "--head", "color=red", "-o", "x.pdf"]).output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(said.contains("color is not a field of the head: use one of part, drawing, revision"), "{said}");
 }

@@ -422,13 +422,9 @@ fn recorded(window: &mut Harness<'_, App>) {
 const fn has_verdict(page: Page) -> bool {
     match page {
         Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget => true,
-        Page::Parts
-        | Page::Tables
-        | Page::Program
-        | Page::Records
-        | Page::Reports
-        | Page::Help
-        | Page::Settings => false,
+        Page::Parts | Page::Tables | Page::Program | Page::Records | Page::Reports | Page::Help | Page::Settings => {
+            false
+        }
     }
 }
 

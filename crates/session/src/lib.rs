@@ -173,8 +173,8 @@ pub use reports::{Magnification, ReportOf, ReportsAction, ReportsCommand, Report
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
 pub use ruler::{Ruler, RulerStep};
 pub use saved::{
-    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedGauge, SavedInputs, SavedRecords, SavedReports, SavedWalk,
-    SavedWatch,
+    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedGauge, SavedInputs, SavedRecords, SavedReports,
+    SavedWalk, SavedWatch,
 };
 pub use settings::{DecimalSign, Density, Mode, RowHeight, Theme};
 pub use settings_page::{

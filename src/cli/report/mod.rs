@@ -2,8 +2,8 @@
 
 mod part;
 mod reading;
-mod template;
 mod recording;
+mod template;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -12,8 +12,8 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 use part::ReportParts;
 use reading::{Collected, ReportChecks, name};
-use template::TemplateArgs;
 use recording::ReportRecordArgs;
+use template::TemplateArgs;
 
 use super::args::one_of;
 use super::judging::JudgeArgs;

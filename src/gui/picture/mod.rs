@@ -41,10 +41,7 @@ pub(super) fn dots_of(name: &str, image: &Image) -> Result<(String, [usize; 2], 
 }
 
 /// Decoders are by others: what goes wrong there ends with their thread, and not with the window.
-fn apart(
-    name: &str,
-    decode: impl FnOnce() -> Result<PartPicture, Message> + Send,
-) -> Result<PartPicture, Message> {
+fn apart(name: &str, decode: impl FnOnce() -> Result<PartPicture, Message> + Send) -> Result<PartPicture, Message> {
     std::thread::scope(|scope| {
         let thread = Builder::new().name("picture".to_owned()).stack_size(STACK);
         let thread = thread.spawn_scoped(scope, decode).map_err(|error| broken(name, &error))?;

@@ -94,10 +94,13 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>, pages: &Pages) {
             }
         }
         ui.add_space(space(2.0));
-        for (is_larger, icon, name) in [(false, Icon::Minus, "reports-page-smaller"), (true, Icon::Plus, "reports-page-larger")] {
+        for (is_larger, icon, name) in
+            [(false, Icon::Minus, "reports-page-smaller"), (true, Icon::Plus, "reports-page-larger")]
+        {
             let name = view.text(name);
             let button = Button::new(icon.text(theme::Weight::Regular, space(4.0)));
-            let button = ui.add(button.min_size(vec2(control(ui), control(ui)))).accessible_name(&name).on_hover_text(&name);
+            let button =
+                ui.add(button.min_size(vec2(control(ui), control(ui)))).accessible_name(&name).on_hover_text(&name);
             if button.clicked() {
                 let magnification = view.session.reports().magnification.step(is_larger, 50);
                 view.send(ReportsCommand::Magnify(magnification));

@@ -14,8 +14,8 @@ use fitcheck_core::verdict::rules::Uncertainty;
 use fitcheck_core::verdict::{Status, judge_size};
 use sha2::{Digest as _, Sha256};
 
-use super::said::decimals_of;
 use super::part::PartSheet;
+use super::said::decimals_of;
 use super::{Report, row};
 use crate::journal::Record;
 

@@ -12,9 +12,9 @@ use fitcheck_core::words::Words;
 
 use super::html::part::{SizeView, size_view};
 use super::html::{MOST_CHECKS, entries};
+use super::part::PartSheet;
 use super::said::{decimals_of, heading, lacks};
 use super::seen::ReportSurvey;
-use super::part::PartSheet;
 use super::told::{CheckSaid, callout, mark, on_one_line, standing, verdict};
 use super::{Rendering, Report, text};
 use crate::journal::Record;

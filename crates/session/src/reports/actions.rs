@@ -5,9 +5,9 @@ use fitcheck_exchange::report::RENDERINGS;
 
 use super::{Magnification, ReportOf, ReportsCommand};
 use crate::Session;
+use crate::action::Shortcut;
 use crate::action::row::{ActionRow, Actions, actions, keys, on};
 use crate::action::window::report_name;
-use crate::action::Shortcut;
 use crate::command::Command;
 use crate::page::Page;
 use crate::purpose::Purpose;
@@ -44,9 +44,9 @@ impl Actions for ReportsAction {
             Self::SavePdf => on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(pdf())))
                 .key(Shortcut::ctrl('S'))
                 .when(has_report),
-            Self::Print => on(Page::Reports, "reports-page-print", ReportsCommand::Print)
-                .key(Shortcut::ctrl('P'))
-                .when(has_report),
+            Self::Print => {
+                on(Page::Reports, "reports-page-print", ReportsCommand::Print).key(Shortcut::ctrl('P')).when(has_report)
+            }
             Self::Save(number) => {
                 on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(number))).when(has_report)
             }

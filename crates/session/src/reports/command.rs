@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::words::Language;
-use fitcheck_exchange::report::pdf::Pages;
 use fitcheck_exchange::report::paper::Paper;
+use fitcheck_exchange::report::pdf::Pages;
 use fitcheck_exchange::report::template::{Section, Template};
 
 use super::{Magnification, ReportOf, ReportsField};

@@ -171,7 +171,12 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
 }
 
 /// A size as a row of the list.
-pub(in crate::report) fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Record>, words: &Words) -> SizeView {
+pub(in crate::report) fn size_view(
+    size: &Size<'_>,
+    step: &Step,
+    record: Option<&crate::journal::Record>,
+    words: &Words,
+) -> SizeView {
     let deviations = &size.limits.deviations;
     let of_point = || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
     let mm = |length: Length| format!("{} mm", words.mm(length, decimals_of(length).max(3)));

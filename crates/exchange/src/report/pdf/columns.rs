@@ -65,8 +65,11 @@ impl Widths {
 
     /// Shares a width out: numbers and verdicts get what they ask for, the texts and the band what is left.
     pub fn fit(mut self, width: f32) -> Self {
-        let taken: f32 =
-            self.all().filter(|column| !is_text(*column) && *column != Column::Band).map(|column| self.asked(column)).sum();
+        let taken: f32 = self
+            .all()
+            .filter(|column| !is_text(*column) && *column != Column::Band)
+            .map(|column| self.asked(column))
+            .sum();
         let texts: Vec<f32> = self.all().filter(|column| is_text(*column)).map(|column| self.asked(column)).collect();
         let asked: f32 = texts.iter().sum();
         let free = width - taken;

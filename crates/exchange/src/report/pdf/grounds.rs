@@ -56,13 +56,7 @@ pub(super) struct Grounds<'a> {
 
 impl<'a> Grounds<'a> {
     pub fn new(words: &'a Words) -> Self {
-        let labels = [
-            "report-limits-from",
-            "report-measured-from",
-            "report-verdict-from",
-            "report-budget",
-            CAVEATS,
-        ];
+        let labels = ["report-limits-from", "report-measured-from", "report-verdict-from", "report-budget", CAVEATS];
         Self { words, groups: labels.map(|label| (label, Group::default())), rows: 0 }
     }
 

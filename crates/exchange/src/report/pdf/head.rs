@@ -190,11 +190,13 @@ fn value(report: &Report, field: HeadField, words: &Words) -> Option<String> {
         HeadField::Records => report.journal.as_ref().map(|journal| journal.numbers.clone()),
         HeadField::Material => {
             let materials = report.parts.first().into_iter().flat_map(|part| part.plan.features());
-            let names: BTreeSet<&str> = materials.filter_map(|f| f.material.as_ref()).map(|m| m.name.as_str()).collect();
+            let names: BTreeSet<&str> =
+                materials.filter_map(|f| f.material.as_ref()).map(|m| m.name.as_str()).collect();
             Some(names.into_iter().collect::<Vec<_>>().join(", "))
         }
         HeadField::Temperature => {
-            let warm = only?.records().filter_map(|record| record.correction.as_ref()).map(|correction| correction.part);
+            let warm =
+                only?.records().filter_map(|record| record.correction.as_ref()).map(|correction| correction.part);
             let all: BTreeSet<String> = warm.map(|warm| words.number(&warm.temperature.to_string())).collect();
             Some(all.into_iter().map(|one| format!("{one} °C")).collect::<Vec<_>>().join(", "))
         }

@@ -51,7 +51,8 @@ pub(super) fn write(flow: &mut Flow<'_>, report: &Report, (card, is_simulated): 
     if entries_lack_date(report) {
         lines.push(report.created.strftime(DATE).to_string());
     }
-    let size = ((height - 2.0 * SIDE - tall) / 1.3 / super::cells::count(lines.len().max(1))).clamp(4.5, VALUE.size + 1.0);
+    let size =
+        ((height - 2.0 * SIDE - tall) / 1.3 / super::cells::count(lines.len().max(1))).clamp(4.5, VALUE.size + 1.0);
     let style = Style { size, ink: TEXT, ..VALUE };
     let mut y = SIDE + tall;
     for line in lines {

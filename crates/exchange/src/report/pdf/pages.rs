@@ -136,8 +136,7 @@ fn outlined(canvas: &mut dyn Canvas, (outline, [x, y], radius): (Outline, Place,
         Outline::Circle => square(radius, radius, canvas),
         Outline::Square => square(radius * 0.94, radius * 0.25, canvas),
         Outline::Diamond | Outline::Hexagon => {
-            let corners: Vec<_> =
-                outline.corners().iter().map(|[dx, dy]| [x + dx * radius, y + dy * radius]).collect();
+            let corners: Vec<_> = outline.corners().iter().map(|[dx, dy]| [x + dx * radius, y + dy * radius]).collect();
             canvas.polygon(&corners, Some(fill), Some(edge));
         }
     }
@@ -156,8 +155,7 @@ fn band(canvas: &mut dyn Canvas, area: Area, band: &BandShape) {
         hatch(canvas, span.map(at), side.into());
     }
     let [from, to] = band.zone.map(at);
-    let tall =
-        |x: f32, width: f32, more: f32| [x - width / 2.0, area.y - more, width, area.height + 2.0 * more];
+    let tall = |x: f32, width: f32, more: f32| [x - width / 2.0, area.y - more, width, area.height + 2.0 * more];
     canvas.block([from, area.y + 0.8, to - from, area.height - 1.6], 0.0, Some(ZONE), None);
     for (span, guarded) in &band.guards {
         hatch(canvas, span.map(at), (*guarded).into());

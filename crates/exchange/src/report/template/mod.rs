@@ -127,20 +127,14 @@ pub enum TemplateError {
         key: &'static str,
     },
     #[say(args(known = languages()))]
-    Language {
-        given: String,
-    },
+    Language { given: String },
     /// A logo in another folder.
-    Logo {
-        given: String,
-    },
+    Logo { given: String },
 }
 
 static SHIPPED: LazyLock<Vec<Arc<Template>>> = LazyLock::new(|| {
     #[expect(clippy::expect_used, reason = "the files are part of the program and read by a test")]
-    let read = |(name, bytes): &(&str, &[u8])| {
-        Arc::new(Template::read(&String::from_utf8_lossy(bytes)).expect(name))
-    };
+    let read = |(name, bytes): &(&str, &[u8])| Arc::new(Template::read(&String::from_utf8_lossy(bytes)).expect(name));
     let mut all: Vec<Arc<Template>> = fitcheck_shipped::TEMPLATES.iter().map(read).collect();
     // The usual one comes first; the others keep the order of their files.
     all.sort_by_key(|template| template.name != "report-template-inspection");

@@ -9,8 +9,8 @@ use rust_xlsxwriter::utility::{cell_range, worksheet_range_absolute};
 use super::cells::{Look, Paper};
 use super::table::{self, HEAD, LAST, OF_SIZE, VERDICT};
 use super::{Book, MOST_PART_SHEETS};
-use crate::report::said::{heading, lacks};
 use crate::report::part::PartSheet;
+use crate::report::said::{heading, lacks};
 use crate::report::told;
 
 /// The columns of the lot, by the names of their texts, and how wide they are.

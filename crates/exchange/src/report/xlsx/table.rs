@@ -9,8 +9,8 @@ use rust_xlsxwriter::utility::row_col_to_cell;
 use super::Book;
 use super::cells::{Look, Paper};
 use crate::journal::Record;
-use crate::report::told::{self, CheckSaid};
 use crate::report::text;
+use crate::report::told::{self, CheckSaid};
 
 /// The row of a table's head: above it are the name of the sheet, what it says of all rows, and a blank line.
 pub(super) const HEAD: u32 = 3;
