@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use fitcheck::report::pairing::FORMATS;
+use fitcheck::shipped;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
 use fluent_bundle::FluentResource;
@@ -275,7 +276,10 @@ fn every_text_is_used() {
     let source = source();
     // What a language says of itself is read by the build.
     let of_build = ["language-name", "language-decimal-sign"];
-    let literals: BTreeSet<&str> = source.split('"').chain(of_build).collect();
+    // A template of reports names its own.
+    let templates: String =
+        shipped::TEMPLATES.iter().map(|(_, bytes)| String::from_utf8_lossy(bytes).into_owned()).collect();
+    let literals: BTreeSet<&str> = source.split('"').chain(templates.split('"')).chain(of_build).collect();
     let beginnings: Vec<&str> = literals.iter().filter_map(|literal| literal.strip_suffix(PUT_IN)).collect();
     let begins = |id: &str| beginnings.iter().any(|beginning| 1 < beginning.len() && id.starts_with(beginning));
     let english = all(Language::En);

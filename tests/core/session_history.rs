@@ -247,9 +247,14 @@ fn every_rendering_exports_only_the_bad_once_they_are_chosen() {
     }
 }
 
-/// A file with what is packed in it, as in a PDF: its attachments among other things.
+/// A file with what is packed in it, as in a PDF or a workbook: its attachments, its sheets.
 fn unpacked(file: &[u8]) -> String {
     let mut all = String::from_utf8_lossy(file).into_owned();
+    if let Ok(mut packed) = zip::ZipArchive::new(std::io::Cursor::new(file)) {
+        for at in 0..packed.len() {
+            packed.by_index(at).unwrap().read_to_string(&mut all).unwrap();
+        }
+    }
     let start = b"stream\n";
     for (at, _) in file.windows(start.len()).enumerate().filter(|(_, piece)| *piece == start) {
         let mut text = Vec::new();

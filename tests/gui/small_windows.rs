@@ -255,7 +255,7 @@ fn a_notice_leaves_the_rail_below_the_page_free() {
     send(&mut window, Command::SetTheme(Theme::Dark));
     let undo = window.query_all_by_role_and_label(Role::Button, "Undo").map(|node| node.rect().bottom());
     let lowest = undo.fold(0.0, f32::max);
-    let rail = window.query_all_by_label("Settings").map(|node| node.rect().top()).fold(0.0, f32::max);
+    let rail = window.query_all_by_label("Records").map(|node| node.rect().top()).fold(0.0, f32::max);
     assert!(1_000.0 < lowest && lowest < rail, "the notice ends at {lowest}, the rail begins at {rail}");
 }
 

@@ -13,6 +13,7 @@ use image::{DynamicImage, ImageDecoder as _, ImageFormat, ImageReader, Limits};
 use super::file_contents::file_or_sample;
 use crate::message::Message;
 use crate::report::image::{Image, ImageKind, MOST_DOTS, broken, check_dots};
+use crate::report::pdf::PictureDots;
 use crate::session::parts::PartPicture;
 
 /// The longest side that is shown, in dots: graphics cards take no larger pictures, and nobody sees more.
@@ -31,13 +32,13 @@ pub(super) fn read(path: &Path) -> Result<PartPicture, Message> {
     apart(&name, || decode(&name, &bytes))
 }
 
-/// The dots of a picture that was read: its name, width and height, four bytes a dot.
+/// The dots of a picture that was read.
 ///
 /// # Errors
 /// It cannot be decoded.
-pub(super) fn dots_of(name: &str, image: &Image) -> Result<(String, [usize; 2], Vec<u8>), Message> {
+pub(super) fn dots_of(name: &str, image: &Image) -> Result<PictureDots, Message> {
     let PartPicture { size, dots, .. } = apart(name, || decode(name, image.bytes()))?;
-    Ok((name.to_owned(), size, dots))
+    Ok(PictureDots { name: name.to_owned(), size, bytes: dots })
 }
 
 /// Decoders are by others: what goes wrong there ends with their thread, and not with the window.

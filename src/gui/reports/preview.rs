@@ -12,7 +12,7 @@ use crate::gui::empty::empty_ui;
 use crate::gui::theme::{self, Icon, control, palette, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
-use crate::report::pdf::Pages;
+use crate::report::pdf::{Pages, PictureDots};
 use crate::session::{Magnification, ReportsAction, ReportsCommand, Step};
 
 /// Between the page and the edge of its ground.
@@ -66,11 +66,11 @@ fn textures(ui: &Ui, pages: &Arc<Pages>) -> Vec<Option<TextureHandle>> {
     if let Some((_, kept)) = kept.filter(|(of, _)| std::ptr::eq(of.as_ptr(), Arc::as_ptr(pages))) {
         return kept;
     }
-    let load = |(name, size, dots): &(String, [usize; 2], Vec<u8>)| {
-        let image = theme::picture(*size, dots);
-        Some(ui.ctx().load_texture(name, image, TextureOptions::LINEAR))
+    let load = |picture: &PictureDots| {
+        let image = theme::picture(picture.size, &picture.bytes);
+        ui.ctx().load_texture(&picture.name, image, TextureOptions::LINEAR)
     };
-    let loaded: Vec<Option<TextureHandle>> = pages.dots.iter().map(|dots| dots.as_ref().and_then(load)).collect();
+    let loaded: Vec<Option<TextureHandle>> = pages.dots.iter().map(|dots| dots.as_ref().map(load)).collect();
     ui.data_mut(|data| data.insert_temp(key, (Arc::downgrade(pages), loaded.clone())));
     loaded
 }

@@ -57,20 +57,7 @@ impl Session {
                 let number = shown.id.and_then(|id| recording.number_of(id));
                 (report, recording.shown([number], None), shown.id.and_then(|id| recording.head_of(id)))
             }
-            ReportOf::List => match self.check.rows.as_ref().filter(|_| self.lists_rows()) {
-                Some(rows) => {
-                    let report = rows.report(&self.shared.sources, now);
-                    (report.ok_or_else(|| message!("rows-export-not-yet"))?, None, None)
-                }
-                None => {
-                    let history = &self.shared.history;
-                    let records: Vec<Arc<Record>> = history.for_report().map(Arc::clone).collect();
-                    let numbers = history.ids_for_report().map(|id| recording.number_of(id));
-                    let heads = history.ids_for_report().filter_map(|id| recording.head_of(id));
-                    let newest = heads.max_by_key(|head| head.number);
-                    (Report::new(now, records), recording.shown(numbers, None), newest)
-                }
-            },
+            ReportOf::List => self.composed_list(now)?,
             ReportOf::Records => {
                 let journal = recording.journal.as_ref().map(|journal| (journal.chain, journal.head));
                 let heads = self.records.heads_for_report();
@@ -80,6 +67,20 @@ impl Session {
             }
         };
         Ok(Composed { report: Report { journal: self.journal_of(shown.as_ref(), newest), ..report }, shown })
+    }
+
+    /// The listed rows of a large file, or the list of the check page.
+    fn composed_list(&self, now: DateTime) -> Result<(Report, Option<Shown>, Option<Head>), Message> {
+        if let Some(rows) = self.check.rows.as_ref().filter(|_| self.lists_rows()) {
+            let report = rows.report(&self.shared.sources, now);
+            return Ok((report.ok_or_else(|| message!("rows-export-not-yet"))?, None, None));
+        }
+        let (history, recording) = (&self.shared.history, &self.shared.recording);
+        let records: Vec<Arc<Record>> = history.for_report().map(Arc::clone).collect();
+        let numbers = history.ids_for_report().map(|id| recording.number_of(id));
+        let heads = history.ids_for_report().filter_map(|id| recording.head_of(id));
+        let newest = heads.max_by_key(|head| head.number);
+        Ok((Report::new(now, records), recording.shown(numbers, None), newest))
     }
 
     /// Where the records of a report stand, as its pages say it.

@@ -60,7 +60,7 @@ use attach::Attachments;
 use emit::{Book, EmitError};
 use flow::Flow;
 use fonts::Fonts;
-pub use pages::{Canvas, CanvasEdge, Pages};
+pub use pages::{Canvas, CanvasEdge, Pages, PictureDots};
 use pictures::Pictures;
 use tags::{Kind, TagId, Tags};
 

@@ -47,6 +47,16 @@ impl From<Edge> for CanvasEdge {
     }
 }
 
+/// A picture as dots.
+#[derive(Debug, Clone)]
+pub struct PictureDots {
+    pub name: String,
+    /// Width and height.
+    pub size: [usize; 2],
+    /// Red, green, blue and how opaque, a byte each, row by row.
+    pub bytes: Vec<u8>,
+}
+
 /// The pages of a report.
 #[derive(Debug)]
 pub struct Pages {
@@ -54,8 +64,8 @@ pub struct Pages {
     sheets: Vec<Sheet>,
     /// The pictures on them, by their numbers.
     pub pictures: Vec<(String, Image)>,
-    /// The same as dots, once somebody has decoded them: name, width and height, four bytes a dot.
-    pub dots: Vec<Option<(String, [usize; 2], Vec<u8>)>>,
+    /// The same as dots, once somebody has decoded them.
+    pub dots: Vec<Option<PictureDots>>,
 }
 
 impl Pages {

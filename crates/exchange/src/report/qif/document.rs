@@ -9,6 +9,7 @@ use jiff::civil::DateTime;
 
 use super::ids::{CharacteristicIds, Ids, PART, STANDARD};
 use super::results;
+use super::texts::{kind, mm, time};
 use super::xml::Elements;
 use crate::report::Report;
 use crate::report::given::{self, Asked, Given, Quantity, standing};
@@ -64,11 +65,6 @@ fn head(report: &Report, ids: &Ids, xml: &mut Elements<'_>) -> io::Result<()> {
         xml.raw("</PartSet></Product>\n")?;
     }
     Ok(())
-}
-
-/// A date and time to the second, as XML has it.
-pub(super) fn time(time: DateTime) -> String {
-    time.strftime("%Y-%m-%dT%H:%M:%S").to_string()
 }
 
 /// Shows each characteristic once.
@@ -229,18 +225,4 @@ fn characteristics(report: &Report, ids: &Ids, xml: &mut Elements<'_>) -> io::Re
     })?;
     xml.close("CharacteristicItems")?;
     xml.close("Characteristics")
-}
-
-/// The kind of a characteristic, as names of elements begin with it.
-pub(super) const fn kind(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Diameter => "Diameter",
-        Quantity::Width(_) => "Width",
-        Quantity::Coordinate => "Length",
-    }
-}
-
-/// Millimetres exactly.
-pub(super) fn mm(length: Length) -> String {
-    Millimetres(length).text(0)
 }

@@ -15,6 +15,7 @@
 mod document;
 mod ids;
 mod results;
+mod texts;
 mod xml;
 
 use std::io::{self, Write};

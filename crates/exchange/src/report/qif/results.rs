@@ -4,8 +4,8 @@ use std::io;
 
 use fitcheck_core::verdict::Status;
 
-use super::document::{kind, mm, time};
 use super::ids::{Ids, centre};
+use super::texts::{kind, mm, time};
 use super::xml::Elements;
 use crate::journal::Record;
 use crate::report::Report;

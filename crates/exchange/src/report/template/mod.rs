@@ -251,9 +251,9 @@ impl Template {
         if let Some((key, _)) = texts.into_iter().chain(address).find(|(_, text)| !is_text(text)) {
             return Err(TemplateError::Text { key });
         }
-        once("sections", &self.sections, |section| section.word())?;
-        once("head", &self.head, |field| field.word())?;
-        once("columns", &self.columns, |column| column.word())?;
+        once("sections", &self.sections, Section::word)?;
+        once("head", &self.head, HeadField::word)?;
+        once("columns", &self.columns, Column::word)?;
         if self.sections.is_empty() {
             return Err(TemplateError::Empty { key: "sections" });
         }
@@ -285,5 +285,5 @@ fn once<T: Copy + Eq + Hash + Ord>(
 }
 
 fn languages() -> String {
-    Language::all().map(|language| language.code()).collect::<Vec<_>>().join(", ")
+    Language::all().map(Language::code).collect::<Vec<_>>().join(", ")
 }
