@@ -290,7 +290,9 @@ impl eframe::App for App {
 /// Draws the window once more before it is shown, so that a verdict is on screen a whole frame earlier. Never in two frames in a row: egui
 /// takes that for a mistake, and the next frame shows the change anyway.
 fn draw_again_at_once(ctx: &Context) {
-    if ctx.viewport(|viewport| viewport.num_multipass_in_row) == 0 {
+    // What goes on by itself, such as a program that runs, keeps its own time.
+    let is_answer = ctx.input(|input| !input.events.is_empty());
+    if is_answer && ctx.viewport(|viewport| viewport.num_multipass_in_row) == 0 {
         ctx.request_discard("the answer to what was pressed is known");
     }
 }

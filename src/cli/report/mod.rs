@@ -240,7 +240,7 @@ impl Args {
             parts,
             ..Report::new(now, Arc::clone(&checks))
         };
-        let report = self.look.dress(report, &template, &words);
+        let report = self.look.dress(report, &template);
         if rendering.is_checks_alone {
             self.warn_of_checks_alone(report.notes.len(), io);
         }

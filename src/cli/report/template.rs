@@ -9,7 +9,6 @@ use crate::message::Say as _;
 use crate::report::Report;
 use crate::report::paper::Paper;
 use crate::report::template::{HeadField, Template};
-use crate::words::Words;
 
 /// How a report for people looks.
 #[derive(Debug, Clone, clap::Args)]
@@ -46,11 +45,8 @@ impl TemplateArgs {
     }
 
     /// The report by a template, on the paper and with the head that were asked for.
-    pub(super) fn dress(&self, report: Report, template: &Arc<Template>, words: &Words) -> Report {
+    pub(super) fn dress(&self, report: Report, template: &Arc<Template>) -> Report {
         let mut report = report.by(template);
-        if report.title.is_empty() {
-            report.title = template.text(&template.title, words);
-        }
         report.paper = self.paper.unwrap_or(report.paper);
         for (field, text) in &self.heads {
             report.tell(*field, text);

@@ -7,7 +7,6 @@ use super::{Magnification, ReportOf, ReportsCommand};
 use crate::Session;
 use crate::action::Shortcut;
 use crate::action::row::{ActionRow, Actions, actions, keys, on};
-use crate::action::window::report_name;
 use crate::command::Command;
 use crate::page::Page;
 use crate::purpose::Purpose;
@@ -66,7 +65,8 @@ impl Actions for ReportsAction {
 
     fn name(&self, _session: &Session, words: &Words) -> Option<String> {
         match *self {
-            Self::Save(number) => report_name(number, words),
+            // On its page the format alone says it.
+            Self::Save(number) => Some(format!("{}…", RENDERINGS.get(number)?.title)),
             Self::Move(Step::PageUp) => Some(words.get("reports-page-before")),
             Self::Move(_) => Some(words.get("reports-page-next")),
             _ => None,

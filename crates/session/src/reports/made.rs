@@ -95,7 +95,6 @@ impl Session {
         let words = self.shared.report_words_in(self.reports.language());
         let template = Arc::new(self.reports.made_template());
         let report = &mut composed.report;
-        report.title = template.text(&template.title, &words);
         report.paper = template.paper;
         report.template = template;
         report.tell(HeadField::Inspector, self.shared.recording.who());

@@ -26,9 +26,11 @@ const CARD: f32 = 0.43;
 /// The columns of labels and values beside the card.
 const COLUMNS: u8 = 3;
 
-/// The title of the report.
+/// The title of the report: its own, that of its template, or the usual one.
 pub(super) fn title(report: &Report, words: &Words) -> String {
-    if report.title.is_empty() { words.get("report-title") } else { report.title.clone() }
+    let of_template = || report.template.text(&report.template.title, words);
+    let mut titles = std::iter::once(report.title.clone()).chain(std::iter::once_with(of_template));
+    titles.find(|title| !title.is_empty()).unwrap_or_else(|| words.get("report-title"))
 }
 
 /// Writes title, and what the report is about; on the right the company.

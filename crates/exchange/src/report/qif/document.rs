@@ -2,10 +2,8 @@
 
 use std::io::{self, Write};
 
-use fitcheck_core::length::Length;
 use fitcheck_core::part::WidthAxis;
 use fitcheck_core::tolerance::Feature;
-use jiff::civil::DateTime;
 
 use super::ids::{CharacteristicIds, Ids, PART, STANDARD};
 use super::results;
@@ -13,7 +11,6 @@ use super::texts::{kind, mm, time};
 use super::xml::Elements;
 use crate::report::Report;
 use crate::report::given::{self, Asked, Given, Quantity, standing};
-use crate::report::row::Millimetres;
 
 /// What the root of every file says.
 const ROOT: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<QIFDocument xmlns=\"http://qifstandards.org/xsd/qif3\" \
