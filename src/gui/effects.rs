@@ -17,11 +17,10 @@ use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
 use super::pin;
-use super::printing::{self, drawn};
+use super::printing;
 use super::reading::{is_read, read};
 use super::rows::Runs;
 use super::sound::Sounds;
-use super::templates;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
 use crate::control::mask::Mask;
@@ -34,7 +33,7 @@ use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
-    RecordsCommand, ReportsCommand, RowsCommand, SettingsCommand, Working, WorkpieceCommand,
+    RecordsCommand, RowsCommand, SettingsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
@@ -334,14 +333,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let result = files::write_folder(&folder, &set, replaces);
             vec![FilesCommand::SetWritten { folder, result }.into()]
         }
-        Effect::Launch(path, how) => {
-            let result = match errands {
-                Errands::OnThread => launch(&path, how),
-                Errands::AtOnce => Err("no program is started at once".to_owned()),
-            };
-            let failed = |reason: String| message!("launch-failed").text("reason", reason);
-            vec![FilesCommand::Launched(result.map_err(failed)).into()]
-        }
+        Effect::Launch(path, how) => vec![launched(&path, how, errands)],
         Effect::Pair { run, asked } => {
             vec![PairingCommand::Paired { run, paired: Arc::new(Paired::of(*asked)) }.into()]
         }
@@ -349,9 +341,9 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let result = picture::read(&path).map(Arc::new);
             vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
         }
-        Effect::DrawReport { run, content } => vec![ReportsCommand::Drawn { run, result: drawn(&content) }.into()],
-        Effect::ReadTemplates(folder) => vec![ReportsCommand::Templates(templates::read(&folder)).into()],
-        Effect::Print(content) => vec![ReportsCommand::Printed(printing::print(&content, errands)).into()],
+        effect @ (Effect::DrawReport { .. } | Effect::ReadTemplates(_) | Effect::Print(_)) => {
+            printing::answer(effect, errands).into_iter().map(Into::into).collect()
+        }
         Effect::HashPin(pin) => vec![SettingsCommand::PinHashed(pin::hash(&pin)).into()],
         Effect::TryPin { pin, hash } => vec![SettingsCommand::PinTried(pin::is_it(&pin, &hash)).into()],
         Effect::Copy(_)
@@ -384,6 +376,16 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
     }
+}
+
+/// A file was given to the system's own program, or why not. Tests start none.
+fn launched(path: &Path, how: Launch, errands: Errands) -> Command {
+    let result = match errands {
+        Errands::OnThread => launch(path, how),
+        Errands::AtOnce => Err("no program is started at once".to_owned()),
+    };
+    let failed = |reason: String| message!("launch-failed").text("reason", reason);
+    FilesCommand::Launched(result.map_err(failed)).into()
 }
 
 /// What a file holds, after what is to be known before it is used.

@@ -1,4 +1,4 @@
-//! Reports are set for the window, and handed to the system's printer.
+//! What the reports page asks for: pages set for the window, templates, pages handed to the system's printer.
 
 use std::io::{self, Write as _};
 use std::path::Path;
@@ -7,15 +7,26 @@ use std::sync::Arc;
 
 use super::errands::Errands;
 use super::picture;
+use super::templates;
 use crate::message::{Message, message};
 use crate::report::pdf::Pages;
-use crate::session::Content;
+use crate::session::{Content, Effect, ReportsCommand};
+
+/// What the reports page asks for, and what comes back.
+pub(super) fn answer(effect: Effect, errands: Errands) -> Option<ReportsCommand> {
+    match effect {
+        Effect::DrawReport { run, content } => Some(ReportsCommand::Drawn { run, result: drawn(&content) }),
+        Effect::ReadTemplates(folder) => Some(ReportsCommand::Templates(templates::read(&folder))),
+        Effect::Print(content) => Some(ReportsCommand::Printed(print(&content, errands))),
+        _ => None,
+    }
+}
 
 /// The pages of a report as the window shows them.
 ///
 /// # Errors
 /// Its checks cannot be read.
-pub(super) fn drawn(content: &Content) -> Result<Arc<Pages>, Message> {
+fn drawn(content: &Content) -> Result<Arc<Pages>, Message> {
     let Content::Report { report, words, .. } = content else { return Err(message!("reports-page-nothing")) };
     let failed = |error: io::Error| message!("report-error-writer").text("format", "pdf").text("reason", error);
     let mut pages = Pages::of(report, words).map_err(failed)?;
@@ -38,7 +49,7 @@ const PRINTERS: &[(&str, &[&str])] = if cfg!(windows) {
 ///
 /// # Errors
 /// There is nothing that prints, or what it says.
-pub(super) fn print(content: &Content, errands: Errands) -> Result<(), Message> {
+fn print(content: &Content, errands: Errands) -> Result<(), Message> {
     let failed = |reason: &dyn std::fmt::Display| message!("reports-page-not-printed").text("reason", reason);
     if errands == Errands::AtOnce {
         return Err(failed(&"no program is started at once"));

@@ -86,6 +86,7 @@ pub fn space(steps: f32) -> f32 {
 }
 
 /// A colour of a page that will be printed, whatever the look.
+#[expect(clippy::disallowed_methods, reason = "the colours of paper are those of the file, and not of a theme")]
 pub const fn ink([red, green, blue]: [u8; 3]) -> Color32 {
     Color32::from_rgb(red, green, blue)
 }
