@@ -104,6 +104,21 @@ fn the_window_of_an_operator() {
     taken("operator", Theme::Light, vec2(1024.0, 768.0), |window| operator(window, "7.99"));
 }
 
+#[test]
+fn the_report_of_a_part_as_it_will_print() {
+    taken("reports", Theme::Light, DESK, |window| {
+        send(window, FilesCommand::Open(Sample::Part.purpose(), Sample::Part.path()));
+        send(window, Command::OpenPage(Page::Parts));
+        send(window, Field::from(WalkField::Serial).typed("A-0102".to_owned()));
+        send(window, WalkCommand::Begin);
+        for value in ["25.012", "8.009", "8.011", "7.997", "8.021", "11.985"] {
+            send(window, Field::from(WalkField::Value).typed(value.to_owned()));
+            send(window, WalkCommand::Take);
+        }
+        send(window, Command::OpenPage(Page::Reports));
+    });
+}
+
 /// The width of a picture of a sheet.
 const WIDTH: u32 = 480;
 
