@@ -42,6 +42,7 @@ mod program;
 mod qif;
 mod question;
 mod report_data;
+mod report_template;
 mod shared;
 mod state;
 mod table;
@@ -104,6 +105,7 @@ targets! {
     qif "qif"
     question "question"
     report_data "none"
+    report_template "toml"
     state "toml"
     table "table"
     tool_table "table"
