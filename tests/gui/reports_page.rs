@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::report::paper::Paper;
-use fitcheck::session::{CheckField, Command, Field, Page, ReportsCommand};
+use fitcheck::session::{CheckField, Command, Field, Page, ReportOf, ReportsCommand};
 use fitcheck::words::Language;
 
 use crate::harness::{Window, click, press, type_into};
@@ -77,6 +77,24 @@ fn the_keys_of_the_page_turn_pages_and_save() {
     type_into(&mut window, "File", &file.display().to_string());
     press(&mut window, Key::Enter);
     assert!(std::fs::read(file).unwrap().starts_with(b"%PDF-1.7"));
+}
+
+#[test]
+fn pages_are_turned_by_button_and_by_key() {
+    let mut window = page();
+    send(&mut window, Command::OpenPage(Page::Check));
+    for value in 0..60 {
+        send(&mut window, Field::from(CheckField::Measured).typed(format!("25.0{:02}", value % 20)));
+        send(&mut window, Command::Enter(CheckField::Measured.into()));
+    }
+    send(&mut window, Command::OpenPage(Page::Reports));
+    send(&mut window, ReportsCommand::Of(ReportOf::List));
+    let count = window.state().session().reports().pages().and_then(Result::ok).map_or(0, |pages| pages.count());
+    assert!(1 < count);
+    click(&mut window, Role::Button, "Next page");
+    assert!(window.query_by_label(&format!("Page 2 of {count}")).is_some());
+    press(&mut window, Key::PageUp);
+    assert!(window.query_by_label(&format!("Page 1 of {count}")).is_some());
 }
 
 #[test]

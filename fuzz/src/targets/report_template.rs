@@ -2,8 +2,8 @@
 
 use fitcheck::journal::Record;
 use fitcheck::probing::{Measurement, Origin};
-use fitcheck::report::pdf::Pages;
 use fitcheck::report::Report;
+use fitcheck::report::pdf::Pages;
 use fitcheck::report::template::Template;
 use fitcheck::tolerance::Sources;
 use fitcheck::words::{Language, Words};

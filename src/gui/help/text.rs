@@ -29,7 +29,9 @@ pub(super) fn spans_ui(ui: &mut Ui, view: &mut View<'_>, spans: &[Span], words: 
 /// A link over its letters: one stop for Tab, whatever its lines are.
 fn link_ui(ui: &Ui, view: &mut View<'_>, place: &HelpPlace, name: &str, lines: &[Rect]) {
     let Some(first) = lines.first() else { return };
-    let id = ui.scope_id().with(("link", first.min.x.to_bits(), first.min.y.to_bits(), name));
+    // By its place on the page, which stays the same wherever the page is scrolled to.
+    let place_on_page = (first.min - ui.min_rect().min).round();
+    let id = ui.scope_id().with(("link", place_on_page.x.to_bits(), place_on_page.y.to_bits(), name));
     let link = ui.interact(*first, id, Sense::click());
     link.widget_info(|| WidgetInfo::labeled(Role::Link, true, name));
     if link.gained_focus() {

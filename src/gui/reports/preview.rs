@@ -83,12 +83,12 @@ fn bar_ui(ui: &mut Ui, view: &mut View<'_>, pages: &Pages) {
     let at = view.session.reports().at();
     let count = pages.count();
     ui.horizontal(|ui| {
-        for (step, sign) in [(Step::Left, "‹"), (Step::Right, "›")] {
+        for (step, sign) in [(Step::PageUp, "‹"), (Step::PageDown, "›")] {
             let action = ReportsAction::Move(step);
             let name = action_name(view, action);
             let button = Button::new(sign).min_size(vec2(control(ui), control(ui)));
             view.button_as(ui, action, button).accessible_name(name);
-            if step == Step::Left {
+            if step == Step::PageUp {
                 let said = message!("reports-page-at").count("at", at + 1).count("count", count);
                 ui.label(view.words.say(&said));
             }

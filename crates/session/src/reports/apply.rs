@@ -9,6 +9,7 @@ use crate::page::Page;
 use crate::saved::{Saved, SavedReports};
 use crate::shared::{News, Shared};
 use crate::state::PageState;
+use crate::step::Step;
 use crate::texts::Texts;
 
 impl PageState for ReportsPage {
@@ -43,6 +44,12 @@ impl PageState for ReportsPage {
             ReportsCommand::Show(section, true) => _ = self.hidden.remove(&section),
             ReportsCommand::Show(section, false) => _ = self.hidden.insert(section),
             ReportsCommand::Move(step) => {
+                // A page of keys is a page of paper.
+                let step = match step {
+                    Step::PageUp => Step::Left,
+                    Step::PageDown => Step::Right,
+                    step => step,
+                };
                 self.at = step.place(Some(self.at()), self.last());
                 return Vec::new();
             }
