@@ -1,7 +1,7 @@
 //! The report as Markdown, for wikis, tickets and reviews: headings, lists and tables as GitHub and most other programs show them.
 //!
 //! Texts are escaped, so that a name cannot become a heading, a link, a picture, HTML or another cell. A check is a row of a table; as in
-//! HTML, a report of more than [`MOST_CHECKS`](super::html::MOST_CHECKS) checks lists those that are not good or in doubt, and the counts
+//! HTML, a report of more than [`MOST_CHECKS`] checks lists those that are not good or in doubt, and the counts
 //! are those of all. The picture of a part and the contacts have no place here: HTML has both.
 
 use std::io::{self, Write};
