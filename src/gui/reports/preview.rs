@@ -27,7 +27,7 @@ pub(super) fn preview_ui(ui: &mut Ui, view: &mut View<'_>) {
             bar_ui(ui, view, &pages);
             let [width, height] = pages.size();
             let room = ui.available_size() - vec2(2.0 * MARGIN, 2.0 * MARGIN);
-            let whole = (room.x / width).min(room.y / height);
+            let whole = (room.x / width).min(room.y / height).max(0.05);
             let scale = match page.magnification {
                 Magnification::WholePage => whole,
                 Magnification::Percent(percent) => f32::from(percent) / 100.0 * POINTS,
