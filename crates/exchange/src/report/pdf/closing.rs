@@ -107,6 +107,9 @@ fn statement(report: &Report, seen: &ReportSurvey) -> Message {
         message!("report-statement-not").count("bad", bad).count("count", seen.total)
     } else if 0 < seen.simulated {
         message!("report-statement-simulated").count("count", seen.simulated)
+    } else if 0 < seen.doubted {
+        // A value that may be another quantity or another part's proves nothing.
+        message!("report-pdf-doubted").count("count", seen.doubted).count("total", seen.total)
     } else if 0 < open || seen.total == 0 {
         message!("report-statement-open").count("count", open)
     } else {

@@ -17,7 +17,12 @@ use crate::report::template::Section;
 const SIDE: f32 = 6.0;
 
 /// Writes the label. Printers of labels have one colour: the verdict is its word and its sign, and what is simulated has a dashed frame.
-pub(super) fn write(flow: &mut Flow<'_>, report: &Report, (card, is_simulated): (&Card, bool), words: &Words) {
+pub(super) fn write(
+    flow: &mut Flow<'_>,
+    report: &Report,
+    (card, is_simulated, first): (&Card, bool, Vec<String>),
+    words: &Words,
+) {
     let [width, height] = flow.size();
     let newest = report.journal.as_ref().and_then(|journal| journal.newest);
     let newest = newest.filter(|_| report.template.has(Section::Code));
@@ -46,6 +51,8 @@ pub(super) fn write(flow: &mut Flow<'_>, report: &Report, (card, is_simulated): 
         let area = Area::new(2.0, 2.0, width - 4.0, height - 4.0);
         flow.put(None, Shape::Block { area, radius: 2.0, fill: None, edge: Some(edge) });
     }
+    // What must be known comes before what the label is of.
+    lines.extend(first);
     let entries = super::head::entries(report, words);
     lines.extend(entries.into_iter().map(|entry| entry.value).filter(|value| !value.is_empty()));
     if entries_lack_date(report) {

@@ -136,7 +136,9 @@ fn set(
 ) -> io::Result<Vec<(String, usize, f32)>> {
     let simulated = 0 < seen.simulated || report.parts.iter().any(|part| 0 < part.standing().simulated);
     if report.paper.is_label() {
-        label::write(flow, report, (&answer(report, seen, words)?, simulated), words);
+        let mut first = head::signals(report, seen, words);
+        first.extend(report.parts.iter().flat_map(|part| super::said::lacks(part, words)));
+        label::write(flow, report, (&answer(report, seen, words)?, simulated, first), words);
         return Ok(Vec::new());
     }
     let outline = write(flow, report, (seen, attachments, pictures), words)?;
