@@ -629,7 +629,8 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
         entries.iter().filter_map(|entry| entry.corrects().map(|correction| correction.target.number)).collect();
     let is = |asked: &Option<String>, text: &str| {
         asked.as_ref().is_none_or(|asked| match asked.strip_suffix('*') {
-            Some(start) => folded(text).starts_with(&*folded(start)),
+            // `*` alone asks for what has a serial number, whichever: a report has none.
+            Some(start) => !text.is_empty() && folded(text).starts_with(&*folded(start)),
             None => folded(text) == folded(asked),
         })
     };
