@@ -12,12 +12,12 @@ use super::material::Part;
 use super::record::RecordArgs;
 use super::said::decided;
 use super::{CliError, CliRemark, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs};
-use crate::budget::{Assessment, Conditions};
+use crate::budget::Assessment;
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
 use crate::journal::{Record, status_window};
-use crate::length::Length;
+use crate::length::{Length, Unit};
 use crate::message::IntoArg as _;
 use crate::probing::measure::{ProbePosition, cycle_number, measure};
 use crate::probing::measurement::{Caveat, measure_contacts};
@@ -37,7 +37,7 @@ const EXAMPLES: &str = "Examples:
   fitcheck check \"25 h6\" --simulate --seed 7
   fitcheck check \"25 H7\" --measured 25.0195 --rule iso14253-2017 --u 1.2
 
-Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure,
+Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure, 13 out of limits,
 14 judged, but look first (see fitcheck --help), 1 bad data, 2 wrong usage.";
 
 /// Judge one measured value and print the control's status window
@@ -133,18 +133,12 @@ impl Args {
         let asked = if asked.is_empty() { ErrorSubject::Callout.arg() } else { asked.arg() };
         let callout: Callout = self.callout.parse().about(&asked)?;
         let feature = self.feature.map(FeatureArg::feature);
-        let unstated = feature.is_none() && callout.feature().is_none();
-        let limits = if unstated { sources.size_limits(&callout) } else { sources.limits(&callout, feature) };
-        let limits = match limits {
+        let limits = match sources.limits(&callout, feature) {
             Err(error @ LimitsError::NoFeature { .. }) => return Err(CliError::AddFeature { error }),
             Err(error @ LimitsError::Zone(_)) => return Err(CliError::AddWideZone { asked, error }),
             limits => limits.about(&asked)?,
         };
-        // A record says hole or shaft, and so does a simulated workpiece.
-        if unstated && (self.source.simulate || recorder.is_some()) {
-            return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
-        }
-        let measurement = self.measurement(&limits, io)?;
+        let measurement = self.measurement(&callout, &limits, io)?;
         let correction = self.by.warm.correction(measurement.diameter)?;
         let callout = callout.of_part(limits.feature);
         let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
@@ -152,21 +146,15 @@ impl Args {
             Some((correction, _)) => record.corrected(*correction),
             None => record,
         };
-        let measured = record.measurement.diameter;
         let (rule, budget) = match rule {
             Some(rule) => (rule, None),
-            None => self.rule_by_budget(&record, unstated, io)?,
+            None => self.rule_by_budget(&record, io)?,
         };
         let record = match &budget {
             Some(found) => record.by_budget(rule, Arc::new(found.provenance())),
             None => record.by(rule),
         };
         let status = record.verdict.status();
-        if unstated && (status == Status::Rework || status == Status::Scrap) {
-            let minimum = record.limits.minimum();
-            let maximum = record.limits.maximum();
-            return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
-        }
         warn(&record, &sources, io);
         if let Some(why) = record.verdict.undecided {
             io.warn(&why);
@@ -180,13 +168,21 @@ impl Args {
         if matches!(self.format, Format::Text) {
             tell_rule(&record, io);
         }
+        if status == Status::OutOfLimits {
+            let size = &record.verdict.size;
+            let (side, beyond) = match size.below_maximum {
+                below if below < Length::ZERO => ("above", below.abs()),
+                _ => ("below", size.above_minimum.abs()),
+            };
+            io.remark(&CliRemark::ReworkOrScrap { asked, um: beyond.exact(Unit::Micrometre, 0), side });
+        }
         if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
             io.tell(CliRemark::Simulated);
         }
         let printed = match self.format {
             Format::Text => self.print_window(&record, io),
-            Format::Json => print_json(&record, unstated, budget.as_ref(), io),
-            Format::Csv => print_csv(&record, unstated, io),
+            Format::Json => print_json(&record, budget.as_ref(), io),
+            Format::Csv => print_csv(&record, io),
         };
         // It is recorded whoever reads what is printed.
         if let Some(mut recorder) = recorder {
@@ -198,22 +194,15 @@ impl Args {
     }
 
     /// The rule with the uncertainty that the budget gives for this measurement, and that budget.
-    fn rule_by_budget(
-        &self,
-        record: &Record,
-        unstated: bool,
-        io: &mut Io<'_>,
-    ) -> Result<(Rule, Option<Assessment>), CliError> {
+    fn rule_by_budget(&self, record: &Record, io: &mut Io<'_>) -> Result<(Rule, Option<Assessment>), CliError> {
         let Some(path) = &self.by.budget else { return Ok((self.by.rule.rule()?, None)) };
         let conditions = record.conditions().about(&ErrorSubject::Option { name: "budget" })?;
-        // Nobody said hole or shaft.
-        let conditions = Conditions { feature: conditions.feature.filter(|_| !unstated), ..conditions };
         let (found, uncertainty) = budget::assess(path, &conditions, io)?;
         budget::introduce(&found, io);
         Ok((self.by.rule.rule_with(Some(uncertainty))?, Some(found)))
     }
 
-    fn measurement(&self, limits: &Limits, io: &mut Io<'_>) -> Result<Measurement, CliError> {
+    fn measurement(&self, callout: &Callout, limits: &Limits, io: &mut Io<'_>) -> Result<Measurement, CliError> {
         if let Some(text) = &self.source.measured {
             let diameter = super::diameter(text, ErrorSubject::MeasuredValue)?;
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
@@ -223,15 +212,19 @@ impl Args {
             let origin = Origin::Contacts { file: name.as_str().into() };
             return measure_contacts(&contacts, origin).about(&name);
         }
+        // A simulated workpiece is a hole or a shaft.
+        let no_feature = || CliError::AddFeature { error: LimitsError::NoFeature { callout: *callout } };
+        let feature = limits.feature.ok_or_else(no_feature)?;
         let diameter = match &self.true_diameter {
             Some(text) => text.parse().about(&ErrorSubject::TrueDiameter)?,
             None => limits.middle(),
         };
-        let workpiece = Workpiece::usual(limits.feature, diameter.to_mm_f64());
+        let workpiece = Workpiece::usual(feature, diameter.to_mm_f64());
         let mut machine = Machine::new(workpiece, Probe::USUAL, self.seed).about(&ErrorSubject::SimulatedWorkpiece)?;
-        let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: self.seed };
+        let origin = Origin::Simulated { cycle: cycle_number(feature), seed: self.seed };
         let position = ProbePosition::default();
-        let measured = measure(limits, &position, &mut machine, origin).about(&ErrorSubject::SimulatedMeasurement)?;
+        let measured =
+            measure(feature, limits, &position, &mut machine, origin).about(&ErrorSubject::SimulatedMeasurement)?;
         Ok(measured.0)
     }
 
@@ -315,12 +308,8 @@ fn tell_rule(record: &Record, io: &mut Io<'_>) {
     }
 }
 
-/// `unstated`: the callout has no letters and nobody named hole or shaft, so the JSON does not either.
-fn print_json(record: &Record, unstated: bool, budget: Option<&Assessment>, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_json(record: &Record, budget: Option<&Assessment>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut object = json::object(record).said()?;
-    if let Some(feature) = object.get_mut("feature").filter(|_| unstated) {
-        *feature = serde_json::Value::Null;
-    }
     if let Some(budget) = budget {
         // The object says all that these say.
         object.retain(|name, _value| !name.starts_with("budget"));
@@ -330,9 +319,8 @@ fn print_json(record: &Record, unstated: bool, budget: Option<&Assessment>, io: 
     Ok(())
 }
 
-fn print_csv(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
-    let render = if unstated { csv::render_without_feature } else { csv::render };
-    let bytes = render(std::slice::from_ref(record)).said()?;
+fn print_csv(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
+    let bytes = csv::render(std::slice::from_ref(record)).said()?;
     io.data().write_all(&bytes);
     Ok(())
 }

@@ -68,8 +68,6 @@ pub(super) enum CliError {
     AddWideZone { asked: Arg, error: LimitsError },
     /// A temperature that is doubted and may be meant.
     AddFarTemperature { what: Arg, error: ThermalDoubt },
-    /// Outside the limits, and hole or shaft decides between rework and scrap.
-    ReworkOrScrap { asked: Arg, measured: Length, minimum: Length, maximum: Length },
 
     /// Measured parts for several fits.
     PartsOfSeveral,

@@ -88,7 +88,7 @@ impl Answerer for LimitsOf<'_> {
 
 impl LimitsOf<'_> {
     fn answer_part(&self, asked: CalloutInput<'_>, callout: Callout, answers: &mut Answers, io: &mut Io<'_>) {
-        match self.0.size_limits(&callout) {
+        match self.0.limits(&callout, None) {
             Err(error) => answers.refuse::<Self>(asked, &error, io),
             Ok(limits) => {
                 if let Some(doubt) = self.0.zone_doubt(&callout, &limits) {

@@ -175,6 +175,7 @@ impl Outcome {
             Self::Judged(Status::Rework) => 10,
             Self::Judged(Status::Scrap) => 11,
             Self::Judged(Status::ReMeasure) => 12,
+            Self::Judged(Status::OutOfLimits) => 13,
             Self::LookFirst => 14,
             Self::BadData => 1,
             // As every shell says it of a program that SIGINT has ended.
@@ -194,9 +195,10 @@ impl Outcome {
             Self::Judged(Status::Rework) => 2,
             Self::Judged(Status::ReMeasure) => 3,
             Self::LookFirst => 4,
-            Self::Judged(Status::Scrap) => 5,
-            Self::BadData => 6,
-            Self::Stopped => 7,
+            Self::Judged(Status::OutOfLimits) => 5,
+            Self::Judged(Status::Scrap) => 6,
+            Self::BadData => 7,
+            Self::Stopped => 8,
         }
     }
 }

@@ -290,7 +290,7 @@ object! {
         number: &'a str = &feature.number,
         name: &'a str = &feature.name,
         kind: &'static str = feature.kind.word(),
-        feature: &'static str = feature.feature().word(),
+        feature: Option<&'static str> = Some(feature.feature()?.word()),
         sizes: Vec<SizeAnswer> = feature.sizes().map(|size| SizeAnswer::of(&size)).collect(),
         place_mm: Option<[Figure; 3]> = Some(feature.place?.map(|length| Figure::mm(length, 3))),
         cycle: Option<&'static str> = Some(feature.cycle?.code),

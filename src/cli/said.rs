@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::admitted::{LOOK_FIRST, TOLD};
 use crate::journal::Decision;
 use crate::length::Length;
-use crate::message::{IntoArg, Message, Say, message, printed};
+use crate::message::{Arg, IntoArg, Message, Say, message, printed};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::thermal::{Expansion, Temperature};
 use crate::verdict::Rule;
@@ -27,6 +27,15 @@ pub(super) enum CliRemark {
     PlanExample,
     /// A plan is written as CSV, which has no place for these of its keys.
     PlanHeadLeft { keys: String },
+    /// Outside the limits, and hole or shaft decides between rework and scrap.
+    ReworkOrScrap {
+        asked: Arg,
+        /// How far beyond the limit, as a person reads it.
+        #[say(with = printed)]
+        um: String,
+        /// Which limit: `above` or `below`.
+        side: &'static str,
+    },
     /// Nobody measured.
     Simulated,
     /// A measured value that was brought to 20 °C.

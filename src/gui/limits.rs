@@ -9,10 +9,11 @@ use crate::tolerance::{Feature, Limits};
 use crate::words::Words;
 
 /// The id of a feature's word.
-pub(super) const fn feature_id(feature: Feature) -> &'static str {
+pub(super) const fn feature_id(feature: Option<Feature>) -> &'static str {
     match feature {
-        Feature::Hole => "feature-hole",
-        Feature::Shaft => "feature-shaft",
+        Some(Feature::Hole) => "feature-hole",
+        Some(Feature::Shaft) => "feature-shaft",
+        None => "feature-neither",
     }
 }
 

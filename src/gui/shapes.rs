@@ -109,19 +109,20 @@ pub(super) fn dashed_frame(painter: &Painter, rect: Rect, colour: Color32) {
     painter.extend(Shape::dashed_line(&corners, Stroke::new(2.0, colour), 8.0, 5.0));
 }
 
-/// The shape of a verdict: check, turning arrow, cross, loop; a dash for no result.
+/// The shape of a verdict: check, turning arrow, cross, loop, arrows up and down; a dash for no result.
 pub(super) fn status(painter: &Painter, rect: Rect, status: Option<Status>, colour: Color32) {
     let icon = match status {
         Some(Status::Good) => Icon::Check,
         Some(Status::Rework) => Icon::ArrowCounterClockwise,
         Some(Status::Scrap) => Icon::X,
         Some(Status::ReMeasure) => Icon::Repeat,
+        Some(Status::OutOfLimits) => Icon::ArrowsVertical,
         None => Icon::Minus,
     };
     icon.paint(painter, rect.center(), Weight::Bold, rect.size().min_elem(), colour);
 }
 
-/// The outline of a verdict around a number: circle, square, diamond, hexagon; a circle where there is none.
+/// The outline of a verdict around a number: circle, square, diamond, hexagon, triangle; a circle where there is none.
 pub(super) fn outline(
     painter: &Painter,
     at: Pos2,
@@ -133,6 +134,7 @@ pub(super) fn outline(
         Some(Status::Good) | None => &[],
         Some(Status::Rework) => &[vec2(-0.9, -0.9), vec2(0.9, -0.9), vec2(0.9, 0.9), vec2(-0.9, 0.9)],
         Some(Status::Scrap) => &[vec2(0.0, -1.3), vec2(1.3, 0.0), vec2(0.0, 1.3), vec2(-1.3, 0.0)],
+        Some(Status::OutOfLimits) => &[vec2(0.0, -1.45), vec2(1.4, 0.85), vec2(-1.4, 0.85)],
         Some(Status::ReMeasure) => {
             &[vec2(1.15, 0.0), vec2(0.58, 1.0), vec2(-0.58, 1.0), vec2(-1.15, 0.0), vec2(-0.58, -1.0), vec2(0.58, -1.0)]
         }

@@ -412,7 +412,7 @@ fn a_closed_pipe_keeps_the_verdict() {
 }
 
 #[test]
-fn a_callout_without_letters_is_good_as_either_and_asks_hole_or_shaft_before_it_condemns() {
+fn a_callout_without_letters_is_judged_and_hole_or_shaft_says_rework_or_scrap() {
     let good = run(&["12 +0.01 -0.015", "--measured", "12.01", "--format", "json"]);
     assert_eq!(good.code, 0, "{}", good.err);
     let object: Value = serde_json::from_str(&good.out).unwrap();
@@ -420,8 +420,11 @@ fn a_callout_without_letters_is_good_as_either_and_asks_hole_or_shaft_before_it_
     let good = run(&["12 +0.01 -0.015", "--measured", "12.01", "--format", "csv"]);
     assert!(good.out.contains(",12 +0.01 -0.015,,12,11.985,12.010,12.010,10,GOOD,"), "{}", good.out);
     let unsaid = run(&["12 +0.01 -0.015", "--measured", "12.010001"]);
-    assert_eq!((unsaid.code, unsaid.out.as_str()), (1, ""));
-    assert!(unsaid.err.contains("12.010001 mm is outside 11.985 to 12.01 mm"), "{}", unsaid.err);
+    assert_eq!(unsaid.code, 13);
+    assert!(unsaid.out.starts_with("FIT STATUS: OUT OF LIMITS\n"), "{}", unsaid.out);
+    assert!(unsaid.err.contains("0.001 µm above maximum"), "{}", unsaid.err);
+    let below = run(&["12 +0.01 -0.015", "--measured", "11.968"]);
+    assert!(below.err.contains("17 µm below minimum"), "{}", below.err);
     assert!(unsaid.err.contains("add --feature hole or --feature shaft"), "{}", unsaid.err);
     for (feature, measured, code) in
         [("hole", "12.010001", 11), ("shaft", "12.010001", 10), ("hole", "11.98", 10), ("shaft", "11.98", 11)]

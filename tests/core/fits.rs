@@ -86,8 +86,9 @@ fn a_fit_of_a_callout_takes_both_parts_from_the_same_sources() {
     for (callout, kind) in [("50 H7/p6", "interference"), ("50 H7/g6", "clearance"), ("50 H7/k6", "transition")] {
         let fit = of(callout).unwrap();
         assert_eq!(fit.kind().word(), kind);
-        let parts = [fit.hole(), fit.shaft()].map(|limits| limits.feature);
-        assert_eq!(parts, [Feature::Hole, Feature::Shaft], "{callout}");
+        let parts = fit.parts().map(|(feature, limits)| (feature, limits.feature));
+        let [hole, shaft] = [Feature::Hole, Feature::Shaft].map(|feature| (feature, Some(feature)));
+        assert_eq!(parts, [hole, shaft], "{callout}");
     }
     for callout in ["50 H7", "50 g6", "50 ±0.1", "50m"] {
         let asked = callout.parse().unwrap();

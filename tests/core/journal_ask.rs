@@ -123,7 +123,10 @@ fn what_is_no_question_is_refused_with_its_place_and_what_is_allowed() {
     refused("part: x", "part: has no value (character 1)");
     refused("ø part:a part:b", "part is given twice (character 10)");
     refused("verdict:good verdict:scrap", "verdict is given twice (character 14)");
-    refused("verdict:good,bad", "\"bad\" is not a verdict: expected good, rework, re-measure, scrap (character 9)");
+    refused(
+        "verdict:good,bad",
+        "\"bad\" is not a verdict: expected good, rework, re-measure, out-of-limits, scrap (character 9)",
+    );
     refused("verdict:", "verdict: has no value (character 1)");
     refused(
         "from:2026-02-30",

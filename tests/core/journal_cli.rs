@@ -176,15 +176,18 @@ fn where_nothing_can_be_recorded_the_verdict_is_there_and_the_call_fails() {
 }
 
 #[test]
-fn a_record_says_hole_or_shaft() {
+fn a_record_says_hole_shaft_or_neither() {
     let place = Place::new();
-    let said = place.run(&["check", "10m", "--measured", "10.05", "--record", "--journal", "j.sqlite"]);
-    assert_eq!(said.code, 1);
-    assert!(said.err.contains("add --feature hole or --feature shaft"), "{}", said.err);
-    assert!(!place.path("j.sqlite").exists());
-    let said =
-        place.run(&["check", "10m", "--measured", "10.05", "--feature", "hole", "--record", "--journal", "j.sqlite"]);
-    assert_eq!(said.code, 0, "{}", said.err);
+    let record = ["--record", "--journal", "j.sqlite"];
+    let check = |more: &[&str]| place.run(&[&["check", "10m", "--measured"], more, &record].concat()).code;
+    assert_eq!(check(&["10.05"]), 0);
+    assert_eq!(check(&["10.25"]), 13);
+    assert_eq!(check(&["10.25", "--feature", "hole"]), 11);
+    let shown = |number: &str| place.run(&["journal", "show", number, "--journal", "j.sqlite"]).out;
+    assert!(shown("2").contains("(neither hole nor shaft, −200 / +200 µm)"), "{}", shown("2"));
+    assert!(shown("3").contains("OUT OF LIMITS") && shown("4").contains("(hole, "), "{}", shown("3"));
+    let asked = place.run(&["journal", "list", "verdict:out-of-limits", "--journal", "j.sqlite"]);
+    assert!(asked.out.contains("10.25") && asked.out.contains("OUT OF LIMITS"), "{}", asked.out);
 }
 
 #[test]

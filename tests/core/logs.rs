@@ -121,7 +121,7 @@ fn verdicts_are_the_expected_ones() {
         }
         assert_eq!(if position.is_out() { "OUT" } else { "IN" }, expected["position"], "{file}");
         let feature = if expected["cycle"] == "421" { Feature::Hole } else { Feature::Shaft };
-        assert_eq!(record.limits.feature, feature, "{file}");
+        assert_eq!(record.limits.feature, Some(feature), "{file}");
         assert_eq!((record.callout, &record.limits.source), (None, &Source::File("log.txt".into())), "{file}");
         assert_eq!(Some(record.time), log.date_time(), "{file}");
     });

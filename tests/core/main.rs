@@ -76,6 +76,7 @@ mod nc_cli;
 mod nc_paths;
 mod nc_plans;
 mod nc_sets;
+mod neutral;
 mod option_doubts;
 mod own_columns;
 mod own_texts;

@@ -89,7 +89,7 @@ fn run(set: &NcSet, control: Control, language: Dialogue, contacts: Contacts) ->
 fn measured(feature: &PlanFeature, limits: &Limits, diameter: Length) -> Measurement {
     let [x, y, z] = feature.place.unwrap();
     let centre = [x, y].map(Length::to_mm_f64);
-    let workpiece = Workpiece::round(limits.feature, centre, diameter.to_mm_f64());
+    let workpiece = Workpiece::round(limits.feature.unwrap(), centre, diameter.to_mm_f64());
     let position = ProbePosition {
         centre: [x, y],
         height: z,
@@ -98,8 +98,8 @@ fn measured(feature: &PlanFeature, limits: &Limits, diameter: Length) -> Measure
         ..ProbePosition::default()
     };
     let mut machine = Simulation::perfect(Surface::Round(workpiece, Plane::Xy)).machine().unwrap();
-    let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
-    measure(limits, &position, &mut machine, origin).unwrap().0
+    let origin = Origin::Simulated { cycle: cycle_number(limits.feature.unwrap()), seed: 1 };
+    measure(limits.feature.unwrap(), limits, &position, &mut machine, origin).unwrap().0
 }
 
 /// The native answer: window and status.
@@ -222,7 +222,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
                 (limits.maximum(), Status::Good),
                 (limits.maximum().checked_add(mm("0.000001")).unwrap(), above),
             ] {
-                let workpiece = Workpiece::round(limits.feature, [40.0, 30.0], diameter.to_mm_f64());
+                let workpiece = Workpiece::round(limits.feature.unwrap(), [40.0, 30.0], diameter.to_mm_f64());
                 let simulation = Simulation::perfect(Surface::Round(workpiece, Plane::Xy));
                 let machine = run(&set, control, Dialogue::En, Contacts::Workpiece(simulation.into()));
                 assert_eq!(machine.status(), Some(status), "{callout} {diameter} {control:?}");

@@ -67,7 +67,7 @@ fn a_plan_has_what_its_file_says() {
     assert_eq!(bore.balloon, Some([0.25, 0.5]));
     assert_eq!(bore.rule.unwrap().name().word(), "iso14253-2017");
     assert_eq!(bore.material.as_ref().unwrap().name, "Steel");
-    assert_eq!((pin.feature(), pin.place, pin.rule.unwrap().name().word()), (Feature::Shaft, None, "fixed"));
+    assert_eq!((pin.feature(), pin.place, pin.rule.unwrap().name().word()), (Some(Feature::Shaft), None, "fixed"));
     assert_eq!((pin.limits[0].minimum(), pin.limits[0].maximum()), (mm("19.99"), mm("20.01")));
     assert_eq!((pocket.number.as_str(), pocket.cycle.unwrap().code), ("3a", "423"));
     let sizes: Vec<String> = plan.sizes().map(|size| format!("{} {}", size.name(), size.callout.unwrap())).collect();
@@ -223,6 +223,10 @@ callout = "±20"
 [[feature]]
 kind = "bore"
 callout = "20 g6"
+
+[[feature]]
+kind = "flatness"
+callout = "25 H7"
 "#;
 
 /// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
@@ -251,6 +255,7 @@ fn of_cell(fault: &PlanFault) -> Option<&'static str> {
         PlanFault::NotOf { .. } => Some("NotOf"),
         PlanFault::Direction { .. } => Some("Direction"),
         PlanFault::NoBand { .. } => Some("NoBand"),
+        PlanFault::NoFormLimit { .. } => Some("NoFormLimit"),
         PlanFault::BandSide { .. } => Some("BandSide"),
         PlanFault::Band(_) => Some("Band"),
         PlanFault::SideClass { .. } => Some("SideClass"),

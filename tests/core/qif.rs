@@ -1,6 +1,6 @@
 //! QIF 3.0: values, limits and labels of results; what is wrong with a file, and where.
 
-use fitcheck::exchange::{FORMATS, Imported, Item, Labels, Unjudged, WhyUnjudged, import, import_each, sizes};
+use fitcheck::exchange::{FORMATS, Imported, Item, Labels, WhyUnjudged, import, import_each, sizes};
 use fitcheck::journal::Record;
 use fitcheck::length::Length;
 use fitcheck::tolerance::{Feature, Sources};
@@ -70,7 +70,7 @@ fn both_samples_are_one_good_bore() {
         assert_eq!(record.id, "BORE1 25 H7");
         assert_eq!(record.callout.map(|callout| callout.to_string()).as_deref(), callout);
         let limits = &record.limits;
-        assert_eq!((limits.feature, limits.nominal), (Feature::Hole, mm("25")));
+        assert_eq!((limits.feature, limits.nominal), (Some(Feature::Hole), mm("25")));
         assert_eq!((limits.minimum(), limits.maximum()), (mm("25"), mm("25.021")));
         assert_eq!(record.measurement.diameter, mm("25.0123"));
         assert_eq!(record.verdict.size.status, Status::Good);
@@ -109,25 +109,26 @@ fn a_value_has_its_part_serial_number_and_place() {
 #[test]
 fn the_feature_tells_hole_from_shaft() {
     let shaft = with("INTERNAL", "EXTERNAL");
-    assert_eq!(only(&read(&shaft)).limits.feature, Feature::Shaft);
+    assert_eq!(only(&read(&shaft)).limits.feature, Some(Feature::Shaft));
     let either = with("INTERNAL", "NOT_APPLICABLE");
-    let imported = read(&either);
-    let [Unjudged { why: WhyUnjudged::NoFeature { minimum, maximum }, measured, .. }] = imported.unjudged.as_slice()
-    else {
-        panic!("{imported:?}")
+    let judged = |text: &str| {
+        let imported = read(text);
+        let record = only(&imported);
+        (record.limits.feature, record.verdict.status())
     };
-    assert_eq!((*minimum, *maximum, *measured), (mm("25"), mm("25.021"), Some(mm("25.0123"))));
+    assert_eq!(judged(&either), (None, Status::Good));
+    assert_eq!(judged(&either.replace("25.0123", "25.0223")), (None, Status::OutOfLimits));
     // The item may name its feature, and then the measured one is not needed.
     let named = with(
         "<CharacteristicNominalId>8",
         "<FeatureItemIds n=\"1\"><Id>5</Id></FeatureItemIds><CharacteristicNominalId>8",
     );
     let named = named.replace("<FeatureMeasurementIds n=\"1\"><Id>6</Id></FeatureMeasurementIds>", "");
-    assert_eq!(only(&read(&named)).limits.feature, Feature::Hole);
+    assert_eq!(only(&read(&named)).limits.feature, Some(Feature::Hole));
     // And so may the nominal.
     let nominal = with("<TargetValue>25", "<FeatureNominalIds n=\"1\"><Id>4</Id></FeatureNominalIds><TargetValue>25");
     let nominal = nominal.replace("<FeatureMeasurementIds n=\"1\"><Id>6</Id></FeatureMeasurementIds>", "");
-    assert_eq!(only(&read(&nominal)).limits.feature, Feature::Hole);
+    assert_eq!(only(&read(&nominal)).limits.feature, Some(Feature::Hole));
 }
 
 #[test]

@@ -275,7 +275,7 @@ fn rows_are_filtered_by_verdict_and_class_and_walked() {
     let (text, mut session) = (some(100), opened());
     judged(&mut session, 1, news(&text, usize::MAX, Some(End::Done)));
     let counts = rows(&session).fates().map(|(_, count)| count);
-    assert_eq!(counts, [80, 10, 0, 10, 1]);
+    assert_eq!(counts, [80, 10, 0, 0, 10, 1]);
     let classes: Vec<_> = rows(&session)
         .classes()
         .map(|(number, class, counts)| (number, class.map(|class| class.to_string()), counts.iter().sum::<u64>()))

@@ -442,7 +442,7 @@ fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
     let mut session = session();
     run(
         &mut session,
-        [typed(CheckField::Callout, "25 H7/g6"), Command::Check(CheckCommand::ChooseFeature(Feature::Hole))],
+        [typed(CheckField::Callout, "25 H7/g6"), Command::Check(CheckCommand::ChooseFeature(Some(Feature::Hole)))],
     );
     run(&mut session, [typed(CheckField::Measured, "25.01"), Command::Check(CheckCommand::Measure)]);
     assert_eq!((status(&session), session.check().asked.needs_feature()), (Some(Status::Good), true));
@@ -450,7 +450,7 @@ fn the_other_part_of_a_fit_can_be_chosen_after_a_verdict() {
     run(&mut session, [typed(CheckField::Part, "Bush")]);
     assert!(session.check().asked.needs_feature());
     check_limits_belong_to_the_verdict(&session);
-    run(&mut session, [Command::Check(CheckCommand::ChooseFeature(Feature::Shaft))]);
+    run(&mut session, [Command::Check(CheckCommand::ChooseFeature(Some(Feature::Shaft)))]);
     assert_eq!((status(&session), limits(&session)), (None, Some(mm("24.98", "24.993"))));
     run(
         &mut session,

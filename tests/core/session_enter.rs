@@ -134,20 +134,22 @@ fn the_value_of_one_part_is_not_judged_for_the_serial_number_of_the_next_one() {
 }
 
 #[test]
-fn hole_or_shaft_is_asked_for_each_callout_that_does_not_say_it() {
+fn hole_or_shaft_is_chosen_for_each_callout_that_does_not_say_it() {
     let mut session = with("25 +0.021 0", "25.030");
-    send(&mut session, CheckCommand::ChooseFeature(Feature::Hole));
+    send(&mut session, CheckCommand::ChooseFeature(Some(Feature::Hole)));
     enter(&mut session, CheckField::Measured, 0);
     assert_eq!(session.check().shown.as_ref().unwrap().record.verdict.status(), Status::Scrap);
     typed(&mut session, CheckField::Callout, "40 0 -0.025");
-    assert_eq!((session.check().feature(), session.check().asked.limits.as_ref()), (None, None));
-    typed(&mut session, CheckField::Measured, "39.98");
-    assert_eq!(enter(&mut session, CheckField::Measured, 100), []);
-    assert_eq!((measured(&session).len(), session.text(CheckField::Measured)), (1, "39.98"));
-    send(&mut session, CheckCommand::ChooseFeature(Feature::Shaft));
-    assert_eq!(session.text(CheckField::Measured), "39.98", "what was typed is not lost");
+    assert_eq!((session.check().feature(), session.check().asked.limits.as_ref().unwrap().feature), (None, None));
+    typed(&mut session, CheckField::Measured, "40.017");
+    enter(&mut session, CheckField::Measured, 100);
+    let status = |session: &Session| session.check().shown.as_ref().map(|shown| shown.record.verdict.status());
+    assert_eq!((measured(&session).len(), status(&session)), (2, Some(Status::OutOfLimits)));
+    // Said afterwards, the same value is judged again.
+    send(&mut session, CheckCommand::ChooseFeature(Some(Feature::Shaft)));
+    assert_eq!((session.text(CheckField::Measured), status(&session)), ("40.017", None), "what was typed is not lost");
     enter(&mut session, CheckField::Measured, 200);
-    assert_eq!(measured(&session).len(), 2);
+    assert_eq!((measured(&session).len(), status(&session)), (3, Some(Status::Rework)));
     // The same callout, written otherwise, is the same.
     typed(&mut session, CheckField::Callout, "40  0 -0,025");
     assert_eq!(session.check().feature(), Some(Feature::Shaft));

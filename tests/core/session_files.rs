@@ -575,7 +575,7 @@ fn a_proposed_name_keeps_the_meaning_of_the_signs_in_a_callout() {
     ] {
         let mut session = session();
         send(&mut session, CheckCommand::Type(CheckField::Callout, callout.to_owned()));
-        send(&mut session, CheckCommand::ChooseFeature(fitcheck::tolerance::Feature::Hole));
+        send(&mut session, CheckCommand::ChooseFeature(Some(fitcheck::tolerance::Feature::Hole)));
         send(&mut session, CheckCommand::Type(CheckField::Measured, measured.to_owned()));
         send(&mut session, CheckCommand::Measure);
         send(&mut session, Command::OpenDialog(csv()));

@@ -399,5 +399,8 @@ fn many_steps_are_undone_and_records_are_not_copied_for_it() {
 fn the_list_counts_by_status() {
     let session = four(Language::En);
     let counts: Vec<_> = Status::ALL.into_iter().zip(session.history().listed().counts()).collect();
-    assert_eq!(counts, [(Status::Good, 2), (Status::Rework, 1), (Status::ReMeasure, 0), (Status::Scrap, 1)]);
+    assert_eq!(
+        counts,
+        [(Status::Good, 2), (Status::Rework, 1), (Status::ReMeasure, 0), (Status::OutOfLimits, 0), (Status::Scrap, 1)]
+    );
 }

@@ -727,7 +727,7 @@ fn hole_bore_and_shaft_are_diameters_where_the_callout_is_of_that_side() {
     );
     assert_eq!(session.parts().document.findings(), []);
     let features = &session.parts().document.plan().unwrap().features();
-    let sides: Vec<_> = features.iter().map(|feature| feature.limits[0].feature.word()).collect();
+    let sides: Vec<_> = features.iter().map(|feature| feature.limits[0].feature.unwrap().word()).collect();
     assert_eq!(sides, ["hole", "hole", "shaft", "shaft", "hole", "shaft"]);
     assert!(features.iter().all(|feature| feature.kind.word() == "diameter"));
 }

@@ -193,7 +193,7 @@ fn no_class_is_judged_until_the_own_tables_of_the_last_time_are_read() {
 #[test]
 fn limits_that_a_callout_states_itself_need_no_tables() {
     let mut session = with_tables_to_read();
-    session.apply(CheckCommand::ChooseFeature(fitcheck::tolerance::Feature::Hole).into(), now());
+    session.apply(CheckCommand::ChooseFeature(Some(fitcheck::tolerance::Feature::Hole)).into(), now());
     type_check(&mut session, "25 +0.021 0", "25.015");
     assert_eq!(judged(&session), ["GOOD by the callout itself"]);
 }

@@ -97,8 +97,8 @@ fn check_act() -> impl Strategy<Value = Act> {
         CheckCommand::TakeMeant.into(),
         CheckCommand::MeasureBy(MeasureBy::Typing).into(),
         CheckCommand::MeasureBy(MeasureBy::Simulating).into(),
-        CheckCommand::ChooseFeature(Feature::Hole).into(),
-        CheckCommand::ChooseFeature(Feature::Shaft).into(),
+        CheckCommand::ChooseFeature(Some(Feature::Hole)).into(),
+        CheckCommand::ChooseFeature(Some(Feature::Shaft)).into(),
         CheckCommand::ChooseClass("H8".parse().unwrap()).into(),
         CheckCommand::UseRule(RuleName::Simple).into(),
         CheckCommand::UseRule(RuleName::Iso14253Of2017).into(),
@@ -422,7 +422,7 @@ fn many_rows_make_a_lot_with_the_worst_first() {
     let lot = session.check().lot.as_ref().unwrap().clone();
     let counts: Vec<_> = lot.counts().map(|(_, count)| count).collect();
     // 25.012 is good, 25.030 scrap, 39.98 is in 39.975 to 39.991.
-    assert_eq!((counts, lot.unjudged, lot.refused, lot.rows), (vec![2, 0, 0, 1], 1, 1, 5));
+    assert_eq!((counts, lot.unjudged, lot.refused, lot.rows), (vec![2, 0, 0, 0, 1], 1, 1, 5));
     assert_eq!((lot.shown(), status(&session)), (Some((1, 3)), Some(Status::Scrap)));
     assert_eq!(session.text(CheckField::Part), "A2");
     assert_eq!(session.text(CheckField::Measured), "", "nothing imported stays beside a typed value");

@@ -114,10 +114,10 @@ fn absent_own_tables_are_awaited_or_told_with_every_class() {
     }
     // No table has a say in what a callout states itself.
     let size = |sources: &Sources, callout: &str| {
-        let limits = sources.size_limits(&callout.parse().unwrap()).unwrap();
-        format!("{} {} to {} from {}", limits.feature, limits.minimum(), limits.maximum(), limits.source)
+        let limits = sources.limits(&callout.parse().unwrap(), None).unwrap();
+        format!("{} to {} from {}", limits.minimum(), limits.maximum(), limits.source)
     };
-    assert_eq!(size(&awaited, "12 ±0.01"), "shaft 11.99 to 12.01 from the callout itself");
+    assert_eq!(size(&awaited, "12 ±0.01"), "11.99 to 12.01 from the callout itself");
     let unread = sources.with_absent(Some(Absent::Unread(Arc::clone(&folder))));
     let source = |callout: &str| unread.limits(&callout.parse().unwrap(), None).unwrap().source;
     assert!(matches!(source("5 g6"), Source::WithoutOwn { folder: named, .. } if named == folder));
@@ -133,12 +133,13 @@ fn a_table_under_another_name_is_the_users_own() {
 }
 
 #[test]
-fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
+fn callouts_without_letters_are_of_a_hole_a_shaft_or_neither() {
     #[track_caller]
     fn check(callout: &str, feature: Option<Feature>, expected: &str) {
         let said = match Sources::default().limits(&callout.parse().unwrap(), feature) {
             Ok(limits) => {
-                format!("{} {} to {} from {}", limits.feature, limits.minimum(), limits.maximum(), limits.source)
+                let feature = limits.feature.map_or("neither", Feature::word);
+                format!("{feature} {} to {} from {}", limits.minimum(), limits.maximum(), limits.source)
             }
             Err(error) => error.to_string(),
         };
@@ -146,7 +147,7 @@ fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
     }
     let (hole, shaft) = (Some(Feature::Hole), Some(Feature::Shaft));
     check("12 +0.01 -0.015", hole, "hole 11.985 to 12.01 from the callout itself");
-    check("12 +0.01 -0.015", None, "12 +0.01 -0.015 does not say whether the hole or the shaft is meant");
+    check("12 +0.01 -0.015", None, "neither 11.985 to 12.01 from the callout itself");
     check("12.01/11.985", shaft, "shaft 11.985 to 12.01 from the callout itself");
     // An odd number of nanometres: the middle is not a whole number of them, but the limits are exact.
     check("12.000001/12", shaft, "shaft 12 to 12.000001 from the callout itself");
@@ -154,13 +155,14 @@ fn callouts_without_letters_need_to_be_told_hole_or_shaft() {
     check("25 H7/g6", shaft, "shaft 24.98 to 24.993 from ISO 286, over 18 up to 30 mm");
     check("25 H7/g6", hole, "hole 25 to 25.021 from ISO 286, over 18 up to 30 mm");
     check("25 H7/g6", None, "25 H7/g6 does not say whether the hole or the shaft is meant");
-    // Where it does not matter, a callout without letters is that of a shaft; a fit still has two parts.
-    let size = |callout: &str| Sources::default().size_limits(&callout.parse().unwrap()).map(|limits| limits.feature);
-    for (callout, feature) in [("25 H7", Feature::Hole), ("25 h7", Feature::Shaft), ("10m", Feature::Shaft)] {
-        assert_eq!(size(callout), Ok(feature), "{callout}");
-    }
-    let fit = "25 H7/g6".parse().unwrap();
-    assert_eq!(size("25 H7/g6"), Err(LimitsError::NoFeature { callout: fit }));
+    check("10m", None, "neither 9.8 to 10.2 from ISO 2768-1 class m, over 6 up to 30 mm");
+    // A cycle probes a hole or a shaft.
+    let probed = |callout: &str, feature| {
+        Sources::default().feature_limits(&callout.parse().unwrap(), feature).map(|limits| limits.feature)
+    };
+    let plain = "12 +0.01 -0.015";
+    assert_eq!(probed(plain, None), Err(LimitsError::NoFeature { callout: plain.parse().unwrap() }));
+    assert_eq!((probed(plain, hole), probed("25 h7", None)), (Ok(hole), Ok(shaft)));
     check("25 H7", shaft, "H7 is a hole class and not a shaft class");
     check("25 g6", hole, "g6 is a shaft class and not a hole class");
 }

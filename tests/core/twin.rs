@@ -96,9 +96,9 @@ fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: D
         clearance: Length::from_micrometres(2_000),
         ..ProbePosition::default()
     };
-    let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
+    let origin = Origin::Simulated { cycle: cycle_number(limits.feature.unwrap()), seed: 1 };
     let mut machine = simulation.machine().unwrap();
-    let (measurement, _) = measure(limits, &position, &mut machine, origin).unwrap();
+    let (measurement, _) = measure(limits.feature.unwrap(), limits, &position, &mut machine, origin).unwrap();
     let verdict = judge(limits, measurement.diameter, None);
     let record = Record {
         time: time(),
@@ -120,7 +120,7 @@ fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: D
 /// A nanometre below the limits, on the lower one, in the middle, on the upper one, a nanometre above.
 fn workpieces(limits: &Limits) -> [(Length, Status); 5] {
     let (minimum, maximum) = (limits.minimum(), limits.maximum());
-    let (below, above) = match limits.feature {
+    let (below, above) = match limits.feature.unwrap() {
         Feature::Hole => (Status::Rework, Status::Scrap),
         Feature::Shaft => (Status::Scrap, Status::Rework),
     };
@@ -135,7 +135,7 @@ fn workpieces(limits: &Limits) -> [(Length, Status); 5] {
 
 /// Runs both on one workpiece.
 fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, (diameter, expected): (Length, Status)) {
-    let simulation = simulation(limits.feature, diameter);
+    let simulation = simulation(limits.feature.unwrap(), diameter);
     let native = native(limits, callout, simulation, machine.settings().language);
     let class = callout.class().unwrap();
     run(machine, &callout.nominal().to_string(), class.as_str(), Contacts::Workpiece(simulation.into()))
@@ -154,8 +154,14 @@ fn compare_refusals(machine: &mut Machine, callout: Callout, limits: Option<&Lim
         None => assert!(fault.ends_with(&format!("column {class}: the cell is empty")), "{callout}: {fault}"),
         Some(limits) => {
             assert!(fault.contains("at least 0 mm"), "{callout}: {fault}");
-            let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
-            let native = measure(limits, &ProbePosition::default(), &mut Recorded::new(Vec::new()), origin);
+            let origin = Origin::Simulated { cycle: cycle_number(limits.feature.unwrap()), seed: 1 };
+            let native = measure(
+                limits.feature.unwrap(),
+                limits,
+                &ProbePosition::default(),
+                &mut Recorded::new(Vec::new()),
+                origin,
+            );
             assert!(native.unwrap_err().to_string().contains("at least 0 mm"), "{callout}");
         }
     }

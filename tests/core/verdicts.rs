@@ -133,9 +133,13 @@ proptest! {
     fn a_hole_and_a_shaft_mirror_each_other(minimum in -99_i64..99, width in 0_i64..99, measured in -299_i64..299) {
         let nm = |number| Length::from_nanometres(number).unwrap();
         let (low, high) = (nm(minimum), nm(minimum + width));
-        let hole = classify(Feature::Hole, low, high, nm(measured));
-        let shaft = classify(Feature::Shaft, high.negated(), low.negated(), nm(-measured));
+        let hole = classify(Some(Feature::Hole), low, high, nm(measured));
+        let shaft = classify(Some(Feature::Shaft), high.negated(), low.negated(), nm(-measured));
         prop_assert_eq!(hole, shaft);
-        prop_assert_eq!(hole == Status::Good, (minimum..=minimum + width).contains(&measured));
+        let is_within = (minimum..=minimum + width).contains(&measured);
+        prop_assert_eq!(hole == Status::Good, is_within);
+        // What is neither is good within the same limits, and out of them on either side.
+        let neither = classify(None, low, high, nm(measured));
+        prop_assert_eq!(neither, if is_within { Status::Good } else { Status::OutOfLimits });
     }
 }

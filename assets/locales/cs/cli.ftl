@@ -48,7 +48,10 @@ cli-not-a-table = { $name } není tabulka úchylek
 cli-add-feature = { $error }: doplňte --feature hole nebo --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; je-li toto toleranční pole záměr, doplňte --wide-zone
 cli-add-far-temperature = { $what }: { $error }; je-li tato teplota záměr, doplňte --far-temperature
-cli-rework-or-scrap = { $asked }: { $measured } mm je mimo { $minimum } až { $maximum } mm; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm nad maximem; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft
+   *[below] { $asked }: { $um } µm pod minimem; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft
+}
 cli-parts-of-several = změřené díly patří k jednomu uložení: uveďte jeden předpis
 cli-search-with-parts = hledání nepřijímá změřené díly, materiály ani teploty
 cli-search-without-size = hledání potřebuje jeden jmenovitý rozměr, například 25

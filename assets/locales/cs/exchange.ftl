@@ -157,7 +157,6 @@ exchange-undecided = zde nebylo nic rozhodnuto: { $given }
 exchange-warning-other-rule = výroky v tomto souboru mohou být podle jiného rozhodovacího pravidla (sloupec rule_name): hodnoty se posuzují znovu
 exchange-read = zbytek souboru nelze přečíst: { $reason }
 exchange-too-large = větší než { $most } MiB, limit pro soubory tohoto formátu
-exchange-unjudged-no-feature = neposouzeno: meze jsou { $minimum } až { $maximum }, ale není uvedeno, zda jde o díru, nebo hřídel; hodnota mimo ně by mohla být oprava i zmetek
 exchange-unjudged-one-limit = neposouzeno: jedna ze dvou mezí chybí
 exchange-unjudged-no-tolerance = neposouzeno: meze nejsou uvedeny
 exchange-unjudged-rounded = neposouzeno: vytištěné číslo zastupuje kteroukoli hodnotu od { $from } do { $to } a mez leží mezi nimi: tiskněte více desetinných míst

@@ -16,6 +16,7 @@ nc-workpiece = obrobek nelze zapsat: { $reason }
 nc-own-column = { $class } nepatří mezi 47 tříd NC-Solution 8255: { $table } dostane další sloupec
 nc-figure = { $what }
 nc-fewer-columns = limit počtu sloupců u iTNC 530: { $table } má jen třídy plánu, { $classes }
+nc-by-hand = { $name }: žádný cyklus neměří prvek druhu { $kind }: v sadě není
 nc-not-in-set = { $name }: plán uvádí { $said }, ale sada to nepoužívá: na řídicím systému rozhodují jen meze, může tedy udat DOBRÝ i tam, kde fitcheck import ne
 nc-features = { $first } (a dalších { $more })
 nc-moved-nominal = { $name }: jmenovitý rozměr { $callout } je mimo meze, což TNC7 odmítá: { $parameter } je { $value } mm a { $deviation } se vztahuje k němu

@@ -1,6 +1,7 @@
 # Plans of features: what is wrong with one.
 
 plan-no-features = plán nemá žádné prvky
+plan-no-form-limit = { $text } není mez tolerance tvaru nebo polohy: uveďte jednu délku větší než 0 v mm, například 0.02
 plan-too-many = plán má více než { $most } prvků
 plan-too-large = plán má nejvýše { $most } KiB
 plan-no-column = chybí sloupec { $column }

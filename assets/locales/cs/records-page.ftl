@@ -162,6 +162,7 @@ records-page-reports-unread = Zprávy s touto kontrolou nelze přečíst: { $why
 records-page-report-unknown = { $name } je zapsán, ale deník jej nezná: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, díra
+    [neither] { $callout }, ani díra, ani hřídel
    *[shaft] { $callout }, hřídel
 }
 records-page-distance = Od mezí

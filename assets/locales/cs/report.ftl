@@ -27,9 +27,11 @@ report-ending-unknown = .{ $ending } není formát zprávy: použijte jednu z p�
 ## Sentences about one check
 report-feature-hole = díra
 report-feature-shaft = hřídel
+report-feature-neither = ani díra, ani hřídel
 report-side-good = dobrý
 report-side-rework = oprava
 report-side-scrap = zmetek
+report-side-out = mimo meze
 report-side-too-small = příliš malý
 report-side-too-large = příliš velký
 report-source-instead = { $source }; ISO 286 zde udává { $upper } a { $lower } µm

@@ -71,6 +71,7 @@ status-good = DOBRÝ
 status-accepted = PŘIJATO
 status-rework = OPRAVA
 status-re-measure = PŘEMĚŘIT
+status-out-of-limits = MIMO MEZE
 status-scrap = ZMETEK
 rule-simple = bez ochranného pásma, meze patří do tolerančního pole
 rule-iso14253-2017 = ISO 14253-1:2017, shoda 95 %, { $prover ->

@@ -48,7 +48,10 @@ cli-not-a-table = { $name } ist keine Tabelle mit Grenzabmaßen
 cli-add-feature = { $error }: --feature hole oder --feature shaft hinzufügen
 cli-add-wide-zone = { $asked }: { $error }; ist dieses Toleranzfeld so gewollt, --wide-zone hinzufügen
 cli-add-far-temperature = { $what }: { $error }; ist diese Temperatur so gewollt, --far-temperature hinzufügen
-cli-rework-or-scrap = { $asked }: { $measured } mm liegt außerhalb von { $minimum } bis { $maximum } mm; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm über dem Höchstmaß; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen
+   *[below] { $asked }: { $um } µm unter dem Mindestmaß; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen
+}
 cli-parts-of-several = gemessene Teile gehören zu einer einzigen Passung: eine einzige Toleranzangabe nennen
 cli-search-with-parts = eine Suche nimmt keine gemessenen Teile, Werkstoffe oder Temperaturen
 cli-search-without-size = eine Suche braucht ein einziges Nennmaß, wie 25

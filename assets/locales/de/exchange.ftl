@@ -155,7 +155,6 @@ exchange-undecided = hier war nichts entschieden: { $given }
 exchange-warning-other-rule = die Urteile in dieser Datei können von einer anderen Entscheidungsregel stammen (Spalte rule_name): ihre Werte werden neu beurteilt
 exchange-read = der Rest der Datei kann nicht gelesen werden: { $reason }
 exchange-too-large = größer als { $most } MiB, die Grenze für Dateien dieses Formats
-exchange-unjudged-no-feature = nicht beurteilt: die Grenzmaße sind { $minimum } bis { $maximum }, Bohrung oder Welle ist aber nicht angegeben, daher kann ein Wert außerhalb Nacharbeit oder Ausschuss sein
 exchange-unjudged-one-limit = nicht beurteilt: eines der beiden Grenzmaße fehlt
 exchange-unjudged-no-tolerance = nicht beurteilt: keine Grenzmaße angegeben
 exchange-unjudged-rounded = nicht beurteilt: die ausgegebenen Ziffern stehen für jeden Wert von { $from } bis { $to }, und dazwischen liegt ein Grenzmaß: mehr Nachkommastellen ausgeben

@@ -16,6 +16,7 @@ nc-workpiece = das Werkstück kann nicht geschrieben werden: { $reason }
 nc-own-column = { $class } ist keine der 47 Klassen der NC-Solution 8255: { $table } erhält eine zusätzliche Spalte
 nc-figure = { $what }
 nc-fewer-columns = Spaltengrenze einer iTNC 530: { $table } hat nur die Klassen des Plans, { $classes }
+nc-by-hand = { $name }: kein Zyklus misst ein Merkmal der Art { $kind }: es ist nicht im Satz
 nc-not-in-set = { $name }: der Plan sagt { $said }, der Dateisatz verwendet es aber nicht: auf der Steuerung entscheiden nur die Grenzmaße, daher kann sie GUT sagen, wo fitcheck import es nicht sagt
 nc-features = { $first } (und { $more } weitere)
 nc-moved-nominal = { $name }: das Nennmaß von { $callout } liegt außerhalb der Grenzmaße, was eine TNC7 nicht annimmt: { $parameter } ist { $value } mm, und { $deviation } bezieht sich darauf

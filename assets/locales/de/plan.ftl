@@ -1,6 +1,7 @@
 # Pläne von Merkmalen: was an einem falsch ist.
 
 plan-no-features = der Plan hat keine Merkmale
+plan-no-form-limit = { $text } ist keine Grenze einer Form- oder Lagetoleranz: eine Länge über 0 in mm angeben, etwa 0.02
 plan-too-many = der Plan hat mehr als { $most } Merkmale
 plan-too-large = ein Plan hat höchstens { $most } KiB
 plan-no-column = Spalte { $column } fehlt

@@ -149,6 +149,7 @@ records-page-reports-unread = Die Prüfberichte mit dieser Prüfung können nich
 records-page-report-unknown = { $name } ist geschrieben, aber das Journal kennt die Datei nicht: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, Bohrung
+    [neither] { $callout }, weder Bohrung noch Welle
    *[shaft] { $callout }, Welle
 }
 records-page-distance = Abstand zum Grenzmaß

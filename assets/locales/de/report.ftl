@@ -23,9 +23,11 @@ report-ending-unknown = .{ $ending } ist kein Format des Prüfberichts: eines vo
 ## Sätze über eine Prüfung
 report-feature-hole = Bohrung
 report-feature-shaft = Welle
+report-feature-neither = weder Bohrung noch Welle
 report-side-good = gut
 report-side-rework = Nacharbeit
 report-side-scrap = Ausschuss
+report-side-out = außer Toleranz
 report-side-too-small = zu klein
 report-side-too-large = zu groß
 report-source-instead = { $source }; ISO 286 sagt hier { $upper } und { $lower } µm

@@ -71,6 +71,7 @@ status-good = GUT
 status-accepted = ANGENOMMEN
 status-rework = NACHARBEIT
 status-re-measure = NEU MESSEN
+status-out-of-limits = AUSSER TOLERANZ
 status-scrap = AUSSCHUSS
 rule-simple = kein Sicherheitsband, die Grenzmaße gehören zum Toleranzfeld
 rule-iso14253-2017 = ISO 14253-1:2017, 95 % Konformität, { $prover ->

@@ -49,6 +49,7 @@ callout = Toleranzangabe
 callout-hint = Nennmaß und Klasse eingeben, zum Beispiel 25 H7
 feature-hole = Bohrung
 feature-shaft = Welle
+feature-neither = Keins von beiden
 nominal-is = Nennmaß { $nominal } mm
 maximum = Höchstmaß
 minimum = Mindestmaß
@@ -100,6 +101,7 @@ band-describe = Abweichung vom Nennmaß in Mikrometern: Toleranzfeld von { $lowe
 band-describe-measured = Gemessen { $deviation }, { $above } über dem Mindestmaß, { $below } unter dem Höchstmaß.
 side-rework = Nacharbeit
 side-scrap = Ausschuss
+side-out = außer Toleranz
 
 last-values = Letzte Werte
 last-values-empty = Hier erscheinen die letzten Werte zu diesen Grenzmaßen
@@ -727,7 +729,7 @@ rows-export = Zeilen der Datei als { $format }, mit Urteil…
 rows-export-programs = Prüfungen der angezeigten Zeilen als { $format }…
 rows-export-simulated = Die ersten Textzeilen der Datei sagen, dass sie simuliert ist, und nur CSV kann sie behalten. Als CSV exportieren
 rows-export-twice = Die Datei hat zwei Spalten mit dem Namen { $column }. Als CSV oder TSV exportieren, dort sind beide möglich
-rows-report-counts = { $name }: { $count } Zeilen; { $good } GUT, { $rework } NACHARBEIT, { $remeasure } NEU MESSEN, { $scrap } AUSSCHUSS, { $unjudged } NICHT BEURTEILT; davon { $listed } in diesem Prüfbericht
+rows-report-counts = { $name }: { $count } Zeilen; { $good } GUT, { $rework } NACHARBEIT, { $remeasure } NEU MESSEN, { $out } AUSSER TOLERANZ, { $scrap } AUSSCHUSS, { $unjudged } NICHT BEURTEILT; davon { $listed } in diesem Prüfbericht
 rows-report-without = { $count ->
     [one] 1 angezeigte Zeile hat kein Urteil und keine Prüfung in diesem Prüfbericht
    *[other] { $count } angezeigte Zeilen haben kein Urteil und keine Prüfung in diesem Prüfbericht

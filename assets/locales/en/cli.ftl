@@ -48,7 +48,10 @@ cli-not-a-table = { $name } is not a table of deviations
 cli-add-feature = { $error }: add --feature hole or --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; if this zone is intended, add --wide-zone
 cli-add-far-temperature = { $what }: { $error }; if this temperature is intended, add --far-temperature
-cli-rework-or-scrap = { $asked }: { $measured } mm is outside { $minimum } to { $maximum } mm; whether that is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm above maximum; whether it is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft
+   *[below] { $asked }: { $um } µm below minimum; whether it is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft
+}
 cli-parts-of-several = measured parts belong to one fit: give one callout
 cli-search-with-parts = a search takes no measured parts, materials or temperatures
 cli-search-without-size = a search needs one nominal size, such as 25

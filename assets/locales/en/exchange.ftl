@@ -155,7 +155,6 @@ exchange-undecided = nothing was decided here: { $given }
 exchange-warning-other-rule = the verdicts in this file may come from another decision rule (column rule_name): its values are judged again
 exchange-read = the rest of the file cannot be read: { $reason }
 exchange-too-large = larger than { $most } MiB, the limit for files of this format
-exchange-unjudged-no-feature = not judged: the limits are { $minimum } to { $maximum }, but hole or shaft is not stated, so a value beyond them could be rework or scrap
 exchange-unjudged-one-limit = not judged: one of the two limits is missing
 exchange-unjudged-no-tolerance = not judged: no limits given
 exchange-unjudged-rounded = not judged: the printed figures stand for any value from { $from } to { $to }, and a limit lies between them: print more decimals

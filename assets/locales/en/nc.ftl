@@ -16,6 +16,7 @@ nc-workpiece = the workpiece cannot be written: { $reason }
 nc-own-column = { $class } is not one of the 47 classes of NC-Solution 8255: { $table } gets an extra column
 nc-figure = { $what }
 nc-fewer-columns = column limit of an iTNC 530: { $table } has only the plan's classes, { $classes }
+nc-by-hand = { $name }: no cycle measures a { $kind }: it is not in the set
 nc-not-in-set = { $name }: the plan says { $said }, but the set does not use it: on the control the limits alone decide, so it may say GOOD where fitcheck import does not
 nc-features = { $first } (and { $more } more)
 nc-moved-nominal = { $name }: the nominal size of { $callout } is outside the limits, which a TNC7 refuses: { $parameter } is { $value } mm, and { $deviation } refers to that

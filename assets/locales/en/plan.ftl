@@ -1,6 +1,7 @@
 # Plans of features: what is wrong with one.
 
 plan-no-features = the plan has no features
+plan-no-form-limit = { $text } is not the limit of a form or location tolerance: write one length above 0 in mm, such as 0.02
 plan-too-many = the plan has more than { $most } features
 plan-too-large = a plan has at most { $most } KiB
 plan-no-column = column { $column } is missing

@@ -149,6 +149,7 @@ records-page-reports-unread = The reports with this check cannot be read: { $why
 records-page-report-unknown = { $name } is written, but the journal does not know it: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, hole
+    [neither] { $callout }, neither hole nor shaft
    *[shaft] { $callout }, shaft
 }
 records-page-distance = From the limits

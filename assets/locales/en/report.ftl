@@ -23,9 +23,11 @@ report-ending-unknown = .{ $ending } is not a format of the report: use one of {
 ## Sentences about one check
 report-feature-hole = hole
 report-feature-shaft = shaft
+report-feature-neither = neither hole nor shaft
 report-side-good = good
 report-side-rework = rework
 report-side-scrap = scrap
+report-side-out = out of limits
 report-side-too-small = too small
 report-side-too-large = too large
 report-source-instead = { $source }; ISO 286 says { $upper } and { $lower } µm here

@@ -71,6 +71,7 @@ status-good = GOOD
 status-accepted = ACCEPTED
 status-rework = REWORK
 status-re-measure = RE-MEASURE
+status-out-of-limits = OUT OF LIMITS
 status-scrap = SCRAP
 rule-simple = no guard band, limits belong to the zone
 rule-iso14253-2017 = ISO 14253-1:2017, 95 % conformity, { $prover ->

@@ -49,6 +49,7 @@ callout = Callout
 callout-hint = Type a nominal size and a class, such as 25 H7
 feature-hole = Hole
 feature-shaft = Shaft
+feature-neither = Neither
 nominal-is = nominal size { $nominal } mm
 maximum = Maximum
 minimum = Minimum
@@ -100,6 +101,7 @@ band-describe = Deviation from nominal size in micrometres: zone from { $lower }
 band-describe-measured = Measured { $deviation }, { $above } above the minimum, { $below } below the maximum.
 side-rework = rework
 side-scrap = scrap
+side-out = out of limits
 
 last-values = Last values
 last-values-empty = The last values of these limits appear here
@@ -727,7 +729,7 @@ rows-export = Rows of the file as { $format }, with verdicts…
 rows-export-programs = Checks of the listed rows as { $format }…
 rows-export-simulated = The first lines of the file say that it is simulated, and only CSV can keep them. Export as CSV
 rows-export-twice = The file has two columns named { $column }. Export as CSV or TSV, which allow both
-rows-report-counts = { $name }: { $count } rows; { $good } GOOD, { $rework } REWORK, { $remeasure } RE-MEASURE, { $scrap } SCRAP, { $unjudged } NOT JUDGED; { $listed } of them listed in this report
+rows-report-counts = { $name }: { $count } rows; { $good } GOOD, { $rework } REWORK, { $remeasure } RE-MEASURE, { $out } OUT OF LIMITS, { $scrap } SCRAP, { $unjudged } NOT JUDGED; { $listed } of them listed in this report
 rows-report-without = { $count ->
     [one] 1 listed row has no verdict and no check in this report
    *[other] { $count } listed rows have no verdict and no check in this report

@@ -48,7 +48,10 @@ cli-not-a-table = { $name } no es una tabla de desviaciones
 cli-add-feature = { $error }: añada --feature hole o --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; si esta zona es intencionada, añada --wide-zone
 cli-add-far-temperature = { $what }: { $error }; si esta temperatura es intencionada, añada --far-temperature
-cli-rework-or-scrap = { $asked }: { $measured } mm está fuera de { $minimum } a { $maximum } mm; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm por encima del máximo; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft
+   *[below] { $asked }: { $um } µm por debajo del mínimo; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft
+}
 cli-parts-of-several = las piezas medidas son de un solo ajuste: dé una sola cota
 cli-search-with-parts = una búsqueda no admite piezas medidas, materiales ni temperaturas
 cli-search-without-size = una búsqueda necesita una medida nominal, como 25

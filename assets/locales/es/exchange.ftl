@@ -155,7 +155,6 @@ exchange-undecided = aquí no se decidió nada: { $given }
 exchange-warning-other-rule = los dictámenes de este archivo pueden venir de otra regla de decisión (columna rule_name): sus valores se evalúan de nuevo
 exchange-read = el resto del archivo no se puede leer: { $reason }
 exchange-too-large = mayor que { $most } MiB, el límite para archivos de este formato
-exchange-unjudged-no-feature = no evaluado: los límites son de { $minimum } a { $maximum }, pero no se indica si es agujero o eje, así que un valor fuera de ellos podría ser retrabajo o desecho
 exchange-unjudged-one-limit = no evaluado: falta uno de los dos límites
 exchange-unjudged-no-tolerance = no evaluado: no se dan límites
 exchange-unjudged-rounded = no evaluado: las cifras impresas representan cualquier valor de { $from } a { $to }, y un límite está entre ellos: imprima más decimales

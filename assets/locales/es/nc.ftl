@@ -16,6 +16,7 @@ nc-workpiece = la pieza de trabajo no se puede escribir: { $reason }
 nc-own-column = { $class } no es una de las 47 clases de NC-Solution 8255: { $table } recibe una columna más
 nc-figure = { $what }
 nc-fewer-columns = límite de columnas de un iTNC 530: { $table } tiene solo las clases del plan, { $classes }
+nc-by-hand = { $name }: ningún ciclo mide un elemento de tipo { $kind }: no está en el conjunto
 nc-not-in-set = { $name }: el plan dice { $said }, pero el juego no lo usa: en el control deciden solo los límites, así que puede decir BUENO donde fitcheck import no lo hace
 nc-features = { $first } (y { $more } más)
 nc-moved-nominal = { $name }: la medida nominal de { $callout } está fuera de los límites, lo que un TNC7 rechaza: { $parameter } es { $value } mm, y { $deviation } se refiere a ese valor

@@ -1,6 +1,7 @@
 # Plans of features: what is wrong with one.
 
 plan-no-features = el plan no tiene elementos
+plan-no-form-limit = { $text } no es el límite de una tolerancia de forma o posición: escriba una sola longitud mayor que 0 en mm, por ejemplo 0.02
 plan-too-many = el plan tiene más de { $most } elementos
 plan-too-large = un plan tiene como máximo { $most } KiB
 plan-no-column = falta la columna { $column }

@@ -149,6 +149,7 @@ records-page-reports-unread = Los informes con esta comprobación no se pueden l
 records-page-report-unknown = { $name } está escrito, pero el registro no lo conoce: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, agujero
+    [neither] { $callout }, ni agujero ni eje
    *[shaft] { $callout }, eje
 }
 records-page-distance = A los límites

@@ -23,9 +23,11 @@ report-ending-unknown = .{ $ending } no es un formato del informe: use uno de { 
 ## Sentences about one check
 report-feature-hole = agujero
 report-feature-shaft = eje
+report-feature-neither = ni agujero ni eje
 report-side-good = bueno
 report-side-rework = retrabajo
 report-side-scrap = desecho
+report-side-out = fuera de límites
 report-side-too-small = demasiado pequeño
 report-side-too-large = demasiado grande
 report-source-instead = { $source }; ISO 286 dice aquí { $upper } y { $lower } µm

@@ -71,6 +71,7 @@ status-good = BUENO
 status-accepted = ACEPTADO
 status-rework = RETRABAJO
 status-re-measure = REMEDIR
+status-out-of-limits = FUERA DE LÍMITES
 status-scrap = DESECHO
 rule-simple = sin banda de guarda, los límites pertenecen a la zona
 rule-iso14253-2017 = ISO 14253-1:2017, 95 % de conformidad, { $prover ->

@@ -49,6 +49,7 @@ callout = Cota
 callout-hint = Escriba una medida nominal y una clase, por ejemplo 25 H7
 feature-hole = Agujero
 feature-shaft = Eje
+feature-neither = Ninguno de los dos
 nominal-is = medida nominal { $nominal } mm
 maximum = Máximo
 minimum = Mínimo
@@ -100,6 +101,7 @@ band-describe = Desviación respecto a la medida nominal en micrómetros: zona d
 band-describe-measured = Medido { $deviation }, { $above } por encima del mínimo, { $below } por debajo del máximo.
 side-rework = retrabajo
 side-scrap = desecho
+side-out = fuera de límites
 
 last-values = Últimos valores
 last-values-empty = Aquí aparecen los últimos valores de estos límites
@@ -727,7 +729,7 @@ rows-export = Filas del archivo como { $format }, con dictamen…
 rows-export-programs = Comprobaciones de las filas mostradas como { $format }…
 rows-export-simulated = Las primeras líneas del archivo dicen que es simulado, y solo CSV puede conservarlas. Exporte como CSV
 rows-export-twice = El archivo tiene dos columnas llamadas { $column }. Exporte como CSV o TSV, que admiten ambas
-rows-report-counts = { $name }: { $count } filas; { $good } BUENO, { $rework } RETRABAJO, { $remeasure } REMEDIR, { $scrap } DESECHO, { $unjudged } SIN EVALUAR; { $listed } de ellas en este informe
+rows-report-counts = { $name }: { $count } filas; { $good } BUENO, { $rework } RETRABAJO, { $remeasure } REMEDIR, { $out } FUERA DE LÍMITES, { $scrap } DESECHO, { $unjudged } SIN EVALUAR; { $listed } de ellas en este informe
 rows-report-without = { $count ->
     [one] 1 fila mostrada no tiene dictamen ni comprobación en este informe
    *[other] { $count } filas mostradas no tienen dictamen ni comprobación en este informe

@@ -48,7 +48,10 @@ cli-not-a-table = { $name } n'est pas une table d'écarts
 cli-add-feature = { $error } : ajouter --feature hole ou --feature shaft
 cli-add-wide-zone = { $asked } : { $error } ; si cet intervalle est voulu, ajouter --wide-zone
 cli-add-far-temperature = { $what } : { $error } ; si cette température est voulue, ajouter --far-temperature
-cli-rework-or-scrap = { $asked } : { $measured } mm est hors de { $minimum } à { $maximum } mm ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked } : { $um } µm au-dessus du maximum ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft
+   *[below] { $asked } : { $um } µm au-dessous du minimum ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft
+}
 cli-parts-of-several = les pièces mesurées sont d'un seul ajustement : donner une seule cote tolérancée
 cli-search-with-parts = une recherche ne prend ni pièces mesurées, ni matières, ni températures
 cli-search-without-size = une recherche demande une cote nominale, par exemple 25

@@ -155,7 +155,6 @@ exchange-undecided = rien n'a été décidé ici : { $given }
 exchange-warning-other-rule = les verdicts de ce fichier peuvent venir d'une autre règle de décision (colonne rule_name) : ses valeurs sont jugées de nouveau
 exchange-read = le reste du fichier ne peut pas être lu : { $reason }
 exchange-too-large = plus de { $most } Mio, la limite pour les fichiers de ce format
-exchange-unjudged-no-feature = non jugé : les limites sont { $minimum } à { $maximum }, mais alésage ou arbre n'est pas indiqué, une valeur au-delà pourrait donc être retouche ou rebut
 exchange-unjudged-one-limit = non jugé : l'une des deux limites manque
 exchange-unjudged-no-tolerance = non jugé : aucune limite donnée
 exchange-unjudged-rounded = non jugé : les chiffres imprimés valent pour toute valeur de { $from } à { $to }, et une limite se trouve entre les deux : imprimer plus de décimales

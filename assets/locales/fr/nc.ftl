@@ -16,6 +16,7 @@ nc-workpiece = la pièce ne peut pas être écrite : { $reason }
 nc-own-column = { $class } n'est pas l'une des 47 classes de NC-Solution 8255 : { $table } reçoit une colonne de plus
 nc-figure = { $what }
 nc-fewer-columns = limite de colonnes d'une iTNC 530 : { $table } n'a que les classes du plan, { $classes }
+nc-by-hand = { $name } : aucun cycle ne mesure un élément de type { $kind } : il n'est pas dans le jeu
 nc-not-in-set = { $name } : le plan donne { $said }, mais l'ensemble ne l'utilise pas : sur la commande, les limites seules décident, elle peut donc dire BON là où fitcheck import ne le dit pas
 nc-features = { $first } (et { $more } de plus)
 nc-moved-nominal = { $name } : la cote nominale de { $callout } est hors des limites, ce qu'une TNC7 refuse : { $parameter } est { $value } mm, et { $deviation } s'y rapporte

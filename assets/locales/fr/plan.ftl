@@ -1,6 +1,7 @@
 # Plans d'éléments : ce qui ne va pas dans un plan.
 
 plan-no-features = le plan n'a aucun élément
+plan-no-form-limit = { $text } n'est pas la limite d'une tolérance de forme ou de position : écrire une seule longueur supérieure à 0 en mm, par exemple 0.02
 plan-too-many = le plan a plus de { $most } éléments
 plan-too-large = un plan a au plus { $most } Kio
 plan-no-column = la colonne { $column } manque

@@ -149,6 +149,7 @@ records-page-reports-unread = Les rapports avec ce contrôle ne peuvent pas êtr
 records-page-report-unknown = { $name } est écrit, mais le journal ne le connaît pas : { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, alésage
+    [neither] { $callout }, ni alésage ni arbre
    *[shaft] { $callout }, arbre
 }
 records-page-distance = Écart aux limites

@@ -23,9 +23,11 @@ report-ending-unknown = .{ $ending } n'est pas un format du rapport : utiliser 
 ## Phrases sur un contrôle
 report-feature-hole = alésage
 report-feature-shaft = arbre
+report-feature-neither = ni alésage ni arbre
 report-side-good = bon
 report-side-rework = retouche
 report-side-scrap = rebut
+report-side-out = hors limites
 report-side-too-small = trop petit
 report-side-too-large = trop grand
 report-source-instead = { $source } ; ISO 286 donne ici { $upper } et { $lower } µm

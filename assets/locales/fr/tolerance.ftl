@@ -71,6 +71,7 @@ status-good = BON
 status-accepted = ACCEPTÉ
 status-rework = RETOUCHE
 status-re-measure = REMESURER
+status-out-of-limits = HORS LIMITES
 status-scrap = REBUT
 rule-simple = sans bande de garde, les limites font partie de l'intervalle
 rule-iso14253-2017 = ISO 14253-1:2017, conformité 95 %, { $prover ->

@@ -48,7 +48,10 @@ cli-not-a-table = { $name } non è una tabella di scostamenti
 cli-add-feature = { $error }: aggiungere --feature hole o --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; se questa zona di tolleranza è voluta, aggiungere --wide-zone
 cli-add-far-temperature = { $what }: { $error }; se questa temperatura è voluta, aggiungere --far-temperature
-cli-rework-or-scrap = { $asked }: { $measured } mm è fuori dai limiti da { $minimum } a { $maximum } mm; se sia ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm sopra il massimo; se sia ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft
+   *[below] { $asked }: { $um } µm sotto il minimo; se sia ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft
+}
 cli-parts-of-several = i pezzi misurati sono di un solo accoppiamento: indicare una sola indicazione
 cli-search-with-parts = una ricerca non accetta pezzi misurati, materiali o temperature
 cli-search-without-size = una ricerca richiede una quota nominale, come 25

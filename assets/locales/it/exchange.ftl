@@ -155,7 +155,6 @@ exchange-undecided = qui non è stato deciso nulla: { $given }
 exchange-warning-other-rule = gli esiti di questo file possono venire da un'altra regola di decisione (colonna rule_name): i suoi valori vengono valutati di nuovo
 exchange-read = il resto del file non è leggibile: { $reason }
 exchange-too-large = supera { $most } MiB, il limite per i file di questo formato
-exchange-unjudged-no-feature = non valutato: i limiti sono da { $minimum } a { $maximum }, ma non è indicato se foro o albero, quindi un valore oltre i limiti può essere ripresa o scarto
 exchange-unjudged-one-limit = non valutato: manca uno dei due limiti
 exchange-unjudged-no-tolerance = non valutato: nessun limite indicato
 exchange-unjudged-rounded = non valutato: le cifre stampate valgono per ogni valore da { $from } a { $to }, e in mezzo c'è un limite: stampare più decimali

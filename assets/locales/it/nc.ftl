@@ -16,6 +16,7 @@ nc-workpiece = impossibile scrivere il pezzo in lavorazione: { $reason }
 nc-own-column = { $class } non è una delle 47 classi di NC-Solution 8255: { $table } riceve una colonna in più
 nc-figure = { $what }
 nc-fewer-columns = limite di colonne di un iTNC 530: { $table } ha solo le classi del piano, { $classes }
+nc-by-hand = { $name }: nessun ciclo misura un elemento di tipo { $kind }: non è nel set
 nc-not-in-set = { $name }: il piano dice { $said }, ma il set non lo usa: sul controllo numerico decidono solo i limiti, quindi può dire BUONO dove fitcheck import non lo dice
 nc-features = { $first } (e altri { $more })
 nc-moved-nominal = { $name }: la quota nominale di { $callout } è fuori dai limiti, cosa che un TNC7 rifiuta: { $parameter } è { $value } mm, e { $deviation } si riferisce a quel valore

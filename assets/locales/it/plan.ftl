@@ -1,6 +1,7 @@
 # Piani di elementi: che cosa non va in un piano.
 
 plan-no-features = il piano non ha elementi
+plan-no-form-limit = { $text } non è il limite di una tolleranza di forma o posizione: indicare una sola lunghezza sopra 0 in mm, per esempio 0.02
 plan-too-many = il piano ha più di { $most } elementi
 plan-too-large = un piano ha al massimo { $most } KiB
 plan-no-column = manca la colonna { $column }

@@ -149,6 +149,7 @@ records-page-reports-unread = I rapporti con questo controllo non si possono leg
 records-page-report-unknown = { $name } è stato scritto, ma il registro non lo conosce: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, foro
+    [neither] { $callout }, né foro né albero
    *[shaft] { $callout }, albero
 }
 records-page-distance = Dai limiti

@@ -23,9 +23,11 @@ report-ending-unknown = .{ $ending } non è un formato del rapporto: usarne uno 
 ## Frasi su un controllo
 report-feature-hole = foro
 report-feature-shaft = albero
+report-feature-neither = né foro né albero
 report-side-good = buono
 report-side-rework = ripresa
 report-side-scrap = scarto
+report-side-out = fuori limite
 report-side-too-small = troppo piccolo
 report-side-too-large = troppo grande
 report-source-instead = { $source }; ISO 286 dice qui { $upper } e { $lower } µm

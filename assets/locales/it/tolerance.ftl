@@ -71,6 +71,7 @@ status-good = BUONO
 status-accepted = ACCETTATO
 status-rework = RIPRESA
 status-re-measure = RIMISURARE
+status-out-of-limits = FUORI LIMITE
 status-scrap = SCARTO
 rule-simple = nessuna banda di guardia, i limiti fanno parte della zona di tolleranza
 rule-iso14253-2017 = ISO 14253-1:2017, conformità 95 %, { $prover ->

@@ -49,6 +49,7 @@ callout = Indicazione
 callout-hint = Digitare una quota nominale e una classe, ad esempio 25 H7
 feature-hole = Foro
 feature-shaft = Albero
+feature-neither = Nessuno dei due
 nominal-is = quota nominale { $nominal } mm
 maximum = Massimo
 minimum = Minimo
@@ -100,6 +101,7 @@ band-describe = Scostamento dalla quota nominale in micrometri: zona di tolleran
 band-describe-measured = Misurato { $deviation }, { $above } sopra il minimo, { $below } sotto il massimo.
 side-rework = ripresa
 side-scrap = scarto
+side-out = fuori limite
 
 last-values = Ultimi valori
 last-values-empty = Qui appaiono gli ultimi valori con questi limiti
@@ -727,7 +729,7 @@ rows-export = Righe del file come { $format }, con esiti…
 rows-export-programs = Controlli delle righe in elenco come { $format }…
 rows-export-simulated = Le prime linee del file dicono che è simulato, e solo CSV può conservarle. Esportare come CSV
 rows-export-twice = Il file ha due colonne di nome { $column }. Esportare come CSV o TSV, che le ammettono entrambe
-rows-report-counts = { $name }: { $count } righe; { $good } BUONO, { $rework } RIPRESA, { $remeasure } RIMISURARE, { $scrap } SCARTO, { $unjudged } NON VALUTATO; { $listed } di queste in elenco in questo rapporto
+rows-report-counts = { $name }: { $count } righe; { $good } BUONO, { $rework } RIPRESA, { $remeasure } RIMISURARE, { $out } FUORI LIMITE, { $scrap } SCARTO, { $unjudged } NON VALUTATO; { $listed } di queste in elenco in questo rapporto
 rows-report-without = { $count ->
     [one] 1 riga in elenco non ha esito né controllo in questo rapporto
    *[other] { $count } righe in elenco non hanno esito né controllo in questo rapporto

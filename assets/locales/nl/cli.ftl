@@ -48,7 +48,10 @@ cli-not-a-table = { $name } is geen tabel met afwijkingen
 cli-add-feature = { $error }: geef --feature hole of --feature shaft op
 cli-add-wide-zone = { $asked }: { $error }; geef --wide-zone op als dit tolerantieveld zo bedoeld is
 cli-add-far-temperature = { $what }: { $error }; geef --far-temperature op als deze temperatuur zo bedoeld is
-cli-rework-or-scrap = { $asked }: { $measured } mm ligt buiten { $minimum } tot { $maximum } mm; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm boven de bovengrens; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op
+   *[below] { $asked }: { $um } µm onder de ondergrens; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op
+}
 cli-parts-of-several = gemeten onderdelen horen bij één passing: geef één passing op
 cli-search-with-parts = bij het zoeken kunnen geen gemeten onderdelen, materialen of temperaturen worden opgegeven
 cli-search-without-size = voor het zoeken is één nominale maat nodig, bijvoorbeeld 25

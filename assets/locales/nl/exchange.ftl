@@ -155,7 +155,6 @@ exchange-undecided = hier was niets beslist: { $given }
 exchange-warning-other-rule = de oordelen in dit bestand kunnen van een andere beslisregel komen (kolom rule_name): de waarden worden opnieuw beoordeeld
 exchange-read = de rest van het bestand kan niet worden gelezen: { $reason }
 exchange-too-large = groter dan { $most } MiB, de grens voor bestanden van dit formaat
-exchange-unjudged-no-feature = niet beoordeeld: de grensmaten zijn { $minimum } tot { $maximum }, maar er staat niet bij of het een boring of een as is, dus een waarde daarbuiten kan nabewerking of afkeur zijn
 exchange-unjudged-one-limit = niet beoordeeld: een van de twee grensmaten ontbreekt
 exchange-unjudged-no-tolerance = niet beoordeeld: geen grensmaten opgegeven
 exchange-unjudged-rounded = niet beoordeeld: de afgedrukte cijfers staan voor elke waarde van { $from } tot { $to }, en daartussen ligt een grensmaat: druk meer decimalen af

@@ -16,6 +16,7 @@ nc-workpiece = het werkstuk kan niet worden geschreven: { $reason }
 nc-own-column = { $class } is geen van de 47 klassen van NC-Solution 8255: { $table } krijgt een extra kolom
 nc-figure = { $what }
 nc-fewer-columns = kolomgrens van een iTNC 530: { $table } heeft alleen de klassen van het plan, { $classes }
+nc-by-hand = { $name }: geen cyclus meet een { $kind }: het zit niet in de set
 nc-not-in-set = { $name }: het plan zegt { $said }, maar de set gebruikt dat niet: op de besturing beslissen alleen de grensmaten, dus kan die GOED zeggen waar fitcheck import dat niet doet
 nc-features = { $first } (en nog { $more })
 nc-moved-nominal = { $name }: de nominale maat van { $callout } ligt buiten de grensmaten, en dat weigert een TNC7: { $parameter } is { $value } mm, en { $deviation } telt vanaf daar

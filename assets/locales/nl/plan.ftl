@@ -1,6 +1,7 @@
 # Plannen van elementen: wat er mis is met een plan.
 
 plan-no-features = het plan heeft geen elementen
+plan-no-form-limit = { $text } is geen grens van een vorm- of plaatstolerantie: geef één lengte boven 0 in mm op, bijvoorbeeld 0.02
 plan-too-many = het plan heeft meer dan { $most } elementen
 plan-too-large = een plan heeft hoogstens { $most } KiB
 plan-no-column = kolom { $column } ontbreekt

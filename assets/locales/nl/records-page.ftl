@@ -149,6 +149,7 @@ records-page-reports-unread = De rapporten met deze controle kunnen niet worden 
 records-page-report-unknown = { $name } is geschreven, maar het logboek kent het niet: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, boring
+    [neither] { $callout }, noch boring noch as
    *[shaft] { $callout }, as
 }
 records-page-distance = Afstand tot grens

@@ -23,9 +23,11 @@ report-ending-unknown = .{ $ending } is geen formaat van het rapport: gebruik ee
 ## Sentences about one check
 report-feature-hole = boring
 report-feature-shaft = as
+report-feature-neither = noch boring noch as
 report-side-good = goed
 report-side-rework = nabewerking
 report-side-scrap = afgekeurd
+report-side-out = buiten grenzen
 report-side-too-small = te klein
 report-side-too-large = te groot
 report-source-instead = { $source }; ISO 286 geeft hier { $upper } en { $lower } µm

@@ -71,6 +71,7 @@ status-good = GOED
 status-accepted = AANVAARD
 status-rework = NABEWERKING
 status-re-measure = OPNIEUW METEN
+status-out-of-limits = BUITEN GRENZEN
 status-scrap = AFGEKEURD
 rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
 rule-iso14253-2017 = ISO 14253-1:2017, 95 % conformiteit, { $prover ->

@@ -49,6 +49,7 @@ callout = Passing
 callout-hint = Typ een nominale maat en een klasse, bijvoorbeeld 25 H7
 feature-hole = Boring
 feature-shaft = As
+feature-neither = Geen van beide
 nominal-is = nominale maat { $nominal } mm
 maximum = Maximum
 minimum = Minimum
@@ -100,6 +101,7 @@ band-describe = Afwijking van de nominale maat in micrometer: tolerantieveld van
 band-describe-measured = Gemeten { $deviation }, { $above } boven het minimum, { $below } onder het maximum.
 side-rework = nabewerking
 side-scrap = afgekeurd
+side-out = buiten grenzen
 
 last-values = Laatste waarden
 last-values-empty = Hier verschijnen de laatste waarden bij deze grensmaten
@@ -727,7 +729,7 @@ rows-export = Rijen van het bestand als { $format }, met oordeel…
 rows-export-programs = Controles van de getoonde rijen als { $format }…
 rows-export-simulated = De eerste regels van het bestand zeggen dat het gesimuleerd is, en alleen CSV kan ze bewaren. Exporteer als CSV
 rows-export-twice = Het bestand heeft twee kolommen met de naam { $column }. Exporteer als CSV of TSV; die staan beide toe
-rows-report-counts = { $name }: { $count } rijen; { $good } GOED, { $rework } NABEWERKING, { $remeasure } OPNIEUW METEN, { $scrap } AFGEKEURD, { $unjudged } NIET BEOORDEELD; daarvan { $listed } in dit rapport
+rows-report-counts = { $name }: { $count } rijen; { $good } GOED, { $rework } NABEWERKING, { $remeasure } OPNIEUW METEN, { $out } BUITEN GRENZEN, { $scrap } AFGEKEURD, { $unjudged } NIET BEOORDEELD; daarvan { $listed } in dit rapport
 rows-report-without = { $count ->
     [one] 1 getoonde rij heeft geen oordeel en geen controle in dit rapport
    *[other] { $count } getoonde rijen hebben geen oordeel en geen controle in dit rapport

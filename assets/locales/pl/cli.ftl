@@ -53,7 +53,10 @@ cli-not-a-table = { $name } nie jest tabelą odchyłek
 cli-add-feature = { $error }: dodać --feature hole lub --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; jeśli takie pole tolerancji jest zamierzone, dodać --wide-zone
 cli-add-far-temperature = { $what }: { $error }; jeśli ta temperatura jest zamierzona, dodać --far-temperature
-cli-rework-or-scrap = { $asked }: { $measured } mm jest poza zakresem od { $minimum } do { $maximum } mm; czy to poprawka, czy brak, zależy od otworu lub wałka: dodać --feature hole lub --feature shaft
+cli-remark-rework-or-scrap = { $side ->
+    [above] { $asked }: { $um } µm powyżej maksimum; czy to poprawka, czy brak, zależy od otworu lub wałka: dodać --feature hole lub --feature shaft
+   *[below] { $asked }: { $um } µm poniżej minimum; czy to poprawka, czy brak, zależy od otworu lub wałka: dodać --feature hole lub --feature shaft
+}
 cli-parts-of-several = zmierzone części należą do jednego pasowania: podać jeden wymiar tolerowany
 cli-search-with-parts = szukanie nie przyjmuje zmierzonych części, materiałów ani temperatur
 cli-search-without-size = szukanie wymaga jednego wymiaru nominalnego, np. 25

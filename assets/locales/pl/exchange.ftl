@@ -164,7 +164,6 @@ exchange-undecided = tu niczego nie rozstrzygnięto: { $given }
 exchange-warning-other-rule = oceny w tym pliku mogą pochodzić z innej reguły decyzyjnej (kolumna rule_name): jego wartości są oceniane ponownie
 exchange-read = reszty pliku nie można odczytać: { $reason }
 exchange-too-large = większy niż { $most } MiB, limit dla plików tego formatu
-exchange-unjudged-no-feature = nie oceniono: granice to { $minimum } do { $maximum }, ale nie podano, czy to otwór, czy wałek, więc wartość poza nimi może być poprawką lub brakiem
 exchange-unjudged-one-limit = nie oceniono: brakuje jednej z dwóch granic
 exchange-unjudged-no-tolerance = nie oceniono: nie podano granic
 exchange-unjudged-rounded = nie oceniono: wydrukowane cyfry oznaczają dowolną wartość od { $from } do { $to }, a granica leży między nimi: drukować więcej miejsc po przecinku

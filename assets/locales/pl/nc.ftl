@@ -16,6 +16,7 @@ nc-workpiece = nie można zapisać detalu: { $reason }
 nc-own-column = { $class } nie należy do 47 klas NC-Solution 8255: { $table } dostaje dodatkową kolumnę
 nc-figure = { $what }
 nc-fewer-columns = limit kolumn iTNC 530: { $table } ma tylko klasy planu, { $classes }
+nc-by-hand = { $name }: żaden cykl nie mierzy elementu rodzaju { $kind }: nie ma go w zestawie
 nc-not-in-set = { $name }: plan podaje { $said }, ale zestaw tego nie używa: na sterowaniu decydują same granice, więc może ono podać DOBRY tam, gdzie fitcheck import nie poda
 nc-features = { $first } (i jeszcze { $more })
 nc-moved-nominal = { $name }: wymiar nominalny { $callout } jest poza granicami, co TNC7 odrzuca: { $parameter } to { $value } mm, a { $deviation } odnosi się do tego

@@ -1,6 +1,7 @@
 # Plans of features: what is wrong with one.
 
 plan-no-features = plan nie ma elementów
+plan-no-form-limit = { $text } nie jest granicą tolerancji kształtu lub położenia: podać jedną długość powyżej 0 w mm, na przykład 0.02
 plan-too-many = plan ma więcej niż { $most } { $most ->
         [one] element
         [few] elementy

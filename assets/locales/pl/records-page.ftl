@@ -171,6 +171,7 @@ records-page-reports-unread = Nie można odczytać raportów z tą kontrolą: { 
 records-page-report-unknown = { $name } został zapisany, ale dziennik go nie zna: { $why }
 records-page-callout = { $feature ->
     [hole] { $callout }, otwór
+    [neither] { $callout }, ani otwór, ani wałek
    *[shaft] { $callout }, wałek
 }
 records-page-distance = Od granic

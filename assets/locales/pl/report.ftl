@@ -27,9 +27,11 @@ report-ending-unknown = .{ $ending } nie jest formatem raportu: użyć jednego z
 ## Sentences about one check
 report-feature-hole = otwór
 report-feature-shaft = wałek
+report-feature-neither = ani otwór, ani wałek
 report-side-good = dobry
 report-side-rework = poprawka
 report-side-scrap = brak
+report-side-out = poza granicami
 report-side-too-small = za mały
 report-side-too-large = za duży
 report-source-instead = { $source }; ISO 286 podaje tu { $upper } i { $lower } µm

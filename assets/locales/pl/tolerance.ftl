@@ -71,6 +71,7 @@ status-good = DOBRY
 status-accepted = PRZYJĘTY
 status-rework = POPRAWKA
 status-re-measure = POWTÓRZYĆ
+status-out-of-limits = POZA GRANICAMI
 status-scrap = BRAK
 rule-simple = bez pasma ochronnego, granice należą do pola tolerancji
 rule-iso14253-2017 = ISO 14253-1:2017, zgodność 95 %, { $prover ->

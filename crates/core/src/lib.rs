@@ -27,7 +27,7 @@
 //! let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
 //! assert_eq!(limits.minimum().to_string(), "25");
 //! assert_eq!(limits.maximum().to_string(), "25.021");
-//! assert_eq!(limits.bounds().feature, Feature::Hole);
+//! assert_eq!(limits.feature, Some(Feature::Hole));
 //! assert_eq!(limits.source.to_string(), "ISO 286, over 18 up to 30 mm");
 //!
 //! // No class at this size is an error with a reason, never a guess.

@@ -55,8 +55,9 @@ fn add_up(limits: &Limits, nominal: Length) {
 
 fn borders(limits: &Limits) {
     let (small, large) = match limits.feature {
-        Feature::Hole => (Status::Rework, Status::Scrap),
-        Feature::Shaft => (Status::Scrap, Status::Rework),
+        Some(Feature::Hole) => (Status::Rework, Status::Scrap),
+        Some(Feature::Shaft) => (Status::Scrap, Status::Rework),
+        None => (Status::OutOfLimits, Status::OutOfLimits),
     };
     let (minimum, maximum) = (limits.minimum().nanometres(), limits.maximum().nanometres());
     for (measured, status) in

@@ -56,7 +56,7 @@ fn sizes_alone(bytes: &[u8], imported: &Imported) {
         let found: BTreeSet<_> = read.measured.iter().map(|size| (size.line, size.measured)).collect();
         for (line, record) in imported.lines.iter().zip(&imported.records) {
             let measured = record.measurement.diameter;
-            let is_size = record.limits.feature == feature && Length::ZERO < measured;
+            let is_size = record.limits.feature == Some(feature) && Length::ZERO < measured;
             assert!(!is_size || found.contains(&(*line, measured)), "line {line}: {measured}");
         }
         for error in read.errors.iter().take(3) {

@@ -84,7 +84,8 @@ fn result(machine: &mut Machine, callout: Callout, contacts: Contacts) -> Result
 }
 
 fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, diameter: Length) {
-    let workpiece = Workpiece::round(limits.feature, [40.0, 30.0], diameter.to_mm_f64());
+    let Some(feature) = limits.feature else { return };
+    let workpiece = Workpiece::round(feature, [40.0, 30.0], diameter.to_mm_f64());
     let simulation = Simulation::perfect(Surface::Round(workpiece, Plane::Xy));
     let position = ProbePosition {
         centre: [40_000, 30_000].map(Length::from_micrometres),
@@ -92,9 +93,9 @@ fn compare(machine: &mut Machine, callout: Callout, limits: &Limits, diameter: L
         clearance: Length::from_micrometres(2_000),
         ..ProbePosition::default()
     };
-    let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed: 1 };
+    let origin = Origin::Simulated { cycle: cycle_number(feature), seed: 1 };
     let mut prober = simulation.machine().expect("a workpiece");
-    let native = measure(limits, &position, &mut prober, origin);
+    let native = measure(feature, limits, &position, &mut prober, origin);
     let ran = result(machine, callout, Contacts::Workpiece(simulation.into()));
     match (native, ran) {
         (Ok((measurement, _)), Ok(())) => {

@@ -221,9 +221,6 @@ impl ImportRow {
                 error: Some(unjudged.why.to_string()),
                 ..row
             },
-            WhyUnjudged::NoFeature { minimum, maximum } => {
-                Self { minimum: Some(*minimum), maximum: Some(*maximum), error: Some(unjudged.why.to_string()), ..row }
-            }
             WhyUnjudged::NoCallout
             | WhyUnjudged::NotPositive { .. }
             | WhyUnjudged::OneLimit

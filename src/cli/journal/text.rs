@@ -10,7 +10,7 @@ use crate::journal::Record;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry, Reported};
 use crate::store::local::ListedEntry;
-use crate::tolerance::FigureWarning;
+use crate::tolerance::{Feature, FigureWarning};
 
 /// So many contacts are listed.
 const MOST_CONTACTS: usize = 100;
@@ -114,7 +114,8 @@ fn print_size(record: &Record, io: &mut Io<'_>) {
     let lower = limits.deviations.lower().signed_um();
     let minimum = mm(limits.minimum());
     let maximum = mm(limits.maximum());
-    line("limits", format_args!("{minimum} to {maximum} mm ({}, {lower} / {upper} µm)", limits.feature), io);
+    let feature = limits.feature.map_or("neither hole nor shaft", Feature::word);
+    line("limits", format_args!("{minimum} to {maximum} mm ({feature}, {lower} / {upper} µm)"), io);
     line("source", limits.source.with_difference(), io);
     line("measured", format_args!("{} mm", mm(measurement.diameter)), io);
     if let Some(correction) = &record.correction {

@@ -227,8 +227,8 @@ pub(super) fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     heading(ui, words.say(&message!("lot-title").text("name", &lot.name).count("rows", lot.rows)));
     ui.horizontal_wrapped(|ui| {
         for (status, count) in lot.counts() {
-            // Nothing is re-measured without a guard band, so a zero would only raise questions.
-            if status != Status::ReMeasure || 0 < count {
+            // A zero of what seldom comes would only raise questions.
+            if !status.is_rare() || 0 < count {
                 let word = words.told(&status);
                 let text = message!("lot-count").text("status", word).count("count", count);
                 chip_ui(ui, status, &words.say(&text));

@@ -125,8 +125,11 @@ fn feature_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     let row = UiBuilder::new().max_rect(rect).layout(Layout::left_to_right(Align::Center));
     // A child leaves the cursor of the panel where it is: below the value.
     let ui = &mut ui.new_child(row);
-    for feature in [Feature::Hole, Feature::Shaft] {
-        let chosen = view.session.check().feature() == Some(feature);
+    // A fit has one of the two; any other size may be neither.
+    let is_fit = view.session.check().asked.is_fit();
+    let choices = [Some(Feature::Hole), Some(Feature::Shaft), None];
+    for feature in choices.into_iter().filter(|feature| feature.is_some() || !is_fit) {
+        let chosen = view.session.check().feature() == feature && (feature.is_some() || !is_fit);
         let is_chosen = ui.radio(chosen, view.text(feature_id(feature))).clicked();
         if is_chosen && !ui.input(|input| input.key_pressed(Key::Enter)) {
             view.send(CheckCommand::ChooseFeature(feature));
@@ -140,7 +143,9 @@ fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits, names_feature: bool)
     if names_feature {
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = 0.0;
-            feature_picture(ui, limits.feature, space(6.0));
+            if let Some(feature) = limits.feature {
+                feature_picture(ui, feature, space(6.0));
+            }
             ui.label(view.text(feature_id(limits.feature)));
             quiet(ui, view.words.say(&message!("nominal-is").number("nominal", limits.nominal)));
         });

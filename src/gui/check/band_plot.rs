@@ -12,8 +12,8 @@ use crate::length::Length;
 use crate::message::message;
 use crate::report::band::{Band, GuardBand, Guarded, Marker, Side};
 use crate::session::CheckField;
+use crate::tolerance::Limits;
 use crate::tolerance::callout::Callout;
-use crate::tolerance::{Feature, Limits};
 use crate::verdict::Rule;
 use crate::verdict::Status;
 use crate::words::Words;
@@ -119,8 +119,8 @@ fn describe(words: &Words, limits: &Limits, record: Option<&Record>, band: &Band
     let zone = message!("band-describe")
         .text("lower", words.signed_um(limits.deviations.lower()))
         .text("upper", words.signed_um(limits.deviations.upper()))
-        .text("left", words.get(side_id(limits.feature, true)))
-        .text("right", words.get(side_id(limits.feature, false)));
+        .text("left", words.get(side_id(band.left)))
+        .text("right", words.get(side_id(band.right)));
     let mut text = words.say(&zone);
     if let Some(guard) = &band.guard {
         let um = |um: f64| words.number(&format!("{um}"));
@@ -142,10 +142,11 @@ fn describe(words: &Words, limits: &Limits, record: Option<&Record>, band: &Band
     text
 }
 
-const fn side_id(feature: Feature, left: bool) -> &'static str {
-    match (feature, left) {
-        (Feature::Hole, true) | (Feature::Shaft, false) => "side-rework",
-        (Feature::Hole, false) | (Feature::Shaft, true) => "side-scrap",
+const fn side_id(side: Side) -> &'static str {
+    match side {
+        Side::Rework => "side-rework",
+        Side::Scrap => "side-scrap",
+        Side::Out => "side-out",
     }
 }
 
@@ -334,9 +335,11 @@ impl Drawing<'_> {
 
     /// A side of the zone, hatched, with its name where that has room beside the marker.
     fn side(&self, rect: Rect, side: Side) {
-        let (id, hatch, colour) = match side {
-            Side::Rework => ("side-rework", Hatch::Single, self.palette.hatch_rework.0),
-            Side::Scrap => ("side-scrap", Hatch::Cross, self.palette.hatch_scrap.0),
+        let id = side_id(side);
+        let (hatch, colour) = match side {
+            Side::Rework => (Hatch::Single, self.palette.hatch_rework.0),
+            Side::Scrap => (Hatch::Cross, self.palette.hatch_scrap.0),
+            Side::Out => (Hatch::Cross, self.palette.hatch_out.0),
         };
         shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.2, colour));
         let galley = self.painter.layout_no_wrap(self.words.get(id), theme::bold(sizes().small), self.palette.text.0);

@@ -42,8 +42,8 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         }
         why_ui(ui, view, rows);
         for (fate, count) in rows.fates() {
-            // Nothing is re-measured without a guard band, so a zero would only raise questions.
-            if fate != RowFate::Judged(Status::ReMeasure) || 0 < count {
+            // A zero of what seldom comes would only raise questions.
+            if !fate.status().is_some_and(Status::is_rare) || 0 < count {
                 fate_ui(ui, view, rows, (fate, count));
             }
         }

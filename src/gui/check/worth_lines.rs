@@ -33,6 +33,7 @@ pub(super) fn advice(words: &Words, record: &Record) -> Option<(String, String)>
             let why = verdict.undecided.map(|why| words.told(&why));
             return Some((words.get("measure-again"), why.unwrap_or_else(|| words.get("measure-again-why"))));
         }
+        Status::OutOfLimits => ["out-of-limits", "out-of-limits-why"],
         Status::Scrap if verdict.size.status == Status::Scrap => ["set-aside", "set-aside-why"],
         Status::Scrap => ["set-aside", "set-aside-why-position"],
         Status::Good if verdict.is_beyond_limits() => ["beyond-limits", "beyond-limits-why"],
@@ -66,7 +67,7 @@ pub(in crate::gui) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
             reasons.push(words.say(&said));
             let wrong = match record.verdict.size.status {
                 Status::Good => Some(("why-wrong-good", 1.0 - found.within)),
-                Status::Rework | Status::Scrap => Some(("why-wrong-bad", found.within)),
+                Status::Rework | Status::OutOfLimits | Status::Scrap => Some(("why-wrong-bad", found.within)),
                 Status::ReMeasure => None,
             };
             reasons.extend(wrong.map(|(id, risk)| words.say(&Message::new(id).text("percent", percent(risk)))));

@@ -122,9 +122,9 @@ fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// Both parts' limits, where they come from, and the way to the check page.
 fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
-    for limits in [fit.hole(), fit.shaft()] {
-        let name = part_text(view, limits.feature);
-        let action = FitAction::CheckPart(limits.feature);
+    for (feature, limits) in fit.parts() {
+        let name = part_text(view, feature);
+        let action = FitAction::CheckPart(feature);
         // Where both have no room in one line the button goes below the name.
         let width =
             |text: String| ui.painter().layout_no_wrap(text, theme::bold(sizes().body), Color32::PLACEHOLDER).size().x;
@@ -132,7 +132,7 @@ fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
         let is_narrow = ui.available_width() < both + ui.spacing().button_padding.x * 2.0 + space(12.0);
         ui.horizontal(|ui| {
             ui.spacing_mut().interact_size.y = 0.0;
-            feature_picture(ui, limits.feature, space(6.0));
+            feature_picture(ui, feature, space(6.0));
             heading(ui, name);
             if !is_narrow {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| view.field_button(ui, action));
@@ -202,7 +202,7 @@ fn one_ui(ui: &mut Ui, view: &View<'_>, possible: &Possible) {
 
 /// A measured part and its own verdict: word, shape and colour.
 fn part_ui(ui: &mut Ui, view: &View<'_>, feature: Feature, measured: Length, status: Status) {
-    let part = view.text(feature_id(feature));
+    let part = view.text(feature_id(Some(feature)));
     let word = view.text(status_id(Some(status)));
     let said = format!("{part} {word}");
     ui.horizontal(|ui| {

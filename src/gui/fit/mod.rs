@@ -36,7 +36,7 @@ pub(super) const PAGE: PageView = PageView::of(Group::Design, Icon::Intersect, f
 /// A part and its class: `Hole H7`. What has been typed may not name a class yet.
 fn part_text(view: &View<'_>, part: Feature) -> String {
     let class = view.session.fit().seen().class(part).map_or_else(String::new, |class| class.to_string());
-    format!("{} {class}", view.text(feature_id(part)))
+    format!("{} {class}", view.text(feature_id(Some(part))))
 }
 
 /// What says that the fit in sight is an example.

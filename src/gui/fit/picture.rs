@@ -45,8 +45,8 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     let zero = words.say(&message!("fit-describe-zero").number("nominal", fit.nominal()));
     let mut said: Vec<String> =
         example_text(view).map(|example| format!("{example}.")).into_iter().chain([zero]).collect();
-    for (limits, zone) in [(fit.hole(), &picture.hole), (fit.shaft(), &picture.shaft)] {
-        said.push(describe_zone(view, limits));
+    for ((feature, limits), zone) in fit.parts().into_iter().zip([&picture.hole, &picture.shaft]) {
+        said.push(describe_zone(view, (feature, limits)));
         if zone.fundamental_um.is_some() {
             let upper = limits.deviations.upper();
             let lower = limits.deviations.lower();
@@ -57,11 +57,11 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     for (id, amount) in extremes(fit.minimum_clearance(), fit.maximum_clearance()) {
         said.push(format!("{} {} µm.", words.get(id), words.um(amount)));
     }
-    for limits in [fit.hole(), fit.shaft()] {
-        if let Some(measured) = view.session.fit().length(FitField::measured(limits.feature)) {
+    for (feature, limits) in fit.parts() {
+        if let Some(measured) = view.session.fit().length(FitField::measured(feature)) {
             let deviation = words.signed_um(measured.saturating_sub(limits.nominal));
             let message = message!("fit-describe-measured")
-                .text("part", words.get(feature_id(limits.feature)))
+                .text("part", words.get(feature_id(Some(feature))))
                 .text("deviation", deviation);
             said.push(words.say(&message));
         }
@@ -69,11 +69,11 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     said.join(" ")
 }
 
-fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
+fn describe_zone(view: &View<'_>, (feature, limits): (Feature, &Limits)) -> String {
     // What has been typed may not name a class yet.
-    let class = view.session.fit().seen().class(limits.feature).map_or_else(String::new, |class| class.to_string());
+    let class = view.session.fit().seen().class(feature).map_or_else(String::new, |class| class.to_string());
     let message = message!("fit-describe-zone")
-        .text("part", view.text(feature_id(limits.feature)))
+        .text("part", view.text(feature_id(Some(feature))))
         .text("class", class)
         .text("lower", view.words.signed_um(limits.deviations.lower()))
         .text("upper", view.words.signed_um(limits.deviations.upper()));
@@ -114,16 +114,19 @@ impl<'a> Drawing<'a> {
         let hole = Rangef::new(left, left + column);
         let shaft = Rangef::new(hole.max + space(4.0), hole.max + space(4.0) + column);
         let zero = self.y(0.0);
-        for (x, zone, limits) in [(hole, &self.picture.hole, fit.hole()), (shaft, &self.picture.shaft, fit.shaft())] {
-            self.zone(x, zone, limits.feature);
+        for (x, zone, feature) in
+            [(hole, &self.picture.hole, Feature::Hole), (shaft, &self.picture.shaft, Feature::Shaft)]
+        {
+            self.zone(x, zone, feature);
         }
         self.painter.hline(self.body.x_range(), zero, Stroke::new(2.0, self.ink));
         self.arrows(fit, hole, Rangef::new(shaft.max + space(15.0), self.body.right()));
-        for (x, zone, limits) in [(hole, &self.picture.hole, fit.hole()), (shaft, &self.picture.shaft, fit.shaft())] {
+        for ((x, zone), part) in [(hole, &self.picture.hole), (shaft, &self.picture.shaft)].into_iter().zip(fit.parts())
+        {
             self.fundamental(x, zone, zero);
-            self.edges(x, zone, limits);
-            self.mark(x, zone, limits);
-            self.name(x, limits);
+            self.edges(x, zone, part);
+            self.mark(x, zone, part);
+            self.name(x, part.0);
         }
         let nominal = format!("{} mm", self.words.number(&fit.nominal().to_string()));
         // On the side of the line away from the last arrow, that of the parts or of the smallest clearance.
@@ -175,13 +178,13 @@ impl<'a> Drawing<'a> {
     }
 
     /// Both limit deviations beside the zone, the fundamental one bolder; pushed apart where they would touch.
-    fn edges(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
+    fn edges(&self, x: Rangef, zone: &PictureZone, (feature, limits): (Feature, &Limits)) {
         let mut top = self.y(zone.upper_um);
         let mut bottom = self.y(zone.lower_um);
         let lacking = (LINE - (bottom - top)).max(0.0) / 2.0;
         top -= lacking;
         bottom += lacking;
-        let (at, anchor, names) = match limits.feature {
+        let (at, anchor, names) = match feature {
             Feature::Hole => (x.min - space(2.0), Align2::RIGHT_CENTER, ["ES", "EI"]),
             Feature::Shaft => (x.max + space(2.0), Align2::LEFT_CENTER, ["es", "ei"]),
         };
@@ -196,14 +199,14 @@ impl<'a> Drawing<'a> {
     }
 
     /// A measured part across its zone, or an arrow at the edge that it is beyond; always with its deviation.
-    fn mark(&self, x: Rangef, zone: &PictureZone, limits: &Limits) {
-        let measured = self.view.session.fit().length(FitField::measured(limits.feature));
+    fn mark(&self, x: Rangef, zone: &PictureZone, (feature, limits): (Feature, &Limits)) {
+        let measured = self.view.session.fit().length(FitField::measured(feature));
         let (Some(mark), Some(measured)) = (zone.mark, measured) else { return };
         let text = self.words.signed_um(measured.saturating_sub(limits.nominal));
         let colour = self.ink;
         let font = theme::bold(sizes().body);
         // Towards the other zone: the limit deviations are on the outer side.
-        let (side, beside) = match limits.feature {
+        let (side, beside) = match feature {
             Feature::Hole => (10.0, Align2::LEFT_CENTER),
             Feature::Shaft => (-10.0, Align2::RIGHT_CENTER),
         };
@@ -232,8 +235,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    fn name(&self, x: Rangef, limits: &Limits) {
-        self.below(x.center(), &part_text(self.view, limits.feature), x.span() + space(4.0));
+    fn name(&self, x: Rangef, feature: Feature) {
+        self.below(x.center(), &part_text(self.view, feature), x.span() + space(4.0));
     }
 
     /// A name below the picture, on two lines where it is long; none where one of its words has no room: the answer names

@@ -83,10 +83,10 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.text("operator-hole-or-shaft"));
         ui.horizontal(|ui| {
             for feature in [Feature::Hole, Feature::Shaft] {
-                let button =
-                    eframe::egui::Button::new(view.text(feature_id(feature))).min_size(vec2(space(24.0), control(ui)));
+                let button = eframe::egui::Button::new(view.text(feature_id(Some(feature))))
+                    .min_size(vec2(space(24.0), control(ui)));
                 if ui.add(button).clicked() {
-                    view.send(CheckCommand::ChooseFeature(feature));
+                    view.send(CheckCommand::ChooseFeature(Some(feature)));
                 }
             }
         });

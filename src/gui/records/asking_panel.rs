@@ -68,7 +68,7 @@ fn named(view: &View<'_>, filter: &Filter) -> (String, String) {
         return (view.text("records-page-not-good"), String::new());
     }
     let status = |word: &str| {
-        let status = Status::ALL.into_iter().find(|status| status.word().eq_ignore_ascii_case(word.trim()));
+        let status = Status::ALL.into_iter().find(|status| status.key().eq_ignore_ascii_case(word.trim()));
         status.map_or_else(|| word.to_owned(), |status| view.words.told(&status))
     };
     match filter.key {

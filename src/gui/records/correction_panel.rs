@@ -118,7 +118,7 @@ fn callout_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     if view.session.records().corrected_callout().is_some_and(|callout| callout.feature().is_none()) {
         ui.horizontal(|ui| {
             for feature in [Feature::Hole, Feature::Shaft] {
-                if ui.radio(form.feature == Some(feature), view.text(feature_id(feature))).clicked() {
+                if ui.radio(form.feature == Some(feature), view.text(feature_id(Some(feature)))).clicked() {
                     view.send(RecordsCommand::ChooseFeature(feature));
                 }
             }

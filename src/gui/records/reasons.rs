@@ -108,8 +108,9 @@ fn size(view: &View<'_>, record: &Record, lines: &mut Vec<Line>) {
     let limits = format!("{} … {} mm", words.mm(bounds.minimum(), 3), words.mm(bounds.maximum(), 3));
     let callout = message!("records-page-callout").text("callout", crate::journal::query::callout(record));
     let feature = match record.limits.feature {
-        Feature::Hole => "hole",
-        Feature::Shaft => "shaft",
+        Some(Feature::Hole) => "hole",
+        Some(Feature::Shaft) => "shaft",
+        None => "neither",
     };
     lines.push(named("head-callout", words.say(&callout.text("feature", feature))));
     lines.push(named("records-page-limits", limits));

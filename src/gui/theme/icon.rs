@@ -49,6 +49,7 @@ icons! {
     ArrowRight = '\u{e06c}'
     ArrowUUpLeft = '\u{e08a}'
     ArrowUUpRight = '\u{e08c}'
+    ArrowsVertical = '\u{eb04}'
     Backspace = '\u{e0ae}'
     Bell = '\u{e0ce}'
     Buildings = '\u{e102}'

@@ -43,16 +43,19 @@ fn every_text_has_contrast_enough() {
             ("on rework", palette.on_rework, palette.rework, 7.0),
             ("on scrap", palette.on_scrap, palette.scrap, 7.0),
             ("on re-measure", palette.on_re_measure, palette.re_measure, 7.0),
+            ("on out of limits", palette.on_out_of_limits, palette.out_of_limits, 7.0),
             ("on pale good", palette.on_pale, palette.pale_good, 7.0),
             ("on pale rework", palette.on_pale, palette.pale_rework, 7.0),
             ("on pale scrap", palette.on_pale, palette.pale_scrap, 7.0),
             ("on pale re-measure", palette.on_pale, palette.pale_re_measure, 7.0),
+            ("on pale out of limits", palette.on_pale, palette.pale_out_of_limits, 7.0),
             ("on none", palette.on_none, palette.none, 7.0),
             ("zone edge", palette.zone_edge, palette.zone, 7.0),
             ("text on hole zone", palette.text, palette.hole, 7.0),
             ("text on shaft zone", palette.text, palette.shaft, 7.0),
             ("hatch of rework", palette.hatch_rework, palette.surface, 3.0),
             ("hatch of scrap", palette.hatch_scrap, palette.surface, 3.0),
+            ("hatch of what is open", palette.hatch_out, palette.surface, 3.0),
             ("on toast", palette.on_toast, palette.toast, 7.0),
         ] {
             assert!(least <= contrast(text, ground), "{name}: {:.2}", contrast(text, ground));
@@ -70,7 +73,7 @@ fn verdicts_are_told_apart_in_greyscale() {
         // In the dark good and scrap are close: glyph, word and outline tell them apart.
         let mut fills = vec![palette.good, palette.rework, palette.re_measure];
         if palette != &TOKENS.dark {
-            fills.push(palette.scrap);
+            fills.extend([palette.scrap, palette.out_of_limits]);
         }
         for (number, one) in fills.iter().enumerate() {
             for other in fills.iter().take(number) {
@@ -88,6 +91,7 @@ fn a_simulated_verdict_is_told_apart_from_a_measured_one_in_greyscale() {
             (palette.rework, palette.pale_rework),
             (palette.scrap, palette.pale_scrap),
             (palette.re_measure, palette.pale_re_measure),
+            (palette.out_of_limits, palette.pale_out_of_limits),
         ] {
             let is = contrast(measured, simulated);
             assert!(1.15 <= is, "{measured:?} {simulated:?}: {is:.2}");

@@ -62,6 +62,8 @@ palette! {
     on_scrap
     re_measure
     on_re_measure
+    out_of_limits
+    on_out_of_limits
     /// No result.
     none
     on_none
@@ -73,6 +75,8 @@ palette! {
     pale_scrap
     /// RE-MEASURE, simulated.
     pale_re_measure
+    /// OUT OF LIMITS, simulated.
+    pale_out_of_limits
     /// Text on a simulated verdict.
     on_pale
     /// The tolerance zone in the limit band.
@@ -83,6 +87,8 @@ palette! {
     hatch_rework
     /// Hatching of the scrap side.
     hatch_scrap
+    /// Hatching of a side where neither is known.
+    hatch_out
     /// The hole's zone in the picture of a fit.
     hole
     /// The shaft's.
@@ -102,6 +108,7 @@ impl Palette {
             Some(Status::Rework) => (self.rework.0, self.on_rework.0),
             Some(Status::Scrap) => (self.scrap.0, self.on_scrap.0),
             Some(Status::ReMeasure) => (self.re_measure.0, self.on_re_measure.0),
+            Some(Status::OutOfLimits) => (self.out_of_limits.0, self.on_out_of_limits.0),
             None => (self.none.0, self.on_none.0),
         }
     }
@@ -113,6 +120,7 @@ impl Palette {
             Some(Status::Rework) => self.pale_rework,
             Some(Status::Scrap) => self.pale_scrap,
             Some(Status::ReMeasure) => self.pale_re_measure,
+            Some(Status::OutOfLimits) => self.pale_out_of_limits,
             None => return self.of_status(None),
         };
         (fill.0, self.on_pale.0)

@@ -15,11 +15,11 @@ fn check(message: &Message, english: &str, dutch: &str) {
 #[test]
 fn english_words_are_those_of_the_machine_readable_files() {
     let words = Words::new(Language::En);
-    for each in [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap] {
+    for each in Status::ALL {
         assert_eq!(words.told(&each), each.word());
     }
     for each in [Feature::Hole, Feature::Shaft] {
-        assert_eq!(words.say(&feature(each)), each.word());
+        assert_eq!(words.say(&feature(Some(each))), each.word());
     }
 }
 

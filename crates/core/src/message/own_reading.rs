@@ -20,11 +20,12 @@ const MOST_GUESSED: usize = 100;
 const PROPERTIES: [&str; 2] = ["language-name", "language-decimal-sign"];
 
 /// The words of verdicts, line by line those that mean the same. No word of one line may be one of another line.
-const VERDICTS: [&[&str]; 11] = [
+const VERDICTS: [&[&str]; 12] = [
     &["status-good", "report-side-good"],
     &["status-accepted", "guard-band-beyond"],
     &["status-rework", "report-side-rework", "side-rework", "found-rework"],
     &["status-re-measure", "guard-band"],
+    &["status-out-of-limits", "report-side-out", "side-out"],
     &["status-scrap", "report-side-scrap", "side-scrap", "found-scrap"],
     &["rows-not-judged", "cycles-word-no-verdict"],
     &["cycles-word-stopped", "parts-page-balloon-open", "report-position-unknown", "walk-page-open"],

@@ -24,6 +24,24 @@ const DIAMETERS: [(&str, Feature); 6] = [
     ("as", Feature::Shaft),
 ];
 
+/// Words that say what no cycle measures, and the kind that they are of.
+const BY_HAND: [(&str, &str); 14] = [
+    ("distance", "length"),
+    ("depth", "length"),
+    ("height", "length"),
+    ("thickness", "length"),
+    ("radius", "length"),
+    ("flatness", "form"),
+    ("straightness", "form"),
+    ("roundness", "form"),
+    ("cylindricity", "form"),
+    ("parallelism", "form"),
+    ("perpendicularity", "form"),
+    ("position", "form"),
+    ("concentricity", "form"),
+    ("runout", "form"),
+];
+
 /// The most characters of a cell that an error repeats.
 const LONGEST: usize = 80;
 
@@ -65,7 +83,9 @@ impl KindCells<'_> {
     pub(super) fn read_all(&self) -> (Option<FeatureKind>, Vec<CellFault>) {
         let word = self.kind.unwrap_or("diameter");
         let mut faults = Vec::new();
-        if let Some(word) = FeatureKind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
+        let of_hand = BY_HAND.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(word)).map(|(_, kind)| kind);
+        let known = FeatureKind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word));
+        if let Some(word) = known.or(of_hand) {
             return (self.of_kind(word, &mut faults), faults);
         }
         if let Some(side) = side_of(word) {
@@ -90,7 +110,7 @@ impl KindCells<'_> {
         let is_point = word == "point";
         for (column, given, is_of) in [
             (Column::SecondCallout, self.second, is_rectangle),
-            (Column::Axis, self.axis, !is_rectangle && word != "diameter"),
+            (Column::Axis, self.axis, ["width", "face", "point"].contains(&word)),
         ] {
             if given.is_some() && !is_of {
                 faults.push((column, PlanFault::NotOf { column: column.key(), kind: word }));
@@ -135,6 +155,8 @@ impl KindCells<'_> {
                 let sides = [first?, second?];
                 Some(if word == "boss" { FeatureKind::Boss(sides) } else { FeatureKind::Pocket(sides) })
             }
+            "length" => Some(FeatureKind::Length(first(faults)?)),
+            "form" => Some(FeatureKind::Form(kept(faults, Column::Callout, most(self.callout))?)),
             _ => Some(FeatureKind::Diameter(first(faults)?)),
         }
     }
@@ -184,6 +206,12 @@ fn point_band(text: &str) -> Result<Deviations, PlanFault> {
     band(text).map_err(|error| PlanFault::NoBand { text: shortened(text), error: Box::new(error) })
 }
 
+/// The one limit of a form or location tolerance: a length above 0.
+fn most(text: &str) -> Result<Length, PlanFault> {
+    let read = text.trim().parse::<Length>().ok().filter(|most| Length::ZERO < *most);
+    read.ok_or_else(|| PlanFault::NoFormLimit { text: shortened(text) })
+}
+
 /// `+X` to `-Z`, also with a true minus.
 fn towards(text: &str) -> Option<Towards> {
     let at = at(&DIRECTIONS, &text.replace('\u{2212}', "-"))?;
@@ -203,7 +231,7 @@ fn direction(text: &str) -> Option<Direction> {
 /// What the cells of a kind say together: letters, band and coordinate go with it.
 pub(super) fn check_kind(kind: &FeatureKind, place: [Option<Length>; 3]) -> Vec<CellFault> {
     let fault = match kind {
-        FeatureKind::Diameter(_) | FeatureKind::Width(..) => None,
+        FeatureKind::Diameter(_) | FeatureKind::Width(..) | FeatureKind::Length(_) | FeatureKind::Form(_) => None,
         FeatureKind::Face(callout, towards) => check_face(*callout, *towards, place),
         FeatureKind::Pocket(sides) => return check_sides(kind, *sides, Feature::Hole, "H7"),
         FeatureKind::Boss(sides) => return check_sides(kind, *sides, Feature::Shaft, "h7"),

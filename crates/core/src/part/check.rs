@@ -14,7 +14,7 @@ use super::spot::{Finding, Spot};
 use super::values::{beginning, in_range, material, plain_text, rule, travel};
 use crate::length::{Length, LengthError};
 use crate::probing::cycle::{Angle, Axis, Cycle, Inputs, Meaning, number};
-use crate::tolerance::{Feature, Limits, Source, Sources, Tolerance};
+use crate::tolerance::{Deviations, Feature, Limits, Source, Sources, Tolerance};
 use crate::verdict::Rule;
 
 /// The most characters of a name or a number.
@@ -186,10 +186,13 @@ impl Reader<'_> {
         let limits = kind.as_ref().filter(|kind| check_kind(kind, place).is_empty());
         let limits = limits.and_then(|kind| self.limits(kind, side));
         // Whether a hole or a shaft is measured may be known without limits; where it is not, no cycle is the wrong one.
-        let first = limits.as_ref().and_then(|limits| Some(limits.first()?.feature));
+        let first = limits.as_ref().and_then(|limits| limits.first()?.feature);
         let letters = kind.as_ref().and_then(|kind| kind.callouts().first()?.feature());
         let feature = first.or(letters).or(side);
-        let cycle = self.cycle(kind.as_ref().filter(|_kind| feature.is_some()), feature.unwrap_or(Feature::Shaft));
+        let cycle = self.cycle(
+            kind.as_ref().filter(|kind| feature.is_some() || kind.is_by_hand()),
+            feature.unwrap_or(Feature::Shaft),
+        );
         let parameters = self.parameters(cycle);
         let material = self.material();
         let rule = self.rule();
@@ -319,6 +322,12 @@ impl Reader<'_> {
             self.take(Column::Callout, in_proportion)?;
             return Some(Limits::new(Feature::Shaft, Length::ZERO, *band, Source::Callout).into_iter().collect());
         }
+        if let FeatureKind::Form(most) = kind {
+            let band = Deviations::new(*most, Length::ZERO).ok();
+            return Some(
+                band.and_then(|band| Limits::new(None, Length::ZERO, band, Source::Callout)).into_iter().collect(),
+            );
+        }
         // A face is judged as an outside dimension; a pocket has sides inside, a boss outside.
         let side = match kind {
             FeatureKind::Face(..) | FeatureKind::Boss(_) => side.or(Some(Feature::Shaft)),
@@ -332,14 +341,15 @@ impl Reader<'_> {
             } else {
                 let limits = match kind {
                     FeatureKind::Face(..) => self.sources.coordinate_limits(&callout, side),
-                    _ => self.sources.limits(&callout, side),
+                    FeatureKind::Length(_) => self.sources.limits(&callout, side),
+                    _ => self.sources.feature_limits(&callout, side),
                 };
                 limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })
             };
             let Some(limits) = self.take(column, limits) else { continue };
             // Far below a millimetre a class can reach below 0, which no cycle accepts.
             let range = in_range(Meaning::MinimumDiameter, &limits.minimum());
-            if !matches!(kind, FeatureKind::Face(..)) {
+            if !matches!(kind, FeatureKind::Face(..) | FeatureKind::Length(_)) {
                 self.take(column, range);
             }
             all.push(limits);

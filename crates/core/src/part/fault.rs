@@ -17,6 +17,11 @@ pub type PlanError = Located<PlanFault>;
 pub enum PlanFault {
     /// There is nothing to measure.
     NoFeatures,
+    /// A form or location tolerance without its one limit.
+    NoFormLimit {
+        /// What stands in its place.
+        text: String,
+    },
     /// More features than a plan can have.
     TooMany {
         /// What is allowed.

@@ -2,6 +2,7 @@
 //!
 //! A kind holds the callouts of its sides, so that none has a tolerance that it cannot have. `cells` reads it from a plan.
 
+use crate::length::Length;
 use crate::probing::cycle::{Axis, Control, Cycle, Value};
 use crate::probing::cycles::cycles_of;
 use crate::probing::simulated::Shape;
@@ -23,6 +24,10 @@ pub enum FeatureKind {
     Boss([Callout; 2]),
     /// How far a surface lies from its nominal place, along its normal; plus is out of the material.
     Point(Deviations, Direction),
+    /// A length that no cycle measures: a distance, a depth, a radius. It is measured by hand or comes from a file.
+    Length(Callout),
+    /// A form or location tolerance with its one limit, such as a flatness: 0 up to and including this. It comes as a length does.
+    Form(Length),
 }
 
 /// The axis across the walls of a slot or ridge.
@@ -94,20 +99,24 @@ impl Direction {
 }
 
 impl FeatureKind {
-    /// The callouts of its sizes, with their classes: two of a pocket or boss, none of a point.
+    /// The callouts of its sizes, with their classes: two of a pocket or boss, none of a point or a form.
     pub fn callouts(&self) -> Vec<Callout> {
         match self {
-            Self::Diameter(callout) | Self::Width(callout, _) | Self::Face(callout, _) => vec![*callout],
+            Self::Diameter(callout) | Self::Width(callout, _) | Self::Face(callout, _) | Self::Length(callout) => {
+                vec![*callout]
+            }
             Self::Pocket(sides) | Self::Boss(sides) => sides.to_vec(),
-            Self::Point(..) => Vec::new(),
+            Self::Point(..) | Self::Form(_) => Vec::new(),
         }
     }
 
     /// What it asks for, as programs and pages have it: `25 H7`, `40 H7 x 25 H8`; the band of a point as the cycle takes
-    /// it, `0.1-0.05`.
+    /// it, `0.1-0.05`; the limit of a form.
     pub fn asked(&self) -> String {
-        if let Self::Point(band, _) = self {
-            return band_text(*band);
+        match self {
+            Self::Point(band, _) => return band_text(*band),
+            Self::Form(most) => return most.to_string(),
+            _ => {}
         }
         self.callouts().iter().map(ToString::to_string).collect::<Vec<_>>().join(" x ")
     }
@@ -121,12 +130,19 @@ impl FeatureKind {
             Self::Pocket(_) => "pocket",
             Self::Boss(_) => "boss",
             Self::Point(..) => "point",
+            Self::Length(_) => "length",
+            Self::Form(_) => "form",
         }
     }
 
-    /// The shape of a feature of this kind that is a hole or a shaft.
-    pub const fn shape(&self, feature: Feature) -> Shape {
-        match (self, feature) {
+    /// Whether no cycle measures it.
+    pub const fn is_by_hand(&self) -> bool {
+        matches!(self, Self::Length(_) | Self::Form(_))
+    }
+
+    /// The shape of a feature of this kind that is a hole or a shaft; `None` of what no cycle measures.
+    pub const fn shape(&self, feature: Feature) -> Option<Shape> {
+        Some(match (self, feature) {
             (Self::Diameter(_), Feature::Hole) => Shape::Hole,
             (Self::Diameter(_), Feature::Shaft) => Shape::Stud,
             (Self::Width(..), Feature::Hole) => Shape::Slot,
@@ -135,24 +151,30 @@ impl FeatureKind {
             (Self::Pocket(_), _) => Shape::Pocket,
             (Self::Boss(_), _) => Shape::Boss,
             (Self::Point(..), _) => Shape::Point,
-        }
+            (Self::Length(_) | Self::Form(_), _) => return None,
+        })
     }
 
     /// The usual cycle that measures it on a milling machine.
     pub fn cycle(&self, feature: Feature) -> Option<&'static Cycle> {
-        cycles_of(Control::Milling).find(|cycle| cycle.shape() == self.shape(feature))
+        cycles_of(Control::Milling).find(|cycle| Some(cycle.shape()) == self.shape(feature))
     }
 
     /// What is added to a feature's name for each of its sizes: nothing where it has one.
     pub const fn sides(&self) -> &'static [&'static str] {
         match self {
             Self::Pocket(_) | Self::Boss(_) => &["X", "Y"],
-            Self::Diameter(_) | Self::Width(..) | Self::Face(..) | Self::Point(..) => &[""],
+            Self::Diameter(_)
+            | Self::Width(..)
+            | Self::Face(..)
+            | Self::Point(..)
+            | Self::Length(_)
+            | Self::Form(_) => &[""],
         }
     }
 
     /// The names of all kinds in a plan.
-    pub const WORDS: [&'static str; 6] = ["diameter", "width", "face", "pocket", "boss", "point"];
+    pub const WORDS: [&'static str; 8] = ["diameter", "width", "face", "pocket", "boss", "point", "length", "form"];
 }
 
 /// A band as the cycle takes it.

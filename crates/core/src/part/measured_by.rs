@@ -14,7 +14,10 @@ pub(super) fn cycle(
     feature: Feature,
 ) -> Result<Option<&'static Cycle>, PlanFault> {
     let Some(text) = text else { return Ok(kind.and_then(|kind| kind.cycle(feature))) };
-    let shape = kind.map(|kind| kind.shape(feature));
+    if let Some(kind) = kind.filter(|kind| kind.is_by_hand()) {
+        return Err(PlanFault::NotOf { column: "cycle", kind: kind.word() });
+    }
+    let shape = kind.and_then(|kind| kind.shape(feature));
     let fits = |cycle: &&'static Cycle| shape.is_none_or(|shape| cycle.shape() == shape);
     let milling = || cycles_of(Control::Milling).filter(fits);
     let found = cycle_named(text).filter(|cycle| milling().any(|known| known.code == cycle.code));

@@ -113,9 +113,9 @@ impl PlanFeature {
         sides.map(move |(side, limits)| Size { feature: self, side, callout: callouts.get(side).copied(), limits })
     }
 
-    /// Whether it is a hole or a shaft; a face and a point count as outside dimensions.
-    pub fn feature(&self) -> Feature {
-        self.limits.first().map_or(Feature::Shaft, |limits| limits.feature)
+    /// Whether it is a hole or a shaft; a face and a point count as outside dimensions. `None` of a length or form of which nobody says it.
+    pub fn feature(&self) -> Option<Feature> {
+        self.limits.first()?.feature
     }
 }
 

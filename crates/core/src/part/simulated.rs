@@ -81,7 +81,7 @@ impl PlanFeature {
                 self.direction(parameter.meaning)
             }
             // As the built-in program moves: over a shaft, along the walls of a hole.
-            Meaning::MoveToClearance => Some(if self.feature() == Feature::Shaft { "1" } else { "0" }.to_owned()),
+            Meaning::MoveToClearance => Some(if self.feature() == Some(Feature::Shaft) { "1" } else { "0" }.to_owned()),
             Meaning::Shift | Meaning::Log | Meaning::Stop | Meaning::StopOnUndersize | Meaning::CentreTolerance(_) => {
                 Some("0".to_owned())
             }

@@ -32,7 +32,7 @@ impl PlanFeature {
 fn part_of(feature: &PlanFeature, place: [Length; 3]) -> Option<PartFeature> {
     let [x, y, z] = place.map(Length::to_mm_f64);
     let (limits, more) = feature.limits.split_first()?;
-    let round = limits.feature;
+    let round = limits.feature?;
     let middle = limits.middle().to_mm_f64();
     let second = more.first().map(|limits| limits.middle().to_mm_f64());
     let walls = |angle| Surface::Walls(Walls { angle, ..Walls::new(round, [x, y], (middle, second)) });
@@ -49,13 +49,16 @@ fn part_of(feature: &PlanFeature, place: [Length; 3]) -> Option<PartFeature> {
         FeatureKind::Point(_, direction) => {
             Surface::Point(FreePoint { deviation: middle, ..FreePoint::flat([x, y, z], direction.normal()) })
         }
+        FeatureKind::Length(_) | FeatureKind::Form(_) => return None,
     };
     let usual = Extent::usual(&surface);
     let top = if z < 0.0 { usual.top } else { f64::midpoint(z, feature.clearance_height.to_mm_f64()) };
     let extent = match feature.kind {
         FeatureKind::Diameter(_) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Extent { top, ..usual },
         FeatureKind::Width(..) => Extent { top, length: middle.max(SHORTEST), ..usual },
-        FeatureKind::Face(..) | FeatureKind::Point(..) => Extent { reach: REACH, ..usual },
+        FeatureKind::Face(..) | FeatureKind::Point(..) | FeatureKind::Length(_) | FeatureKind::Form(_) => {
+            Extent { reach: REACH, ..usual }
+        }
     };
     Some(PartFeature { name: feature.name.clone(), surface, extent })
 }

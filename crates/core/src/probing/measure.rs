@@ -35,12 +35,13 @@ pub const fn cycle_number(feature: Feature) -> u16 {
 /// # Errors
 /// [`CycleError`] for a parameter out of range, a missed contact, or contacts that do not make a circle.
 pub fn measure(
+    feature: Feature,
     limits: &Limits,
     position: &ProbePosition,
     prober: &mut dyn Prober,
     origin: Origin,
 ) -> Result<(Measurement, PositionVerdict), CycleError> {
-    let cycle = measuring(limits.feature);
+    let cycle = measuring(feature);
     let [x, y] = position.centre;
     // The program sets no longest path: the probe moves until it meets something.
     let probe = TouchProbe { longest_path: Length::MAX, ..TouchProbe::default() };

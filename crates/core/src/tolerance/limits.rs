@@ -119,8 +119,8 @@ impl Say for Source {
 /// The sizes that a verdict needs, without where they come from. The maximum is never below the minimum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Bounds {
-    /// Hole or shaft.
-    pub feature: Feature,
+    /// Hole or shaft; `None` where nobody has said which, or where it is neither.
+    pub feature: Option<Feature>,
     /// Nominal size.
     pub nominal: Length,
     maximum: Length,
@@ -130,7 +130,8 @@ pub struct Bounds {
 impl Bounds {
     /// Bounds from a nominal size and deviations. `None` where a limit would lie beyond [`Length::MAX`].
     #[inline]
-    pub fn new(feature: Feature, nominal: Length, deviations: Deviations) -> Option<Self> {
+    pub fn new(feature: impl Into<Option<Feature>>, nominal: Length, deviations: Deviations) -> Option<Self> {
+        let feature = feature.into();
         let maximum = nominal.checked_add(deviations.upper())?;
         let minimum = nominal.checked_add(deviations.lower())?;
         Some(Self { feature, nominal, maximum, minimum })
@@ -156,8 +157,8 @@ impl Bounds {
 /// Limits of size: what a measured part is judged by. The maximum is never below the minimum.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Limits {
-    /// Hole or shaft.
-    pub feature: Feature,
+    /// Hole or shaft; `None` where nobody has said which, or where it is neither, as a distance or a depth is.
+    pub feature: Option<Feature>,
     /// Nominal size.
     pub nominal: Length,
     /// Deviations from the nominal size.
@@ -172,8 +173,13 @@ impl Limits {
     /// Limits from a nominal size and deviations: like Q23 and Q33 of program 82551 (LBL 99), but exact.
     ///
     /// `None` where a limit would lie beyond [`Length::MAX`].
-    pub fn new(feature: Feature, nominal: Length, deviations: Deviations, source: Source) -> Option<Self> {
-        let Bounds { maximum, minimum, .. } = Bounds::new(feature, nominal, deviations)?;
+    pub fn new(
+        feature: impl Into<Option<Feature>>,
+        nominal: Length,
+        deviations: Deviations,
+        source: Source,
+    ) -> Option<Self> {
+        let Bounds { feature, maximum, minimum, .. } = Bounds::new(feature, nominal, deviations)?;
         Some(Self { feature, nominal, deviations, source, maximum, minimum })
     }
 

@@ -31,6 +31,9 @@ pub enum Status {
     /// Nothing is decided: the value lies within a guard band of the rule.
     #[serde(rename = "RE-MEASURE")]
     ReMeasure,
+    /// Outside, and nobody has said hole or shaft: whether material can still be taken off is open.
+    #[serde(rename = "OUT OF LIMITS")]
+    OutOfLimits,
     /// Outside, and material cannot be put back.
     #[serde(rename = "SCRAP")]
     Scrap,
@@ -38,7 +41,7 @@ pub enum Status {
 
 impl Status {
     /// Every status, best first.
-    pub const ALL: [Self; 4] = [Self::Good, Self::Rework, Self::ReMeasure, Self::Scrap];
+    pub const ALL: [Self; 5] = [Self::Good, Self::Rework, Self::ReMeasure, Self::OutOfLimits, Self::Scrap];
 
     /// Its place in [`Status::ALL`].
     #[inline]
@@ -47,7 +50,24 @@ impl Status {
             Self::Good => 0,
             Self::Rework => 1,
             Self::ReMeasure => 2,
-            Self::Scrap => 3,
+            Self::OutOfLimits => 3,
+            Self::Scrap => 4,
+        }
+    }
+
+    /// Whether most sets of values have none: one between guard bands, or one that is neither hole nor shaft.
+    pub const fn is_rare(self) -> bool {
+        matches!(self, Self::ReMeasure | Self::OutOfLimits)
+    }
+
+    /// The word as questions have it: in small letters and without blanks.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Good => "good",
+            Self::Rework => "rework",
+            Self::ReMeasure => "re-measure",
+            Self::OutOfLimits => "out-of-limits",
+            Self::Scrap => "scrap",
         }
     }
 
@@ -57,6 +77,7 @@ impl Status {
             Self::Good => "GOOD",
             Self::Rework => "REWORK",
             Self::ReMeasure => "RE-MEASURE",
+            Self::OutOfLimits => "OUT OF LIMITS",
             Self::Scrap => "SCRAP",
         }
     }
@@ -74,7 +95,7 @@ pub struct Removal {
 /// What the size alone says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SizeVerdict {
-    /// Good, rework or scrap.
+    /// Good, rework or scrap; out of limits where nobody has said hole or shaft.
     pub status: Status,
     /// Measured minus nominal size.
     pub deviation: Length,
@@ -200,15 +221,17 @@ fn thousandths(number: &u32) -> Arg {
     printed(&rules::thousandths(*number))
 }
 
-/// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap.
+/// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap. What is neither hole nor shaft is
+/// out of limits on either side.
 #[inline]
-pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Length) -> Status {
+pub fn classify(feature: Option<Feature>, minimum: Length, maximum: Length, measured: Length) -> Status {
     let too_small = measured < minimum;
     let too_large = maximum < measured;
     match (feature, too_small, too_large) {
         (_, false, false) => Status::Good,
-        (Feature::Hole, true, _) | (Feature::Shaft, _, true) => Status::Rework,
-        (Feature::Hole, _, true) | (Feature::Shaft, true, _) => Status::Scrap,
+        (Some(Feature::Hole), true, _) | (Some(Feature::Shaft), _, true) => Status::Rework,
+        (Some(Feature::Hole), _, true) | (Some(Feature::Shaft), true, _) => Status::Scrap,
+        (None, ..) => Status::OutOfLimits,
     }
 }
 
@@ -241,14 +264,15 @@ pub fn judge_bounds(bounds: &Bounds, measured: Length) -> SizeVerdict {
 pub fn verdict_of(bounds: &Bounds, measured: Length, status: Status) -> SizeVerdict {
     let above_minimum = measured.saturating_sub(bounds.minimum());
     let below_maximum = bounds.maximum().saturating_sub(measured);
-    let removal = (status == Status::Rework).then(|| match bounds.feature {
-        Feature::Hole => {
-            Removal { to_limit: above_minimum.negated(), to_middle: bounds.middle().saturating_sub(measured) }
+    let removal = match bounds.feature {
+        Some(Feature::Hole) if status == Status::Rework => {
+            Some(Removal { to_limit: above_minimum.negated(), to_middle: bounds.middle().saturating_sub(measured) })
         }
-        Feature::Shaft => {
-            Removal { to_limit: below_maximum.negated(), to_middle: measured.saturating_sub(bounds.middle()) }
+        Some(Feature::Shaft) if status == Status::Rework => {
+            Some(Removal { to_limit: below_maximum.negated(), to_middle: measured.saturating_sub(bounds.middle()) })
         }
-    });
+        _ => None,
+    };
     let deviation = measured.saturating_sub(bounds.nominal);
     SizeVerdict { status, deviation, above_minimum, below_maximum, removal }
 }
@@ -267,8 +291,9 @@ pub fn judge_by(rule: Rule, limits: &Limits, measured: Length, position: Option<
     // What is removed must bring the size to where the rule accepts it, and never less far than the limit.
     if let (Some(removal), Some([least, most])) = (&mut size.removal, zones.accepted) {
         removal.to_limit = match bounds.feature {
-            Feature::Hole => least.max(bounds.minimum()).saturating_sub(measured),
-            Feature::Shaft => measured.saturating_sub(most.min(bounds.maximum())),
+            Some(Feature::Hole) => least.max(bounds.minimum()).saturating_sub(measured),
+            Some(Feature::Shaft) => measured.saturating_sub(most.min(bounds.maximum())),
+            None => removal.to_limit,
         };
     }
     Verdict { size, position, rule, undecided: None }

@@ -53,6 +53,8 @@ pub struct StatusWords {
     pub scrap: String,
     /// Cannot be judged.
     pub re_measure: String,
+    /// Beyond a limit, and neither a hole nor a shaft.
+    pub out_of_limits: String,
 }
 
 impl Dialogue {

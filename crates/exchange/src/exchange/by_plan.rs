@@ -120,7 +120,7 @@ impl<'a> ByPlan<'a> {
         let answer = ClaimAnswer::of(&record);
         let kind = &size.feature.kind;
         // A face has one side, and a point none.
-        let has_sides = !matches!(kind, FeatureKind::Face(..) | FeatureKind::Point(..));
+        let has_sides = !matches!(kind, FeatureKind::Face(..) | FeatureKind::Point(..) | FeatureKind::Form(_));
         let claims = labels.claims.iter().filter(|claim| has_sides || !claim.is_of_feature());
         let told = found(&size.name(), by, &id, &labels.number)
             .into_iter()
@@ -225,8 +225,8 @@ impl Value {
         let asked = unjudged.asked();
         let Unjudged { line, id, labels, time, origin, position, correction, why, .. } = unjudged;
         let kinds: &[&str] = match why {
-            WhyUnjudged::Coordinate(_) | WhyUnjudged::CoordinateWithoutLimits => &["face"],
-            WhyUnjudged::Size { .. } | WhyUnjudged::SizeWithoutLimits { .. } => &["width", "pocket", "boss"],
+            WhyUnjudged::Coordinate(_) | WhyUnjudged::CoordinateWithoutLimits => &["face", "length"],
+            WhyUnjudged::Size { .. } | WhyUnjudged::SizeWithoutLimits { .. } => &["width", "pocket", "boss", "length"],
             WhyUnjudged::Point(_) | WhyUnjudged::PointWithoutTolerance => &["point"],
             WhyUnjudged::NoLimits { .. } => &["diameter"],
             _ => &[],
@@ -289,7 +289,7 @@ fn has_name_and_number(value: &Value) -> bool {
 
 /// Whether a value of a size may be zero or less: a coordinate or a deviation, not a distance.
 const fn may_be_below_zero(size: &Size<'_>) -> bool {
-    matches!(size.feature.kind, FeatureKind::Face(..) | FeatureKind::Point(..))
+    matches!(size.feature.kind, FeatureKind::Face(..) | FeatureKind::Point(..) | FeatureKind::Form(_))
 }
 
 /// By what a feature was found, where it was not by its name; and what the value is called where that is known to no feature.
@@ -334,7 +334,6 @@ const fn is_plain(why: &WhyUnjudged) -> bool {
         WhyUnjudged::NoCallout
         | WhyUnjudged::NotPositive { .. }
         | WhyUnjudged::NoLimits { .. }
-        | WhyUnjudged::NoFeature { .. }
         | WhyUnjudged::OneLimit
         | WhyUnjudged::NoTolerance
         | WhyUnjudged::SwappedLimits { .. }

@@ -24,6 +24,8 @@ use crate::journal::Record;
 pub(super) enum CharacteristicKind {
     /// A diameter or a width: a feature of size.
     Size,
+    /// Another length, as the file calls it: a form, a place, a radius.
+    Length(String),
     /// A quantity of AQDEF other than a diameter, by its number.
     Quantity(u32),
     /// Anything else, as the file calls it.
@@ -89,7 +91,7 @@ impl Characteristic {
         let file = Arc::clone(&context.file);
         let origin = if value.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
         match self.asked(line, context, sink) {
-            Ok(_) if value.measured <= Length::ZERO => {
+            Ok(_) if self.what == CharacteristicKind::Size && value.measured <= Length::ZERO => {
                 let given = value.measured.to_string();
                 sink.refuse(FilePlace::line(line), ImportErrorKind::NotPositive { given: given.clone() }, given);
             }
@@ -147,6 +149,7 @@ impl Characteristic {
     ) -> Result<(Option<Callout>, Limits), NoLimits> {
         match &self.what {
             CharacteristicKind::Size => {}
+            CharacteristicKind::Length(what) => return self.own_limits(what, context),
             CharacteristicKind::Quantity(quantity) => {
                 return Err(NoLimits::Unjudged(WhyUnjudged::Quantity { quantity: *quantity }));
             }
@@ -188,9 +191,6 @@ impl Characteristic {
         if maximum < minimum {
             return Err(NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }));
         }
-        let Some(feature) = self.feature() else {
-            return Err(NoLimits::Unjudged(WhyUnjudged::NoFeature { minimum, maximum }));
-        };
         let nominal = self.nominal.unwrap_or(minimum);
         let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
         let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
@@ -198,9 +198,31 @@ impl Characteristic {
         let deviations =
             deviations.map_err(|_swapped| NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }))?;
         let from = LimitSource::File(Arc::clone(&context.file));
-        let limits = Limits::new(feature, nominal, deviations, from).ok_or_else(too_large)?;
+        let limits = Limits::new(self.feature(), nominal, deviations, from).ok_or_else(too_large)?;
         context.sources.proportionate(&limits.bounds()).map_err(|error| NoLimits::Refused(Box::new(error)))?;
         Ok((None, limits))
+    }
+}
+
+impl Characteristic {
+    /// The limits of a length that is no size of a hole or shaft: those of the file. A form or a place that has its largest value alone has
+    /// 0 as the smallest one.
+    fn own_limits(&self, what: &str, context: &Context<'_>) -> Result<(Option<Callout>, Limits), NoLimits> {
+        let from_zero = self.nominal.is_none_or(|nominal| nominal == Length::ZERO).then_some(Length::ZERO);
+        let (minimum, maximum) = match (self.minimum.or(from_zero), self.maximum) {
+            (Some(minimum), Some(maximum)) => (minimum, maximum),
+            (_, None) if self.minimum.is_none() => {
+                return Err(NoLimits::Unjudged(WhyUnjudged::NotASize { what: what.to_owned() }));
+            }
+            _ => return Err(NoLimits::Unjudged(WhyUnjudged::OneLimit)),
+        };
+        let nominal = self.nominal.unwrap_or(minimum);
+        let swapped = |_order| NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum });
+        let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
+        let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
+        let from = LimitSource::File(Arc::clone(&context.file));
+        let limits = Limits::new(None, nominal, Deviations::new(upper, lower).map_err(swapped)?, from);
+        Ok((None, limits.ok_or_else(too_large)?))
     }
 }
 

@@ -140,8 +140,9 @@ impl Claim {
     pub(super) fn of(said: &str, status: Status) -> Self {
         let agrees: &'static [Status] = match status {
             Status::Good => &[Status::Good],
-            Status::Rework => &[Status::Rework],
-            Status::Scrap => &[Status::Scrap],
+            Status::Rework => &[Status::Rework, Status::OutOfLimits],
+            Status::OutOfLimits => &[Status::OutOfLimits, Status::Rework, Status::Scrap],
+            Status::Scrap => &[Status::Scrap, Status::OutOfLimits],
             Status::ReMeasure => &[Status::ReMeasure],
         };
         Self::new(shorten(said), ClaimContent::Status(agrees))
@@ -150,7 +151,7 @@ impl Claim {
     /// That a value is out of its limits, or that something else is wrong with it.
     pub(super) fn out(said: &str) -> Self {
         // Whoever knows no rework calls it so as well.
-        Self::new(shorten(said), ClaimContent::Status(&[Status::Rework, Status::Scrap]))
+        Self::new(shorten(said), ClaimContent::Status(&[Status::Rework, Status::OutOfLimits, Status::Scrap]))
     }
 
     /// A claim that no verdict agrees with.
@@ -311,10 +312,12 @@ impl Claim {
             ClaimContent::Deviation(figure) => {
                 figure.is(*measured, |by| [above(by), bounds.middle().checked_add(by), None])
             }
-            ClaimContent::Feature(feature) if *feature == bounds.feature => true,
-            ClaimContent::Feature(_) => {
-                return Some(ImportWarningKind::FeatureDiffers { given, feature: bounds.feature });
-            }
+            ClaimContent::Feature(said) => match bounds.feature {
+                Some(feature) if *said != feature => {
+                    return Some(ImportWarningKind::FeatureDiffers { given, feature });
+                }
+                _ => true,
+            },
         };
         let minimum = bounds.minimum();
         let maximum = bounds.maximum();
@@ -341,6 +344,7 @@ fn of_workbook(cell: &str) -> Option<Status> {
         Status::Good => "✓",
         Status::Rework => "\u{21bb}",
         Status::ReMeasure => "?",
+        Status::OutOfLimits => "\u{2195}",
         Status::Scrap => "✗",
     };
     status_of(word).filter(|_| mark == expected)

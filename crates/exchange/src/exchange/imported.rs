@@ -199,13 +199,6 @@ pub enum WhyUnjudged {
     #[say(args(cycle = field_0.cycle))]
     Point(#[say(skip)] Coordinate),
     PointWithoutTolerance,
-    /// Its limits are known, but not whether it is a hole or a shaft: beyond them it could be rework or scrap.
-    NoFeature {
-        /// The smallest permitted value.
-        minimum: Length,
-        /// The largest permitted value.
-        maximum: Length,
-    },
     /// A size with one limit alone.
     OneLimit,
     /// A characteristic without limits.

@@ -145,12 +145,14 @@ impl Sizes {
     /// What a log says of a size.
     fn take(&mut self, item: Item, feature: Feature) {
         match item {
-            Item::Record { line, record, .. } if record.limits.feature == feature => self.add(Size {
-                line,
-                id: record.id.clone(),
-                measured: record.measurement.diameter,
-                is_simulated: record.measurement.origin.is_simulated(),
-            }),
+            Item::Record { line, record, .. } if record.limits.feature.is_none_or(|of| of == feature) => {
+                self.add(Size {
+                    line,
+                    id: record.id.clone(),
+                    measured: record.measurement.diameter,
+                    is_simulated: record.measurement.origin.is_simulated(),
+                })
+            }
             Item::Record { line, .. } => self.refuse(line, ImportErrorKind::OtherLog { feature }),
             Item::Unjudged(unjudged) => self.take_unjudged(*unjudged),
             Item::Error(error) => self.errors.push(*error),
@@ -166,7 +168,6 @@ impl Sizes {
             why,
             WhyUnjudged::NoCallout
                 | WhyUnjudged::NoLimits { .. }
-                | WhyUnjudged::NoFeature { .. }
                 | WhyUnjudged::OneLimit
                 | WhyUnjudged::NoTolerance
                 | WhyUnjudged::SwappedLimits { .. }

@@ -59,7 +59,7 @@ impl Record {
             contacts => Some(Geometry::of_contacts(contacts)?),
         };
         let size = Some(self.measurement.diameter);
-        let feature = Some(self.limits.feature);
+        let feature = self.limits.feature;
         Ok(Conditions { size, geometry, feature, correction: self.correction })
     }
 

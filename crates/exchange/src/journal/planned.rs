@@ -112,7 +112,7 @@ fn corrected(
     (part, scale): (Warm, Option<Warm>),
     said: &mut Vec<PlannedRemark>,
 ) -> Result<Record, PlannedError> {
-    if matches!(feature.kind, FeatureKind::Face(..) | FeatureKind::Point(..)) {
+    if matches!(feature.kind, FeatureKind::Face(..) | FeatureKind::Point(..) | FeatureKind::Form(_)) {
         said.push(PlannedRemark::NotCorrected);
         return Ok(record);
     }

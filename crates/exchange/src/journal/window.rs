@@ -24,7 +24,9 @@ pub fn status_variables(record: &Record, dialogue: Dialogue) -> Variables {
     let fit = record.callout.map_or_else(|| limits.nominal.to_string(), |callout| callout.to_string());
     set(Parameter::q(1), length(limits.nominal));
     set(Parameter::qs(1), Value::Text(class));
-    set(Parameter::q(2), number(if limits.feature == Feature::Hole { -1.0 } else { 1.0 }));
+    if let Some(feature) = limits.feature {
+        set(Parameter::q(2), number(if feature == Feature::Hole { -1.0 } else { 1.0 }));
+    }
     set(Parameter::qs(2), Value::Text(fit));
     set(Parameter::q(4), um(limits.deviations.upper()));
     set(Parameter::q(5), um(limits.deviations.lower()));

@@ -14,6 +14,8 @@ pub enum Side {
     Rework,
     /// Material cannot be put back.
     Scrap,
+    /// Nobody has said hole or shaft, so whether material can be taken off is open.
+    Out,
 }
 
 /// Where the measured value is shown.
@@ -160,8 +162,9 @@ impl Band {
             }
         });
         let (left, right) = match limits.feature {
-            Feature::Hole => (Side::Rework, Side::Scrap),
-            Feature::Shaft => (Side::Scrap, Side::Rework),
+            Some(Feature::Hole) => (Side::Rework, Side::Scrap),
+            Some(Feature::Shaft) => (Side::Scrap, Side::Rework),
+            None => (Side::Out, Side::Out),
         };
         let ticks = ticks(axis_min_um, axis_max_um);
         let guard = guard.map(|ends| ends.cut([axis_min_um, axis_max_um], [lower_um, upper_um]));

@@ -52,11 +52,6 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
     render_rows(records.iter().map(ReportRow::of), More::of(records))
 }
 
-/// The same with an empty feature: the callouts do not say hole or shaft, and it did not matter.
-pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(|record| ReportRow { feature: "", ..ReportRow::of(record) }), More::of(records))
-}
-
 /// Which columns a file has besides those of every file: only those that a check of it has.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct More(u8);

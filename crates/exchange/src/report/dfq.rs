@@ -136,8 +136,8 @@ fn characteristic(given: &Given<'_>, known: Known, out: &mut dyn Write) -> io::R
     match asked.quantity {
         Quantity::Diameter => field(2009, number, "202", 5, out)?,
         Quantity::Coordinate => field(2009, number, "117", 5, out)?,
-        // No number of a width is known.
-        Quantity::Width(_) => {}
+        // No number of these is known.
+        Quantity::Width(_) | Quantity::Length => {}
     }
     field(2022, number, &decimals.to_string(), 5, out)?;
     field(2101, number, &mm(limits.nominal), 22, out)?;
@@ -160,8 +160,9 @@ fn characteristic(given: &Given<'_>, known: Known, out: &mut dyn Write) -> io::R
     field(2112, number, &mm(limits.deviations.lower()), 22, out)?;
     field(2113, number, &mm(limits.deviations.upper()), 22, out)?;
     match limits.feature {
-        Feature::Shaft => field(2114, number, &mm(limits.minimum()), 22, out)?,
-        Feature::Hole => field(2115, number, &mm(limits.maximum()), 22, out)?,
+        Some(Feature::Shaft) => field(2114, number, &mm(limits.minimum()), 22, out)?,
+        Some(Feature::Hole) => field(2115, number, &mm(limits.maximum()), 22, out)?,
+        None => {}
     }
     field(2120, number, "1", 3, out)?;
     field(2121, number, "1", 3, out)?;

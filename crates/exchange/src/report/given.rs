@@ -56,6 +56,15 @@ pub(super) enum Quantity {
     Width(WidthAxis),
     /// Where a face or a point lies.
     Coordinate,
+    /// What no cycle measures.
+    Length,
+}
+
+impl Quantity {
+    /// Whether it is of a shape that the file describes.
+    pub const fn has_shape(self) -> bool {
+        matches!(self, Self::Diameter | Self::Width(_))
+    }
 }
 
 impl<'r> Asked<'r> {
@@ -66,6 +75,7 @@ impl<'r> Asked<'r> {
             FeatureKind::Pocket(_) | FeatureKind::Boss(_) if size.side == 0 => Quantity::Width(WidthAxis::X),
             FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Quantity::Width(WidthAxis::Y),
             FeatureKind::Face(..) | FeatureKind::Point(..) => Quantity::Coordinate,
+            FeatureKind::Length(_) | FeatureKind::Form(_) => Quantity::Length,
         };
         let (name, number, place) = (size.name(), size.feature.number.as_str(), size.feature.place);
         Self { name, number, callout: size.callout, limits, quantity, place }
@@ -98,8 +108,8 @@ impl<'r> Asked<'r> {
         let callout = callout.map_or_else(String::new, |callout| callout.to_string());
         let sizes = [limits.nominal, limits.minimum(), limits.maximum()].map(Length::nanometres);
         let place = place.map(|place| place.map(Length::nanometres));
-        let is_hole = limits.feature == Feature::Hole;
-        short(&format!("{:?}", (name, number, callout, sizes, quantity, place, is_hole)))
+        let feature = limits.feature.map(Feature::word);
+        short(&format!("{:?}", (name, number, callout, sizes, quantity, place, feature)))
     }
 }
 
@@ -145,7 +155,7 @@ impl Catalogue {
             known.values += 1;
         }
         let is_new = known.number == next;
-        self.sizes += usize::from(is_new && given.asked.quantity != Quantity::Coordinate);
+        self.sizes += usize::from(is_new && given.asked.quantity.has_shape());
     }
 
     /// The characteristic of a value.

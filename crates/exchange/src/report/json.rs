@@ -113,11 +113,12 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
 pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Value>, RenderError> {
     let value = serde_json::to_value(ReportRow::of(record)).map_err(|error| RenderError::writer("json", &error))?;
     let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
-    // Leave out missing values: nulls, and the empty contacts and name of a typed value.
-    object.retain(|_, value| {
-        !value.is_null()
-            && value.as_str() != Some("")
-            && !matches!(value, serde_json::Value::Array(array) if array.is_empty())
+    // Leave out missing values: nulls, and the empty contacts and name of a typed value. That it is neither hole nor shaft is said.
+    object.retain(|name, value| {
+        name == "feature"
+            || !value.is_null()
+                && value.as_str() != Some("")
+                && !matches!(value, serde_json::Value::Array(array) if array.is_empty())
     });
     Ok(object)
 }

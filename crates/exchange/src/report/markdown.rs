@@ -93,7 +93,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
 
 /// How many there are of each verdict, and how many of them nobody measured.
 fn counts(seen: &ReportSurvey, words: &Words, out: &mut dyn Write) -> io::Result<()> {
-    for status in [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap] {
+    for status in Status::ALL {
         let all = seen.counts.get(status.at()).map_or(0, |count| *count);
         let simulated = seen.simulated_of.get(status.at()).map_or(0, |count| *count);
         if 0 < all - simulated {

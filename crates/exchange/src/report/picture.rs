@@ -34,6 +34,7 @@ pub(super) const fn status_class(status: Status) -> &'static str {
         Status::Good => "good",
         Status::Rework => "rework",
         Status::ReMeasure => "remeasure",
+        Status::OutOfLimits => "outoflimits",
         Status::Scrap => "scrap",
     }
 }
@@ -48,7 +49,7 @@ struct VerdictPicture {
     baseline: usize,
 }
 
-/// The shape of a status around 38, 36: check mark, turning arrow, loop or cross; a dash where there is none.
+/// The shape of a status around 38, 36: check mark, turning arrow, loop, arrows up and down, or cross; a dash where there is none.
 pub(super) const fn shape(status: Option<Status>) -> &'static str {
     match status {
         Some(Status::Good) => "M20 38 L33 52 L57 20",
@@ -57,6 +58,7 @@ pub(super) const fn shape(status: Option<Status>) -> &'static str {
         Some(Status::ReMeasure) => {
             "M22.3 29.5 A17 17 0 0 1 54.6 31 M56 19 L55.3 31.8 L43 29 M53.7 42.5 A17 17 0 0 1 21.4 41 M20 53 L20.7 40.2 L33 43"
         }
+        Some(Status::OutOfLimits) => "M38 16 L38 56 M27 27 L38 16 L49 27 M27 45 L38 56 L49 45",
         None => "M22 36 L54 36",
     }
 }
@@ -235,6 +237,7 @@ fn side(side: Side, [from, to]: [f64; 2], cause: String, words: &Words) -> Optio
         class: match side {
             Side::Rework => "rework",
             Side::Scrap => "scrap",
+            Side::Out => "outoflimits",
         },
         x: units(from),
         width: units(width),
@@ -317,18 +320,19 @@ fn guard_hatch(guarded: Guarded, width: f64, height: f64) -> String {
         .collect()
 }
 
-/// Wide slanting lines for rework, a narrow lattice for scrap: different even in black and white.
+/// Wide slanting lines for rework, a narrow lattice for scrap, a wide one where nobody knows: different even in black and white.
 fn hatch(side: Side, width: f64) -> String {
     let step = match side {
         Side::Rework => 14.0,
         Side::Scrap => 10.0,
+        Side::Out => 20.0,
     };
     let mut path = String::new();
     let mut x = 0.0;
     while x < width + HEIGHT {
         let start = units(x);
         path.extend(["M", &start, " 0 l-66 66"]);
-        if side == Side::Scrap {
+        if side != Side::Rework {
             path.extend(["M", &start, " 66 l-66 -66"]);
         }
         x += step;

@@ -10,11 +10,12 @@ use fitcheck_core::words::Words;
 
 use crate::report::band::Side;
 
-/// Hole or shaft in words.
-pub const fn feature(feature: Feature) -> Message {
+/// Hole, shaft or neither in words.
+pub const fn feature(feature: Option<Feature>) -> Message {
     Message::new(match feature {
-        Feature::Hole => "report-feature-hole",
-        Feature::Shaft => "report-feature-shaft",
+        Some(Feature::Hole) => "report-feature-hole",
+        Some(Feature::Shaft) => "report-feature-shaft",
+        None => "report-feature-neither",
     })
 }
 
@@ -23,6 +24,7 @@ pub const fn side(side: Side) -> Message {
     Message::new(match side {
         Side::Rework => "report-side-rework",
         Side::Scrap => "report-side-scrap",
+        Side::Out => "report-side-out",
     })
 }
 

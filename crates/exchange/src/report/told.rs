@@ -19,6 +19,7 @@ pub(super) const fn mark(status: Option<Status>) -> &'static str {
         Some(Status::Good) => "\u{2713}",
         Some(Status::Rework) => "\u{21bb}",
         Some(Status::ReMeasure) => "?",
+        Some(Status::OutOfLimits) => "\u{2195}",
         Some(Status::Scrap) => "\u{2717}",
         None => "\u{2013}",
     }

@@ -207,7 +207,7 @@ fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status>
     let is_centre = matches!(kind, FigureKind::Centre(_));
     let is_within = minimum <= actual && actual <= maximum;
     match (is_centre, is_within) {
-        (false, _) => Some(classify(feature, minimum, maximum, actual)),
+        (false, _) => Some(classify(Some(feature), minimum, maximum, actual)),
         (true, _) if minimum == maximum => None,
         (true, true) => Some(Status::Good),
         (true, false) => Some(Status::Scrap),

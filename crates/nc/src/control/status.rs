@@ -18,6 +18,7 @@ pub fn status_word(status: Status, dialogue: Dialogue) -> &'static str {
         Status::Rework => &words.rework,
         Status::Scrap => &words.scrap,
         Status::ReMeasure => &words.re_measure,
+        Status::OutOfLimits => &words.out_of_limits,
     }
 }
 

@@ -58,15 +58,16 @@ LBL 96
 impl Called {
     pub(super) const ALL: [Self; 5] = [Self::Diameter, Self::Width, Self::Face, Self::Rectangle, Self::Point];
 
-    /// The program of a kind.
-    pub(super) const fn of(kind: &FeatureKind) -> Self {
-        match kind {
+    /// The program of a kind; `None` of what no cycle measures.
+    pub(super) const fn of(kind: &FeatureKind) -> Option<Self> {
+        Some(match kind {
             FeatureKind::Diameter(_) => Self::Diameter,
             FeatureKind::Width(..) => Self::Width,
             FeatureKind::Face(..) => Self::Face,
             FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Self::Rectangle,
             FeatureKind::Point(..) => Self::Point,
-        }
+            FeatureKind::Length(_) | FeatureKind::Form(_) => return None,
+        })
     }
 
     const fn shape(self, feature: Feature) -> Shape {

@@ -124,6 +124,13 @@ pub enum SetRemark {
         /// What it says.
         what: Message,
     },
+    /// No cycle measures it, so it is not in the set.
+    ByHand {
+        /// The feature's name.
+        name: String,
+        /// Its kind.
+        kind: &'static str,
+    },
     /// What the plan says of judging a feature, and the set does not know: the limits alone decide on the control.
     NotInSet {
         /// The feature's name.

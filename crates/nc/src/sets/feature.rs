@@ -16,7 +16,7 @@ const LONGEST_NAME: usize = 20;
 pub(super) fn planned(plan: &Plan, control: Control) -> Result<Vec<Planned<'_>>, SetError> {
     let mut all = Vec::new();
     let mut errors = Vec::<FeatureError>::new();
-    for feature in plan.features() {
+    for feature in plan.features().iter().filter(|feature| !feature.kind.is_by_hand()) {
         let before = errors.len();
         errors.extend(faults(feature, control).into_iter().map(|what| {
             let line = feature.line;
@@ -31,6 +31,12 @@ pub(super) fn planned(plan: &Plan, control: Control) -> Result<Vec<Planned<'_>>,
         Some(first) => Err(SetError::of_features(first, errors.collect())),
         None => Ok(all),
     }
+}
+
+/// A feature that no cycle measures: it is not in the set.
+pub(super) fn by_hand(feature: &PlanFeature) -> Option<SetRemark> {
+    let kind = feature.kind.word();
+    feature.kind.is_by_hand().then(|| SetRemark::ByHand { name: feature.name.clone(), kind })
 }
 
 /// What a set does not know of a feature that its plan says: the cycles judge by the limits alone.

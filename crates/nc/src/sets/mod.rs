@@ -127,13 +127,14 @@ impl NcSet {
             remarks.extend(worth_knowing);
             tables.push(SetFile { name: names.table(feature).to_owned(), bytes });
         }
+        remarks.extend(plan.features().iter().filter_map(feature::by_hand));
         remarks.extend(planned.iter().filter_map(|planned| feature::unknown(planned.feature)));
         remarks.extend(figures(&planned, sources));
         remarks.extend(planned.iter().flat_map(|planned| programs::moved_nominals(*planned, target.control)));
         let mut files = vec![SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) }];
         for called in Called::ALL {
             // The program of diameters is in every set.
-            let is_wanted = |planned: &Planned<'_>| Called::of(&planned.feature.kind) == called;
+            let is_wanted = |planned: &Planned<'_>| Called::of(&planned.feature.kind) == Some(called);
             if called == Called::Diameter || planned.iter().any(is_wanted) {
                 files.push(SetFile { name: names.check(called).clone(), bytes: check::check(&names, called) });
                 files.push(SetFile { name: names.mask(called).clone(), bytes: masks::mask(target, called) });

@@ -93,7 +93,7 @@ fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Plan
         Body::AssignText { .. } => class_blocks(names, &feature.kind, comment),
         Body::CallProgram(_) => {
             let result = names.path(&names.result(&feature.name));
-            let called = Called::of(&feature.kind);
+            let Some(called) = Called::of(&feature.kind) else { return Blocks::new() };
             vec![bare(Body::CallProgram(names.operand(names.check(called)))), print(names, called, result)]
         }
         body => vec![(body.clone(), comment)],
@@ -131,19 +131,24 @@ fn class_blocks(names: &Names<'_>, kind: &FeatureKind, comment: String) -> Block
         FeatureKind::Point(band, _) => {
             vec![text(CLASS, part::band_text(*band), Called::Point.name_of(&[Meaning::Band], language))]
         }
+        FeatureKind::Length(_) | FeatureKind::Form(_) => Blocks::new(),
     }
 }
 
 /// In place of the angle: the measured axis, and for a face the direction; for a point the normal.
 fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &FeatureKind) -> Blocks {
-    let called = Called::of(kind);
+    let Some(called) = Called::of(kind) else { return Blocks::new() };
     let named = |meanings: &[Meaning]| called.name_of(meanings, names.target.language);
     let axis = |vector: [f64; 3]| {
         let [x, y, z] = vector.map(f64::abs);
         number(to, x + 2.0 * y + 3.0 * z, named(&[Meaning::AxisOfPlane, Meaning::MeasuredAxis]))
     };
     match kind {
-        FeatureKind::Diameter(_) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) => Blocks::new(),
+        FeatureKind::Diameter(_)
+        | FeatureKind::Pocket(_)
+        | FeatureKind::Boss(_)
+        | FeatureKind::Length(_)
+        | FeatureKind::Form(_) => Blocks::new(),
         FeatureKind::Width(_, across) => vec![axis(across.vector())],
         FeatureKind::Face(_, towards) => {
             let sign = if towards.is_plus { 1.0 } else { -1.0 };
@@ -162,15 +167,15 @@ fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &FeatureKind) -> Blo
 pub(super) fn moved_nominals(planned: Planned<'_>, control: Control) -> Vec<SetRemark> {
     // What the cycle calls the nominal size, and the result that counts from it; a coordinate has no nominal size.
     let sizes: &[(Meaning, u16)] = match Called::of(&planned.feature.kind) {
-        Called::Diameter => &[(Meaning::Diameter, 163)],
-        Called::Width => &[(Meaning::Width, 166)],
-        Called::Rectangle => &[(Meaning::Side(Axis::First), 164), (Meaning::Side(Axis::Second), 165)],
-        Called::Face | Called::Point => &[],
+        Some(Called::Diameter) => &[(Meaning::Diameter, 163)],
+        Some(Called::Width) => &[(Meaning::Width, 166)],
+        Some(Called::Rectangle) => &[(Meaning::Side(Axis::First), 164), (Meaning::Side(Axis::Second), 165)],
+        Some(Called::Face | Called::Point) | None => &[],
     };
     let callouts = planned.feature.kind.callouts();
     let sides = callouts.into_iter().zip(planned.limits).zip(sizes);
     let moved = sides.filter_map(|((callout, limits), (meaning, deviation))| {
-        let cycle = Called::of(&planned.feature.kind).cycle(limits.feature)?;
+        let cycle = Called::of(&planned.feature.kind)?.cycle(limits.feature?)?;
         let parameter = cycle.meant(*meaning)?.key;
         let value: Length = limits.nominal.max(limits.minimum()).min(limits.maximum());
         (control.wants_nominal_between_limits() && value != limits.nominal).then(|| SetRemark::MovedNominal {

@@ -83,6 +83,7 @@ fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
             vec![Contact::at([one(is_x, x), one(is_y, y), one(is_z, z)])]
         }
         FeatureKind::Point(_, direction) => vec![at(direction.unit_normal(), middle(0))],
+        FeatureKind::Length(_) | FeatureKind::Form(_) => Vec::new(),
     }
 }
 

@@ -57,7 +57,7 @@ fn for_control<'a>(line: &'a str, code: &str) -> Option<&'a str> {
 
 /// Whether a line that names the program of a kind of feature is for this plan.
 fn is_for(line: &str, planned: &[Planned<'_>]) -> bool {
-    let has = |called| planned.iter().any(|planned| Called::of(&planned.feature.kind) == called);
+    let has = |called| planned.iter().any(|planned| Called::of(&planned.feature.kind) == Some(called));
     [
         ("{width}", Called::Width),
         ("{face}", Called::Face),
@@ -122,6 +122,7 @@ fn nominal(remark: &SetRemark) -> Option<String> {
 /// A feature and what the plan says of judging it, as the keys of a plan: the same in every language.
 fn unknown(remark: &SetRemark) -> Option<String> {
     match remark {
+        SetRemark::ByHand { name, kind } => Some(format!("  {name:<20} {kind}")),
         SetRemark::NotInSet { name, said } => Some(format!("  {name:<20} {said}")),
         _ => None,
     }

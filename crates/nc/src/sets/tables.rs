@@ -25,7 +25,7 @@ pub(super) fn table(
 ) -> Result<(Vec<u8>, Vec<SetRemark>), SetError> {
     let name = names.table(feature);
     let sizes = planned.iter().flat_map(Planned::sizes);
-    let asked: Vec<(Callout, &Limits)> = sizes.filter(|(_, limits)| limits.feature == feature).collect();
+    let asked: Vec<(Callout, &Limits)> = sizes.filter(|(_, limits)| limits.feature == Some(feature)).collect();
     let usual = usual_classes(feature);
     let mut own: Vec<ToleranceClass> = Vec::new();
     let mut wanted: Vec<ToleranceClass> = Vec::new();

@@ -62,7 +62,8 @@ impl Readings {
     }
 
     fn of_records(records: &[Arc<Record>], is_choice: bool, feature: Feature) -> Self {
-        let (used, others): (Vec<_>, Vec<_>) = records.iter().partition(|record| record.limits.feature == feature);
+        let (used, others): (Vec<_>, Vec<_>) =
+            records.iter().partition(|record| record.limits.feature == Some(feature));
         let id = if is_choice { "budget-page-readings-of-chosen" } else { "budget-page-readings-of-history" };
         let from = Message::new(id).count("count", used.len());
         let simulated = used.iter().filter(|record| record.measurement.origin.is_simulated()).count();

@@ -348,9 +348,9 @@ impl CheckPage {
         }
     }
 
-    /// The callout in the field, which does not say it, is that of a hole or a shaft.
-    fn mean(&mut self, feature: Feature) {
-        self.feature = Some((self.text(CheckField::Callout).parse().ok(), feature));
+    /// The callout in the field, which does not say it, is that of a hole or a shaft, or of neither.
+    fn mean(&mut self, feature: Option<Feature>) {
+        self.feature = feature.map(|feature| (self.text(CheckField::Callout).parse().ok(), feature));
     }
 
     /// No verdict stays beside a value, a position or a name that it was not made with, and what it lent goes with it:
@@ -435,9 +435,7 @@ impl CheckPage {
         // The same hole or shaft in the unit that was meant.
         let feature = self.feature().filter(|_| field == CheckField::Callout);
         self.type_text(field, shared.as_typed(&meant), &shared.sources);
-        if let Some(feature) = feature {
-            self.mean(feature);
-        }
+        self.mean(feature);
         self.measure(shared, now);
     }
 

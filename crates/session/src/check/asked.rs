@@ -8,7 +8,7 @@ use fitcheck_core::message::{Message, Say as _};
 use fitcheck_core::probing::cycle::{Angle, Axis, Meaning, Value};
 use fitcheck_core::probing::cycles::measuring;
 use fitcheck_core::tolerance::callout::halves;
-use fitcheck_core::tolerance::{Callout, Feature, Limits, LimitsError, Sources};
+use fitcheck_core::tolerance::{Callout, Feature, Limits, LimitsError, Sources, Tolerance};
 
 use super::CheckField;
 use super::RuleChoice;
@@ -154,7 +154,12 @@ impl CheckInputs {
         whole(text).map_err(|error| self.errors.insert(field, error)).ok()
     }
 
-    /// Whether the callout does not say hole or shaft, so that it has to be chosen.
+    /// Whether the callout is a fit: one of its parts has to be chosen.
+    pub fn is_fit(&self) -> bool {
+        self.callout.is_some_and(|callout| matches!(callout.tolerance(), Tolerance::Fit { .. }))
+    }
+
+    /// Whether the callout does not say hole or shaft, so that it can be chosen; of a fit it has to be.
     pub fn needs_feature(&self) -> bool {
         self.callout.is_some_and(|callout| callout.feature().is_none())
     }

@@ -18,7 +18,7 @@ pub enum CheckCommand {
     /// Takes a class from the chooser; the nominal size stays.
     ChooseClass(ToleranceClass),
     /// Says whether a hole or a shaft is meant, for a callout that does not say it.
-    ChooseFeature(Feature),
+    ChooseFeature(Option<Feature>),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
     /// Chooses the decision rule.

@@ -5,7 +5,7 @@ use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use fitcheck_core::probing::simulated::{Figure, Lobes, Machine, Probe, Workpiece, WorkpieceError};
 use fitcheck_core::probing::{Measurement, Origin};
-use fitcheck_core::tolerance::{Limits, Sources};
+use fitcheck_core::tolerance::{Feature, Limits, LimitsError, Sources};
 use fitcheck_core::verdict::PositionVerdict;
 use fitcheck_exchange::journal::Record;
 use jiff::civil::DateTime;
@@ -77,8 +77,9 @@ fn simulated(asked: &CheckInputs, limits: &Limits) -> Result<(Measurement, Optio
     let seed = needed(asked, CheckField::Seed, asked.seed)?;
     let (workpiece, probe) = workpiece(asked, limits, &position)?;
     let mut machine = Machine::new(workpiece, probe, seed).map_err(|error| (figure(&error), error.message()))?;
-    let origin = Origin::Simulated { cycle: cycle_number(limits.feature), seed };
-    let (measurement, position) = run_cycle(limits, &position, &mut machine, origin)
+    let feature = workpiece.feature;
+    let origin = Origin::Simulated { cycle: cycle_number(feature), seed };
+    let (measurement, position) = run_cycle(feature, limits, &position, &mut machine, origin)
         .map_err(|error| (CheckField::TrueDiameter, error.message()))?;
     Ok((measurement, Some(position)))
 }
@@ -121,6 +122,15 @@ fn probe_position(asked: &CheckInputs) -> Result<ProbePosition, Refusal> {
     })
 }
 
+/// What the cycle probes: a hole or a shaft.
+fn feature(asked: &CheckInputs, limits: &Limits) -> Result<Feature, Refusal> {
+    let problem = || match asked.callout {
+        Some(callout) => LimitsError::NoFeature { callout }.message(),
+        None => LengthError::Empty.message(),
+    };
+    limits.feature.ok_or_else(|| (CheckField::Callout, problem()))
+}
+
 fn workpiece(asked: &CheckInputs, limits: &Limits, position: &ProbePosition) -> Result<(Workpiece, Probe), Refusal> {
     let mm = |field| length(asked, field).map(Length::to_mm_f64);
     let diameter = match asked.error(CheckField::TrueDiameter) {
@@ -130,7 +140,7 @@ fn workpiece(asked: &CheckInputs, limits: &Limits, position: &ProbePosition) -> 
     let [x, y] = position.centre.map(Length::to_mm_f64);
     let count = needed(asked, CheckField::Lobes, asked.lobes)?;
     let workpiece = Workpiece {
-        feature: limits.feature,
+        feature: feature(asked, limits)?,
         centre: [x + mm(CheckField::OffsetX)?, y + mm(CheckField::OffsetY)?],
         diameter: diameter.to_mm_f64(),
         ovality: Lobes { count: 2, amplitude: mm(CheckField::Ovality)?, angle: 0.0 },

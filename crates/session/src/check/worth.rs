@@ -144,7 +144,7 @@ impl RuleFields {
         }
         let Budget { date, .. } = budget?.budget;
         let size = Some(limits.middle());
-        let feature = Some(limits.feature);
+        let feature = limits.feature;
         let conditions = Conditions { size, feature, ..Conditions::default() };
         let assessment = Assessment::of(budget?.budget.clone(), &conditions, None, date).ok()?;
         made(self.judging.rule, RuleInputs { uncertainty: Some(assessment.uncertainty().ok()?), ..self.given }).ok()

@@ -470,8 +470,8 @@ impl Walking {
 
     /// What a value may be besides its verdict: below zero only where it is no size.
     pub(super) fn may_be_any(&self) -> bool {
-        use fitcheck_core::part::FeatureKind::{Face, Point};
-        self.asked().is_some_and(|size| matches!(size.feature.kind, Face(..) | Point(..)))
+        use fitcheck_core::part::FeatureKind::{Face, Form, Point};
+        self.asked().is_some_and(|size| matches!(size.feature.kind, Face(..) | Point(..) | Form(_)))
     }
 
     /// The deviation of a value from the nominal size.

@@ -139,7 +139,7 @@ impl ProgramPage {
         let class = self.text(ProgramField::Input(Input::Class)).trim();
         let callout = format!("{size} {class}").parse::<Callout>().map_err(|error| error.message());
         let limits =
-            callout.and_then(|callout| sources.limits(&callout, callout.feature()).map_err(|error| error.message()));
+            callout.and_then(|callout| sources.feature_limits(&callout, None).map_err(|error| error.message()));
         Some(limits)
     }
 

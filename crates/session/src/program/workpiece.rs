@@ -77,7 +77,7 @@ impl ProgramPage {
     /// A simulated workpiece that suits the program's inputs, as a workshop makes it.
     pub(crate) fn suited(&self, shared: &Shared) -> Option<Simulation> {
         let limits = self.limits(&shared.sources)?.ok()?;
-        let usual = Workpiece::usual(limits.feature, limits.middle().to_mm_f64());
+        let usual = Workpiece::usual(limits.feature?, limits.middle().to_mm_f64());
         let surface = Surface::Round(Workpiece { centre: self.centre().map(Length::to_mm_f64), ..usual }, Plane::Xy);
         let machine =
             shared.workpiece.form.simulation.as_ref().copied().unwrap_or_else(|| Simulation::perfect(surface));
@@ -108,8 +108,8 @@ impl ProgramPage {
         let limits = self.limits(&shared.sources).and_then(Result::ok);
         match self.workpiece {
             WorkpieceFrom::Perfect => {
-                let round = |limits: Limits| Self::round(limits.feature, self.centre(), limits.middle());
-                Ok(limits.map_or(Contacts::Perfect, round))
+                let round = |limits: Limits| Some(Self::round(limits.feature?, self.centre(), limits.middle()));
+                Ok(limits.and_then(round).unwrap_or(Contacts::Perfect))
             }
             WorkpieceFrom::Given => {
                 let mut read = |field| {
@@ -121,7 +121,7 @@ impl ProgramPage {
                 };
                 let diameter = read(ProgramField::Diameter)?;
                 let centre = [read(ProgramField::WorkpieceX)?, read(ProgramField::WorkpieceY)?];
-                let feature = limits.map_or(Feature::Hole, |limits| limits.feature);
+                let feature = limits.and_then(|limits| limits.feature).unwrap_or(Feature::Hole);
                 Ok(Self::round(feature, centre, diameter))
             }
             WorkpieceFrom::Simulated => match shared.workpiece.form.simulation.as_ref() {

@@ -77,7 +77,7 @@ impl Filter {
             return Some(Self { key, value: String::new(), word: word.to_owned() });
         }
         if let Some(status) = verdict_of(word, named) {
-            return Some(Self { key: "verdict", value: status.word().to_lowercase(), word: word.to_owned() });
+            return Some(Self { key: "verdict", value: status.key().to_owned(), word: word.to_owned() });
         }
         let (given, value) = word.split_once(':')?;
         let key = KEYS.into_iter().find(|key| key.eq_ignore_ascii_case(given))?;
@@ -136,7 +136,7 @@ impl RecordsPage {
         let value = self.text(RecordsField::Filter).trim();
         // A verdict as the window calls it is asked for in the language of questions.
         let verdict = Some(value).filter(|_| key == "verdict").and_then(|value| verdict_of(value, &named));
-        let value = verdict.map_or_else(|| value.to_owned(), |status| status.word().to_lowercase());
+        let value = verdict.map_or_else(|| value.to_owned(), |status| status.key().to_owned());
         let added = asking(key, &value);
         let text = self.text(RecordsField::Question);
         let is_of = |word: &str| Filter::of(word, &named).is_some_and(|filter| filter.key == key);

@@ -118,7 +118,7 @@ impl RecordsPage {
         if let Some(record) = self.opened_size().map(Arc::clone) {
             let callout = record.callout.map_or_else(String::new, |callout| callout.to_string());
             self.texts.insert(RecordsField::Callout, callout);
-            form.feature = Some(record.limits.feature);
+            form.feature = record.limits.feature;
             form.asked = Some((record.callout, record.limits.clone()));
         }
         let first = match (typed, &form.asked) {
@@ -158,7 +158,7 @@ impl RecordsPage {
         let Some(feature) = self.correcting.as_ref().map(|form| form.feature) else { return };
         let text = self.text(RecordsField::Callout).trim().to_owned();
         let is_own = record.callout.map_or_else(String::new, |callout| callout.to_string()) == text
-            && feature.is_none_or(|feature| feature == record.limits.feature);
+            && feature.is_none_or(|feature| Some(feature) == record.limits.feature);
         let asked = if is_own { Ok((record.callout, record.limits.clone())) } else { asked(&text, feature, shared) };
         self.errors.remove(&RecordsField::Callout);
         let asked = asked.map_err(|problem| self.errors.insert(RecordsField::Callout, problem)).ok();

@@ -90,10 +90,10 @@ impl Rows {
 
     /// How many rows of the whole file have which verdict, and how many are listed.
     fn counted(&self) -> Message {
-        let [good, rework, re_measure, scrap, unjudged] = self.fates().map(|(_, count)| count);
+        let [good, rework, re_measure, out, scrap, unjudged] = self.fates().map(|(_, count)| count);
         let said = message!("rows-report-counts").text("name", &self.name).text("count", self.count());
         let said = said.text("good", good).text("rework", rework).text("remeasure", re_measure);
-        said.text("scrap", scrap).text("unjudged", unjudged).text("listed", self.listed())
+        said.text("out", out).text("scrap", scrap).text("unjudged", unjudged).text("listed", self.listed())
     }
 
     /// In which order they are listed, where it is not that of the file.

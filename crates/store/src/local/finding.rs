@@ -66,9 +66,15 @@ const fn kind(kind: FoundEntryKind) -> i64 {
     }
 }
 
-fn status(status: Status) -> i64 {
-    let [at, ..] = status.at().to_le_bytes();
-    i64::from(at)
+/// The number of a status in `find`: it never changes, for journals keep it.
+const fn status(status: Status) -> i64 {
+    match status {
+        Status::Good => 0,
+        Status::Rework => 1,
+        Status::ReMeasure => 2,
+        Status::Scrap => 3,
+        Status::OutOfLimits => 4,
+    }
 }
 
 /// A question, but for its words, as conditions on `find`, with the values for its places.

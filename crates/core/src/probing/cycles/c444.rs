@@ -196,7 +196,7 @@ fn status_result(status: Option<Status>) -> ResultParameter {
         Some(Status::Good) => 0,
         Some(Status::Rework) => 1,
         Some(Status::Scrap) => 2,
-        None | Some(Status::ReMeasure) => -1,
+        None | Some(Status::ReMeasure | Status::OutOfLimits) => -1,
     };
     ResultParameter { key: Some(Key::Q(183)), name: ResultName::STATUS, value: Value::Whole(number) }
 }

@@ -14,7 +14,7 @@ pub(super) fn size(
     feature: Feature,
 ) -> Option<Check> {
     let (minimum, maximum) = limits?;
-    Some(Check { what, measured, minimum, maximum, status: classify(feature, minimum, maximum, measured) })
+    Some(Check { what, measured, minimum, maximum, status: classify(Some(feature), minimum, maximum, measured) })
 }
 
 /// A centre against its nominal place; a tolerance of zero is not monitored.

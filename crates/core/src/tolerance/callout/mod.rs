@@ -199,9 +199,9 @@ impl Callout {
     }
 
     /// The tolerance class of one feature: a single class of that feature, or that side of a fit.
-    pub fn class_for(&self, feature: Feature) -> Option<ToleranceClass> {
-        match (self.tolerance, feature) {
-            (Tolerance::Class(class), _) => (class.feature() == feature).then_some(class),
+    pub fn class_for(&self, feature: impl Into<Option<Feature>>) -> Option<ToleranceClass> {
+        match (self.tolerance, feature.into()?) {
+            (Tolerance::Class(class), feature) => (class.feature() == feature).then_some(class),
             (Tolerance::Fit { hole, .. }, Feature::Hole) => Some(hole),
             (Tolerance::Fit { shaft, .. }, Feature::Shaft) => Some(shaft),
             _ => None,
@@ -210,7 +210,7 @@ impl Callout {
 
     /// The callout of one part: one side of a fit, or any other callout unchanged.
     #[must_use]
-    pub fn of_part(self, feature: Feature) -> Self {
+    pub fn of_part(self, feature: impl Into<Option<Feature>>) -> Self {
         match (self.tolerance, self.class_for(feature)) {
             (Tolerance::Fit { .. }, Some(class)) => Self { tolerance: Tolerance::Class(class), ..self },
             _ => self,

@@ -81,10 +81,10 @@ impl Fit {
     /// [`FitError`] when a part is not the hole or shaft that it should be, when the nominal sizes differ, or when a
     /// clearance would be beyond what a length holds.
     pub fn new(hole: Limits, shaft: Limits) -> Result<Self, FitError> {
-        if hole.feature != Feature::Hole {
+        if hole.feature != Some(Feature::Hole) {
             return Err(FitError::NotAHole { minimum: hole.minimum(), maximum: hole.maximum() });
         }
-        if shaft.feature != Feature::Shaft {
+        if shaft.feature != Some(Feature::Shaft) {
             return Err(FitError::NotAShaft { minimum: shaft.minimum(), maximum: shaft.maximum() });
         }
         if hole.nominal != shaft.nominal {
@@ -123,6 +123,11 @@ impl Fit {
     /// The shaft's limits.
     pub const fn shaft(&self) -> &Limits {
         &self.shaft
+    }
+
+    /// Both parts with their limits: the hole, then the shaft.
+    pub const fn parts(&self) -> [(Feature, &Limits); 2] {
+        [(Feature::Hole, &self.hole), (Feature::Shaft, &self.shaft)]
     }
 
     /// The nominal size of both.

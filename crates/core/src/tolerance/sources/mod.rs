@@ -143,8 +143,8 @@ impl Sources {
         standard.into_iter().flat_map(move |standard| (standard.classes_at)(feature, nominal, self.options))
     }
 
-    /// The limits of a callout. The letter's case says hole or shaft; where a callout has no letters or is a fit,
-    /// `feature` says which one is meant.
+    /// The limits of a callout. The letter's case says hole or shaft; where a callout has no letters, `feature` says it, or nobody: a
+    /// distance or a depth is neither. Of a fit, `feature` says which part is meant.
     ///
     /// ```
     /// use fitcheck_core::tolerance::{Feature, Sources};
@@ -168,7 +168,20 @@ impl Sources {
         }
         let limits = self.whatever_limits(callout, feature)?;
         self.undoubted(|| self.zone_doubt(callout, &limits))?;
-        Self::with_feature(callout, feature, limits)
+        Ok(limits)
+    }
+
+    /// The limits of a hole or a shaft: as [`Sources::limits`], where one of the two has to be known.
+    ///
+    /// # Errors
+    /// [`LimitsError::NoFeature`] where neither the callout nor `feature` says it, and those of [`Sources::limits`], which come first: what
+    /// is doubted has to be written anew anyway.
+    pub fn feature_limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
+        let limits = self.limits(callout, feature)?;
+        match limits.feature {
+            Some(_) => Ok(limits),
+            None => Err(LimitsError::NoFeature { callout: *callout }),
+        }
     }
 
     /// What is doubtful about the limits of a callout, whether or not wide zones are meant.
@@ -187,23 +200,14 @@ impl Sources {
     pub fn coordinate_limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
         let limits = self.whatever_limits(callout, feature)?;
         self.proportionate_coordinate(limits.nominal, limits.deviations)?;
-        Self::with_feature(callout, feature, limits)
+        Ok(limits)
     }
 
-    /// Limits of a hole or a shaft; of a shaft where nobody says which.
+    /// The limits, whether or not their zone is in proportion.
     fn whatever_limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
         let (deviations, source) = self.deviations(callout, feature)?;
-        let feature = callout.feature().or(feature).unwrap_or(Feature::Shaft);
-        Limits::new(feature, callout.nominal(), deviations, source)
+        Limits::new(callout.feature().or(feature), callout.nominal(), deviations, source)
             .ok_or(LimitsError::TooLarge { nominal: callout.nominal() })
-    }
-
-    /// The same where somebody says it: what is doubted comes first, for it has to be written anew anyway.
-    fn with_feature(callout: &Callout, feature: Option<Feature>, limits: Limits) -> Result<Limits, LimitsError> {
-        match callout.feature().or(feature) {
-            Some(_) => Ok(limits),
-            None => Err(LimitsError::NoFeature { callout: *callout }),
-        }
     }
 
     /// Whether the figures are those of a standard, which nobody has typed.
@@ -238,18 +242,6 @@ impl Sources {
     fn undoubted(&self, doubt: impl FnOnce() -> Option<ZoneDoubt>) -> Result<(), LimitsError> {
         let doubt = if self.takes_wide_zones { None } else { doubt() };
         doubt.map_or(Ok(()), |doubt| Err(LimitsError::Zone(Box::new(doubt))))
-    }
-
-    /// The limits of a callout where it does not matter whether a hole or a shaft is meant: a callout without letters
-    /// gets those of a shaft.
-    ///
-    /// # Errors
-    /// [`LimitsError`], also for a fit, which has two.
-    pub fn size_limits(&self, callout: &Callout) -> Result<Limits, LimitsError> {
-        match callout.tolerance() {
-            Tolerance::Class(_) | Tolerance::Fit { .. } => self.limits(callout, None),
-            _ => self.limits(callout, Some(Feature::Shaft)),
-        }
     }
 }
 

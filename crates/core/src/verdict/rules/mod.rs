@@ -252,8 +252,9 @@ fn moved([minimum, maximum]: [Length; 2], inwards: Length) -> Option<[Length; 2]
 }
 
 impl Zones {
-    /// The status of a measured value: good where it is accepted, rework or scrap where it is rejected, re-measure between.
-    pub fn status(&self, feature: Feature, measured: Length) -> Status {
+    /// The status of a measured value: good where it is accepted, rework or scrap (out of limits where it is neither hole nor shaft) where
+    /// it is rejected, re-measure between.
+    pub fn status(&self, feature: Option<Feature>, measured: Length) -> Status {
         let [least, most] = self.rejected;
         match classify(feature, least, most, measured) {
             _ if self.accepted.is_some_and(|[least, most]| least <= measured && measured <= most) => Status::Good,

@@ -13,6 +13,9 @@ use crate::exchange::given::shorten;
 use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 
+/// K2009 of other lengths, and what they are (public readers of AQDEF agree on these).
+const LENGTHS: [(u32, &str); 3] = [(102, "roundness"), (109, "position"), (117, "coordinate")];
+
 /// K2009 of a diameter.
 const DIAMETER: u32 = 202;
 
@@ -64,9 +67,13 @@ impl Declared {
         let kind = reading.whole(2004);
         let quantity = reading.whole(2009);
         let decimals = reading.whole(2022).and_then(|decimals| decimals.try_into().ok());
-        let what = quantity
-            .filter(|&quantity| quantity != DIAMETER)
-            .map_or(CharacteristicKind::Size, CharacteristicKind::Quantity);
+        let what = match quantity {
+            None | Some(DIAMETER) => CharacteristicKind::Size,
+            Some(quantity) => match LENGTHS.iter().find(|(number, _)| *number == quantity) {
+                Some((_, word)) => CharacteristicKind::Length((*word).to_owned()),
+                None => CharacteristicKind::Quantity(quantity),
+            },
+        };
         let unit = reading.read_unit();
         // Figures in a unit that is not known say nothing.
         let lengths = if let Ok(unit) = unit {
@@ -80,7 +87,10 @@ impl Declared {
             number: first(&asked, &[2001]).map_or_else(|| asked.number.to_string(), str::to_owned),
             part: first(&asked, &[1001, 1002]).map_or_else(String::new, str::to_owned),
             who: asked.text(1222).to_owned(),
-            quantity: (quantity == Some(DIAMETER)).then_some(Quantity::Diameter),
+            quantity: match what {
+                CharacteristicKind::Length(_) => Some(Quantity::Length),
+                _ => (quantity == Some(DIAMETER)).then_some(Quantity::Diameter),
+            },
             ..Labels::default()
         };
         let mut characteristic = Characteristic {

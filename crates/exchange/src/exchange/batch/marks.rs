@@ -33,6 +33,7 @@ impl RowFate {
         Self::Judged(Status::Good),
         Self::Judged(Status::Rework),
         Self::Judged(Status::ReMeasure),
+        Self::Judged(Status::OutOfLimits),
         Self::Judged(Status::Scrap),
         Self::NotJudged,
     ];
@@ -51,8 +52,9 @@ impl RowFate {
             Self::Judged(Status::Good) => 0,
             Self::Judged(Status::Rework) => 1,
             Self::Judged(Status::ReMeasure) => 2,
-            Self::Judged(Status::Scrap) => 3,
-            Self::NotJudged => 4,
+            Self::Judged(Status::OutOfLimits) => 3,
+            Self::Judged(Status::Scrap) => 4,
+            Self::NotJudged => 5,
         }
     }
 }
@@ -76,7 +78,8 @@ impl Mark {
             0 => RowFate::Judged(Status::Good),
             1 => RowFate::Judged(Status::Rework),
             2 => RowFate::Judged(Status::ReMeasure),
-            3 => RowFate::Judged(Status::Scrap),
+            3 => RowFate::Judged(Status::OutOfLimits),
+            4 => RowFate::Judged(Status::Scrap),
             _ => RowFate::NotJudged,
         }
     }

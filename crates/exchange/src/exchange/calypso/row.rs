@@ -1,6 +1,7 @@
 //! A row: a characteristic with its value.
 
 use fitcheck_core::length::{Length, LengthError, Unit};
+use fitcheck_core::probing::cycle::Axis;
 
 use super::columns::{Column, Columns};
 use super::error::{CalypsoFault, CalypsoWarning};
@@ -17,6 +18,39 @@ const DIAMETER: &str = "diameter";
 
 /// The word for how far a value is out of its limits.
 const EXCEED: &str = "exceed";
+
+/// Words of lengths that are the size of nothing: how they begin, in small letters.
+const LENGTHS: [&str; 18] = [
+    "radius",
+    "distance",
+    "length",
+    "width",
+    "depth",
+    "height",
+    "flatness",
+    "straightness",
+    "roundness",
+    "cylindricity",
+    "parallelism",
+    "perpendicularity",
+    "position",
+    "concentricity",
+    "coaxiality",
+    "symmetry",
+    "runout",
+    "profile",
+];
+
+/// The length that a word means, besides a diameter; angles and everything unknown are none.
+fn length(word: &str) -> Option<Quantity> {
+    let small = word.to_lowercase();
+    Some(match small.as_str() {
+        "xvalue" => Quantity::Coordinate(Axis::First),
+        "yvalue" => Quantity::Coordinate(Axis::Second),
+        "zvalue" => Quantity::Coordinate(Axis::Third),
+        _ => LENGTHS.iter().any(|known| small.starts_with(known)).then_some(Quantity::Length)?,
+    })
+}
 
 /// What was read.
 #[derive(Debug)]
@@ -90,14 +124,18 @@ impl CalypsoRow {
             part: cells.text(Column::Plan).to_owned(),
             serial: cells.text(Column::Part).to_owned(),
             place: [x?, y?, z?],
-            quantity: is_diameter.then_some(Quantity::Diameter),
+            quantity: if is_diameter { Some(Quantity::Diameter) } else { length(word) },
             // The table has no column for it.
             is_axis_assumed: true,
             ..Labels::default()
         };
         let characteristic = Characteristic {
             name: cells.text(Column::Id).to_owned(),
-            what: if is_diameter { CharacteristicKind::Size } else { CharacteristicKind::Other(shorten(word)) },
+            what: match &labels.quantity {
+                Some(Quantity::Diameter) => CharacteristicKind::Size,
+                Some(_) => CharacteristicKind::Length(shorten(word)),
+                None => CharacteristicKind::Other(shorten(word)),
+            },
             class: String::new(),
             feature: None,
             nominal,

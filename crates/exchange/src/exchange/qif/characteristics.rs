@@ -5,7 +5,7 @@ use fitcheck_core::tolerance::{Feature, ToleranceClass};
 
 use super::declared::{Definition, Item, Nominal, Tolerance};
 use super::definitions::Definitions;
-use super::kinds::{in_words, is_size};
+use super::kinds::{has_lengths, in_words, is_size};
 use super::units::{NotALength, Number, UnitOwner, Units};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind};
@@ -101,10 +101,12 @@ impl Definitions {
             expanded: None,
             labels,
         };
-        if is_size(&definition.kind) {
-            characteristic.what = CharacteristicKind::Size;
-            let is_diameter = definition.kind == "Diameter";
-            characteristic.labels.quantity = Some(if is_diameter { Quantity::Diameter } else { Quantity::Width });
+        if has_lengths(&definition.kind) {
+            (characteristic.what, characteristic.labels.quantity) = match definition.kind.as_str() {
+                "Diameter" => (CharacteristicKind::Size, Some(Quantity::Diameter)),
+                "Width" => (CharacteristicKind::Size, Some(Quantity::Width)),
+                kind => (CharacteristicKind::Length(in_words(kind)), Some(Quantity::Length)),
+            };
             let target = lengths.read(nominal.target.as_ref(), UnitOwner::Characteristic)?;
             let diameter = declared.and_then(|declared| declared.diameter.as_ref());
             characteristic.nominal = match target {
@@ -112,7 +114,11 @@ impl Definitions {
                 None if definition.kind == "Diameter" => lengths.read(diameter, UnitOwner::Feature)?,
                 None => None,
             };
-            self.limits(definition, &mut characteristic, &mut lengths)?;
+            let limits = self.limits(definition, &mut characteristic, &mut lengths);
+            // What is no size is listed without limits where those of the file cannot be read.
+            if is_size(&definition.kind) {
+                limits?;
+            }
         }
         Ok(Resolved { characteristic, rounded: lengths.rounded, kind: definition.kind.clone() })
     }

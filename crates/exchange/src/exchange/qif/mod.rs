@@ -180,7 +180,7 @@ impl Reader<'_, '_> {
         let own = element.text_at(&["Status", "CharacteristicStatusEnum"]);
         let status = if own.is_empty() { element.text_at(&["Status", "OtherCharacteristicStatus"]) } else { own };
         // A radius is half a diameter.
-        if is_size(&resolved.kind) && resolved.kind != measured.kind {
+        if has_lengths(&resolved.kind) && resolved.kind != measured.kind {
             let measured = in_words(measured.kind);
             let defined = in_words(&resolved.kind);
             return Err(nothing_given(ImportErrorKind::QifOtherKind { measured, defined }));
@@ -220,20 +220,18 @@ impl Reader<'_, '_> {
             NotALength::Unit(kind) => kind,
         });
         let (length, is_exact) = read.map_err(|kind| (kind, shorten(&number.text)))?;
-        if is_size(measured.kind) {
-            if length <= Length::ZERO {
-                let given = shorten(&number.text);
-                return Err((ImportErrorKind::NotPositive { given: given.clone() }, given));
-            }
-            let inexact = (!is_exact).then_some(number.text);
-            for given in resolved.rounded.into_iter().chain(inexact) {
-                self.warn(line, ImportWarningKind::Rounded { given: shorten(&given) });
-            }
-            let standard = value.start.attribute("combinedUncertainty").to_owned();
-            if !standard.is_empty() {
-                let mean_error = value.start.attribute("meanError").to_owned();
-                self.warn(line, ImportWarningKind::StandardUncertaintyNotUsed { standard, mean_error });
-            }
+        if is_size(measured.kind) && length <= Length::ZERO {
+            let given = shorten(&number.text);
+            return Err((ImportErrorKind::NotPositive { given: given.clone() }, given));
+        }
+        let inexact = (!is_exact).then_some(number.text);
+        for given in resolved.rounded.into_iter().chain(inexact) {
+            self.warn(line, ImportWarningKind::Rounded { given: shorten(&given) });
+        }
+        let standard = value.start.attribute("combinedUncertainty").to_owned();
+        if !standard.is_empty() {
+            let mean_error = value.start.attribute("meanError").to_owned();
+            self.warn(line, ImportWarningKind::StandardUncertaintyNotUsed { standard, mean_error });
         }
         let value = Value { line, measured: length, time, labels, is_simulated: false };
         resolved.characteristic.judge(value, self.context, self.sink);

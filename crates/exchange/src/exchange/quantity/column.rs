@@ -61,7 +61,7 @@ pub(in crate::exchange) fn of_row<'c>(
         Some((column.at, cells.cell(column.at).trim(), quantity))
     });
     let rank = |quantity: &Quantity| match quantity {
-        Quantity::Other => 0,
+        Quantity::Other | Quantity::Length => 0,
         Quantity::Coordinate(_) => 1,
         Quantity::Diameter | Quantity::Width => 2,
         Quantity::Size => 3,

@@ -30,6 +30,8 @@ pub enum Quantity {
     /// A distance of two walls or from a datum.
     Width,
     Coordinate(Axis),
+    /// A length that is the size of nothing, such as a radius, a flatness, a position.
+    Length,
     /// Anything else.
     Other,
 }
@@ -44,12 +46,20 @@ impl Quantity {
     pub fn fits(&self, kind: &FeatureKind) -> bool {
         match self {
             Self::Size => true,
-            Self::Diameter => matches!(kind, FeatureKind::Diameter(_)),
+            Self::Diameter => matches!(kind, FeatureKind::Diameter(_) | FeatureKind::Length(_)),
             Self::Width => matches!(
                 kind,
-                FeatureKind::Width(..) | FeatureKind::Pocket(_) | FeatureKind::Boss(_) | FeatureKind::Face(..)
+                FeatureKind::Width(..)
+                    | FeatureKind::Pocket(_)
+                    | FeatureKind::Boss(_)
+                    | FeatureKind::Face(..)
+                    | FeatureKind::Length(_)
             ),
-            Self::Coordinate(axis) => matches!(kind, FeatureKind::Face(_, towards) if towards.axis == *axis),
+            Self::Coordinate(axis) => match kind {
+                FeatureKind::Face(_, towards) => towards.axis == *axis,
+                kind => matches!(kind, FeatureKind::Length(_)),
+            },
+            Self::Length => kind.is_by_hand(),
             Self::Other => false,
         }
     }

@@ -20,7 +20,7 @@ impl Question {
             words.extend(text.as_ref().map(|text| asking(key, text)));
         };
         named.into_iter().for_each(&mut name);
-        let verdicts: Vec<String> = self.verdicts.iter().map(|status| status.word().to_lowercase()).collect();
+        let verdicts: Vec<String> = self.verdicts.iter().map(|status| status.key().to_owned()).collect();
         name(("verdict", &(!verdicts.is_empty()).then(|| verdicts.join(","))));
         name(("who", &self.who));
         name(("station", &self.station));

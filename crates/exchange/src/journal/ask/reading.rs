@@ -220,7 +220,7 @@ fn moment(text: &str, here: &LocalNow, is_end: bool) -> Option<i64> {
 /// The verdict of a word that stands alone, as it is called in English or by one of these names.
 pub fn verdict_of(word: &str, named: &[(String, Status)]) -> Option<Status> {
     let word = word.trim().to_lowercase();
-    let english = Status::ALL.into_iter().find(|status| status.word().to_lowercase() == word);
+    let english = Status::ALL.into_iter().find(|status| status.key() == word || status.word().to_lowercase() == word);
     english.or_else(|| named.iter().find(|(name, _)| name.to_lowercase() == word).map(|(_, status)| *status))
 }
 
@@ -236,11 +236,12 @@ fn verdict_at(words: &[Word], named: &[(String, Status)]) -> Option<(Status, usi
 fn verdicts(text: &str) -> Result<Vec<Status>, AskErrorKind> {
     let mut found = Vec::new();
     for given in text.split(',') {
-        let word = given.trim().to_ascii_uppercase();
-        let status = Status::ALL.into_iter().find(|status| status.word() == word);
-        let status = status.or_else(|| (word == "REMEASURE").then_some(Status::ReMeasure));
+        let word = given.trim().to_ascii_lowercase();
+        let status =
+            Status::ALL.into_iter().find(|status| status.key() == word || status.word().to_ascii_lowercase() == word);
+        let status = status.or_else(|| (word == "remeasure").then_some(Status::ReMeasure));
         let Some(status) = status else {
-            let known = Status::ALL.map(|status| status.word().to_lowercase()).join(", ");
+            let known = Status::ALL.map(Status::key).join(", ");
             return Err(AskErrorKind::Verdict { given: shortened(given, 40), known });
         };
         if !found.contains(&status) {

@@ -67,7 +67,7 @@ fn live(recorded: &Limits, callout: Option<&Callout>, origin: &Origin) -> Option
     let standard = Sources::default();
     let control = || Sources::default().with_base(Base::ControlTables, shipped_tables);
     let of_callout = |sources: &Sources| {
-        let (deviations, source) = sources.deviations(callout?, Some(recorded.feature)).ok()?;
+        let (deviations, source) = sources.deviations(callout?, recorded.feature).ok()?;
         (deviations == recorded.deviations).then_some(source).filter(is_same)
     };
     let of_file = || match origin {

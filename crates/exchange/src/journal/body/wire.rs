@@ -97,7 +97,7 @@ objects! {
         doubt: Option<Doubt>,
     }
     Limits {
-        feature: Feature,
+        feature: Option<Feature>,
         nominal_nm: i64,
         upper_nm: i64,
         lower_nm: i64,

@@ -261,10 +261,10 @@ pub(super) fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Ve
 }
 
 fn summary(seen: &ReportSurvey, parts: &[PartSheet], words: &Words) -> Summary {
-    let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
+    let counts = Status::ALL.into_iter().filter_map(|status| {
         let count = seen.counts.get(status.at()).map_or(0, |count| *count);
-        // Nothing is re-measured without a guard band, so a zero would only raise questions.
-        (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
+        // Nothing is re-measured without a guard band or out of limits where hole or shaft is said, so a zero would only raise questions.
+        (!status.is_rare() || 0 < count).then(|| Count { word: words.told(&status), count })
     });
     // What a part lacks belongs to its sizes, too.
     let standings: Vec<_> = parts.iter().map(PartSheet::standing).collect();

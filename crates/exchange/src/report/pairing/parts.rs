@@ -94,7 +94,7 @@ impl PairingParts {
     /// The holes or the shafts among checks; `records` are the oldest first.
     pub fn of_records<'a>(records: impl Iterator<Item = &'a Record>, feature: Feature) -> Self {
         let mut found = Sizes::default();
-        for (line, record) in (1..).zip(records).filter(|(_, record)| record.limits.feature == feature) {
+        for (line, record) in (1..).zip(records).filter(|(_, record)| record.limits.feature == Some(feature)) {
             let measured = record.measurement.diameter;
             if Length::ZERO < measured {
                 let is_simulated = record.measurement.origin.is_simulated();

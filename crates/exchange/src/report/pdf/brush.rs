@@ -11,7 +11,7 @@ use krilla::surface::Surface;
 
 use super::bands::{BandShape, Mark};
 use super::fonts::Fonts;
-use super::look::{HATCH_REWORK, HATCH_SCRAP, Ink, PAPER, QUIET, Style, TEXT, ZONE, ZONE_EDGE};
+use super::look::{HATCH_OUT, HATCH_REWORK, HATCH_SCRAP, Ink, PAPER, QUIET, Style, TEXT, ZONE, ZONE_EDGE};
 use super::paths::{block, outline_path};
 use super::pictures::Drawable;
 use super::sheet::{Area, Edge, Place, Shape};
@@ -25,6 +25,8 @@ pub(super) enum Hatch {
     Rework,
     /// A narrow lattice.
     Scrap,
+    /// A wide lattice.
+    Out,
     /// Upright lines.
     Undecided,
     /// Level lines.
@@ -186,6 +188,7 @@ pub(super) fn hatched(hatch: Hatch, Area { x, y, width, height }: Area) -> (Vec<
     let (step, end) = match hatch {
         Hatch::Rework => (5.0, width + height),
         Hatch::Scrap => (4.4, width + height),
+        Hatch::Out => (9.0, width + height),
         Hatch::Undecided => (2.2, width),
         Hatch::Beyond => (2.2, height),
     };
@@ -195,7 +198,7 @@ pub(super) fn hatched(hatch: Hatch, Area { x, y, width, height }: Area) -> (Vec<
     while at < end {
         match hatch {
             Hatch::Rework => add([at, 0.0], [at - height, height]),
-            Hatch::Scrap => {
+            Hatch::Scrap | Hatch::Out => {
                 add([at, 0.0], [at - height, height]);
                 add([at - height, 0.0], [at, height]);
             }
@@ -207,6 +210,7 @@ pub(super) fn hatched(hatch: Hatch, Area { x, y, width, height }: Area) -> (Vec<
     let ink = match hatch {
         Hatch::Rework => HATCH_REWORK,
         Hatch::Scrap => HATCH_SCRAP,
+        Hatch::Out => HATCH_OUT,
         Hatch::Undecided | Hatch::Beyond => QUIET,
     };
     (lines, ink)
@@ -217,6 +221,7 @@ impl From<Side> for Hatch {
         match side {
             Side::Rework => Self::Rework,
             Side::Scrap => Self::Scrap,
+            Side::Out => Self::Out,
         }
     }
 }

@@ -263,9 +263,12 @@ pub(super) fn counts_of_parts(parts: &[PartSheet], words: &Words) -> Card {
 
 fn shown(counts: [usize; Status::ALL.len()], words: &Words) -> impl Iterator<Item = Count> {
     Status::ALL.into_iter().zip(counts).filter_map(|(status, count)| {
-        // Nothing is re-measured without a guard band, so a zero would only raise questions.
-        let is_shown = status != Status::ReMeasure || 0 < count;
-        is_shown.then(|| Count { status: Some(status), word: words.told(&status), number: count })
+        // A zero of what seldom comes would only raise questions.
+        (!status.is_rare() || 0 < count).then(|| Count {
+            status: Some(status),
+            word: words.told(&status),
+            number: count,
+        })
     })
 }
 

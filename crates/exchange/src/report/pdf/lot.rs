@@ -47,10 +47,11 @@ pub(super) fn write(flow: &mut Flow<'_>, section: TagId, parts: &[PartSheet], wo
 fn badness(part: &PartSheet) -> u8 {
     match part.status() {
         Some(Status::Scrap) => 0,
-        Some(Status::ReMeasure) => 1,
-        Some(Status::Rework) => 2,
-        None => 3,
-        Some(Status::Good) => 4,
+        Some(Status::OutOfLimits) => 1,
+        Some(Status::ReMeasure) => 2,
+        Some(Status::Rework) => 3,
+        None => 4,
+        Some(Status::Good) => 5,
     }
 }
 

@@ -145,7 +145,7 @@ fn outlined(canvas: &mut dyn Canvas, (outline, [x, y], radius): (Outline, Place,
     match outline {
         Outline::Circle => square(radius, radius, canvas),
         Outline::Square => square(radius * 0.94, radius * 0.25, canvas),
-        Outline::Diamond | Outline::Hexagon => {
+        Outline::Diamond | Outline::Hexagon | Outline::Triangle => {
             let corners: Vec<_> = outline.corners().iter().map(|[dx, dy]| [x + dx * radius, y + dy * radius]).collect();
             canvas.polygon(&corners, Some(fill), Some(edge));
         }

@@ -38,7 +38,7 @@ pub(super) fn outline_path(outline: Outline, [x, y]: Place, radius: f32) -> Opti
             let side = radius * 0.94;
             return block(Area::new(x - side, y - side, 2.0 * side, 2.0 * side), radius * 0.25);
         }
-        Outline::Diamond | Outline::Hexagon => {}
+        Outline::Diamond | Outline::Hexagon | Outline::Triangle => {}
     }
     let mut builder = PathBuilder::new();
     for (number, [dx, dy]) in outline.corners().iter().enumerate() {

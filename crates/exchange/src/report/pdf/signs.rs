@@ -8,6 +8,7 @@ pub(super) enum Sign {
     Good,
     Rework,
     ReMeasure,
+    OutOfLimits,
     Scrap,
     None,
 }
@@ -18,6 +19,7 @@ impl Sign {
             Some(Status::Good) => Self::Good,
             Some(Status::Rework) => Self::Rework,
             Some(Status::ReMeasure) => Self::ReMeasure,
+            Some(Status::OutOfLimits) => Self::OutOfLimits,
             Some(Status::Scrap) => Self::Scrap,
             None => Self::None,
         }
@@ -29,6 +31,7 @@ impl Sign {
             Self::Good => '\u{e182}',
             Self::Rework => '\u{e038}',
             Self::ReMeasure => '\u{e3f6}',
+            Self::OutOfLimits => '\u{eb04}',
             Self::Scrap => '\u{e4f6}',
             Self::None => '\u{e32a}',
         }
@@ -42,6 +45,7 @@ pub(super) enum Outline {
     Square,
     Diamond,
     Hexagon,
+    Triangle,
 }
 
 impl Outline {
@@ -50,6 +54,7 @@ impl Outline {
         match self {
             Self::Circle | Self::Square => &[],
             Self::Diamond => &[[0.0, -1.22], [1.22, 0.0], [0.0, 1.22], [-1.22, 0.0]],
+            Self::Triangle => &[[0.0, -1.45], [1.4, 0.85], [-1.4, 0.85]],
             Self::Hexagon => &[[-0.58, -1.0], [0.58, -1.0], [1.16, 0.0], [0.58, 1.0], [-0.58, 1.0], [-1.16, 0.0]],
         }
     }
@@ -60,6 +65,7 @@ impl Outline {
             Some(Status::Rework) => Self::Square,
             Some(Status::Scrap) => Self::Diamond,
             Some(Status::ReMeasure) => Self::Hexagon,
+            Some(Status::OutOfLimits) => Self::Triangle,
         }
     }
 }

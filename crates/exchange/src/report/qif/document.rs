@@ -130,7 +130,7 @@ const fn shape(quantity: Quantity) -> Option<Shape> {
         Quantity::Diameter => Some(Shape { name: "Circle", line: None }),
         Quantity::Width(WidthAxis::X) => Some(Shape { name: "OppositeParallelLines", line: Some("0 1 0") }),
         Quantity::Width(WidthAxis::Y) => Some(Shape { name: "OppositeParallelLines", line: Some("1 0 0") }),
-        Quantity::Coordinate => None,
+        Quantity::Coordinate | Quantity::Length => None,
     }
 }
 
@@ -140,8 +140,9 @@ fn definition(asked: &Asked<'_>, (shape, id): (Shape, CharacteristicIds), xml: &
     xml.text(
         "InternalExternal",
         match asked.limits.feature {
-            Feature::Hole => "INTERNAL",
-            Feature::Shaft => "EXTERNAL",
+            Some(Feature::Hole) => "INTERNAL",
+            Some(Feature::Shaft) => "EXTERNAL",
+            None => "NOT_APPLICABLE",
         },
     )?;
     let size = mm(asked.limits.nominal);
@@ -197,7 +198,7 @@ fn characteristics(report: &Report, ids: &Ids, xml: &mut Elements<'_>) -> io::Re
         let name = format!("{}CharacteristicNominal", kind(asked.quantity));
         xml.open(&name, id.nominal())?;
         xml.id("CharacteristicDefinitionId", id.definition())?;
-        if asked.quantity != Quantity::Coordinate {
+        if asked.quantity.has_shape() {
             xml.only_id("FeatureNominalIds", id.feature_nominal())?;
         }
         xml.text("TargetValue", &mm(asked.limits.nominal))?;
@@ -214,7 +215,7 @@ fn characteristics(report: &Report, ids: &Ids, xml: &mut Elements<'_>) -> io::Re
             xml.text("Designator", asked.number)?;
             xml.close("CharacteristicDesignator")?;
         }
-        if asked.quantity != Quantity::Coordinate {
+        if asked.quantity.has_shape() {
             xml.only_id("FeatureItemIds", id.feature_item())?;
         }
         xml.id("CharacteristicNominalId", id.nominal())?;

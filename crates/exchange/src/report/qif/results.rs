@@ -121,7 +121,7 @@ const fn of_part(status: Option<Status>) -> &'static str {
     match status {
         Some(Status::Good) => "PASS",
         Some(Status::Rework) => "REWORK",
-        Some(Status::Scrap) => "FAIL",
+        Some(Status::Scrap | Status::OutOfLimits) => "FAIL",
         Some(Status::ReMeasure) | None => "UNKNOWN",
     }
 }
@@ -134,7 +134,7 @@ fn status(found: Found<'_>) -> &'static str {
         Status::Good => "PASS",
         Status::Rework => "REWORK",
         Status::ReMeasure => "INDETERMINATE",
-        Status::Scrap => "FAIL",
+        Status::Scrap | Status::OutOfLimits => "FAIL",
     }
 }
 

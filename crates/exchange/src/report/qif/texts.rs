@@ -16,7 +16,7 @@ pub(super) const fn kind(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Diameter => "Diameter",
         Quantity::Width(_) => "Width",
-        Quantity::Coordinate => "Length",
+        Quantity::Coordinate | Quantity::Length => "Length",
     }
 }
 

@@ -103,6 +103,7 @@ impl Looks {
                 coloured(Some(Status::Good), 0x0022_AA77, 0),
                 coloured(Some(Status::Rework), 0x00FF_C20A, 0),
                 coloured(Some(Status::ReMeasure), 0x0000_559E, 0x00FF_FFFF),
+                coloured(Some(Status::OutOfLimits), 0x007A_3FA8, 0x00FF_FFFF),
                 coloured(Some(Status::Scrap), 0x00A6_1C00, 0x00FF_FFFF),
                 coloured(None, 0x0059_5959, 0x00FF_FFFF),
             ],

@@ -14,7 +14,7 @@ use crate::report::said::{heading, lacks};
 use crate::report::told;
 
 /// The columns of the lot, by the names of their texts, and how wide they are.
-const COLUMNS: [(&str, f64); 13] = [
+const COLUMNS: [(&str, f64); 14] = [
     ("report-contact", 6.0),
     ("report-part", 24.0),
     ("records-page-serial", 18.0),
@@ -25,6 +25,7 @@ const COLUMNS: [(&str, f64); 13] = [
     ("status-good", 11.0),
     ("status-rework", 14.0),
     ("status-re-measure", 14.0),
+    ("status-out-of-limits", 14.0),
     ("status-scrap", 11.0),
     ("simulated", 13.0),
     ("parts-page-head-remark", 60.0),
@@ -34,15 +35,16 @@ const COLUMNS: [(&str, f64); 13] = [
 const STANDING: u16 = 3;
 
 /// The columns that are counted, from the first to the last.
-const COUNTED: [u16; 2] = [7, 11];
+const COUNTED: [u16; 2] = [7, 12];
 
-const LAST_OF_LOT: u16 = 12;
+const LAST_OF_LOT: u16 = 13;
 
-/// How many values of a part there are of each status, and how many nobody measured.
-fn counts(part: &PartSheet) -> [usize; 5] {
-    let mut counts = [0; 5];
+/// How many values of a part there are of each status, in the order of [`Status::ALL`], and how many nobody measured.
+fn counts(part: &PartSheet) -> [usize; Status::ALL.len() + 1] {
+    let mut counts = [0; Status::ALL.len() + 1];
     for record in part.records() {
-        let at = if record.measurement.origin.is_simulated() { 4 } else { place(record.verdict.status()) };
+        let at =
+            if record.measurement.origin.is_simulated() { Status::ALL.len() } else { record.verdict.status().at() };
         if let Some(count) = counts.get_mut(at) {
             *count += 1;
         }
@@ -50,24 +52,15 @@ fn counts(part: &PartSheet) -> [usize; 5] {
     counts
 }
 
-/// The places of the statuses among the columns.
-const fn place(status: Status) -> usize {
-    match status {
-        Status::Good => 0,
-        Status::Rework => 1,
-        Status::ReMeasure => 2,
-        Status::Scrap => 3,
-    }
-}
-
-/// The places of the parts in the report, the worst part first: scrap, re-measure, rework, those without a verdict, good.
+/// The places of the parts in the report, the worst part first: scrap, out of limits, re-measure, rework, those without a verdict, good.
 fn worst_first(parts: &[PartSheet]) -> Vec<usize> {
     let rank = |part: &PartSheet| match part.status() {
         Some(Status::Scrap) => 0,
-        Some(Status::ReMeasure) => 1,
-        Some(Status::Rework) => 2,
-        None => 3,
-        Some(Status::Good) => 4,
+        Some(Status::OutOfLimits) => 1,
+        Some(Status::ReMeasure) => 2,
+        Some(Status::Rework) => 3,
+        None => 4,
+        Some(Status::Good) => 5,
     };
     let mut ranked: Vec<(i32, usize)> = parts.iter().map(rank).zip(0..).collect();
     ranked.sort_unstable();

@@ -11,8 +11,14 @@ use crate::report::html::entries;
 use crate::report::told::mark;
 
 /// The verdicts in the order of the counts, with none at the end.
-const VERDICTS: [Option<Status>; 5] =
-    [Some(Status::Good), Some(Status::Rework), Some(Status::ReMeasure), Some(Status::Scrap), None];
+const VERDICTS: [Option<Status>; 6] = [
+    Some(Status::Good),
+    Some(Status::Rework),
+    Some(Status::ReMeasure),
+    Some(Status::OutOfLimits),
+    Some(Status::Scrap),
+    None,
+];
 
 pub(super) fn fill(book: &mut Book<'_>, sheet: &mut Worksheet, counted: &Counted) -> io::Result<()> {
     let mut paper = book.set_up(sheet);

@@ -170,6 +170,7 @@ const fn class(status: Option<Status>) -> &'static str {
         Some(Status::Good) => "good",
         Some(Status::Rework) => "rework",
         Some(Status::ReMeasure) => "remeasure",
+        Some(Status::OutOfLimits) => "outoflimits",
         Some(Status::Scrap) => "scrap",
         None => "none",
     }

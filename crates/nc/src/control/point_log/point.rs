@@ -52,7 +52,7 @@ pub struct Band {
 impl Band {
     /// Good on or between the limits; above them material is left, rework; below them material is missing, scrap.
     pub fn status(&self, deviation: Length) -> Status {
-        verdict::classify(Feature::Shaft, self.lower, self.upper, deviation)
+        verdict::classify(Some(Feature::Shaft), self.lower, self.upper, deviation)
     }
 }
 
