@@ -151,8 +151,9 @@ const THREE_PARTS: [(usize, usize, &str); 26] = [
 #[test]
 fn files_of_another_tool_have_the_values_that_they_hold() {
     let plan = |count| format!("1: {count} but no values: this is a plan, not measurements");
-    // Each lies within its limits: 1 to 2 mm of the first, and wider ones, which are doubted, of the others.
+    // The limits of the first are 1 to 2 mm; those of the others are so wide that they are doubted.
     let within = |line: usize, code: usize, value: &str| match code {
+        1 if "2" < value => format!("{line} <characteristic_code_{code}> {value} OUT OF LIMITS"),
         1 => format!("{line} <characteristic_code_{code}> {value} GOOD"),
         _ => {
             let (nominal, half, most) =
@@ -226,7 +227,8 @@ fn characteristics_belong_to_the_part_named_before_them() {
             _ => None,
         })
         .collect();
-    assert_eq!(parts, [vec!["<part_number_1>"; 8], vec!["<part_number_2>"; 3], vec!["<part_number_3>"; 15]].concat());
+    // Of the second and third parts most characteristics are refused for their wide zones.
+    assert_eq!(parts, [vec!["<part_number_1>"; 8], vec!["<part_number_2>"; 1], vec!["<part_number_3>"; 3]].concat());
 }
 
 #[test]
@@ -427,10 +429,18 @@ fn other_quantities_than_a_diameter_are_named() {
     for (number, name) in
         [("102", "roundness"), ("109", "position"), ("117", "a coordinate"), ("5", "a quantity other than a diameter")]
     {
-        let said = format!("12 D 0.01: {name} (K2009 is {number}): not a size of a hole or shaft");
+        let said = |line| format!("{line} D 0.01: {name} (K2009 is {number}): not a size of a hole or shaft");
         let text = HEAD.replace("K2009/1 202", &format!("K2009/1 {number}"));
-        let told = values(&items("a.dfq", format!("{text}K0001/1 0.01\n").as_bytes(), None));
-        assert_eq!(told, [said]);
+        let told = |text: &str| values(&items("a.dfq", format!("{text}K0001/1 0.01\n").as_bytes(), None));
+        // What is known to be a length is judged by the limits of the file.
+        assert_eq!(told(&text), [if number == "5" { said(12) } else { "12 D 0.01 OUT OF LIMITS".to_owned() }]);
+        let without: String =
+            text.lines().filter(|line| !line.starts_with("K211")).map(|line| format!("{line}\n")).collect();
+        assert_eq!(told(&without), [said(without.lines().count() + 1)]);
+    }
+    for (value, status) in [("0.02", "GOOD"), ("0.021", "OUT OF LIMITS")] {
+        let flat = format!("K0100 1\nK2002/1 F\nK2009/1 102\nK2142/1 mm\nK2111/1 0.02\nK0001/1 {value}\n");
+        assert_eq!(values(&items("a.dfq", flat.as_bytes(), None)), [format!("6 F {value} {status}")]);
     }
     check_whole(
         "K0100 1\nK2002/1 angle\nK2009/1 5\nK2142/1 °\nK0001/1 30\n",

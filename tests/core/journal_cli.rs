@@ -184,7 +184,7 @@ fn a_record_says_hole_shaft_or_neither() {
     assert_eq!(check(&["10.25"]), 13);
     assert_eq!(check(&["10.25", "--feature", "hole"]), 11);
     let shown = |number: &str| place.run(&["journal", "show", number, "--journal", "j.sqlite"]).out;
-    assert!(shown("2").contains("(neither hole nor shaft, −200 / +200 µm)"), "{}", shown("2"));
+    assert!(shown("2").contains("(neither hole nor shaft, -200 / +200 µm)"), "{}", shown("2"));
     assert!(shown("3").contains("OUT OF LIMITS") && shown("4").contains("(hole, "), "{}", shown("3"));
     let asked = place.run(&["journal", "list", "verdict:out-of-limits", "--journal", "j.sqlite"]);
     assert!(asked.out.contains("10.25") && asked.out.contains("OUT OF LIMITS"), "{}", asked.out);

@@ -89,7 +89,7 @@ fn a_plan_asks_for_distances_and_forms_and_its_report_judges_them() {
 fn what_no_cycle_measures_has_no_cycle_and_is_in_no_set() {
     let desk = Desk::new();
     desk.put("plate.toml", &PLAN.replace("callout = \"25 H7\"", "callout = \"25 H7\"\nx = 10\ny = 20\nz = -5"));
-    let (code, said) = desk.run(&["nc", "plate.toml", "-o", "set"]);
+    let (code, said) = desk.run(&["nc", "plate.toml", "--control", "itnc530", "-o", "set"]);
     assert_eq!(code, 0, "{said}");
     for name in ["STEP", "R", "TOP"] {
         assert!(said.contains(&format!("{name}: no cycle measures a ")), "{said}");

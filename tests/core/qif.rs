@@ -264,12 +264,21 @@ fn a_value_that_the_software_could_not_determine_is_not_judged() {
 }
 
 #[test]
-fn other_characteristics_are_set_aside_by_name() {
-    for (kind, words, measured) in [
-        ("Position", "position", Some(mm("25.0123"))),
-        ("CircularRunout", "circular runout", Some(mm("25.0123"))),
-        ("Angle", "angle", None),
-    ] {
+fn other_lengths_are_judged_by_their_limits_and_are_no_sizes() {
+    for kind in ["Position", "CircularRunout", "Depth"] {
+        let other = LIMITS.replace("DiameterCharacteristic", &format!("{kind}Characteristic"));
+        let imported = read(&other);
+        let record = only(&imported);
+        assert_eq!((record.limits.feature, record.verdict.status()), (None, Status::Good), "{kind}");
+        let read = sizes("a.qif", other.as_bytes(), Feature::Hole);
+        assert!(read.measured.is_empty(), "{kind}");
+        assert!(read.errors[0].to_string().contains("this is not a size that can be paired"), "{kind}");
+    }
+}
+
+#[test]
+fn angles_are_set_aside_by_name() {
+    for (kind, words, measured) in [("Angle", "angle", None)] {
         let imported = read(&LIMITS.replace("DiameterCharacteristic", &format!("{kind}Characteristic")));
         let [unjudged] = imported.unjudged.as_slice() else { panic!("{imported:?}") };
         assert_eq!((&unjudged.why, unjudged.measured), (&WhyUnjudged::NotASize { what: words.to_owned() }, measured));

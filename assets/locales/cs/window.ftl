@@ -102,7 +102,7 @@ band-describe = Úchylka od jmenovitého rozměru v mikrometrech: toleranční p
 band-describe-measured = Naměřeno { $deviation }, { $above } nad minimem, { $below } pod maximem.
 side-rework = oprava
 side-scrap = zmetek
-side-out = mimo meze
+side-out = mimo toleranci
 
 last-values = Poslední hodnoty
 last-values-empty = Zde se zobrazí poslední hodnoty k těmto mezím
@@ -750,7 +750,7 @@ rows-export = Řádky souboru jako { $format }, s výroky…
 rows-export-programs = Kontroly řádků ze seznamu jako { $format }…
 rows-export-simulated = První řádky souboru uvádějí, že je simulovaný, a zachovat je umí jen CSV. Exportujte jako CSV
 rows-export-twice = Soubor má dva sloupce s názvem { $column }. Exportujte jako CSV nebo TSV, které to dovolují
-rows-report-counts = { $name }: řádků { $count }; { $good } DOBRÝ, { $rework } OPRAVA, { $remeasure } PŘEMĚŘIT, { $out } MIMO MEZE, { $scrap } ZMETEK, { $unjudged } NEPOSOUZENO; v této zprávě vypsáno { $listed }
+rows-report-counts = { $name }: řádků { $count }; { $good } DOBRÝ, { $rework } OPRAVA, { $remeasure } PŘEMĚŘIT, { $out } MIMO TOLERANCI, { $scrap } ZMETEK, { $unjudged } NEPOSOUZENO; v této zprávě vypsáno { $listed }
 rows-report-without = { $count ->
     [one] 1 vypsaný řádek nemá výrok ani kontrolu v této zprávě
     [few] { $count } vypsané řádky nemají výrok ani kontrolu v této zprávě

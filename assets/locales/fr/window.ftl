@@ -101,7 +101,7 @@ band-describe = Écart à la cote nominale en micromètres : intervalle de tol�
 band-describe-measured = Mesuré { $deviation }, { $above } au-dessus du minimum, { $below } au-dessous du maximum.
 side-rework = retouche
 side-scrap = rebut
-side-out = hors limites
+side-out = hors tolérance
 
 last-values = Dernières valeurs
 last-values-empty = Les dernières valeurs pour ces limites apparaissent ici
@@ -729,7 +729,7 @@ rows-export = Rangées du fichier en { $format }, avec verdicts…
 rows-export-programs = Contrôles des rangées de la liste en { $format }…
 rows-export-simulated = Les premières lignes du fichier disent qu'il est simulé, et seul CSV peut les conserver. Exporter en CSV
 rows-export-twice = Le fichier a deux colonnes nommées { $column }. Exporter en CSV ou TSV, qui admettent les deux
-rows-report-counts = { $name } : { $count } rangées ; { $good } BON, { $rework } RETOUCHE, { $remeasure } REMESURER, { $out } HORS LIMITES, { $scrap } REBUT, { $unjudged } NON JUGÉ ; { $listed } listées dans ce rapport
+rows-report-counts = { $name } : { $count } rangées ; { $good } BON, { $rework } RETOUCHE, { $remeasure } REMESURER, { $out } HORS TOLÉRANCE, { $scrap } REBUT, { $unjudged } NON JUGÉ ; { $listed } listées dans ce rapport
 rows-report-without = { $count ->
     [one] { $count } rangée de la liste n'a ni verdict ni contrôle dans ce rapport
    *[other] { $count } rangées de la liste n'ont ni verdict ni contrôle dans ce rapport

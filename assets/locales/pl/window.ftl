@@ -103,7 +103,7 @@ band-describe = Odchyłka od wymiaru nominalnego w mikrometrach: pole tolerancji
 band-describe-measured = Zmierzono { $deviation }, { $above } powyżej minimum, { $below } poniżej maksimum.
 side-rework = poprawka
 side-scrap = brak
-side-out = poza granicami
+side-out = poza tolerancją
 
 last-values = Ostatnie wartości
 last-values-empty = Tu pojawią się ostatnie wartości dla tych wymiarów granicznych
@@ -782,7 +782,7 @@ rows-export = Wiersze pliku jako { $format }, z oceną…
 rows-export-programs = Kontrole wierszy z listy jako { $format }…
 rows-export-simulated = Pierwsze linie pliku mówią, że jest symulowany, a tylko CSV może je zachować. Eksportować jako CSV
 rows-export-twice = Plik ma dwie kolumny o nazwie { $column }. Eksportować jako CSV lub TSV, które na to pozwalają
-rows-report-counts = { $name }: wiersze { $count }; DOBRY { $good }, POPRAWKA { $rework }, POWTÓRZYĆ { $remeasure }, POZA GRANICAMI { $out }, BRAK { $scrap }, NIEOCENIONE { $unjudged }; w tym raporcie: { $listed }
+rows-report-counts = { $name }: wiersze { $count }; DOBRY { $good }, POPRAWKA { $rework }, POWTÓRZYĆ { $remeasure }, POZA TOLERANCJĄ { $out }, BRAK { $scrap }, NIEOCENIONE { $unjudged }; w tym raporcie: { $listed }
 rows-report-without = { $count ->
     [one] 1 wiersz z listy nie ma w tym raporcie oceny ani kontroli
     [few] { $count } wiersze z listy nie mają w tym raporcie oceny ani kontroli

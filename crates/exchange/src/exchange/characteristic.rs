@@ -20,12 +20,12 @@ use super::source::Context;
 use crate::journal::Record;
 
 /// What is measured.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum CharacteristicKind {
     /// A diameter or a width: a feature of size.
     Size,
-    /// Another length, as the file calls it: a form, a place, a radius.
-    Length(String),
+    /// Another length, a form, a place, a radius: it is judged by the limits of the file, and without them this is why it is not.
+    Length(WhyUnjudged),
     /// A quantity of AQDEF other than a diameter, by its number.
     Quantity(u32),
     /// Anything else, as the file calls it.
@@ -33,7 +33,7 @@ pub(super) enum CharacteristicKind {
 }
 
 /// A characteristic as a file declares it. Lengths are sizes, not deviations.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Characteristic {
     /// Its name; empty where it has a number alone.
     pub(super) name: String,
@@ -149,7 +149,7 @@ impl Characteristic {
     ) -> Result<(Option<Callout>, Limits), NoLimits> {
         match &self.what {
             CharacteristicKind::Size => {}
-            CharacteristicKind::Length(what) => return self.own_limits(what, context),
+            CharacteristicKind::Length(otherwise) => return self.own_limits(otherwise, context),
             CharacteristicKind::Quantity(quantity) => {
                 return Err(NoLimits::Unjudged(WhyUnjudged::Quantity { quantity: *quantity }));
             }
@@ -207,12 +207,16 @@ impl Characteristic {
 impl Characteristic {
     /// The limits of a length that is no size of a hole or shaft: those of the file. A form or a place that has its largest value alone has
     /// 0 as the smallest one.
-    fn own_limits(&self, what: &str, context: &Context<'_>) -> Result<(Option<Callout>, Limits), NoLimits> {
+    fn own_limits(
+        &self,
+        otherwise: &WhyUnjudged,
+        context: &Context<'_>,
+    ) -> Result<(Option<Callout>, Limits), NoLimits> {
         let from_zero = self.nominal.is_none_or(|nominal| nominal == Length::ZERO).then_some(Length::ZERO);
         let (minimum, maximum) = match (self.minimum.or(from_zero), self.maximum) {
             (Some(minimum), Some(maximum)) => (minimum, maximum),
             (_, None) if self.minimum.is_none() => {
-                return Err(NoLimits::Unjudged(WhyUnjudged::NotASize { what: what.to_owned() }));
+                return Err(NoLimits::Unjudged(otherwise.clone()));
             }
             _ => return Err(NoLimits::Unjudged(WhyUnjudged::OneLimit)),
         };

@@ -79,9 +79,8 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
                 continue;
             }
             CharacteristicKind::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
-            CharacteristicKind::Length(what) | CharacteristicKind::Other(what) => {
-                WhyUnjudged::NotASize { what: what.clone() }
-            }
+            CharacteristicKind::Length(why) => why.clone(),
+            CharacteristicKind::Other(what) => WhyUnjudged::NotASize { what: what.clone() },
         };
         remark(PlanRemark::Left { name: characteristic.id(), why: left.message() });
     }

@@ -145,6 +145,10 @@ impl Sizes {
     /// What a log says of a size.
     fn take(&mut self, item: Item, feature: Feature) {
         match item {
+            Item::Record { line, record, labels } if labels.quantity.as_ref().is_some_and(|of| !of.is_size()) => {
+                let why = WhyUnjudged::NotASize { what: record.id.clone() };
+                self.refuse(line, ImportErrorKind::NotASize(why.message()));
+            }
             Item::Record { line, record, .. } if record.limits.feature.is_none_or(|of| of == feature) => {
                 self.add(Size {
                     line,

@@ -10,11 +10,12 @@ use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
+use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 
-/// K2009 of other lengths, and what they are (public readers of AQDEF agree on these).
-const LENGTHS: [(u32, &str); 3] = [(102, "roundness"), (109, "position"), (117, "coordinate")];
+/// K2009 of a roundness, a position and a coordinate: public readers of AQDEF agree on these.
+const LENGTHS: [u32; 3] = [102, 109, 117];
 
 /// K2009 of a diameter.
 const DIAMETER: u32 = 202;
@@ -69,10 +70,10 @@ impl Declared {
         let decimals = reading.whole(2022).and_then(|decimals| decimals.try_into().ok());
         let what = match quantity {
             None | Some(DIAMETER) => CharacteristicKind::Size,
-            Some(quantity) => match LENGTHS.iter().find(|(number, _)| *number == quantity) {
-                Some((_, word)) => CharacteristicKind::Length((*word).to_owned()),
-                None => CharacteristicKind::Quantity(quantity),
-            },
+            Some(quantity) if LENGTHS.contains(&quantity) => {
+                CharacteristicKind::Length(WhyUnjudged::Quantity { quantity })
+            }
+            Some(quantity) => CharacteristicKind::Quantity(quantity),
         };
         let unit = reading.read_unit();
         // Figures in a unit that is not known say nothing.

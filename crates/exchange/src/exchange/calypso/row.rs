@@ -10,6 +10,7 @@ use crate::exchange::characteristic::{Characteristic, CharacteristicKind, Value}
 use crate::exchange::claim::Claim;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
+use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 
@@ -133,7 +134,7 @@ impl CalypsoRow {
             name: cells.text(Column::Id).to_owned(),
             what: match &labels.quantity {
                 Some(Quantity::Diameter) => CharacteristicKind::Size,
-                Some(_) => CharacteristicKind::Length(shorten(word)),
+                Some(_) => CharacteristicKind::Length(WhyUnjudged::NotASize { what: shorten(word) }),
                 None => CharacteristicKind::Other(shorten(word)),
             },
             class: String::new(),

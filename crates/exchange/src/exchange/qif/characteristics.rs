@@ -10,6 +10,7 @@ use super::units::{NotALength, Number, UnitOwner, Units};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::no_place::NoPlace;
 use crate::exchange::quantity::Quantity;
 
@@ -105,7 +106,10 @@ impl Definitions {
             (characteristic.what, characteristic.labels.quantity) = match definition.kind.as_str() {
                 "Diameter" => (CharacteristicKind::Size, Some(Quantity::Diameter)),
                 "Width" => (CharacteristicKind::Size, Some(Quantity::Width)),
-                kind => (CharacteristicKind::Length(in_words(kind)), Some(Quantity::Length)),
+                kind => {
+                    let why = WhyUnjudged::NotASize { what: in_words(kind) };
+                    (CharacteristicKind::Length(why), Some(Quantity::Length))
+                }
             };
             let target = lengths.read(nominal.target.as_ref(), UnitOwner::Characteristic)?;
             let diameter = declared.and_then(|declared| declared.diameter.as_ref());
