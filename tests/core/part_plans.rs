@@ -275,7 +275,7 @@ fn what_a_kind_cannot_be_is_told_with_its_line() {
     };
     check(
         "groove,,,25 H7,0,0,0",
-        "line 2: kind groove is not known: expected diameter, width, face, pocket, boss, point",
+        "line 2: kind groove is not known: expected diameter, width, face, pocket, boss, point, length, form",
     );
     check("pocket,X,,25 H7,0,0,0", "line 2: a pocket has no axis");
     check("boss,,90,25 h7,0,0,0", "line 2: a boss has no angle");

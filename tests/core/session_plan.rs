@@ -751,5 +751,5 @@ fn a_word_that_is_no_kind_leaves_every_kind_to_choose_from() {
     go(&mut session, 0, Column::Kind);
     plan(&mut session, PlanCommand::Edit(Some("drilling".to_owned())));
     assert_eq!(session.parts().choices(), session.parts().words_here());
-    assert_eq!(session.parts().words_here().len(), 6);
+    assert_eq!(session.parts().words_here().len(), 8);
 }
