@@ -95,7 +95,7 @@ impl LimitsOf<'_> {
                 if let Some(doubt) = self.0.zone_doubt(&callout, &limits) {
                     io.warn_about(&callout, &doubt);
                 }
-                if let Some(differs) = noted::differing(&callout, &limits) {
+                if let Some(differs) = noted::differing(callout.notes(), &limits) {
                     io.warn_about(&callout, &differs);
                 }
                 if !answers.is_text() {

@@ -2,14 +2,13 @@
 
 use super::measurement::{Caveat, Measurement};
 use crate::tolerance::Limits;
-use crate::tolerance::callout::{Callout, Modifier, ModifierGroup};
+use crate::tolerance::callout::{Modifier, ModifierGroup, Notes};
 
 /// What the notes of a callout ask for and a measurement does not show, and what contradicts the limits that were used. Empty for a
 /// callout without notes.
-pub fn caveats(callout: &Callout, limits: &Limits, measurement: &Measurement) -> Vec<Caveat> {
-    let notes = callout.notes();
+pub fn caveats(notes: &Notes, limits: &Limits, measurement: &Measurement) -> Vec<Caveat> {
     let is_circle = measurement.circle.is_some();
-    let stated = differing(callout, limits);
+    let stated = differing(notes, limits);
     let count = notes.count.map(|count| Caveat::Count { count });
     let modifiers = notes.modifiers.iter().map(|modifier| of_modifier(modifier, is_circle));
     let form = notes.form.map(|class| Caveat::FormClass { class });
@@ -17,8 +16,8 @@ pub fn caveats(callout: &Callout, limits: &Limits, measurement: &Measurement) ->
 }
 
 /// Deviations behind the tolerance of a callout that are not those of its limits: which of them the drawing means has to be asked.
-pub fn differing(callout: &Callout, limits: &Limits) -> Option<Caveat> {
-    let stated = callout.notes().stated?;
+pub fn differing(notes: &Notes, limits: &Limits) -> Option<Caveat> {
+    let stated = notes.stated?;
     let used = limits.deviations;
     (stated != used).then(|| Caveat::Stated {
         upper: stated.upper(),

@@ -399,7 +399,7 @@ impl<'a> Sink<'a> {
     }
 
     pub(super) fn keep(&mut self, line: usize, record: Record, labels: Labels) {
-        if let Some(differs) = record.callout.and_then(|callout| noted::differing(&callout, &record.limits)) {
+        if let Some(differs) = record.callout.and_then(|callout| noted::differing(callout.notes(), &record.limits)) {
             self.warn(FilePlace::line(line), Some(line), ImportWarningKind::Callout(differs));
         }
         self.row(Item::Record { line, record: Box::new(record), labels });

@@ -109,7 +109,7 @@ impl Record {
     /// What its measurement cannot tell, what it says against its limits, and what it leaves open of the notes of its callout.
     pub fn caveats(&self) -> Vec<Caveat> {
         let mut caveats = self.measurement.caveats_of(&self.limits.bounds());
-        let noted = self.callout.map(|callout| noted::caveats(&callout, &self.limits, &self.measurement));
+        let noted = self.callout.map(|callout| noted::caveats(callout.notes(), &self.limits, &self.measurement));
         caveats.extend(noted.into_iter().flatten());
         caveats
     }

@@ -328,7 +328,7 @@ impl Judge<'_> {
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
                 self.classes.note(&callout, &limits);
-                if let Some(differs) = noted::differing(&callout, &limits) {
+                if let Some(differs) = noted::differing(callout.notes(), &limits) {
                     tally.against += 1;
                     tally.note(RowNoteKind::ClaimDiffers, None, || differs.message());
                 }

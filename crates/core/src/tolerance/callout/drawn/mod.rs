@@ -55,8 +55,10 @@ impl Drawing<'_> {
             return Some(Err(error));
         }
         let text = self.text();
-        let read = self.half_grade(&text).unwrap_or_else(|| reading::callout(&text));
-        let read = read.or_else(|error| self.class_and_band(&text).unwrap_or(Err(error)));
+        if let Some(read) = self.half_grade(&text) {
+            return Some(read.and_then(|callout| self.with_notes(callout)));
+        }
+        let read = reading::callout(&text).or_else(|error| self.class_and_band(&text).unwrap_or(Err(error)));
         let is_untouched = text == self.given && self.notes.is_empty() && self.class.is_none();
         match read {
             Err(_) if is_untouched => None,
