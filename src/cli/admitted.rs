@@ -108,18 +108,27 @@ impl Admits for Doubt {
     }
 }
 
-/// How well a diameter is known, which the rules count; a form that the limits do not allow.
+/// How well a diameter is known, which the rules count; a form that the limits do not allow; a callout that contradicts itself.
 impl Admits for Caveat {
     fn wants_a_look(&self) -> bool {
         match self {
-            Self::TwoPoint { .. } | Self::Form { .. } => true,
+            Self::TwoPoint { .. } | Self::Form { .. } | Self::Stated { .. } => true,
             Self::OnlyADiameter
             | Self::OnlyACircle
             | Self::ThreeContacts
             | Self::FourContacts
             | Self::FewContacts { .. }
             | Self::ShortArc { .. }
-            | Self::Heights { .. } => false,
+            | Self::Heights { .. }
+            | Self::Count { .. }
+            | Self::FormClass { .. }
+            | Self::EachTwoPoint { .. }
+            | Self::MeanOfTwoPoints { .. }
+            | Self::NotLeastSquares { .. }
+            | Self::OneSection { .. }
+            | Self::Envelope { .. }
+            | Self::OtherSize { .. }
+            | Self::Condition { .. } => false,
         }
     }
 }

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use super::admitted::Admits as _;
 use super::args::dialogue;
 use super::budget;
 use super::judging::JudgeArgs;
@@ -264,7 +263,15 @@ fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
         io.warn(&doubt);
     }
     for caveat in record.caveats() {
-        if caveat.wants_a_look() || matches!(caveat, Caveat::ShortArc { .. } | Caveat::Heights { .. }) {
+        let is_silent = matches!(
+            caveat,
+            Caveat::OnlyADiameter
+                | Caveat::OnlyACircle
+                | Caveat::ThreeContacts
+                | Caveat::FourContacts
+                | Caveat::FewContacts { .. }
+        );
+        if !is_silent {
             io.warn(&caveat);
         }
     }

@@ -3,6 +3,7 @@
 use super::answers::{Answerer, Answers, CalloutInput};
 use super::people::mm;
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
+use crate::probing::noted;
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Sources, Tolerance};
 
 const EXAMPLES: &str = "\
@@ -93,6 +94,9 @@ impl LimitsOf<'_> {
             Ok(limits) => {
                 if let Some(doubt) = self.0.zone_doubt(&callout, &limits) {
                     io.warn_about(&callout, &doubt);
+                }
+                if let Some(differs) = noted::differing(callout.notes(), &limits) {
+                    io.warn_about(&callout, &differs);
                 }
                 if !answers.is_text() {
                     return answers.figures(&LimitsRow::of(asked.callout, &limits), io);

@@ -103,7 +103,7 @@ fn json_of_one_fit_is_an_object_with_all_of_it() {
                 "hole_mm": 50.01, "shaft_mm": 50.03, "clearance_um": -20, "conforms": true,
                 "hole_status": "GOOD", "shaft_status": "GOOD", "hole_remove_um": null, "shaft_remove_um": null
             },
-            "possible": null, "temperature": null, "error": null
+            "possible": null, "temperature": null, "press": null, "error": null
         })
     );
 }

@@ -140,7 +140,7 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     );
     check(
         &steel.replace("expansion", "alpha"),
-        "line 5, column 1: unknown field `alpha`, expected one of `name`, `names`, `expansion`, `range`, `source`, `certainty`",
+        "line 5, column 1: unknown field `alpha`, expected one of `name`, `names`, `expansion`, `range`, `source`, `certainty`, `modulus`, `poisson`, `yield`, `contraction`",
     );
     let unknown = Materials::read(steel).unwrap().find("wood").unwrap_err();
     assert_eq!(

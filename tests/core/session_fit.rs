@@ -280,3 +280,24 @@ fn a_search_follows_the_sources() {
         Some(("0.004".into(), "0.034".into()))
     );
 }
+
+#[test]
+fn a_joint_shows_the_press_fit_and_an_unknown_material_says_so() {
+    let joint = |shaft: &'static str, expansion: &'static str| {
+        with(&[
+            (FitField::Callout, "40 H7/p6"),
+            (FitField::PressLength, "30"),
+            (FitField::HubOuter, "80"),
+            (FitField::ShaftBore, shaft),
+            (FitField::HoleExpansion, expansion),
+        ])
+    };
+    let session = joint("", "11.5");
+    let press = session.fit().press().unwrap().unwrap();
+    assert!(press.torque.is_some() && press.is_elastic() == Some(true), "{press:?}");
+    let session = joint("40", "11.5");
+    assert!(session.fit().press().unwrap().is_err());
+    let session = joint("0", "11.4");
+    assert_eq!(session.fit().press().unwrap().unwrap_err().id, "fit-press-material");
+    assert!(with(&[(FitField::Callout, "40 H7/p6")]).fit().press().is_none());
+}

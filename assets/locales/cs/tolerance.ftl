@@ -179,6 +179,7 @@ material-too-many = příliš mnoho materiálů, { $count }: nejvýše { $most }
 material-too-large = soubor materiálů má nejvýše { $most } bajtů
 material-name = název materiálu má 1 až { $longest } znaků a žádné řídicí znaky
 material-range = rozsah teplot začíná nižší teplotou: pište dvě čísla v °C, například [-50, 200]
+material-elastic = modulus a poisson patří k sobě: modulus od 1 do 1200000 MPa, poisson od 0 do 0.5, yield od 1 do 10000 MPa
 material-twice = materiál { $name } je definován dvakrát
 material-unknown = neznámý materiál { $name }: zvolte jeden z { $known }, nebo zadejte samotnou roztažnost, například 11,5
 ## Callouts: deviations, limits, fits and general tolerances
@@ -212,6 +213,20 @@ callout-too-much = { $found } se zde neočekává: text je úplný i bez toho
 callout-too-long = text je příliš dlouhý: nejvýše { $most } znaků
 callout-band-order = dolní úchylka je před horní: pište QS400 jako 0.4-0.1
 callout-lone-order = dolní úchylka je před horní: pište { $offer }
+callout-inch = { $given } je { $nominal } mm: rozměry jsou v milimetrech, napište { $offer }
+callout-inch-size = { $given } je { $nominal } mm: napište rozměr a toleranci v milimetrech
+callout-inch-somewhere = { $given } je v palcích: napište rozměr a toleranci v milimetrech, 1 palec je 25.4 mm
+callout-thread = { $given } je závit, ne hladká díra nebo hřídel: napište malý nebo střední průměr s oběma mezemi, např. 5.153/4.917
+callout-exact = teoreticky přesný rozměr nemá vlastní toleranci: napište rozměr s mezemi, které pro něj platí, např. 25 ±0.1
+callout-reference = rozměr v závorce je jen informativní a nemá toleranci: má-li se posuzovat, napište ho bez závorky
+callout-one-sided = { $given } má jen jednu mez: napište oba mezní rozměry, větší první, např. 8.2/8
+callout-roughness = { $given } je drsnost povrchu, ne rozměr: napište rozměr s tolerancí, např. 25 H7
+callout-modifier = { $given } není modifikátor podle ISO 14405-1: modifikátory jsou { $known }
+callout-grade = { $given } není při { $nominal } mm definováno: napište toleranční stupeň od IT1 do IT18, který tam ISO 286 má
+callout-ansi = { $class } je třída podle ANSI B4.1, jejíž tabulky Fitcheck nemá: napište třídu podle ISO 286, nebo rozměr a úchylky v milimetrech
+callout-stated-micrometres = úchylky za tolerancí jsou mimo jakýkoli poměr k { $nominal } mm: jsou-li v mikrometrech, napište ({ $offer })
+callout-stated-of-fit = úchylky za uložením mohou patřit kterémukoli dílu: napište je za každou třídu zvlášť
+iso286-grade-alone = { $class } je toleranční stupeň: říká, jak široké je pole, ale ne, kde leží; napište ±{ $grade }/2 nebo třídu, např. H7
 general-too-small = jmenovitý rozměr { $nominal } mm je pod { $first } mm, kde ISO 2768-1 začíná: uveďte úchylky u rozměru
 general-too-large = jmenovitý rozměr { $nominal } mm je mimo ISO 2768-1, která končí u { $last } mm
 general-not-defined = ISO 2768-1 nestanoví třídu { $class } pro rozměry { $range }; je stanovena pro rozměry { $defined }
@@ -221,3 +236,27 @@ general-range-from = od { $over } do { $to } mm
 make-no-class = není zadána žádná toleranční třída: uveďte jednu nebo více, například H7 H8 JS9
 make-both-features = { $hole } a { $shaft } nemohou být v jedné tabulce: liší se jen velikostí písmen; vytvořte jednu tabulku pro díry a jednu pro hřídele
 make-last-size = poslední rozměr je { $to } mm: musí být nad 0 a nejvýše 3150 mm
+
+## Press fits
+press-no-interference = uložení má vůli nejméně { $clearance } mm: nalisované spojení potřebuje přesah, např. 40 H7/s6
+press-length = délka { $length } mm není větší než 0
+press-hub-outer = vnější průměr náboje { $given } mm není větší než průměr spoje { $nominal } mm
+press-shaft-bore = vrtání hřídele { $given } mm: napište 0 pro plný hřídel, nebo vrtání menší než { $nominal } mm
+press-roughness = drsnost { $given } mm je menší než 0
+press-friction = nalisované spojení potřebuje tření větší než 0
+press-material = modul pružnosti materiálu { $name } není znám: zvolte jiný materiál, nebo přidejte modulus a poisson do souboru vlastních materiálů
+press-ratio = { $text } není číslo od 0 do 1 s nejvýše třemi desetinnými místy
+press-yields = NENÍ PRUŽNÉ: napětí { $part ->
+    [hole] náboje
+   *[shaft] hřídele
+    } by bylo { $stress } MPa, nad mezí kluzu { $limit } MPa: teorie pružnosti neplatí a neříká se, že něco drží
+press-yield-unknown = není známo, zda { $part ->
+    [hole] náboj
+   *[shaft] hřídel
+    } zplastizuje: materiál zde nemá mez kluzu; zadejte ji
+press-may-be-loose = díly mohou mít vůli { $clearance } mm: spoj nemusí držet vůbec
+press-all-smoothed = vyhlazení drsnosti, { $loss } mm, může spotřebovat přesah: spoj nemusí držet vůbec
+press-no-roughness = drsnost Rz nebyla zadána: žádná ztráta přesahu vyhlazením se neodečítá
+press-too-hot = ohřát jen náboj nestačí do { $most } °C, kam je jeho roztažnost známa
+press-too-cold = ochladit jen hřídel nestačí, ani v kapalném dusíku
+press-contraction-unknown = smrštění materiálu hřídele v chladu není známo: použita je jeho roztažnost, hřídel možná musí být chladnější

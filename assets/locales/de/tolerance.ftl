@@ -179,6 +179,7 @@ material-too-many = { $count } Werkstoffe sind zu viele: höchstens { $most }
 material-too-large = eine Werkstoffdatei hat höchstens { $most } Byte
 material-name = der Name eines Werkstoffs hat 1 bis { $longest } Zeichen und keine Steuerzeichen
 material-range = ein Temperaturbereich beginnt mit der niedrigeren: zwei Zahlen in °C schreiben, wie [-50, 200]
+material-elastic = modulus und poisson gehören zusammen: modulus von 1 bis 1200000 MPa, poisson von 0 bis 0.5, yield von 1 bis 10000 MPa
 material-twice = Werkstoff { $name } ist zweimal definiert
 material-unknown = unbekannter Werkstoff { $name }: einen aus { $known } wählen oder die Ausdehnung selbst angeben, wie 11,5
 ## Toleranzangaben: Grenzabmaße, Grenzmaße, Passungen und Allgemeintoleranzen
@@ -212,6 +213,20 @@ callout-too-much = { $found } wird hier nicht erwartet: der Text ist ohne dies v
 callout-too-long = der Text ist zu lang: höchstens { $most } Zeichen
 callout-band-order = das untere Grenzabmaß steht vor dem oberen: QS400 als 0.4-0.1 schreiben
 callout-lone-order = das untere Grenzabmaß steht vor dem oberen: { $offer } schreiben
+callout-inch = { $given } sind { $nominal } mm: Maßangaben sind in Millimetern, schreiben Sie { $offer }
+callout-inch-size = { $given } sind { $nominal } mm: schreiben Sie Maß und Toleranz in Millimetern
+callout-inch-somewhere = { $given } ist in Zoll: schreiben Sie Maß und Toleranz in Millimetern, 1 Zoll sind 25.4 mm
+callout-thread = { $given } ist ein Gewinde, keine glatte Bohrung oder Welle: schreiben Sie Kern- oder Flankendurchmesser mit beiden Grenzmaßen, etwa 5.153/4.917
+callout-exact = ein theoretisch genaues Maß hat keine eigene Toleranz: schreiben Sie das Maß mit den Grenzen, die dafür gelten, etwa 25 ±0.1
+callout-reference = ein Maß in Klammern ist ein Hilfsmaß ohne Toleranz: schreiben Sie es ohne Klammern, wenn es beurteilt werden soll
+callout-one-sided = { $given } hat nur eine Grenze: schreiben Sie beide Grenzmaße, das größere zuerst, etwa 8.2/8
+callout-roughness = { $given } ist eine Rauheit, kein Maß: schreiben Sie ein Maß mit Toleranz, etwa 25 H7
+callout-modifier = { $given } ist kein Symbol nach ISO 14405-1: es gibt { $known }
+callout-grade = { $given } ist bei { $nominal } mm nicht definiert: schreiben Sie einen Grundtoleranzgrad von IT1 bis IT18, den ISO 286 dort hat
+callout-ansi = { $class } ist eine Klasse nach ANSI B4.1, deren Tabellen Fitcheck nicht hat: schreiben Sie eine Klasse nach ISO 286 oder Maß und Abmaße in Millimetern
+callout-stated-micrometres = die Abmaße hinter der Toleranz stehen in keinem Verhältnis zu { $nominal } mm: sind es Mikrometer, schreiben Sie ({ $offer })
+callout-stated-of-fit = Abmaße hinter einer Passung können zu jedem der Teile gehören: schreiben Sie sie hinter jede Klasse einzeln
+iso286-grade-alone = { $class } ist ein Grundtoleranzgrad: er sagt, wie breit ein Feld ist, aber nicht, wo es liegt; schreiben Sie ±{ $grade }/2 oder eine Klasse, etwa H7
 general-too-small = Nennmaß { $nominal } mm liegt unter { $first } mm, wo ISO 2768-1 beginnt: die Grenzabmaße neben das Maß schreiben
 general-too-large = Nennmaß { $nominal } mm liegt außerhalb von ISO 2768-1, die bei { $last } mm endet
 general-not-defined = ISO 2768-1 definiert Klasse { $class } { $range } nicht; definiert ist sie { $defined }
@@ -221,3 +236,27 @@ general-range-from = von { $over } bis { $to } mm
 make-no-class = keine Toleranzklasse angegeben: eine oder mehrere nennen, wie H7 H8 JS9
 make-both-features = { $hole } und { $shaft } können nicht in einer Tabelle stehen: nur Groß- und Kleinschreibung unterscheidet sie, daher eine Tabelle für Bohrungen und eine für Wellen anlegen
 make-last-size = das letzte Maß ist { $to } mm: es muss größer als 0 und höchstens 3150 mm sein
+
+## Press fits
+press-no-interference = die Passung hat ein Spiel von mindestens { $clearance } mm: ein Pressverband braucht ein Übermaß, etwa 40 H7/s6
+press-length = Länge { $length } mm ist nicht größer als 0
+press-hub-outer = Außendurchmesser der Nabe { $given } mm ist nicht größer als der Fugendurchmesser { $nominal } mm
+press-shaft-bore = Bohrung der Welle { $given } mm: schreiben Sie 0 für eine Vollwelle oder eine Bohrung unter { $nominal } mm
+press-roughness = Rautiefe { $given } mm ist kleiner als 0
+press-friction = ein Pressverband braucht eine Reibung größer als 0
+press-material = der Elastizitätsmodul von { $name } ist nicht bekannt: wählen Sie einen anderen Werkstoff oder ergänzen Sie modulus und poisson in einer eigenen Werkstoffdatei
+press-ratio = { $text } ist keine Zahl von 0 bis 1 mit höchstens drei Nachkommastellen
+press-yields = NICHT ELASTISCH: die Spannung { $part ->
+    [hole] der Nabe
+   *[shaft] der Welle
+    } wäre { $stress } MPa, über der Streckgrenze von { $limit } MPa: die elastische Theorie gilt nicht, und es wird nicht gesagt, dass etwas hält
+press-yield-unknown = ob { $part ->
+    [hole] die Nabe
+   *[shaft] die Welle
+    } plastisch wird, ist nicht bekannt: der Werkstoff hat hier keine Streckgrenze; geben Sie eine an
+press-may-be-loose = die Teile können ein Spiel von { $clearance } mm haben: die Verbindung hält vielleicht gar nicht
+press-all-smoothed = die Glättung der Rauheit, { $loss } mm, kann das Übermaß aufbrauchen: die Verbindung hält vielleicht gar nicht
+press-no-roughness = keine Rautiefe Rz angegeben: es wird kein Übermaßverlust durch Glättung abgezogen
+press-too-hot = die Nabe allein zu erwärmen reicht bis { $most } °C nicht, so weit ihre Ausdehnung bekannt ist
+press-too-cold = die Welle allein zu kühlen reicht auch in flüssigem Stickstoff nicht
+press-contraction-unknown = die Schrumpfung des Wellenwerkstoffs in der Kälte ist nicht bekannt: gerechnet wird mit seiner Ausdehnung, die Welle muss vielleicht kälter sein

@@ -179,6 +179,7 @@ material-too-many = { $count } materials are too many: at most { $most }
 material-too-large = a materials file has at most { $most } bytes
 material-name = a material's name has 1 to { $longest } characters and no control characters
 material-range = a range of temperatures begins with the lower one: write two numbers in °C, such as [-50, 200]
+material-elastic = modulus and poisson must be given together: modulus from 1 to 1200000 MPa, poisson from 0 to 0.5, yield from 1 to 10000 MPa
 material-twice = material { $name } is defined twice
 material-unknown = unknown material { $name }: choose one of { $known }, or give the expansion itself, such as 11.5
 ## Callouts: deviations, limits, fits and general tolerances
@@ -212,6 +213,20 @@ callout-too-much = { $found } is not expected here: the text is complete without
 callout-too-long = the text is too long: at most { $most } characters
 callout-band-order = the lower deviation comes before the upper one: write QS400 as 0.4-0.1
 callout-lone-order = the lower deviation comes before the upper one: write { $offer }
+callout-inch = { $given } is { $nominal } mm: callouts are in millimetres, write { $offer }
+callout-inch-size = { $given } is { $nominal } mm: write size and tolerance in millimetres
+callout-inch-somewhere = { $given } is in inches: write size and tolerance in millimetres, with 25.4 mm for 1 in
+callout-thread = { $given } is a thread, not a plain hole or shaft: write its minor or pitch diameter with both limits, such as 5.153/4.917
+callout-exact = a theoretically exact size has no tolerance of its own: write the size with the limits that apply to it, such as 25 ±0.1
+callout-reference = a size in brackets is for reference only and has no tolerance: write it without brackets if it is to be judged
+callout-one-sided = { $given } has one limit only: write both limits of size, the larger first, such as 8.2/8
+callout-roughness = { $given } is a surface roughness, not a size: write a size with its tolerance, such as 25 H7
+callout-modifier = { $given } is not a modifier of ISO 14405-1: the modifiers are { $known }
+callout-grade = { $given } is not defined at { $nominal } mm: write a grade from IT1 to IT18 that ISO 286 has there
+callout-ansi = { $class } is a class of ANSI B4.1, whose tables Fitcheck does not have: write a class of ISO 286, or size and deviations in millimetres
+callout-stated-micrometres = the deviations behind the tolerance are out of all proportion to { $nominal } mm: if they are in micrometres, write ({ $offer })
+callout-stated-of-fit = deviations behind a fit may belong to either part: write them behind each class on its own
+iso286-grade-alone = { $class } is a grade: it says how wide a zone is, but not where it lies; write ±{ $grade }/2 or a class, such as H7
 general-too-small = nominal size { $nominal } mm is below { $first } mm, where ISO 2768-1 begins: write the deviations next to the size
 general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends at { $last } mm
 general-not-defined = ISO 2768-1 does not define class { $class } { $range }; it is defined { $defined }
@@ -221,3 +236,27 @@ general-range-from = from { $over } up to { $to } mm
 make-no-class = no tolerance class is given: name one or more, such as H7 H8 JS9
 make-both-features = { $hole } and { $shaft } cannot be in one table: only the case of their letters differs, so make one table for holes and one for shafts
 make-last-size = the last size is { $to } mm: it must be above 0 and at most 3150 mm
+
+## Press fits
+press-no-interference = the fit has a clearance of at least { $clearance } mm: a press fit needs an interference, such as 40 H7/s6
+press-length = length { $length } mm is not above 0
+press-hub-outer = outer diameter of the hub { $given } mm is not above the diameter of the joint, { $nominal } mm
+press-shaft-bore = bore of the shaft { $given } mm: write 0 for a solid shaft, or a bore below { $nominal } mm
+press-roughness = roughness { $given } mm is below 0
+press-friction = a press fit needs a friction above 0
+press-material = the modulus of elasticity of { $name } is not known: choose another material, or add modulus and poisson to a file of your own materials
+press-ratio = { $text } is not a number from 0 to 1 with at most three decimals
+press-yields = NOT ELASTIC: the stress of the { $part ->
+    [hole] hub
+   *[shaft] shaft
+    } would be { $stress } MPa, above its yield strength of { $limit } MPa: elastic theory does not apply, and nothing is said to hold
+press-yield-unknown = whether the { $part ->
+    [hole] hub
+   *[shaft] shaft
+    } yields is not known: its material has no yield strength here; give one
+press-may-be-loose = the parts may have a clearance of { $clearance } mm: the joint may not hold at all
+press-all-smoothed = smoothing of the roughness, { $loss } mm, may use up the interference: the joint may not hold at all
+press-no-roughness = no roughness Rz was given: no loss of interference by smoothing is subtracted
+press-too-hot = heating the hub alone is not enough up to { $most } °C, where its expansion is known
+press-too-cold = cooling the shaft alone is not enough, even in liquid nitrogen
+press-contraction-unknown = the contraction of the shaft's material in the cold is not known: its expansion is used, so the shaft may have to be colder

@@ -179,6 +179,7 @@ material-too-many = { $count } materiales son demasiados: como máximo { $most }
 material-too-large = un archivo de materiales tiene como máximo { $most } bytes
 material-name = el nombre de un material tiene de 1 a { $longest } caracteres y ningún carácter de control
 material-range = un intervalo de temperaturas empieza por la más baja: escriba dos números en °C, como [-50, 200]
+material-elastic = modulus y poisson van juntos: modulus de 1 a 1200000 MPa, poisson de 0 a 0.5, yield de 1 a 10000 MPa
 material-twice = el material { $name } está definido dos veces
 material-unknown = material desconocido { $name }: elija uno de { $known }, o indique la propia dilatación, como 11,5
 ## Callouts: deviations, limits, fits and general tolerances
@@ -212,6 +213,20 @@ callout-too-much = { $found } sobra aquí: el texto está completo sin ello
 callout-too-long = el texto es demasiado largo: como máximo { $most } caracteres
 callout-band-order = la desviación inferior está antes que la superior: escriba QS400 como 0.4-0.1
 callout-lone-order = la desviación inferior está antes que la superior: escriba { $offer }
+callout-inch = { $given } son { $nominal } mm: las cotas son en milímetros, escriba { $offer }
+callout-inch-size = { $given } son { $nominal } mm: escriba medida y tolerancia en milímetros
+callout-inch-somewhere = { $given } está en pulgadas: escriba medida y tolerancia en milímetros, 1 pulgada son 25.4 mm
+callout-thread = { $given } es una rosca, no un agujero o eje liso: escriba el diámetro interior o medio con ambos límites, como 5.153/4.917
+callout-exact = una cota teóricamente exacta no tiene tolerancia propia: escriba la medida con los límites que le corresponden, como 25 ±0.1
+callout-reference = una cota entre paréntesis es solo auxiliar y no tiene tolerancia: escríbala sin paréntesis si debe juzgarse
+callout-one-sided = { $given } solo tiene un límite: escriba ambos límites, primero el mayor, como 8.2/8
+callout-roughness = { $given } es una rugosidad, no una medida: escriba una medida con su tolerancia, como 25 H7
+callout-modifier = { $given } no es un modificador de ISO 14405-1: los modificadores son { $known }
+callout-grade = { $given } no está definido a { $nominal } mm: escriba un grado de IT1 a IT18 que ISO 286 tenga ahí
+callout-ansi = { $class } es una clase de ANSI B4.1, cuyas tablas Fitcheck no tiene: escriba una clase de ISO 286, o medida y desviaciones en milímetros
+callout-stated-micrometres = las desviaciones tras la tolerancia son desproporcionadas para { $nominal } mm: si están en micrómetros, escriba ({ $offer })
+callout-stated-of-fit = las desviaciones tras un ajuste pueden ser de cualquiera de las piezas: escríbalas tras cada clase
+iso286-grade-alone = { $class } es un grado: dice lo ancha que es una zona, pero no dónde está; escriba ±{ $grade }/2 o una clase, como H7
 general-too-small = la medida nominal { $nominal } mm es menor que { $first } mm, donde empieza ISO 2768-1: escriba las desviaciones junto a la medida
 general-too-large = la medida nominal { $nominal } mm supera ISO 2768-1, que termina en { $last } mm
 general-not-defined = ISO 2768-1 no define la clase { $class } { $range }; está definida { $defined }
@@ -221,3 +236,27 @@ general-range-from = desde { $over } hasta { $to } mm
 make-no-class = no se ha dado ninguna clase de tolerancia: indique una o varias, como H7 H8 JS9
 make-both-features = { $hole } y { $shaft } no pueden estar en una misma tabla: solo se distinguen por mayúsculas y minúsculas, así que cree una tabla para agujeros y otra para ejes
 make-last-size = la última medida es { $to } mm: debe ser mayor que 0 y como máximo 3150 mm
+
+## Press fits
+press-no-interference = el ajuste tiene un juego de al menos { $clearance } mm: un ajuste a presión necesita apriete, como 40 H7/s6
+press-length = la longitud { $length } mm no es mayor que 0
+press-hub-outer = el diámetro exterior del cubo { $given } mm no es mayor que el diámetro de la unión, { $nominal } mm
+press-shaft-bore = agujero del eje { $given } mm: escriba 0 para un eje macizo, o un agujero menor que { $nominal } mm
+press-roughness = la rugosidad { $given } mm es menor que 0
+press-friction = un ajuste a presión necesita un rozamiento mayor que 0
+press-material = el módulo de elasticidad de { $name } no se conoce: elija otro material, o añada modulus y poisson a un archivo de materiales propios
+press-ratio = { $text } no es un número de 0 a 1 con tres decimales como máximo
+press-yields = NO ELÁSTICO: la tensión { $part ->
+    [hole] del cubo
+   *[shaft] del eje
+    } sería de { $stress } MPa, por encima de su límite elástico de { $limit } MPa: la teoría elástica no se aplica, y no se dice que nada aguante
+press-yield-unknown = no se sabe si { $part ->
+    [hole] el cubo
+   *[shaft] el eje
+    } fluye: su material no tiene aquí límite elástico; indique uno
+press-may-be-loose = las piezas pueden tener un juego de { $clearance } mm: la unión puede no aguantar nada
+press-all-smoothed = el aplastamiento de la rugosidad, { $loss } mm, puede agotar el apriete: la unión puede no aguantar nada
+press-no-roughness = no se indicó rugosidad Rz: no se resta ninguna pérdida de apriete por aplastamiento
+press-too-hot = calentar solo el cubo no basta hasta { $most } °C, donde se conoce su dilatación
+press-too-cold = enfriar solo el eje no basta, ni en nitrógeno líquido
+press-contraction-unknown = la contracción del material del eje en frío no se conoce: se usa su dilatación, el eje quizá deba estar más frío

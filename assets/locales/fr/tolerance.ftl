@@ -179,6 +179,7 @@ material-too-many = { $count } matières, c'est trop : au plus { $most }
 material-too-large = un fichier de matières a au plus { $most } octets
 material-name = le nom d'une matière a 1 à { $longest } caractères, sans caractère de commande
 material-range = une plage de températures commence par la plus basse : écrire deux nombres en °C, par exemple [-50, 200]
+material-elastic = modulus et poisson vont ensemble : modulus de 1 à 1200000 MPa, poisson de 0 à 0.5, yield de 1 à 10000 MPa
 material-twice = la matière { $name } est définie deux fois
 material-unknown = matière inconnue { $name } : choisir parmi { $known }, ou donner la dilatation elle-même, par exemple 11,5
 ## Cotes tolérancées : écarts, limites, ajustements et tolérances générales
@@ -212,6 +213,20 @@ callout-too-much = { $found } n'est pas attendu ici : le texte est complet sans
 callout-too-long = le texte est trop long : au plus { $most } caractères
 callout-band-order = l'écart inférieur est devant l'écart supérieur : écrire QS400 ainsi : 0.4-0.1
 callout-lone-order = l'écart inférieur est devant l'écart supérieur : écrire { $offer }
+callout-inch = { $given } font { $nominal } mm : les cotes sont en millimètres, écrivez { $offer }
+callout-inch-size = { $given } font { $nominal } mm : écrivez la cote et la tolérance en millimètres
+callout-inch-somewhere = { $given } est en pouces : écrivez la cote et la tolérance en millimètres, 1 pouce fait 25.4 mm
+callout-thread = { $given } est un filetage, pas un alésage ou arbre lisse : écrivez le diamètre intérieur ou sur flancs avec ses deux limites, comme 5.153/4.917
+callout-exact = une cote théoriquement exacte n'a pas de tolérance propre : écrivez la cote avec les limites qui s'y appliquent, comme 25 ±0.1
+callout-reference = une cote entre parenthèses est auxiliaire et n'a pas de tolérance : écrivez-la sans parenthèses si elle doit être jugée
+callout-one-sided = { $given } n'a qu'une limite : écrivez les deux limites, la plus grande d'abord, comme 8.2/8
+callout-roughness = { $given } est une rugosité, pas une cote : écrivez une cote avec sa tolérance, comme 25 H7
+callout-modifier = { $given } n'est pas un modificateur de l'ISO 14405-1 : les modificateurs sont { $known }
+callout-grade = { $given } n'est pas défini à { $nominal } mm : écrivez un degré de IT1 à IT18 que l'ISO 286 y définit
+callout-ansi = { $class } est une classe de l'ANSI B4.1, dont Fitcheck n'a pas les tables : écrivez une classe ISO 286, ou la cote et les écarts en millimètres
+callout-stated-micrometres = les écarts placés après la tolérance sont hors de proportion avec { $nominal } mm : s'ils sont en micromètres, écrivez ({ $offer })
+callout-stated-of-fit = des écarts placés après un ajustement peuvent concerner l'une ou l'autre pièce : écrivez-les après chaque classe
+iso286-grade-alone = { $class } est un degré : il dit la largeur d'une zone, mais pas sa position ; écrivez ±{ $grade }/2 ou une classe, comme H7
 general-too-small = la cote nominale { $nominal } mm est sous { $first } mm, où commence ISO 2768-1 : écrire les écarts à côté de la cote
 general-too-large = la cote nominale { $nominal } mm dépasse ISO 2768-1, qui finit à { $last } mm
 general-not-defined = ISO 2768-1 ne définit pas la classe { $class } { $range } ; elle est définie { $defined }
@@ -221,3 +236,27 @@ general-range-from = de { $over } jusqu'à { $to } mm
 make-no-class = aucune classe de tolérance n'est donnée : en nommer une ou plusieurs, par exemple H7 H8 JS9
 make-both-features = { $hole } et { $shaft } ne peuvent pas être dans une même table : seule la casse de leurs lettres diffère, faire donc une table pour les alésages et une pour les arbres
 make-last-size = la dernière cote est { $to } mm : elle doit être supérieure à 0 et au plus égale à 3150 mm
+
+## Press fits
+press-no-interference = l'ajustement a un jeu d'au moins { $clearance } mm : un emmanchement exige un serrage, comme 40 H7/s6
+press-length = la longueur { $length } mm n'est pas supérieure à 0
+press-hub-outer = le diamètre extérieur du moyeu { $given } mm n'est pas supérieur au diamètre d'emmanchement, { $nominal } mm
+press-shaft-bore = alésage de l'arbre { $given } mm : écrivez 0 pour un arbre plein, ou un alésage inférieur à { $nominal } mm
+press-roughness = la rugosité { $given } mm est inférieure à 0
+press-friction = un emmanchement exige un frottement supérieur à 0
+press-material = le module d'élasticité de { $name } n'est pas connu : choisissez un autre matériau, ou ajoutez modulus et poisson à un fichier de vos matériaux
+press-ratio = { $text } n'est pas un nombre de 0 à 1 avec au plus trois décimales
+press-yields = NON ÉLASTIQUE : la contrainte { $part ->
+    [hole] du moyeu
+   *[shaft] de l'arbre
+    } serait de { $stress } MPa, au-dessus de sa limite d'élasticité de { $limit } MPa : la théorie élastique ne s'applique pas, et rien n'est dit tenir
+press-yield-unknown = on ne sait pas si { $part ->
+    [hole] le moyeu
+   *[shaft] l'arbre
+    } plastifie : son matériau n'a pas de limite d'élasticité ici ; donnez-en une
+press-may-be-loose = les pièces peuvent avoir un jeu de { $clearance } mm : l'assemblage peut ne pas tenir du tout
+press-all-smoothed = l'écrasement de la rugosité, { $loss } mm, peut absorber le serrage : l'assemblage peut ne pas tenir du tout
+press-no-roughness = aucune rugosité Rz donnée : aucune perte de serrage par écrasement n'est déduite
+press-too-hot = chauffer le moyeu seul ne suffit pas jusqu'à { $most } °C, où sa dilatation est connue
+press-too-cold = refroidir l'arbre seul ne suffit pas, même dans l'azote liquide
+press-contraction-unknown = la contraction du matériau de l'arbre au froid n'est pas connue : sa dilatation est utilisée, l'arbre devra peut-être être plus froid

@@ -179,6 +179,7 @@ material-too-many = { $count } materiali sono troppi: al massimo { $most }
 material-too-large = un file dei materiali ha al massimo { $most } byte
 material-name = il nome di un materiale ha da 1 a { $longest } caratteri e nessun carattere di controllo
 material-range = un campo di temperatura comincia con la più bassa: scrivere due numeri in °C, come [-50, 200]
+material-elastic = modulus e poisson vanno insieme: modulus da 1 a 1200000 MPa, poisson da 0 a 0.5, yield da 1 a 10000 MPa
 material-twice = il materiale { $name } è definito due volte
 material-unknown = materiale sconosciuto { $name }: sceglierne uno tra { $known }, o indicare la dilatazione stessa, come 11,5
 ## Indicazioni: scostamenti, limiti, accoppiamenti e tolleranze generali
@@ -212,6 +213,20 @@ callout-too-much = { $found } qui non è atteso: il testo è completo senza
 callout-too-long = il testo è troppo lungo: al massimo { $most } caratteri
 callout-band-order = lo scostamento inferiore sta prima del superiore: scrivere QS400 come 0.4-0.1
 callout-lone-order = lo scostamento inferiore sta prima del superiore: scrivere { $offer }
+callout-inch = { $given } è { $nominal } mm: le quote sono in millimetri, scrivere { $offer }
+callout-inch-size = { $given } è { $nominal } mm: scrivere dimensione e tolleranza in millimetri
+callout-inch-somewhere = { $given } è in pollici: scrivere dimensione e tolleranza in millimetri, 1 pollice è 25.4 mm
+callout-thread = { $given } è una filettatura, non un foro o albero liscio: scrivere il diametro di nocciolo o medio con entrambi i limiti, come 5.153/4.917
+callout-exact = una quota teoricamente esatta non ha una tolleranza propria: scrivere la dimensione con i limiti che le si applicano, come 25 ±0.1
+callout-reference = una quota tra parentesi è solo ausiliaria e non ha tolleranza: scriverla senza parentesi se va giudicata
+callout-one-sided = { $given } ha un solo limite: scrivere entrambi i limiti, il maggiore per primo, come 8.2/8
+callout-roughness = { $given } è una rugosità, non una dimensione: scrivere una dimensione con tolleranza, come 25 H7
+callout-modifier = { $given } non è un modificatore della ISO 14405-1: i modificatori sono { $known }
+callout-grade = { $given } non è definito a { $nominal } mm: scrivere un grado da IT1 a IT18 che la ISO 286 prevede lì
+callout-ansi = { $class } è una classe della ANSI B4.1, le cui tabelle Fitcheck non ha: scrivere una classe ISO 286, oppure dimensione e scostamenti in millimetri
+callout-stated-micrometres = gli scostamenti dopo la tolleranza sono sproporzionati rispetto a { $nominal } mm: se sono in micrometri, scrivere ({ $offer })
+callout-stated-of-fit = gli scostamenti dopo un accoppiamento possono riguardare l'uno o l'altro pezzo: scriverli dopo ciascuna classe
+iso286-grade-alone = { $class } è un grado: dice quanto è ampia una zona, ma non dove si trova; scrivere ±{ $grade }/2 o una classe, come H7
 general-too-small = la quota nominale { $nominal } mm è sotto { $first } mm, dove comincia ISO 2768-1: scrivere gli scostamenti accanto alla quota
 general-too-large = la quota nominale { $nominal } mm è oltre ISO 2768-1, che finisce a { $last } mm
 general-not-defined = ISO 2768-1 non definisce la classe { $class } { $range }; è definita { $defined }
@@ -221,3 +236,27 @@ general-range-from = da { $over } fino a { $to } mm
 make-no-class = nessuna classe di tolleranza indicata: indicarne una o più, come H7 H8 JS9
 make-both-features = { $hole } e { $shaft } non possono stare in una stessa tabella: differiscono solo per maiuscole e minuscole, quindi creare una tabella per fori e una per alberi
 make-last-size = l'ultima dimensione è { $to } mm: deve essere maggiore di 0 e al massimo 3150 mm
+
+## Press fits
+press-no-interference = l'accoppiamento ha un gioco di almeno { $clearance } mm: un accoppiamento forzato richiede interferenza, come 40 H7/s6
+press-length = lunghezza { $length } mm non è maggiore di 0
+press-hub-outer = diametro esterno del mozzo { $given } mm non è maggiore del diametro di accoppiamento, { $nominal } mm
+press-shaft-bore = foro dell'albero { $given } mm: scrivere 0 per un albero pieno, o un foro minore di { $nominal } mm
+press-roughness = rugosità { $given } mm è minore di 0
+press-friction = un accoppiamento forzato richiede un attrito maggiore di 0
+press-material = il modulo di elasticità di { $name } non è noto: scegliere un altro materiale, o aggiungere modulus e poisson a un file di materiali propri
+press-ratio = { $text } non è un numero da 0 a 1 con al massimo tre decimali
+press-yields = NON ELASTICO: la tensione { $part ->
+    [hole] del mozzo
+   *[shaft] dell'albero
+    } sarebbe { $stress } MPa, oltre il limite di snervamento di { $limit } MPa: la teoria elastica non vale e non si dichiara che qualcosa tenga
+press-yield-unknown = se { $part ->
+    [hole] il mozzo
+   *[shaft] l'albero
+    } si snervi non è noto: il suo materiale qui non ha un limite di snervamento; indicarne uno
+press-may-be-loose = i pezzi possono avere un gioco di { $clearance } mm: il collegamento potrebbe non tenere affatto
+press-all-smoothed = lo spianamento della rugosità, { $loss } mm, può esaurire l'interferenza: il collegamento potrebbe non tenere affatto
+press-no-roughness = nessuna rugosità Rz indicata: non si sottrae alcuna perdita di interferenza per spianamento
+press-too-hot = riscaldare solo il mozzo non basta fino a { $most } °C, dove la sua dilatazione è nota
+press-too-cold = raffreddare solo l'albero non basta, nemmeno in azoto liquido
+press-contraction-unknown = la contrazione del materiale dell'albero al freddo non è nota: si usa la sua dilatazione, l'albero potrebbe dover essere più freddo

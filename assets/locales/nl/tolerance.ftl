@@ -179,6 +179,7 @@ material-too-many = { $count } materialen zijn er te veel: hoogstens { $most }
 material-too-large = een materialenbestand heeft hoogstens { $most } bytes
 material-name = de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
 material-range = een temperatuurbereik begint met de laagste: schrijf twee getallen in °C, zoals [-50, 200]
+material-elastic = modulus en poisson horen bij elkaar: modulus van 1 tot 1200000 MPa, poisson van 0 tot 0.5, yield van 1 tot 10000 MPa
 material-twice = materiaal { $name } is twee keer gedefinieerd
 material-unknown = onbekend materiaal { $name }: kies een van { $known }, of geef de uitzetting zelf op, zoals 11,5
 ## Maataanduidingen: afwijkingen, grensmaten, passingen en algemene toleranties
@@ -212,6 +213,20 @@ callout-too-much = { $found } wordt hier niet verwacht: de tekst is zonder dit a
 callout-too-long = de tekst is te lang: hoogstens { $most } tekens
 callout-band-order = de onderafwijking staat voor de bovenafwijking: schrijf QS400 als 0.4-0.1
 callout-lone-order = de onderafwijking staat voor de bovenafwijking: schrijf { $offer }
+callout-inch = { $given } is { $nominal } mm: maataanduidingen zijn in millimeters, schrijf { $offer }
+callout-inch-size = { $given } is { $nominal } mm: schrijf maat en tolerantie in millimeters
+callout-inch-somewhere = { $given } is in inch: schrijf maat en tolerantie in millimeters, 1 inch is 25.4 mm
+callout-thread = { $given } is schroefdraad, geen glad gat of gladde as: schrijf kern- of flankdiameter met beide grenzen, zoals 5.153/4.917
+callout-exact = een theoretisch juiste maat heeft geen eigen tolerantie: schrijf de maat met de grenzen die ervoor gelden, zoals 25 ±0.1
+callout-reference = een maat tussen haakjes is een hulpmaat zonder tolerantie: schrijf haar zonder haakjes als ze beoordeeld moet worden
+callout-one-sided = { $given } heeft maar één grens: schrijf beide grensmaten, de grootste eerst, zoals 8.2/8
+callout-roughness = { $given } is een oppervlakteruwheid, geen maat: schrijf een maat met tolerantie, zoals 25 H7
+callout-modifier = { $given } is geen symbool van ISO 14405-1: er zijn { $known }
+callout-grade = { $given } is bij { $nominal } mm niet gedefinieerd: schrijf een tolerantiegraad van IT1 tot IT18 die ISO 286 daar heeft
+callout-ansi = { $class } is een klasse van ANSI B4.1, waarvan Fitcheck de tabellen niet heeft: schrijf een klasse van ISO 286, of maat en afwijkingen in millimeters
+callout-stated-micrometres = de afwijkingen achter de tolerantie zijn buiten elke verhouding tot { $nominal } mm: zijn het micrometers, schrijf dan ({ $offer })
+callout-stated-of-fit = afwijkingen achter een passing kunnen bij elk van beide delen horen: schrijf ze achter elke klasse apart
+iso286-grade-alone = { $class } is een tolerantiegraad: die zegt hoe breed een zone is, maar niet waar ze ligt; schrijf ±{ $grade }/2 of een klasse, zoals H7
 general-too-small = nominale maat { $nominal } mm ligt onder { $first } mm, waar ISO 2768-1 begint: schrijf de afwijkingen bij de maat
 general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, die tot en met { $last } mm gaat
 general-not-defined = ISO 2768-1 heeft geen klasse { $class } { $range }; wel { $defined }
@@ -221,3 +236,27 @@ general-range-from = van { $over } tot en met { $to } mm
 make-no-class = er is geen tolerantieklasse opgegeven: noem er een of meer, zoals H7 H8 JS9
 make-both-features = { $hole } en { $shaft } kunnen niet in één tabel staan: alleen hoofdletters en kleine letters onderscheiden ze, maak dus een tabel voor boringen en een voor assen
 make-last-size = de laatste maat is { $to } mm: die moet groter dan 0 en hoogstens 3150 mm zijn
+
+## Press fits
+press-no-interference = de passing heeft minstens { $clearance } mm speling: een perspassing heeft overmaat nodig, zoals 40 H7/s6
+press-length = lengte { $length } mm is niet groter dan 0
+press-hub-outer = buitendiameter van de naaf { $given } mm is niet groter dan de voegdiameter { $nominal } mm
+press-shaft-bore = boring van de as { $given } mm: schrijf 0 voor een massieve as, of een boring onder { $nominal } mm
+press-roughness = ruwheid { $given } mm is kleiner dan 0
+press-friction = een perspassing heeft een wrijving boven 0 nodig
+press-material = de elasticiteitsmodulus van { $name } is niet bekend: kies een ander materiaal, of voeg modulus en poisson toe aan een bestand met eigen materialen
+press-ratio = { $text } is geen getal van 0 tot 1 met hoogstens drie decimalen
+press-yields = NIET ELASTISCH: de spanning van de { $part ->
+    [hole] naaf
+   *[shaft] as
+    } zou { $stress } MPa zijn, boven de vloeigrens van { $limit } MPa: de elastische theorie geldt niet, en er wordt niet gezegd dat iets houdt
+press-yield-unknown = of de { $part ->
+    [hole] naaf
+   *[shaft] as
+    } vloeit, is niet bekend: het materiaal heeft hier geen vloeigrens; geef er een
+press-may-be-loose = de delen kunnen { $clearance } mm speling hebben: de verbinding houdt misschien helemaal niet
+press-all-smoothed = het gladdrukken van de ruwheid, { $loss } mm, kan de overmaat opgebruiken: de verbinding houdt misschien helemaal niet
+press-no-roughness = geen ruwheid Rz opgegeven: er is geen verlies aan overmaat door gladdrukken afgetrokken
+press-too-hot = alleen de naaf verwarmen is niet genoeg tot { $most } °C, zover haar uitzetting bekend is
+press-too-cold = alleen de as koelen is niet genoeg, ook niet in vloeibare stikstof
+press-contraction-unknown = de krimp van het asmateriaal in de kou is niet bekend: de uitzetting is gebruikt, de as moet misschien kouder zijn

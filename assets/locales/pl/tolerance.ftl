@@ -189,6 +189,7 @@ material-name = nazwa materiału ma od 1 do { $longest } { $longest ->
        *[other] znaków
     }, bez znaków sterujących
 material-range = zakres temperatur zaczyna się od niższej: wpisać dwie liczby w °C, np. [-50, 200]
+material-elastic = modulus i poisson podaje się razem: modulus od 1 do 1200000 MPa, poisson od 0 do 0.5, yield od 1 do 10000 MPa
 material-twice = materiał { $name } jest zdefiniowany dwa razy
 material-unknown = nieznany materiał { $name }: wybrać jeden z { $known } lub podać samą rozszerzalność, np. 11,5
 ## Callouts: deviations, limits, fits and general tolerances
@@ -227,6 +228,20 @@ callout-too-long = tekst jest za długi: najwyżej { $most } { $most ->
     }
 callout-band-order = odchyłka dolna stoi przed górną: wpisać QS400 jako 0.4-0.1
 callout-lone-order = odchyłka dolna stoi przed górną: wpisać { $offer }
+callout-inch = { $given } to { $nominal } mm: wymiary są w milimetrach, napisz { $offer }
+callout-inch-size = { $given } to { $nominal } mm: napisz wymiar i tolerancję w milimetrach
+callout-inch-somewhere = { $given } jest w calach: napisz wymiar i tolerancję w milimetrach, 1 cal to 25.4 mm
+callout-thread = { $given } to gwint, a nie gładki otwór ani wałek: napisz średnicę wewnętrzną lub podziałową z obiema granicami, np. 5.153/4.917
+callout-exact = wymiar teoretycznie dokładny nie ma własnej tolerancji: napisz wymiar z granicami, które go dotyczą, np. 25 ±0.1
+callout-reference = wymiar w nawiasie jest pomocniczy i nie ma tolerancji: napisz go bez nawiasu, jeśli ma być oceniany
+callout-one-sided = { $given } ma tylko jedną granicę: napisz oba wymiary graniczne, większy najpierw, np. 8.2/8
+callout-roughness = { $given } to chropowatość, a nie wymiar: napisz wymiar z tolerancją, np. 25 H7
+callout-modifier = { $given } nie jest modyfikatorem ISO 14405-1: modyfikatory to { $known }
+callout-grade = { $given } nie jest zdefiniowane dla { $nominal } mm: napisz klasę dokładności od IT1 do IT18, którą ISO 286 tam podaje
+callout-ansi = { $class } to klasa ANSI B4.1, której tablic Fitcheck nie ma: napisz klasę ISO 286 albo wymiar i odchyłki w milimetrach
+callout-stated-micrometres = odchyłki za tolerancją są nieproporcjonalne do { $nominal } mm: jeśli są w mikrometrach, napisz ({ $offer })
+callout-stated-of-fit = odchyłki za pasowaniem mogą dotyczyć każdej z części: napisz je za każdą klasą osobno
+iso286-grade-alone = { $class } to klasa dokładności: mówi, jak szerokie jest pole, ale nie, gdzie leży; napisz ±{ $grade }/2 albo klasę, np. H7
 general-too-small = wymiar nominalny { $nominal } mm jest poniżej { $first } mm, gdzie zaczyna się ISO 2768-1: wpisać odchyłki przy wymiarze
 general-too-large = wymiar nominalny { $nominal } mm wykracza poza ISO 2768-1, która kończy się na { $last } mm
 general-not-defined = ISO 2768-1 nie definiuje klasy { $class } dla wymiarów { $range }; jest zdefiniowana dla wymiarów { $defined }
@@ -236,3 +251,27 @@ general-range-from = od { $over } do { $to } mm
 make-no-class = nie podano klasy tolerancji: wpisać jedną lub więcej, np. H7 H8 JS9
 make-both-features = { $hole } i { $shaft } nie mogą być w jednej tabeli: różnią się tylko wielkością liter, więc zrobić osobną tabelę dla otworów i dla wałków
 make-last-size = ostatni wymiar to { $to } mm: musi być większy od 0 i najwyżej 3150 mm
+
+## Press fits
+press-no-interference = pasowanie ma luz co najmniej { $clearance } mm: połączenie wciskowe wymaga wcisku, np. 40 H7/s6
+press-length = długość { $length } mm nie jest większa od 0
+press-hub-outer = średnica zewnętrzna piasty { $given } mm nie jest większa od średnicy połączenia { $nominal } mm
+press-shaft-bore = otwór wału { $given } mm: napisz 0 dla wału pełnego albo otwór mniejszy niż { $nominal } mm
+press-roughness = chropowatość { $given } mm jest mniejsza od 0
+press-friction = połączenie wciskowe wymaga tarcia większego od 0
+press-material = moduł sprężystości materiału { $name } nie jest znany: wybierz inny materiał albo dodaj modulus i poisson do pliku własnych materiałów
+press-ratio = { $text } nie jest liczbą od 0 do 1 z najwyżej trzema miejscami po przecinku
+press-yields = NIESPRĘŻYSTE: naprężenie { $part ->
+    [hole] piasty
+   *[shaft] wału
+    } wyniosłoby { $stress } MPa, powyżej granicy plastyczności { $limit } MPa: teoria sprężystości nie obowiązuje i nie twierdzi się, że cokolwiek trzyma
+press-yield-unknown = nie wiadomo, czy { $part ->
+    [hole] piasta
+   *[shaft] wał
+    } się uplastyczni: materiał nie ma tu granicy plastyczności; podaj ją
+press-may-be-loose = części mogą mieć luz { $clearance } mm: połączenie może wcale nie trzymać
+press-all-smoothed = wygładzenie chropowatości, { $loss } mm, może zużyć wcisk: połączenie może wcale nie trzymać
+press-no-roughness = nie podano chropowatości Rz: nie odjęto straty wcisku przez wygładzenie
+press-too-hot = samo nagrzanie piasty nie wystarczy do { $most } °C, dokąd znana jest jej rozszerzalność
+press-too-cold = samo oziębienie wału nie wystarczy, nawet w ciekłym azocie
+press-contraction-unknown = skurcz materiału wału na zimno nie jest znany: użyto jego rozszerzalności, wał może musieć być zimniejszy

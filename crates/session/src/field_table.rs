@@ -122,6 +122,9 @@ rows! {
     Temperature, "fit-temperature", PAGE, "temperature-of-both-parts";
     HoleExpansion, "fit-hole-expansion", PAGE, "expansion-of-the-hole";
     ShaftExpansion, "fit-shaft-expansion", PAGE, "expansion-of-the-shaft";
+    PressLength, "fit-press-length", PAGE, "length-of-the-joint";
+    HubOuter, "fit-hub-outer", PAGE, "outer-diameter-of-the-hub";
+    ShaftBore, "fit-shaft-bore", PAGE, "bore-of-the-shaft";
     WantedMinimum, "fit-wanted-minimum", PAGE, "minimum-of-the-clearance";
     WantedMaximum, "fit-wanted-maximum", PAGE, "maximum-of-the-clearance";
 }

@@ -143,8 +143,8 @@ pub use files::{
     Working,
 };
 pub use fit::{
-    ClassMap, Equivalent, FitAction, FitCommand, FitField, FitPage, MapCell, Mark, MeasuredParts, Picture, PictureZone,
-    WarmFit, extremes,
+    ClassMap, Equivalent, FRICTION, FitAction, FitCommand, FitField, FitPage, MapCell, Mark, MeasuredParts, Picture,
+    PictureZone, WarmFit, extremes,
 };
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_core::tolerance::{Absent, Sources};

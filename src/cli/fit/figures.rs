@@ -4,12 +4,13 @@
 
 use super::answer::{Answer, Equivalent, Measured};
 use super::heat::{Heat, Heated};
+use super::press::PressFigures;
 use crate::cli::Figure;
 use crate::cli::material::Part;
 use crate::length::Length;
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
 use crate::tolerance::fit::{Basis, basis};
-use crate::tolerance::{Limits, ToleranceClass};
+use crate::tolerance::{Limits, PartTolerance};
 use crate::verdict::fit::{Actual, Possible};
 use crate::verdict::{Status, Verdict};
 
@@ -23,9 +24,9 @@ row! {
         minimum_clearance_um: Option<Figure> = Some(Figure::um(answer.fit.minimum_clearance())),
         maximum_clearance_um: Option<Figure> = Some(Figure::um(answer.fit.maximum_clearance())),
         mean_clearance_um: Option<Figure> = Some(Figure::um(answer.fit.mean_clearance())),
-        basis: Option<&'static str> = basis(answer.hole, answer.shaft).map(Basis::word),
-        preferred: Option<&'static str> = preference(answer.hole, answer.shaft).map(Preference::word),
-        function: Option<&'static str> = function(answer.hole, answer.shaft).map(Function::word),
+        basis: Option<&'static str> = answer.classes().and_then(|(hole, shaft)| basis(hole, shaft)).map(Basis::word),
+        preferred: Option<&'static str> = answer.classes().and_then(|(hole, shaft)| preference(hole, shaft)).map(Preference::word),
+        function: Option<&'static str> = answer.classes().and_then(|(hole, shaft)| function(hole, shaft)).map(Function::word),
         hole: Option<PartFigures> = Some(PartFigures::of(answer.hole, answer.fit.hole())),
         shaft: Option<PartFigures> = Some(PartFigures::of(answer.shaft, answer.fit.shaft())),
         equivalent: Option<EquivalentFigures> = answer.equivalent.as_ref().map(EquivalentFigures::of),
@@ -39,11 +40,12 @@ row! {
         },
         temperature: Option<TemperatureFigures> =
             answer.heated.as_ref().map(|(heat, heated)| TemperatureFigures::of(heat, heated)),
+        press: Option<PressFigures> = answer.press.as_ref().map(|(named, press)| PressFigures::of(named, press)),
         error: Option<String> = None,
     }
 
-    struct PartFigures of(class: ToleranceClass, limits: &Limits) {
-        class: String = class.to_string(),
+    struct PartFigures of(part: PartTolerance, limits: &Limits) {
+        class: Option<String> = part.class().map(|class| class.to_string()),
         min_mm: Figure = mm(limits.minimum()),
         max_mm: Figure = mm(limits.maximum()),
         lower_um: Figure = Figure::um(limits.deviations.lower()),

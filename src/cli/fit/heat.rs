@@ -1,6 +1,6 @@
 //! Materials and temperatures: arguments, and their effect on a fit.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::cli::material::{Part, materials, refuse_far};
 use crate::cli::{CliError, ErrorSubject, IntoCliError as _};
@@ -12,7 +12,14 @@ use crate::tolerance::fit::{Fit, FitKind};
 #[derive(Debug, clap::Args)]
 pub(super) struct HeatArgs {
     /// Material of the hole, or its expansion in millionths per kelvin, such as 11.5
-    #[arg(long, value_name = "NAME", requires = "shaft_material", requires = "heat", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        alias = "hub-material",
+        value_name = "NAME",
+        requires = "shaft_material",
+        requires = "heat",
+        allow_hyphen_values = true
+    )]
     hole_material: Option<String>,
 
     /// Material of the shaft, or its expansion
@@ -27,7 +34,7 @@ pub(super) struct HeatArgs {
     materials: Option<PathBuf>,
 
     /// Accept a temperature outside the range of the expansion
-    #[arg(long, requires = "heat")]
+    #[arg(long, requires = "hole_material")]
     far_temperature: bool,
 }
 
@@ -84,7 +91,17 @@ impl HeatArgs {
         self.hole_material.is_some() || self.shaft_material.is_some()
     }
 
-    pub(super) fn load(&self) -> Result<Option<Heat>, CliError> {
+    /// The names of the materials of hole and shaft, and the file of the user's own.
+    pub(super) fn materials(&self) -> ([Option<&str>; 2], Option<&Path>) {
+        ([self.hole_material.as_deref(), self.shaft_material.as_deref()], self.materials.as_deref())
+    }
+
+    /// The materials at their temperatures; `None` without them, or where a press fit alone needs them.
+    pub(super) fn load(&self, is_press: bool) -> Result<Option<Heat>, CliError> {
+        let TemperatureArgs { temperature, hole_temperature, shaft_temperature } = &self.temperatures;
+        if is_press && temperature.is_none() && hole_temperature.is_none() && shaft_temperature.is_none() {
+            return Ok(None);
+        }
         let (Some(hole), Some(shaft)) = (&self.hole_material, &self.shaft_material) else { return Ok(None) };
         let materials = materials(self.materials.as_deref())?;
         let part = |name: &str, own_temperature: Option<&String>, which: ErrorSubject<'_>| {

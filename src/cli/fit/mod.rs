@@ -6,6 +6,7 @@
 //! | `figures` | the same in figures |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
+//! | `press` | press fits |
 //! | `reverse` | from a wanted clearance or a function to classes |
 //!
 //! Callouts are answered one by one, so that memory stays the same however many come.
@@ -13,6 +14,7 @@
 mod answer;
 mod figures;
 mod heat;
+mod press;
 mod reverse;
 mod text;
 
@@ -31,6 +33,7 @@ Examples:
   fitcheck fit \"50 H7/p6\" --hole 50.010 --shaft 50.030    two measured parts, or one alone
   fitcheck fit \"50 H7/p6\" --hole-material brass --shaft-material steel --temperature 80
   fitcheck fit \"50 H7/p6\" --hole-material steel --shaft-material steel --hole-temperature 220
+  fitcheck fit \"40 H7/s6\" --press --length 30 --hub-outer 80        what a press fit holds
   fitcheck fit 25 --min-clearance 0.007 --max-clearance 0.041     classes for a clearance
   fitcheck fit 25 --function sliding --format json
   fitcheck fit - --format csv < fits.txt                  one fit per line
@@ -52,6 +55,12 @@ JSON of one fit is an object, of several or of - an array:
   temperature   hole_c, shaft_c, change_um, minimum_clearance_um, maximum_clearance_um, kind,
                 actual_clearance_um, hole_material and shaft_material with name,
                 expansion_um_per_m_k, certainty, source
+  press         length_mm, hub_outer_mm, shaft_inner_mm, friction, minimum_interference_um,
+                maximum_interference_um, smoothing_um, minimum_pressure_mpa, maximum_pressure_mpa,
+                axial_force_n, torque_nm, pressing_force_n, elastic (yes, no, unknown),
+                hub_stress_mpa, hub_tangential_mpa, hub_yield_mpa, shaft_stress_mpa,
+                shaft_tangential_mpa, shaft_yield_mpa, joining_play_um, heat_hub_c, cool_shaft_c,
+                hub_material, shaft_material
 JSON of a search:
   nominal_mm, minimum_clearance_um, maximum_clearance_um, scope, function, total
   candidates    callout, hole, shaft, kind, minimum_clearance_um, maximum_clearance_um, basis,
@@ -82,6 +91,9 @@ pub(super) struct Args {
     heat: heat::HeatArgs,
 
     #[command(flatten)]
+    press: press::PressArgs,
+
+    #[command(flatten)]
     reverse: reverse::ReverseArgs,
 
     /// Format of the answer
@@ -96,7 +108,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
         if self.reverse.is_asked() {
-            if self.hole.is_some() || self.shaft.is_some() || self.heat.is_asked() {
+            if self.hole.is_some() || self.shaft.is_some() || self.heat.is_asked() || self.press.is_asked() {
                 return Err(CliError::SearchWithParts);
             }
             return self.reverse.run(&self.callouts, &sources, self.format, io);
@@ -108,11 +120,12 @@ impl Args {
         if !is_one && (hole.is_some() || shaft.is_some()) {
             return Err(CliError::PartsOfSeveral);
         }
-        let heat = self.heat.load()?;
+        let heat = self.heat.load(self.press.is_asked())?;
+        let press = self.press.load(&self.heat)?;
         for doubt in heat.iter().flat_map(|heat| &heat.doubts) {
             io.warn(doubt);
         }
-        let given = FitInputs { sources: &sources, heat, hole, shaft };
+        let given = FitInputs { sources: &sources, heat, press, hole, shaft };
         let mut fits = Fits { given, worst: None };
         let all_answered = Answers::print((self.format, is_one), &self.callouts, &mut fits, io)?;
         Ok(if all_answered { fits.worst.map_or(Outcome::Done, Outcome::Judged) } else { Outcome::BadData })
@@ -123,6 +136,7 @@ impl Args {
 struct FitInputs<'a> {
     sources: &'a Sources,
     heat: Option<heat::Heat>,
+    press: Option<press::NamedJoint>,
     /// The measured diameters.
     hole: Option<Length>,
     shaft: Option<Length>,
@@ -139,7 +153,7 @@ impl Answerer for Fits<'_> {
     type AnswerRow<'a> = Figures<'a>;
 
     fn answer(&mut self, asked: CalloutInput<'_>, answers: &mut Answers, io: &mut Io<'_>) {
-        let answer = asked.callout.parse().said().and_then(|callout| Answer::of(callout, &self.given).said());
+        let answer = asked.callout.parse().said().and_then(|callout| Answer::of(callout, &self.given));
         let answer = match answer {
             Ok(answer) => answer,
             Err(error) => return answers.refuse::<Self>(asked, &error, io),
@@ -152,6 +166,9 @@ impl Answerer for Fits<'_> {
             if let Some(doubt) = measured.and_then(|measured| doubt(limits, measured)) {
                 io.warn_about(&name, &doubt);
             }
+        }
+        for remark in answer.press.iter().flat_map(|(_, press)| &press.remarks) {
+            io.warn_about(&answer.callout, remark);
         }
         if !answers.is_text() {
             return answers.figures(&Figures::of(asked.callout, &answer), io);

@@ -11,12 +11,12 @@ use crate::cli::people::{mm, negative, range};
 use crate::length::Length;
 use crate::tolerance::fit::basis;
 use crate::tolerance::fit::preferred::{function, preference};
-use crate::tolerance::{Limits, ToleranceClass};
+use crate::tolerance::{Limits, PartTolerance, ToleranceClass};
 use crate::verdict::{Status, Verdict};
 
 pub(super) fn write(answer: &Answer<'_>, io: &mut Io<'_>) {
     let Answer { callout, hole, shaft, fit, .. } = answer;
-    writeln!(io.people(), "{callout}  {}", with_remarks(&fit.kind(), *hole, *shaft));
+    writeln!(io.people(), "{callout}  {}", with_remarks(&fit.kind(), answer.classes()));
     let minimum = fit.minimum_clearance();
     let maximum = fit.maximum_clearance();
     let range = range(minimum, maximum);
@@ -30,10 +30,14 @@ pub(super) fn write(answer: &Answer<'_>, io: &mut Io<'_>) {
     if let Some((heat, heated)) = &answer.heated {
         temperature(heat, heated, io);
     }
+    if let Some((named, press)) = &answer.press {
+        super::press::write(named, press, io);
+    }
 }
 
 /// `clearance fit, hole basis, preferred fit of the hole basis, sliding`
-pub(super) fn with_remarks(kind: &dyn Display, hole: ToleranceClass, shaft: ToleranceClass) -> String {
+pub(super) fn with_remarks(kind: &dyn Display, classes: Option<(ToleranceClass, ToleranceClass)>) -> String {
+    let Some((hole, shaft)) = classes else { return kind.to_string() };
     let basis = basis(hole, shaft).map(|basis| basis.to_string());
     let preferred = preference(hole, shaft).map(|preference| preference.to_string());
     // "preferred fit of the hole basis" also names the basis, unless it is both.
@@ -43,15 +47,15 @@ pub(super) fn with_remarks(kind: &dyn Display, hole: ToleranceClass, shaft: Tole
     all.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
+pub(super) fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
     writeln!(io.people(), "  {name:<12} {text}");
 }
 
-fn part(name: &str, class: ToleranceClass, limits: &Limits, io: &mut Io<'_>) {
+fn part(name: &str, tolerance: PartTolerance, limits: &Limits, io: &mut Io<'_>) {
     let range = format!("{} … {} mm", mm(limits.minimum()), mm(limits.maximum()));
     let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));
     let source = limits.source.with_difference();
-    line(&format!("{name} {class}"), format_args!("{range:<22}  {deviations:<18}  from {source}"), io);
+    line(&format!("{name} {tolerance}"), format_args!("{range:<22}  {deviations:<18}  from {source}"), io);
 }
 
 fn equivalent(other: &Equivalent) -> String {

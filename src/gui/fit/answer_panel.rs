@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, WidgetInfo, vec2};
 
+use super::press_panel::press_ui;
 use super::{example_text, part_text};
 use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::class_chooser::feature_picture;
@@ -38,6 +39,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
         warm_ui(ui, view, &warm);
     }
+    press_ui(ui, view);
     ui.separator();
     limits_ui(ui, view, fit);
     if let Some(equivalent) = session.fit().equivalent.as_ref() {

@@ -3,10 +3,11 @@
 //! | file | what |
 //! |---|---|
 //! | `asked_panel` | left: the callout, fits to pick from |
-//! | `parts_panel` | left: measured parts, temperature and materials |
+//! | `parts_panel` | left: measured parts, temperature and materials, the joint of a press fit |
 //! | `search_panel` | left: from a wanted clearance to classes |
 //! | `picture` | middle: the classical picture |
 //! | `class_map`, `staircase` | middle: every class at this size, and where the zones of a grade lie |
+//! | `press_panel` | right: what a press fit holds |
 //! | `answer_panel` | right: kind of fit, figures, limits, equivalent fit, what the parts do |
 
 mod answer_panel;
@@ -15,6 +16,7 @@ mod class_map;
 mod letter_columns;
 mod parts_panel;
 mod picture;
+mod press_panel;
 mod search_panel;
 mod staircase;
 
@@ -62,6 +64,8 @@ fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
             parts_panel::parts_ui(ui, view);
             ui.separator();
             parts_panel::temperature_ui(ui, view);
+            ui.separator();
+            parts_panel::press_ui(ui, view);
             ui.separator();
             search_panel::search_ui(ui, view);
         },

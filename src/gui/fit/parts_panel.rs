@@ -1,4 +1,4 @@
-//! Left: the measured parts; the temperature, and what the parts are made of.
+//! Left: the measured parts; the temperature, and what the parts are made of; the joint of a press fit.
 
 use eframe::egui::{Grid, Ui, vec2};
 
@@ -17,6 +17,17 @@ pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
         view,
         [(FitField::HoleMeasured, "fit-hole-measured", "mm"), (FitField::ShaftMeasured, "fit-shaft-measured", "mm")],
     );
+}
+
+/// The joint of a press fit.
+pub(super) fn press_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("fit-press"));
+    let fields = [
+        (FitField::PressLength, "fit-press-length"),
+        (FitField::HubOuter, "fit-hub-outer"),
+        (FitField::ShaftBore, "fit-shaft-bore"),
+    ];
+    pairs_ui(ui, view, &fields.map(|(field, name)| (field.into(), view.text(name), "mm")));
 }
 
 /// Two fields beside each other, each with its name above it and its error below.

@@ -7,6 +7,7 @@ use super::contact::Contact;
 use crate::length::Length;
 use crate::message::Say;
 use crate::tolerance::Bounds;
+use crate::tolerance::callout::{FormClass, Modifier};
 
 /// A measured diameter and all that is known about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,6 +112,66 @@ pub enum Caveat {
         #[say(with = three_decimals)]
         spread: Length,
     },
+    /// The callout has deviations behind its tolerance that are not those of the tolerance.
+    Stated {
+        /// The upper one behind the tolerance.
+        #[say(with = micrometres)]
+        upper: Length,
+        /// The lower one behind the tolerance.
+        #[say(with = micrometres)]
+        lower: Length,
+        /// The upper deviation that counts.
+        #[say(with = micrometres)]
+        used_upper: Length,
+        /// The lower deviation that counts.
+        #[say(with = micrometres)]
+        used_lower: Length,
+    },
+    /// The callout is for several features.
+    Count {
+        /// How many.
+        count: u16,
+    },
+    /// The callout has a class for form.
+    FormClass {
+        /// The class of ISO 2768-2.
+        class: FormClass,
+    },
+    /// Each two-point size is asked for, and one diameter is known.
+    EachTwoPoint {
+        /// The modifier.
+        modifier: Modifier,
+    },
+    /// Each two-point size is asked for, and a mean circle is known.
+    MeanOfTwoPoints {
+        /// The modifier.
+        modifier: Modifier,
+    },
+    /// The least-squares size is asked for, and one diameter is known.
+    NotLeastSquares {
+        /// The modifier.
+        modifier: Modifier,
+    },
+    /// The least-squares size is asked for, and the least-squares circle of one section is known.
+    OneSection {
+        /// The modifier.
+        modifier: Modifier,
+    },
+    /// An envelope is asked for.
+    Envelope {
+        /// The modifier.
+        modifier: Modifier,
+    },
+    /// Another size is asked for.
+    OtherSize {
+        /// The modifier.
+        modifier: Modifier,
+    },
+    /// A modifier says where or how the size holds.
+    Condition {
+        /// The modifier.
+        modifier: Modifier,
+    },
 }
 
 impl Caveat {
@@ -155,6 +216,11 @@ impl Caveat {
         let form = Length::from_mm_f64(most - least).ok()?;
         (zone < form.checked_add(form).unwrap_or(Length::MAX)).then_some(Self::Form { form, zone })
     }
+}
+
+/// Micrometres with their sign.
+fn micrometres(length: &Length) -> String {
+    length.signed_um()
 }
 
 /// A length in millimetres with three decimals.

@@ -5,6 +5,7 @@
 //! | `contact` | one probing and its contact |
 //! | `circle` | least-squares and other reference circles |
 //! | `measurement` | the outcome: diameter, centre, contacts, and what they cannot tell |
+//! | `noted` | what a measurement leaves open of the notes beside a callout |
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
 //! | `measure` | from limits and a position to a measurement |
@@ -21,6 +22,7 @@ pub mod cycle;
 pub mod cycles;
 pub mod measure;
 pub mod measurement;
+pub mod noted;
 pub mod simulated;
 pub mod source;
 pub mod touch_probe;

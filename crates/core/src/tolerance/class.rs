@@ -49,11 +49,11 @@ as_text!(Feature, ToleranceClass);
 /// The longest name of a class or a user's own table column.
 const LONGEST: usize = 8;
 
-/// Names that are no class, in either case, though their letters would do: behind a number they are a unit, or they are a
+/// Names that are no class, in either case, though their letters would do: behind a number they are a unit or a word of drawings, or they are a
 /// column of a control's table that holds no deviations.
-const NO_CLASSES: [&str; 20] = [
+const NO_CLASSES: [&str; 26] = [
     "mm", "cm", "dm", "km", "nm", "um", "in", "inch", "inches", "zoll", "pollici", "ft", "mil", "mils", "thou",
-    "micron", "microns", "nr", "bereich", "bereik",
+    "micron", "microns", "nr", "bereich", "bereik", "min", "max", "ref", "ted", "basic", "bsc",
 ];
 
 /// A tolerance class: the name of a column in a table of deviations.

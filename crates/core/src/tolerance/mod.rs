@@ -35,7 +35,7 @@ pub mod sources;
 pub mod table;
 pub mod table_edit;
 
-pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
+pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, PartTolerance, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};
 pub use deviations::{Deviations, DeviationsError};
 pub use figure::FigureWarning;

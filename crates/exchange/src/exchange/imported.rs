@@ -4,7 +4,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::{FilePlace, Located, Say};
 use fitcheck_core::part::NotFound;
 use fitcheck_core::probing::cycle::ResultName;
-use fitcheck_core::probing::{Contact, Origin};
+use fitcheck_core::probing::{Contact, Origin, noted};
 use fitcheck_core::tolerance::Limits;
 use fitcheck_core::tolerance::fit::thermal::Correction;
 use fitcheck_core::verdict::{PositionVerdict, Removal, SizeVerdict, Status, judge_size};
@@ -399,6 +399,9 @@ impl<'a> Sink<'a> {
     }
 
     pub(super) fn keep(&mut self, line: usize, record: Record, labels: Labels) {
+        if let Some(differs) = record.callout.and_then(|callout| noted::differing(callout.notes(), &record.limits)) {
+            self.warn(FilePlace::line(line), Some(line), ImportWarningKind::Callout(differs));
+        }
         self.row(Item::Record { line, record: Box::new(record), labels });
     }
 

@@ -2,6 +2,7 @@
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say};
+use fitcheck_core::probing::Caveat;
 use fitcheck_core::tolerance::{Callout, Feature};
 use fitcheck_nc::control::log::LogWarningKind;
 
@@ -33,6 +34,9 @@ pub enum ImportWarningKind {
     /// A warning about a file of AQDEF.
     #[say(transparent)]
     Aqdef(AqdefWarning),
+    /// The callout contradicts itself.
+    #[say(transparent)]
+    Callout(Caveat),
     /// A warning about a table of CALYPSO.
     #[say(transparent)]
     Calypso(CalypsoWarning),
@@ -323,6 +327,7 @@ impl ImportWarningKind {
                 | Self::LimitDiffers { .. }
                 | Self::DeviationDiffers { .. }
                 | Self::FeatureDiffers { .. }
+                | Self::Callout(_)
                 | Self::TemperatureDiffers { .. }
                 | Self::NameOfNoSize { .. }
         )
@@ -342,6 +347,7 @@ impl ImportWarningKind {
             | Self::LimitDiffers { .. }
             | Self::DeviationDiffers { .. }
             | Self::FeatureDiffers { .. }
+            | Self::Callout(_)
             | Self::TemperatureDiffers { .. }
             | Self::SpeaksOfTemperature { .. }
             | Self::SpeaksOfUnit { .. }

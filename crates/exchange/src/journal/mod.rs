@@ -53,7 +53,7 @@ use std::sync::Arc;
 pub use decision::Decision;
 use fitcheck_core::budget::Provenance;
 use fitcheck_core::length::Length;
-use fitcheck_core::probing::{Caveat, Measurement, Origin};
+use fitcheck_core::probing::{Caveat, Measurement, Origin, noted};
 use fitcheck_core::tolerance::fit::thermal::Correction;
 use fitcheck_core::tolerance::{Callout, Limits};
 use fitcheck_core::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
@@ -106,9 +106,12 @@ impl Record {
         Self { time, id, callout, limits, measurement, verdict, doubt, correction: None, budget: None }
     }
 
-    /// What its measurement cannot tell, and what it says against its limits.
+    /// What its measurement cannot tell, what it says against its limits, and what it leaves open of the notes of its callout.
     pub fn caveats(&self) -> Vec<Caveat> {
-        self.measurement.caveats_of(&self.limits.bounds())
+        let mut caveats = self.measurement.caveats_of(&self.limits.bounds());
+        let noted = self.callout.map(|callout| noted::caveats(callout.notes(), &self.limits, &self.measurement));
+        caveats.extend(noted.into_iter().flatten());
+        caveats
     }
 
     /// The same, judged by a rule. An uncertainty that was given with it counts for contacts round the circle; where those that were

@@ -20,6 +20,12 @@ kept_fields! {
     HoleExpansion: "hole-expansion", "11.5";
     /// Expansion of the shaft's material, 10⁻⁶/K.
     ShaftExpansion: "shaft-expansion", "11.5";
+    /// How long hub and shaft of a press fit touch, mm; empty where none is asked for.
+    PressLength: "press-length", "";
+    /// The outer diameter of its hub, mm.
+    HubOuter: "hub-outer", "";
+    /// The bore of its shaft, mm; 0 for a solid one.
+    ShaftBore: "shaft-bore", "0";
     /// The smallest clearance to search for, mm; negative is an interference.
     WantedMinimum: "wanted-minimum", "";
     /// The largest clearance to search for, mm; negative is an interference.

@@ -5,6 +5,7 @@
 //! | here | the state, and what follows from it |
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
+//! | `press` | the joint of a press fit |
 //! | `reading` | callout, measured parts, temperature, search: read anew when a field changes |
 //! | `class_map` | every class at the size, where it lies, and its neighbours |
 //! | `picture` | the classical picture's geometry |
@@ -17,6 +18,7 @@ mod class_map;
 mod command;
 mod field;
 mod picture;
+mod press;
 mod reading;
 
 use std::collections::BTreeMap;
@@ -26,6 +28,7 @@ use std::sync::Arc;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::fit::equivalent::Difference;
+use fitcheck_core::tolerance::fit::press::Press;
 use fitcheck_core::tolerance::fit::search::{ClearanceRange, FitSearchResult, Scope};
 use fitcheck_core::tolerance::fit::thermal::{Expansion, Temperature, clearance_change};
 use fitcheck_core::tolerance::fit::{Fit, FitKind};
@@ -40,6 +43,7 @@ pub use class_map::{ClassMap, MapCell};
 pub use command::FitCommand;
 pub use field::FitField;
 pub use picture::{Mark, Picture, PictureZone};
+pub use press::FRICTION;
 
 /// The same fit in the other basis.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -116,6 +120,7 @@ pub struct FitPage {
     pub equivalent: Option<Equivalent>,
     temperature: Option<Temperature>,
     expansions: BTreeMap<Feature, Expansion>,
+    press: Option<Result<Press, Message>>,
     maps: Option<Maps>,
     asking: Option<Asking>,
     found: Option<Result<FitSearchResult, Message>>,
@@ -210,6 +215,11 @@ impl FitPage {
             maximum: fit.maximum_clearance().checked_add(change)?,
             actual: self.actual_clearance().and_then(|actual| actual.checked_add(change)),
         })
+    }
+
+    /// The press fit, when its joint is given; or why there is none.
+    pub fn press(&self) -> Option<Result<&Press, &Message>> {
+        self.press.as_ref().map(Result::as_ref)
     }
 
     /// The classical picture of the fit.

@@ -32,6 +32,7 @@ impl FitPage {
         self.read_callout(&callout, sources);
         self.read_lengths();
         self.read_temperature();
+        self.read_press();
         self.read_maps(sources);
         self.search(sources);
         self.read_example(sources);
@@ -109,6 +110,9 @@ impl FitPage {
         let fields = [
             (FitField::HoleMeasured, true),
             (FitField::ShaftMeasured, true),
+            (FitField::PressLength, true),
+            (FitField::HubOuter, true),
+            (FitField::ShaftBore, false),
             (FitField::WantedMinimum, false),
             (FitField::WantedMaximum, false),
         ];

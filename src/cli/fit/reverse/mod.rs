@@ -187,7 +187,7 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
     for candidate in candidates {
         let pair = format!("{}/{}", candidate.hole, candidate.shaft);
         let range = range(candidate.minimum, candidate.maximum);
-        let remarks = text::with_remarks(&candidate.kind(), candidate.hole, candidate.shaft);
+        let remarks = text::with_remarks(&candidate.kind(), Some((candidate.hole, candidate.shaft)));
         writeln!(io.people(), "  {pair:<10} {range:<20}  {remarks}");
     }
     if let Some(miss) = miss {

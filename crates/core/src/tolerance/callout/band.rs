@@ -4,7 +4,7 @@ use super::error::{CalloutError, shorten};
 use super::kind::{CalloutErrorKind as Kind, Part};
 use super::reading::{Grammar, Number, Reader, Size};
 use super::scanner::{TextSpan, is_figure, is_minus, is_sign};
-use super::{Callout, signed};
+use super::{Callout, PartTolerance, Tolerance, signed};
 use crate::length::Length;
 use crate::tolerance::Deviations;
 
@@ -60,15 +60,33 @@ pub fn band(text: &str) -> Result<Deviations, CalloutError> {
 impl<'a> Reader<'a> {
     /// Reads one or two deviations after a size.
     pub(super) fn band(&mut self, size: Size) -> Result<Callout, CalloutError> {
-        match self.pair()? {
-            Pair::Around(one) => self.with_deviations(size, one.place, one.value, one.value.negated()),
-            Pair::One(only) => self.single(size, &only),
-            Pair::Two(first, second) => self.both(size, &first, &second),
+        let start = self.scanner.offset();
+        let callout = match self.pair()? {
+            Pair::Around(one) => self.with_deviations(size, one.place, one.value, one.value.negated())?,
+            Pair::One(only) => return self.single(size, &only),
+            Pair::Two(first, second) => self.both(size, &first, &second)?,
+        };
+        self.scanner.skip_blanks();
+        let Tolerance::Deviations(first) = callout.tolerance() else { return Ok(callout) };
+        if self.grammar == Grammar::Cycle || !self.scanner.eat(|c| c == '/') {
+            return Ok(callout);
         }
+        // The second part of a fit.
+        self.scanner.skip_blanks();
+        let second = self.partner()?;
+        let place = self.scanner.place_from(start);
+        self.placed(place, Callout::of_parts(size.value, PartTolerance::Deviations(first), second))
     }
 
     /// Reads one or two deviations without a size.
     pub(super) fn lone_band(&mut self) -> Result<Deviations, CalloutError> {
+        let deviations = self.deviations()?;
+        self.end()?;
+        Ok(deviations)
+    }
+
+    /// The same with something behind them.
+    pub(super) fn deviations(&mut self) -> Result<Deviations, CalloutError> {
         self.scanner.skip_blanks();
         let (one, other) = match self.pair()? {
             Pair::Around(one) => (one.value, one.value.negated()),
@@ -84,7 +102,6 @@ impl<'a> Reader<'a> {
             }
             Pair::Two(first, second) => (first.value, second.value),
         };
-        self.end()?;
         Ok(Deviations::spanning(one, other))
     }
 

@@ -1,9 +1,9 @@
 //! The reasons why a text is not a callout, each with what is allowed instead.
 
-use super::Callout;
+use super::{Callout, PartTolerance};
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
-use crate::tolerance::{ClassError, GeneralClass, ToleranceClass};
+use crate::tolerance::{ClassError, GeneralClass};
 
 /// A part of a callout, as errors name it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
@@ -56,10 +56,10 @@ pub enum CalloutErrorKind {
     },
     /// Two holes or two shafts.
     FitSide {
-        /// The class before the slash.
-        first: ToleranceClass,
-        /// The class after it.
-        second: ToleranceClass,
+        /// What stands before the slash.
+        first: PartTolerance,
+        /// What stands after it.
+        second: PartTolerance,
     },
     /// A number after the size cannot be read.
     Number {
@@ -171,6 +171,74 @@ pub enum CalloutErrorKind {
         /// The deviations in the right order.
         offer: String,
     },
+    /// A size in inches with a class of ISO 286, whose steps are in millimetres.
+    Inch {
+        /// The size as it was given.
+        given: String,
+        /// The same in millimetres.
+        nominal: Length,
+        /// The callout in millimetres.
+        offer: Callout,
+    },
+    /// A size in inches with something else.
+    InchSize {
+        /// The size as it was given.
+        given: String,
+        /// The same in millimetres.
+        nominal: Length,
+    },
+    /// Inches somewhere, or a size that is no whole number of nanometres.
+    InchSomewhere {
+        /// What was given.
+        given: String,
+    },
+    /// A thread.
+    Thread {
+        /// What was given.
+        given: String,
+    },
+    /// A theoretically exact size, which drawings have in a box.
+    Exact,
+    /// A size for reference, which drawings have in brackets.
+    Reference,
+    /// One limit alone: `min 8`.
+    OneSided {
+        /// What was given.
+        given: String,
+    },
+    /// The roughness of a surface: `Ra 0.8`.
+    Roughness {
+        /// What was given.
+        given: String,
+    },
+    /// Letters in brackets that are no modifier.
+    Modifier {
+        /// What was given.
+        given: String,
+        /// The modifiers there are.
+        known: String,
+    },
+    /// A grade that is not defined at the size, or not at all.
+    Grade {
+        /// What was given.
+        given: String,
+        /// Nominal size.
+        nominal: Length,
+    },
+    /// A class of ANSI B4.1.
+    Ansi {
+        /// What was given.
+        class: String,
+    },
+    /// Deviations in brackets that are out of all proportion to the size, and would not be as micrometres.
+    StatedMicrometres {
+        /// Nominal size.
+        nominal: Length,
+        /// The deviations with micrometres.
+        offer: String,
+    },
+    /// Deviations in brackets behind a fit.
+    StatedOfFit,
 }
 
 impl Part {
@@ -192,7 +260,16 @@ impl CalloutErrorKind {
             | Self::Nominal(_)
             | Self::NotPositive { .. }
             | Self::NoTolerance
-            | Self::TooLong { .. } => false,
+            | Self::TooLong { .. }
+            | Self::Inch { .. }
+            | Self::InchSize { .. }
+            | Self::InchSomewhere { .. }
+            | Self::Thread { .. }
+            | Self::Exact
+            | Self::Reference
+            | Self::OneSided { .. }
+            | Self::Roughness { .. }
+            | Self::Ansi { .. } => false,
             Self::Class(_)
             | Self::GeneralCapital { .. }
             | Self::FitOrder { .. }
@@ -215,7 +292,11 @@ impl CalloutErrorKind {
             | Self::NotInCycleText { .. }
             | Self::TooMuch { .. }
             | Self::BandOrder
-            | Self::LoneOrder { .. } => true,
+            | Self::LoneOrder { .. }
+            | Self::Modifier { .. }
+            | Self::Grade { .. }
+            | Self::StatedMicrometres { .. }
+            | Self::StatedOfFit => true,
         }
     }
 }

@@ -5,6 +5,8 @@
 //! | `scanner` | a text, character by character |
 //! | `reading` | the one grammar: size, then class, fit or limits |
 //! | `band` | the grammar's deviations, with sign and unit; also without a size |
+//! | `notes` | what stands beside size and tolerance: count, deviations in brackets, modifiers |
+//! | `drawn` | texts as drawings and other programs have them, read where the grammar refuses them |
 //! | `error` | why a text is not a callout, and at which character |
 //! | `kind` | the reasons |
 //! | `micrometres` | deviations that were written in micrometres where millimetres are read |
@@ -12,10 +14,11 @@
 //! | `qs400` | the tolerance texts of cycle 444 |
 //!
 //! ```text
-//! callout    = [ "Ø" ] size ( class | fit | general | deviations ) | [ "Ø" ] size "/" size ;
+//! callout    = [ "Ø" ] size ( class | fit | general | deviations ) | [ "Ø" ] size "/" size ;      Ø also as φ ∅ ⌀
 //! size       = number [ "mm" ] ;
 //! class      = letter { letter | digit } ;                  H7, js13, PF: letters of one case, at most eight characters
-//! fit        = class ( "/" | "-" ) class ;                  hole first: H7/g6
+//! fit        = class ( "/" | "-" ) class                    hole first: H7/g6
+//!            | ( class | deviations ) "/" ( class | deviations ) ;     H7/0 -0.013, ±0.1/+0.008 +0.002
 //! general    = "f" | "m" | "c" | "v" ;                      ISO 2768-1, with no digit behind it
 //! deviations = ( "±" | "+/-" ) value | signed [ [ "/" ] signed ] ;
 //! signed     = ( "+" | "-" ) value | "0" ;                  upper before lower; one alone: the other is 0
@@ -25,12 +28,16 @@
 //! Blanks may separate the parts; U+2212 and U+2013 count as a minus. Names of units are no class ([`ToleranceClass`] has the
 //! rule), and in the texts of cycles 14xx a class has one or two digits behind its letters. A callout says what is wanted;
 //! the sources of limits say whether a class is defined at its size.
+//!
+//! What this refuses is tried as a drawing writes it, with notes: `[ count "x" ] callout [ "(" deviations ")" ] { "(" modifier ")" }`.
 
 mod band;
 mod cycle_text;
+mod drawn;
 mod error;
 mod kind;
 mod micrometres;
+mod notes;
 mod qs400;
 mod reading;
 mod scanner;
@@ -43,6 +50,7 @@ pub use cycle_text::{CycleSize, CycleText};
 pub use error::CalloutError;
 pub use kind::{CalloutErrorKind, Part};
 pub(super) use micrometres::{as_micrometres, thousandths};
+pub use notes::{FormClass, Modifier, ModifierGroup, Modifiers, Notes};
 pub use qs400::qs400;
 pub use reading::halves;
 
@@ -50,7 +58,7 @@ use super::class::{Feature, ToleranceClass};
 use super::deviations::Deviations;
 use super::iso2768::GeneralClass;
 use crate::length::{Length, Unit};
-use crate::message::{Arg, IntoArg};
+use crate::message::{Arg, IntoArg, as_text};
 
 /// A nominal size above zero and its tolerance; the minimum limit that it states is also above zero.
 ///
@@ -68,6 +76,7 @@ use crate::message::{Arg, IntoArg};
 pub struct Callout {
     nominal: Length,
     tolerance: Tolerance,
+    notes: Notes,
 }
 
 /// What a callout asks for around its nominal size.
@@ -77,10 +86,10 @@ pub enum Tolerance {
     Class(ToleranceClass),
     /// A hole and the shaft in it: `25 H7/g6`.
     Fit {
-        /// The hole's class, in capitals.
-        hole: ToleranceClass,
-        /// The shaft's class, in small letters.
-        shaft: ToleranceClass,
+        /// What the hole has: a class in capitals, or deviations.
+        hole: PartTolerance,
+        /// What the shaft has: a class in small letters, or deviations.
+        shaft: PartTolerance,
     },
     /// A general tolerance of ISO 2768-1: `10m`.
     General(GeneralClass),
@@ -93,6 +102,51 @@ pub enum Tolerance {
         /// The smaller, or the same.
         minimum: Length,
     },
+}
+
+/// What one part of a fit has: `H7` or `0 -0.013`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum PartTolerance {
+    /// A class.
+    Class(ToleranceClass),
+    /// Deviations, which do not say hole or shaft.
+    Deviations(Deviations),
+}
+
+impl PartTolerance {
+    /// The class, if there is one.
+    pub const fn class(self) -> Option<ToleranceClass> {
+        match self {
+            Self::Class(class) => Some(class),
+            Self::Deviations(_) => None,
+        }
+    }
+
+    fn feature(self) -> Option<Feature> {
+        self.class().map(ToleranceClass::feature)
+    }
+
+    const fn alone(self) -> Tolerance {
+        match self {
+            Self::Class(class) => Tolerance::Class(class),
+            Self::Deviations(deviations) => Tolerance::Deviations(deviations),
+        }
+    }
+}
+
+as_text!(PartTolerance);
+
+/// As a callout has it: `H7`, `±0.1`, `0 -0.013`.
+impl fmt::Display for PartTolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(&match self {
+            Self::Class(class) => class.to_string(),
+            Self::Deviations(deviations) if deviations.upper() == deviations.lower().negated() => {
+                format!("±{}", deviations.upper())
+            }
+            Self::Deviations(deviations) => format!("{} {}", signed(deviations.upper()), signed(deviations.lower())),
+        })
+    }
 }
 
 impl Callout {
@@ -110,13 +164,28 @@ impl Callout {
     /// [`CalloutErrorKind::FitOrder`] with the right order, [`CalloutErrorKind::FitSide`] for two holes or two shafts,
     /// [`CalloutErrorKind::NotPositive`].
     pub fn fit(nominal: Length, hole: ToleranceClass, shaft: ToleranceClass) -> Result<Self, CalloutError> {
+        Self::of_parts(nominal, PartTolerance::Class(hole), PartTolerance::Class(shaft))
+    }
+
+    /// A callout of a fit whose parts have classes or deviations: `52 H7/0 -0.013`.
+    ///
+    /// # Errors
+    /// Those of [`Self::fit`] and, for deviations, of [`Self::with_deviations`].
+    pub fn of_parts(nominal: Length, hole: PartTolerance, shaft: PartTolerance) -> Result<Self, CalloutError> {
         match (hole.feature(), shaft.feature()) {
-            (Feature::Hole, Feature::Shaft) => Self::above_zero(nominal, Tolerance::Fit { hole, shaft }),
-            (Feature::Shaft, Feature::Hole) => {
-                let offer = Self::fit(nominal, shaft, hole)?;
+            (Some(Feature::Hole) | None, Some(Feature::Shaft) | None) => {
+                for part in [hole, shaft] {
+                    if let PartTolerance::Deviations(deviations) = part {
+                        Self::with_deviations(nominal, deviations)?;
+                    }
+                }
+                Self::above_zero(nominal, Tolerance::Fit { hole, shaft })
+            }
+            (Some(Feature::Shaft), Some(Feature::Hole) | None) | (None, Some(Feature::Hole)) => {
+                let offer = Self::of_parts(nominal, shaft, hole)?;
                 Err(CalloutErrorKind::FitOrder { offer }.into())
             }
-            _ => Err(CalloutErrorKind::FitSide { first: hole, second: shaft }.into()),
+            (Some(_), Some(_)) => Err(CalloutErrorKind::FitSide { first: hole, second: shaft }.into()),
         }
     }
 
@@ -164,7 +233,8 @@ impl Callout {
             return Err(CalloutErrorKind::LimitsApart { larger, smaller }.into());
         }
         let nominal = larger.midpoint(smaller);
-        let callout = Self { nominal, tolerance: Tolerance::Limits { maximum: larger, minimum: smaller } };
+        let tolerance = Tolerance::Limits { maximum: larger, minimum: smaller };
+        let callout = Self { nominal, tolerance, notes: Notes::default() };
         if maximum < minimum {
             return Err(CalloutErrorKind::LimitsOrder { offer: callout }.into());
         }
@@ -177,7 +247,18 @@ impl Callout {
         if nominal <= Length::ZERO {
             return Err(CalloutErrorKind::NotPositive { nominal }.into());
         }
-        Ok(Self { nominal, tolerance })
+        Ok(Self { nominal, tolerance, notes: Notes::default() })
+    }
+
+    /// The same with what stands beside it.
+    #[must_use]
+    pub const fn with_notes(self, notes: Notes) -> Self {
+        Self { notes, ..self }
+    }
+
+    /// What stands beside size and tolerance.
+    pub const fn notes(&self) -> &Notes {
+        &self.notes
     }
 
     /// The nominal size in millimetres, above zero; for limits of size their middle, with a half nanometre rounded up.
@@ -202,8 +283,8 @@ impl Callout {
     pub fn class_for(&self, feature: impl Into<Option<Feature>>) -> Option<ToleranceClass> {
         match (self.tolerance, feature.into()?) {
             (Tolerance::Class(class), feature) => (class.feature() == feature).then_some(class),
-            (Tolerance::Fit { hole, .. }, Feature::Hole) => Some(hole),
-            (Tolerance::Fit { shaft, .. }, Feature::Shaft) => Some(shaft),
+            (Tolerance::Fit { hole, .. }, Feature::Hole) => hole.class(),
+            (Tolerance::Fit { shaft, .. }, Feature::Shaft) => shaft.class(),
             _ => None,
         }
     }
@@ -211,8 +292,9 @@ impl Callout {
     /// The callout of one part: one side of a fit, or any other callout unchanged.
     #[must_use]
     pub fn of_part(self, feature: impl Into<Option<Feature>>) -> Self {
-        match (self.tolerance, self.class_for(feature)) {
-            (Tolerance::Fit { .. }, Some(class)) => Self { tolerance: Tolerance::Class(class), ..self },
+        match (self.tolerance, feature.into()) {
+            (Tolerance::Fit { hole, .. }, Some(Feature::Hole)) => Self { tolerance: hole.alone(), ..self },
+            (Tolerance::Fit { shaft, .. }, Some(Feature::Shaft)) => Self { tolerance: shaft.alone(), ..self },
             _ => self,
         }
     }
@@ -239,35 +321,32 @@ impl IntoArg for Box<Callout> {
 impl FromStr for Callout {
     type Err = CalloutError;
 
-    /// Reads the grammar at the top of this file.
+    /// Reads the grammar at the top of this file, and else what drawings write.
     fn from_str(text: &str) -> Result<Self, CalloutError> {
-        reading::callout(text)
+        reading::callout(text).or_else(|error| drawn::callout(text, error))
     }
 }
 
 /// The single notation of each kind, which reads back as the same callout: `25 H7` as the control prints it in QS2, `25
-/// H7/g6`, `10m`, `12 ±0.02`, `12 +0.2 0`, `12.01/11.985`. Numbers have a point and only the decimals they need; zero
+/// H7/g6`, `10m`, `12 ±0.02`, `12 +0.2 0`, `12.01/11.985`; with notes `4x 8 H7 (+0.015 0) (E)`. Numbers have a point and only the decimals they need; zero
 /// has no sign.
 impl fmt::Display for Callout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let nominal = self.nominal;
-        f.pad(&match self.tolerance {
+        let is_plain = self.notes.is_empty();
+        let text = match self.tolerance {
             // The usual one, as it is usually asked for.
-            Tolerance::Class(class) if f.width().is_none() && f.precision().is_none() => {
+            Tolerance::Class(class) if is_plain && f.width().is_none() && f.precision().is_none() => {
                 f.write_str(&nominal.exact(Unit::Millimetre, 0))?;
                 return write!(f, " {class}");
             }
             Tolerance::Class(class) => format!("{nominal} {class}"),
             Tolerance::Fit { hole, shaft } => format!("{nominal} {hole}/{shaft}"),
             Tolerance::General(class) => format!("{nominal}{class}"),
-            Tolerance::Deviations(deviations) if deviations.upper() == deviations.lower().negated() => {
-                format!("{nominal} ±{}", deviations.upper())
-            }
-            Tolerance::Deviations(deviations) => {
-                format!("{nominal} {} {}", signed(deviations.upper()), signed(deviations.lower()))
-            }
+            Tolerance::Deviations(deviations) => format!("{nominal} {}", PartTolerance::Deviations(deviations)),
             Tolerance::Limits { maximum, minimum } => format!("{maximum}/{minimum}"),
-        })
+        };
+        f.pad(&if is_plain { text } else { self.notes.around(&text) })
     }
 }
 

@@ -1,9 +1,9 @@
 //! Reading the grammar of callouts: size, then a class, a fit, a general class or limits; deviations are in `band`.
 
-use super::Callout;
 use super::error::{CalloutError, shorten, shorten_length};
 use super::kind::{CalloutErrorKind as Kind, Part};
 use super::scanner::{Scanner, TextSpan, is_decimal_sign, is_figure, is_minus, is_sign};
+use super::{Callout, PartTolerance};
 use crate::length::{Length, LengthError};
 use crate::tolerance::{ClassError, GeneralClass, ToleranceClass};
 
@@ -73,8 +73,13 @@ pub fn halves(text: &str) -> (&str, &str) {
     (scanner.since(start), scanner.rest().trim_start())
 }
 
+/// Ø as drawings, keyboards and fonts have it.
+pub(super) const fn is_diameter_sign(c: char) -> bool {
+    matches!(c, 'Ø' | 'ø' | '\u{2300}' | '\u{2205}' | 'φ' | 'Φ' | 'ϕ')
+}
+
 fn skip_diameter_signs(scanner: &mut Scanner<'_>) {
-    scanner.take_while(|c| matches!(c, 'Ø' | 'ø' | '\u{2300}'));
+    scanner.take_while(is_diameter_sign);
     scanner.skip_blanks();
 }
 
@@ -220,11 +225,24 @@ impl<'a> Reader<'a> {
         }
         self.scanner.eat(|_between| true);
         self.scanner.skip_blanks();
-        let behind = self.scanner.offset();
-        let token = class_token(&mut self.scanner);
-        let second = self.class(token, self.scanner.place_from(behind))?;
+        // "25 H7-0.1" may be anything.
+        let second = if between == '/' { self.partner()? } else { self.partner_class()? };
         let place = self.scanner.place_from(start);
-        self.placed(place, Callout::fit(size.value, first, second))
+        self.placed(place, Callout::of_parts(size.value, PartTolerance::Class(first), second))
+    }
+
+    /// Reads the second part of a fit, behind its stroke: a class, or deviations.
+    pub(super) fn partner(&mut self) -> Result<PartTolerance, CalloutError> {
+        if self.scanner.peek().is_some_and(|c| is_sign(c) || c == '0') {
+            return Ok(PartTolerance::Deviations(self.deviations()?));
+        }
+        self.partner_class()
+    }
+
+    fn partner_class(&mut self) -> Result<PartTolerance, CalloutError> {
+        let start = self.scanner.offset();
+        let token = class_token(&mut self.scanner);
+        self.class(token, self.scanner.place_from(start)).map(PartTolerance::Class)
     }
 
     fn class(&self, token: &str, place: TextSpan) -> Result<ToleranceClass, CalloutError> {

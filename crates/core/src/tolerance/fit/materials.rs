@@ -13,7 +13,8 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Visitor};
 use toml::Spanned;
 
-use super::thermal::{Expansion, Range, Temperature, ThermalError};
+use super::press::{Elastic, PressError, PressPart, Ratio};
+use super::thermal::{Expansion, Range, Temperature};
 use crate::message::{FilePlace, Located, Say};
 use crate::words::Language;
 
@@ -23,6 +24,10 @@ const VERSION: u32 = 1;
 pub const MOST: usize = 1000;
 /// The most bytes of a file: enough for [`MOST`] materials, and quick to read.
 const LARGEST: usize = 1 << 20;
+/// The largest modulus of elasticity in MPa: diamond has about as much.
+const MOST_MODULUS: u32 = 1_200_000;
+/// The largest yield strength in MPa.
+const MOST_YIELD: u32 = 10_000;
 /// The longest name in characters.
 const LONGEST_NAME: usize = 60;
 
@@ -66,9 +71,22 @@ pub struct Material {
     pub source: Option<String>,
     /// How sure the value is.
     pub certainty: Certainty,
+    /// How it gives way, where that is known; a press fit needs it.
+    pub elastic: Option<Elastic>,
+    /// How much it shrinks far below 0 °C, where that is known.
+    pub contraction: Option<Expansion>,
 }
 
 impl Material {
+    /// What a press fit has to know of it.
+    ///
+    /// # Errors
+    /// [`PressError::Material`] where its modulus and Poisson's ratio are not known.
+    pub fn press_part(&self) -> Result<PressPart, PressError> {
+        let elastic = self.elastic.ok_or_else(|| PressError::Material { name: self.name.clone() })?;
+        Ok(PressPart { elastic, expansion: self.expansion, contraction: self.contraction, range: self.range })
+    }
+
     /// The name in a language, or the English one where there is no other.
     pub fn name_in(&self, language: Language) -> &str {
         self.names.get(language.code()).unwrap_or(&self.name)
@@ -115,6 +133,8 @@ pub enum MaterialsError {
     Name,
     /// A range of temperatures that ends before it begins.
     Range,
+    /// A modulus without Poisson's ratio or the other way round, or a yield strength without them; or one out of range.
+    Elastic,
     /// Two materials have the same name.
     Twice {
         /// The name.
@@ -162,6 +182,7 @@ impl Materials {
         for entry in file.material {
             let place = FilePlace { column: None, ..FilePlace::of_byte(text, entry.name.span().start) };
             let material = entry.material();
+            let material = material.map_err(|what| Located { what, place: place.clone() })?;
             if material.range.most < material.range.least {
                 return Err(Located { what: MaterialsError::Range, place });
             }
@@ -193,10 +214,12 @@ impl Materials {
 
     /// At which temperatures a coefficient holds: that of the first material that has it, else the usual range.
     pub fn range_of(&self, expansion: Expansion) -> Range {
-        self.list
-            .iter()
-            .find(|material| material.expansion == expansion)
-            .map_or(Range::USUAL, |material| material.range)
+        self.of_expansion(expansion).map_or(Range::USUAL, |material| material.range)
+    }
+
+    /// The first material that expands so.
+    pub fn of_expansion(&self, expansion: Expansion) -> Option<&Material> {
+        self.list.iter().find(|material| material.expansion == expansion)
     }
 
     /// Every material, in the file's order.
@@ -239,6 +262,15 @@ struct Entry {
     source: Option<String>,
     #[serde(default)]
     certainty: Certainty,
+    /// MPa.
+    modulus: Option<u32>,
+    #[serde(default, deserialize_with = "ratio")]
+    poisson: Option<Ratio>,
+    /// MPa.
+    #[serde(rename = "yield")]
+    yield_strength: Option<u32>,
+    #[serde(default, deserialize_with = "contraction")]
+    contraction: Option<Expansion>,
 }
 
 /// A temperature of a file.
@@ -246,13 +278,28 @@ struct Entry {
 struct Degrees(#[serde(deserialize_with = "temperature")] Temperature);
 
 impl Entry {
-    fn material(self) -> Material {
-        let Self { name, names, expansion, range, source, certainty } = self;
+    fn material(self) -> Result<Material, MaterialsError> {
+        let elastic = self.elastic()?;
+        let Self { name, names, expansion, range, source, certainty, contraction, .. } = self;
         let range = range.map_or(Range::USUAL, |[Degrees(least), Degrees(most)]| Range { least, most });
         // A name that is looked for has no blanks around it either.
         let bare = |name: &str| name.trim().to_owned();
         let names = names.into_iter().map(|(language, name)| (language, bare(&name))).collect();
-        Material { name: bare(name.get_ref()), names, expansion, range, source, certainty }
+        let name = bare(name.get_ref());
+        Ok(Material { name, names, expansion, range, source, certainty, elastic, contraction })
+    }
+
+    fn elastic(&self) -> Result<Option<Elastic>, MaterialsError> {
+        let (modulus_mpa, poisson) = match (self.modulus, self.poisson) {
+            (Some(modulus), Some(poisson)) => (modulus, poisson),
+            (None, None) if self.yield_strength.is_none() => return Ok(None),
+            _ => return Err(MaterialsError::Elastic),
+        };
+        let is_yield = self.yield_strength.is_none_or(|strength| (1..=MOST_YIELD).contains(&strength));
+        if !(1..=MOST_MODULUS).contains(&modulus_mpa) || 0.5 < poisson.value() || !is_yield {
+            return Err(MaterialsError::Elastic);
+        }
+        Ok(Some(Elastic { modulus_mpa, poisson, yield_mpa: self.yield_strength }))
     }
 }
 
@@ -268,10 +315,18 @@ fn temperature<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Temperature
     deserializer.deserialize_any(NumberOrText("a temperature in °C, such as 100", PhantomData))
 }
 
+fn contraction<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Expansion>, D::Error> {
+    expansion(deserializer).map(Some)
+}
+
+fn ratio<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Ratio>, D::Error> {
+    deserializer.deserialize_any(NumberOrText("Poisson's ratio, such as 0.3", PhantomData)).map(Some)
+}
+
 /// A number, or the number as a text. The shortest text of a float is the decimal that was written.
 struct NumberOrText<T>(&'static str, PhantomData<T>);
 
-impl<T: FromStr<Err = ThermalError>> Visitor<'_> for NumberOrText<T> {
+impl<T: FromStr<Err: fmt::Display>> Visitor<'_> for NumberOrText<T> {
     type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

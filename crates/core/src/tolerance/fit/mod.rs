@@ -8,7 +8,8 @@
 //! | `preferred` | the preferred fits of ISO 286-1 and the names of ANSI B4.2 |
 //! | `equivalent` | the same fit in the other basis, and whether it is exactly the same |
 //! | `thermal` | the clearance at another temperature |
-//! | `materials` | coefficients of expansion, built-in and the user's own |
+//! | `press` | press fits: pressure, what they hold, stresses, joining temperatures |
+//! | `materials` | coefficients of expansion and elasticity, built-in and the user's own |
 //! | `search` | from a wanted clearance to the classes that give it |
 //!
 //! A clearance is a length; a negative one is an interference. The kind of a fit depends on the size and is never
@@ -19,6 +20,7 @@ pub mod equivalent;
 mod error;
 pub mod materials;
 pub mod preferred;
+pub mod press;
 pub mod search;
 pub mod thermal;
 

@@ -18,7 +18,7 @@ mod zone;
 
 pub use grade::{Grade, Letter};
 pub use remark::Remark;
-pub use undefined::{Reason, Undefined, knows_letter};
+pub use undefined::{ANSI, Reason, Undefined, knows_letter};
 
 use serde::{Deserialize, Serialize};
 

@@ -7,6 +7,9 @@ use super::{Grade, Letter, Options, parts, step_ends};
 use crate::length::Length;
 use crate::message::{Message, Say, display, message};
 
+/// The fits of ANSI B4.1: running, locational clearance, transition and interference, force.
+pub const ANSI: [&str; 5] = ["RC", "LC", "LT", "LN", "FN"];
+
 /// A class that the standard does not define at a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Undefined {
@@ -55,6 +58,11 @@ pub fn knows_letter(class: ToleranceClass) -> bool {
     Letter::from_letters(class.letters().as_bytes()).is_some()
 }
 
+/// Whether a class is one of the fits of ANSI B4.1: `RC4`.
+fn is_ansi(class: ToleranceClass) -> bool {
+    class.has_grade() && ANSI.iter().any(|letters| letters.eq_ignore_ascii_case(class.letters()))
+}
+
 fn all_letters(class: ToleranceClass) -> String {
     let is_hole = class.feature() == super::Feature::Hole;
     let text = |letter: Letter| if is_hole { letter.text().to_ascii_uppercase() } else { letter.text().to_owned() };
@@ -80,6 +88,10 @@ impl Say for Undefined {
             Reason::NoClass if self.knows_letter() => {
                 message!("iso286-no-grade").with("class", class).with("grades", &all_grades())
             }
+            Reason::NoClass if class.letters().eq_ignore_ascii_case("it") && class.has_grade() => {
+                message!("iso286-grade-alone").with("class", class).text("grade", class.as_str().to_ascii_uppercase())
+            }
+            Reason::NoClass if is_ansi(*class) => message!("callout-ansi").with("class", class),
             Reason::NoClass => message!("iso286-no-letter")
                 .with("class", class)
                 .with("letters", class.letters())

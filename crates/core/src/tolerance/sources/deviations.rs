@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Absent, LimitsError, Sources, each_once};
 use crate::length::Length;
 use crate::message::Say as _;
-use crate::tolerance::callout::{Callout, Tolerance};
+use crate::tolerance::callout::{Callout, PartTolerance, Tolerance};
 use crate::tolerance::class::{Feature, ToleranceClass};
 use crate::tolerance::deviations::Deviations;
 use crate::tolerance::limits::Source;
@@ -22,8 +22,8 @@ impl Sources {
         match callout.tolerance() {
             Tolerance::Class(class) => self.class_deviations(class, nominal),
             Tolerance::Fit { hole, shaft } => match feature {
-                Some(Feature::Hole) => self.class_deviations(hole, nominal),
-                Some(Feature::Shaft) => self.class_deviations(shaft, nominal),
+                Some(Feature::Hole) => self.part_deviations(hole, nominal),
+                Some(Feature::Shaft) => self.part_deviations(shaft, nominal),
                 None => Err(LimitsError::NoFeature { callout: *callout }),
             },
             Tolerance::General(class) => {
@@ -37,6 +37,13 @@ impl Sources {
                 let too_large = |_order| LimitsError::TooLarge { nominal };
                 Ok((Deviations::new(from(maximum), from(minimum)).map_err(too_large)?, Source::Callout))
             }
+        }
+    }
+
+    fn part_deviations(&self, part: PartTolerance, nominal: Length) -> Result<(Deviations, Source), LimitsError> {
+        match part {
+            PartTolerance::Class(class) => self.class_deviations(class, nominal),
+            PartTolerance::Deviations(deviations) => Ok((deviations, Source::Callout)),
         }
     }
 

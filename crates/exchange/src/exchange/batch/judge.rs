@@ -22,6 +22,7 @@ use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::stated;
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Say;
+use fitcheck_core::probing::noted;
 use fitcheck_core::text::Within as _;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_core::tolerance::{Bounds, ToleranceClass};
@@ -327,6 +328,10 @@ impl Judge<'_> {
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
                 self.classes.note(&callout, &limits);
+                if let Some(differs) = noted::differing(callout.notes(), &limits) {
+                    tally.against += 1;
+                    tally.note(RowNoteKind::ClaimDiffers, None, || differs.message());
+                }
                 tally.simulated += u64::from(is_simulated);
                 self.give(row, &Judged::new(bounds, measured), class, tally, take);
             }
