@@ -5,6 +5,7 @@ use jiff::civil::DateTime;
 
 use super::{ReportsCommand, ReportsField, ReportsPage};
 use crate::effect::Effect;
+use crate::files::Launch;
 use crate::page::Page;
 use crate::saved::{Saved, SavedReports};
 use crate::shared::{News, Shared};
@@ -61,7 +62,26 @@ impl PageState for ReportsPage {
                 self.take_pages(run, result);
                 return Vec::new();
             }
+            ReportsCommand::Stop => {
+                self.stop();
+                return Vec::new();
+            }
             ReportsCommand::Templates(own) => self.own = own,
+            ReportsCommand::NewTemplate => {
+                // Where templates lie is known to the session.
+                self.makes_template = true;
+                return Vec::new();
+            }
+            ReportsCommand::TemplateMade(Ok(file)) => {
+                let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
+                shared.note(message!("reports-page-template-made").text("name", name), Vec::new());
+                self.reads_templates = true;
+                return vec![Effect::Launch(file, Launch::ShowInFolder)];
+            }
+            ReportsCommand::TemplateMade(Err(why)) => {
+                shared.tell(why);
+                return Vec::new();
+            }
             ReportsCommand::Print => {
                 // What is printed is made where everything of the report is known.
                 self.prints = true;
@@ -76,6 +96,8 @@ impl PageState for ReportsPage {
                 return Vec::new();
             }
         }
+        // Nobody waits for pages that are others now.
+        self.stop();
         self.is_stale = true;
         Vec::new()
     }
