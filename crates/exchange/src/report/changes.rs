@@ -13,6 +13,7 @@ use fitcheck_core::verdict::Status;
 use serde_json::Value;
 
 use super::Report;
+use super::part::PartSheet;
 
 /// What changed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,8 +28,8 @@ pub struct Changes {
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Said {
     limits: Option<[Length; 2]>,
-    /// `None` where it was not measured.
-    status: Option<Status>,
+    /// Its verdict, and whether nobody measured; `None` where there is no value.
+    status: Option<(Status, bool)>,
     /// How often it stands in the report.
     times: usize,
 }
@@ -41,7 +42,7 @@ struct Features {
 }
 
 impl Features {
-    fn see(&mut self, name: &str, limits: Option<[Length; 2]>, status: Option<Status>) {
+    fn see(&mut self, name: &str, limits: Option<[Length; 2]>, status: Option<(Status, bool)>) {
         if let Some(said) = self.all.get_mut(name) {
             said.times += 1;
             return;
@@ -55,10 +56,14 @@ impl Features {
         report.checks.each(&mut |record| {
             let name = name(&record.id, || record.callout.map(|callout| callout.to_string()));
             let limits = [record.limits.minimum(), record.limits.maximum()];
-            features.see(&name, Some(limits), Some(record.verdict.status()));
+            features.see(
+                &name,
+                Some(limits),
+                Some((record.verdict.status(), record.measurement.origin.is_simulated())),
+            );
             Ok(())
         })?;
-        for missing in report.parts.iter().flat_map(|part| part.missing()) {
+        for missing in report.parts.iter().flat_map(PartSheet::missing) {
             features.see(&missing, None, None);
         }
         Ok(features)
@@ -72,7 +77,8 @@ impl Features {
             let length = |key: &str| check.get(key)?.to_string().trim_matches('"').parse::<Length>().ok();
             let name = name(text("id")?, || text("callout").map(str::to_owned));
             let status = Status::ALL.into_iter().find(|status| Some(status.word()) == text("status"))?;
-            features.see(&name, Some([length("min_mm")?, length("max_mm")?]), Some(status));
+            let is_simulated = check.get("simulated").and_then(Value::as_bool).unwrap_or(false);
+            features.see(&name, Some([length("min_mm")?, length("max_mm")?]), Some((status, is_simulated)));
         }
         let parts = file.get("parts").and_then(Value::as_array).into_iter().flatten();
         for missing in parts.filter_map(|part| part.get("missing")?.as_array()).flatten() {
@@ -138,6 +144,11 @@ fn changed(name: &str, before: &Said, now: &Said) -> Vec<Message> {
     lines
 }
 
-fn word(status: Option<Status>) -> Message {
-    status.map_or_else(|| message!("report-missing"), |status| status.message())
+/// A result in words: what nobody measured is no plain verdict.
+fn word(status: Option<(Status, bool)>) -> Message {
+    match status {
+        None => message!("report-missing"),
+        Some((status, false)) => status.message(),
+        Some((status, true)) => message!("status-simulated").message("status", status.message()),
+    }
 }

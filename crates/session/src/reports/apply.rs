@@ -3,7 +3,7 @@
 use fitcheck_core::message::{Message, message};
 use jiff::civil::DateTime;
 
-use super::{ReportsCommand, ReportsField, ReportsPage};
+use super::{ReportsCommand, ReportsField, ReportsPage, Wanted};
 use crate::effect::Effect;
 use crate::files::Launch;
 use crate::page::Page;
@@ -68,8 +68,7 @@ impl PageState for ReportsPage {
             }
             ReportsCommand::Templates(own) => self.own = own,
             ReportsCommand::NewTemplate => {
-                // Where templates lie is known to the session.
-                self.makes_template = true;
+                self.wanted = Some(Wanted::NewTemplate);
                 return Vec::new();
             }
             ReportsCommand::TemplateMade(Ok(file)) => {
@@ -78,20 +77,15 @@ impl PageState for ReportsPage {
                 self.reads_templates = true;
                 return vec![Effect::Launch(file, Launch::ShowInFolder)];
             }
-            ReportsCommand::TemplateMade(Err(why)) => {
-                shared.tell(why);
-                return Vec::new();
-            }
             ReportsCommand::Print => {
-                // What is printed is made where everything of the report is known.
-                self.prints = true;
+                self.wanted = Some(Wanted::Print);
                 return Vec::new();
             }
             ReportsCommand::Printed(Ok(())) => {
                 shared.note(message!("reports-page-printed"), Vec::new());
                 return Vec::new();
             }
-            ReportsCommand::Printed(Err(why)) => {
+            ReportsCommand::TemplateMade(Err(why)) | ReportsCommand::Printed(Err(why)) => {
                 shared.tell(why);
                 return Vec::new();
             }

@@ -9,7 +9,7 @@ use fitcheck_exchange::report::{RENDERINGS, Rendering};
 use jiff::civil::DateTime;
 
 use super::drawing::{Drawing, WatchedChecks};
-use super::{ReportOf, ReportsField, ReportsPage};
+use super::{ReportOf, ReportsField, ReportsPage, Wanted};
 use crate::Session;
 use crate::effect::Effect;
 use crate::files::Content;
@@ -86,18 +86,18 @@ impl Session {
         {
             self.reports.errands.push(Effect::ReadTemplates(file.with_file_name("templates")));
         }
-        if std::mem::take(&mut self.reports.makes_template) {
-            let words = self.shared.words();
-            let text = Template::sample(&words);
-            match self.settings_page.state_file.as_ref().map(|file| file.with_file_name("templates")) {
-                Some(folder) => self.reports.errands.push(Effect::NewTemplate { folder, text }),
-                None => self.shared.tell(message!("reports-page-no-folder")),
-            }
-        }
-        if std::mem::take(&mut self.reports.prints) {
-            match self.made_report(&pdf::RENDERING, now) {
+        match self.reports.wanted.take() {
+            None => {}
+            Some(Wanted::Print) => match self.made_report(&pdf::RENDERING, now) {
                 Ok(content) => self.reports.errands.push(Effect::Print(Box::new(content))),
                 Err(why) => self.shared.tell(why),
+            },
+            Some(Wanted::NewTemplate) => {
+                let text = Template::sample(&self.shared.words());
+                match self.settings_page.state_file.as_ref().map(|file| file.with_file_name("templates")) {
+                    Some(folder) => self.reports.errands.push(Effect::NewTemplate { folder, text }),
+                    None => self.shared.tell(message!("reports-page-no-folder")),
+                }
             }
         }
         self.reports.errands.drain(..).collect()

@@ -91,6 +91,15 @@ impl Magnification {
     }
 }
 
+/// What is done where everything of the session is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    /// The report on paper.
+    Print,
+    /// A template of the user's own, to begin with.
+    NewTemplate,
+}
+
 /// The state of the reports page.
 #[derive(Debug, Default)]
 pub struct ReportsPage {
@@ -114,10 +123,8 @@ pub struct ReportsPage {
     is_stale: bool,
     /// Whether the user's own templates are to be read.
     reads_templates: bool,
-    /// Whether a template is to be begun.
-    makes_template: bool,
-    /// Whether it is to be printed.
-    prints: bool,
+    /// What was asked for and is done where everything of the session is known.
+    wanted: Option<Wanted>,
     /// The number of the last question, and how far its answer is while it is awaited.
     run: u64,
     at_work: Option<(u64, Arc<Drawing>)>,
