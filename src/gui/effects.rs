@@ -21,6 +21,7 @@ use super::printing;
 use super::reading::{is_read, read};
 use super::rows::Runs;
 use super::sound::Sounds;
+use super::templates;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
 use crate::control::mask::Mask;
@@ -341,9 +342,14 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let result = picture::read(&path).map(Arc::new);
             vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
         }
-        effect @ (Effect::DrawReport { .. } | Effect::ReadTemplates(_) | Effect::Print(_)) => {
-            printing::answer(effect, errands).into_iter().map(Into::into).collect()
+        Effect::ReadLogo(path) => {
+            let result = templates::logo(&path);
+            vec![SettingsCommand::LogoRead { path, result }.into()]
         }
+        effect @ (Effect::DrawReport { .. }
+        | Effect::ReadTemplates(_)
+        | Effect::NewTemplate { .. }
+        | Effect::Print(_)) => printing::answer(effect, errands).into_iter().map(Into::into).collect(),
         Effect::HashPin(pin) => vec![SettingsCommand::PinHashed(pin::hash(&pin)).into()],
         Effect::TryPin { pin, hash } => vec![SettingsCommand::PinTried(pin::is_it(&pin, &hash)).into()],
         Effect::Copy(_)

@@ -17,6 +17,7 @@ pub(super) fn answer(effect: Effect, errands: Errands) -> Option<ReportsCommand>
     match effect {
         Effect::DrawReport { run, content } => Some(ReportsCommand::Drawn { run, result: drawn(&content) }),
         Effect::ReadTemplates(folder) => Some(ReportsCommand::Templates(templates::read(&folder))),
+        Effect::NewTemplate { folder, text } => Some(ReportsCommand::TemplateMade(templates::begin(&folder, &text))),
         Effect::Print(content) => Some(ReportsCommand::Printed(print(&content, errands))),
         _ => None,
     }

@@ -21,7 +21,7 @@ use super::theme::{self, Icon, Weight, control, palette, sizes, space};
 use super::view::{View, quiet, remembered};
 use super::who::{names_ui, who_ui};
 use crate::message::{Message, message};
-use crate::report::RENDERINGS;
+use crate::report::of_any_paper;
 use crate::session::{
     Action, Command, Density, FilesCommand, OpenGauge, Page, Section, Session, SettingsCommand, Theme,
 };
@@ -270,7 +270,7 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, has_words: bool) {
 
 /// What of the history can be exported, and as what.
 pub(super) fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for number in 0..RENDERINGS.len() {
+    for number in of_any_paper() {
         view.menu_item(ui, WindowAction::Export(number));
     }
     if view.session.lists_rows() {

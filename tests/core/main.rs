@@ -120,6 +120,7 @@ mod session;
 mod session_actions;
 mod session_budget;
 mod session_columns;
+mod session_company;
 mod session_cycles;
 mod session_enter;
 mod session_fields;

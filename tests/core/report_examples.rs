@@ -9,7 +9,7 @@ use assert_cmd::cargo::cargo_bin_cmd;
 const FOLDER: &str = "docs/examples/reports";
 
 /// Its name, and what is asked for besides plan, values and time.
-const EXAMPLES: [(&str, &[&str]); 17] = [
+const EXAMPLES: [(&str, &[&str]); 18] = [
     ("report.pdf", &[]),
     ("report.html", &[]),
     ("report.md", &[]),
@@ -26,6 +26,7 @@ const EXAMPLES: [(&str, &[&str]); 17] = [
     ("list.pdf", &["--template", "list"]),
     ("sheet.pdf", &["--template", "sheet"]),
     ("label.pdf", &["--template", "label", "--paper", "large-label"]),
+    ("label.png", &["--template", "label", "--paper", "large-label"]),
     ("own.pdf", &["--template", "docs/examples/reports/own.toml"]),
 ];
 

@@ -74,6 +74,94 @@ fn every_shipped_template_has_its_texts_and_the_usual_one_comes_first() {
 }
 
 #[test]
+fn a_new_template_has_every_word_with_its_meaning_in_every_language() {
+    for language in Language::all() {
+        let text = Template::sample(&Words::new(language));
+        let template = Template::read(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+        assert_eq!((&template.sections, &template.head), (&Section::usual(), &HeadField::usual()), "{text}");
+        assert_eq!(template.columns, Column::usual());
+        let sections = Section::ALL.iter().map(|section| section.word());
+        let words = sections.chain(HeadField::ALL.iter().map(|field| field.word()));
+        for word in words.chain(Column::ALL.iter().map(|column| column.word())) {
+            assert!(text.contains(&format!("\"{word}\",")), "{word} in {}", language.code());
+        }
+        assert!(!text.contains("report-"), "{text}");
+        // What is only a comment can be taken in as it stands.
+        let all = text.replace("    # \"", "    \"");
+        assert_eq!(Template::read(&all).unwrap().columns.len(), Column::ALL.len());
+    }
+}
+
+#[test]
+fn a_label_becomes_a_picture_and_a_page_does_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let png = folder.path().join("label.png");
+    let run = |template: &str| {
+        let mut command = cargo_bin_cmd!("fitcheck");
+        command.args(["report", "--check", "25 H7=25.012", "--template", template, "-o"]).arg(&png);
+        let output = command.output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, said) = run("certificate");
+    assert_eq!((code, png.exists()), (Some(1), false), "{said}");
+    assert!(said.contains("PNG is for labels: choose the template label, or the paper small-label"), "{said}");
+    let (code, said) = run("label");
+    assert_eq!((code, png.exists()), (Some(0), true), "{said}");
+}
+
+#[test]
+fn a_row_that_was_refused_keeps_a_certificate_from_stating_conformity() {
+    let folder = tempfile::tempdir().unwrap();
+    let [csv, page] = ["rows.csv", "page.md"].map(|name| folder.path().join(name));
+    let certificate = |rows: &str| {
+        fitcheck::files::write(&csv, format!("callout;measured\n{rows}").as_bytes()).unwrap();
+        let mut command = cargo_bin_cmd!("fitcheck");
+        command.arg("report").arg(&csv).args(["--template", "certificate", "-o"]).arg(&page).output().unwrap();
+        std::fs::read_to_string(&page).unwrap()
+    };
+    let whole = certificate("25 H7;25.012\n25 H7;25.003\n");
+    assert!(whole.contains("Statement of conformity: all 2 values"), "{whole}");
+    for row in ["25 H7;25.0l2", "no callout;25.012"] {
+        let partial = certificate(&format!("25 H7;25.012\n{row}\n"));
+        assert!(partial.contains("No statement of conformity: some rows were refused"), "{partial}");
+        assert!(!partial.contains("Statement of conformity: all"), "{partial}");
+    }
+}
+
+#[test]
+fn a_report_says_what_changed_since_an_earlier_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let run = |checks: &[&str], since: Option<&str>, name: &str| {
+        let mut command = cargo_bin_cmd!("fitcheck");
+        command.args(["report", "--time", "2026-11-28T10:00", "-o"]).arg(path(name));
+        checks.iter().for_each(|check| _ = command.args(["--check", *check]));
+        since.iter().for_each(|file| _ = command.arg("--since").arg(path(file)));
+        let output = command.output().unwrap();
+        let page = std::fs::read_to_string(path(name)).unwrap_or_default();
+        (page, String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    run(&["A: 25 H7=24.998", "B: 10 g6=9.991", "C: 40 H7=40.01", "D: 8 H9=8.01"], None, "before.json");
+    let now = ["A: 25 H7=25.012", "B: 10 h6=9.995", "D: 8 H9=8.012", "E: 6 H7=6.004"];
+    let (page, said) = run(&now, Some("before.json"), "now.md");
+    for line in [
+        "## Changed since the report of 2026-11-28 10:00:00:",
+        "A: REWORK → GOOD",
+        "B: limits 9.986 to 9.995 → 9.991 to 10 mm",
+        "E: new",
+        "C: no longer in the report",
+    ] {
+        assert!(page.replace('\\', "").contains(line), "{line}: {said}{page}");
+    }
+    assert!(!page.contains("- D: "), "{page}");
+    let (page, _) =
+        run(&["A: 25 H7=24.998", "B: 10 g6=9.991", "C: 40 H7=40.01", "D: 8 H9=8.01"], Some("before.json"), "same.html");
+    assert!(page.contains("<li>no result and no limit</li>"), "{page}");
+    let (page, said) = run(&now, Some("now.md"), "other.md");
+    assert!(page.is_empty() && said.contains("now.md: not a report of Fitcheck as JSON"), "{said}");
+}
+
+#[test]
 fn a_template_of_a_file_is_used_and_a_wrong_one_is_named_with_its_place() {
     let folder = tempfile::tempdir().unwrap();
     let [own, pdf] = ["own.toml", "report.pdf"].map(|name| folder.path().join(name));

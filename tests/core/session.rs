@@ -11,7 +11,7 @@ use fitcheck::exchange::import;
 use fitcheck::files::FileError;
 use fitcheck::journal::query::RecordId;
 use fitcheck::message::{Message, Say as _};
-use fitcheck::report::RENDERINGS;
+use fitcheck::report::{RENDERINGS, of_any_paper};
 use fitcheck::session::{CheckCommand, CheckField, Command, Effect, Field, MeasureBy, Purpose, Session};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
@@ -402,7 +402,7 @@ fn a_script_of_commands_gives_the_same_report_as_the_command_line() {
         arguments.extend(["--check".to_owned(), format!("25 H7={measured}")]);
     }
     arguments.extend(["-o", "-", "--time", "2026-11-21T10:42:07", "--format"].map(str::to_owned));
-    for (number, rendering) in RENDERINGS.iter().enumerate() {
+    for (number, rendering) in of_any_paper().map(|number| (number, &RENDERINGS[number])) {
         let path = Command::TypePath(format!("report.{}", rendering.name));
         let effects = run(&mut session, [Command::OpenDialog(Purpose::Export(number)), path, Command::Confirm]);
         let Some(Effect::Save(_, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };

@@ -8,9 +8,11 @@ use fitcheck::journal::entry::{Content as Told, Correction, Reported, Shown};
 use fitcheck::journal::ranges::EntryRanges;
 use fitcheck::message::Message;
 use fitcheck::proof::SeenFile;
+use fitcheck::report::pdf::Pages;
 use fitcheck::session::records::LeftOut;
 use fitcheck::session::{
-    CheckCommand, Command, Content, Effect, Page, Purpose, RecordRow, RecordsAction, RecordsCommand, Session,
+    CheckCommand, Command, Content, Drawing, Effect, Page, Purpose, RecordRow, RecordsAction, RecordsCommand,
+    ReportsCommand, Session,
 };
 
 use crate::session_records::{check_row, head, kept, measure, opened, recording, row, send, told};
@@ -144,4 +146,56 @@ fn what_is_void_is_in_no_report() {
     send(&mut session, Command::OpenDialog(Purpose::Export(2)));
     let report = reported(&written(&mut session, "lot.json"), "lot.json").unwrap();
     assert_eq!((report.shown.checks.to_string(), report.shown.head), ("2".to_owned(), Some(head(4))));
+}
+
+/// What a report notes.
+fn notes(content: &Content) -> Vec<String> {
+    let Content::Report { report, .. } = content else { panic!("{content:?}") };
+    report.notes.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn a_report_of_records_says_what_was_corrected_or_withdrawn() {
+    let mut corrected = check_row(9, 4, None);
+    let Ok(entry) = &mut corrected.entry else { panic!("{corrected:?}") };
+    let Told::Check(check) = &mut entry.content else { panic!() };
+    check.corrects = Some(Correction { target: head(7), reason: "typing error".to_owned(), by: String::new() });
+    let mut session = opened(vec![corrected, check_row(8, 4, None), check_row(7, 5, Some(9))]);
+    send(&mut session, RecordsCommand::ChooseAll);
+    send(&mut session, RecordsCommand::Report(0));
+    let notes = notes(&written(&mut session, "three.html"));
+    for said in ["1 corrected or withdrawn record is left out", "1 value stands in place of a corrected record"] {
+        assert!(notes.iter().any(|note| note == said), "{said}: {notes:?}");
+    }
+}
+
+#[test]
+fn pages_that_are_stopped_say_so_and_those_of_another_choice_are_drawn_anew() {
+    let mut session = recording();
+    recorded(&mut session, "25.012", 2);
+    let drawn = |effects: &[Effect]| {
+        effects.iter().find_map(|effect| match effect {
+            Effect::DrawReport { run, content } => Some((*run, content.clone())),
+            _ => None,
+        })
+    };
+    let (run, content) = drawn(&send(&mut session, Command::OpenPage(Page::Reports))).unwrap();
+    let Content::Report { report, words, .. } = *content else { panic!() };
+    assert_eq!(session.reports().at_work().map(Drawing::checks), Some(0));
+    send(&mut session, ReportsCommand::Stop);
+    let why = Pages::of(&report, &words).unwrap_err();
+    assert!(why.to_string().starts_with("Stopped: the pages are not laid out"), "{why}");
+    let stopped = || Err(Message::new("reports-page-nothing"));
+    assert_eq!(drawn(&send(&mut session, ReportsCommand::Drawn { run, result: stopped() })).map(|(run, _)| run), None);
+    let said = session.reports().pages().unwrap().unwrap_err().to_string();
+    assert!(said.starts_with("Stopped"), "{said}");
+    // Another choice: what is on its way is stopped, and nobody hears of it.
+    let (run, _) = drawn(&send(&mut session, ReportsCommand::Template("report-template-list".to_owned()))).unwrap();
+    assert!(drawn(&send(&mut session, ReportsCommand::Template("report-template-label".to_owned()))).is_none());
+    let (next, content) = drawn(&send(&mut session, ReportsCommand::Drawn { run, result: stopped() })).unwrap();
+    let Content::Report { report, words, .. } = *content else { panic!() };
+    let pages = Pages::of(&report, &words).unwrap();
+    send(&mut session, ReportsCommand::Drawn { run: next, result: Ok(Arc::new(pages)) });
+    assert_eq!(session.reports().pages().unwrap().unwrap().count(), 1);
+    assert!(session.reports().at_work().is_none());
 }

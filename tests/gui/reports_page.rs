@@ -114,3 +114,12 @@ fn what_is_reported_is_chosen_among_what_there_is() {
         assert_eq!(!choice.accesskit_node().is_disabled(), is_possible, "{name}");
     }
 }
+
+#[test]
+fn a_label_is_saved_as_a_picture_and_a_page_is_not() {
+    let mut window = page();
+    assert!(window.query_by_role_and_label(Role::Button, "PNG…").is_none());
+    send(&mut window, ReportsCommand::Template("report-template-label".to_owned()));
+    assert!(window.query_by_role_and_label(Role::Button, "PNG…").is_some());
+    assert!(window.query_by_role_and_label(Role::Button, "New template").is_some());
+}

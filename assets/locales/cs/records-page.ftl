@@ -122,6 +122,11 @@ records-page-out-replaced = { $count ->
     [few] { $count } korigované nebo odvolané záznamy jsou vynechány
    *[other] { $count } korigovaných nebo odvolaných záznamů je vynecháno
 }
+records-page-report-corrects = { $count ->
+    [one] 1 hodnota nahrazuje korigovaný záznam
+    [few] { $count } hodnoty nahrazují korigované záznamy
+   *[other] { $count } hodnot nahrazuje korigované záznamy
+}
 records-page-out-cycles = { $count ->
     [one] 1 záznam cyklu je vynechán
     [few] { $count } záznamy cyklů jsou vynechány

@@ -2,6 +2,7 @@
 
 ## Errors
 report-error-writer = zprávu { $format } nelze vytvořit: { $reason }
+report-error-label-alone = { $format } je pro štítky: zvolte šablonu label nebo papír small-label či large-label
 report-attachment-too-large = data souboru jsou větší než { $most } bajtů
 report-attachment-packed = data v souboru jsou zabalena metodou { $filter }, kterou Fitcheck nečte
 report-attachment-damaged = data v souboru jsou poškozena: { $reason }
@@ -220,6 +221,7 @@ report-pdf-cut = Text, který končí …, je zde zkrácen; v připojených date
 report-pdf-substituted = □ zastupuje znak, který písma těchto stránek nemají, například znaky psané zprava doleva; zkopírovaný text a připojená data tento znak obsahují.
 report-statement-conforms = Prohlášení o shodě: všechny hodnoty ({ $count }) leží v mezích podle uvedeného rozhodovacího pravidla.
 report-statement-not = Bez shody: { $bad } z { $count } hodnot nevyhovuje podle uvedeného rozhodovacího pravidla.
+report-statement-partial = Bez prohlášení o shodě: některé řádky byly odmítnuty, neposouzeny nebo nepřečteny. Zpráva je uvádí.
 report-statement-simulated = Bez prohlášení o shodě: { $count } hodnot je simulovaných a nikdo je neměřil.
 report-statement-open = Bez prohlášení o shodě: chybějí hodnoty, celkem { $count }.
 report-code-said = Kód záznamu { $number }, jeho otisk { $hash }
@@ -234,3 +236,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } textů je zkráceno: do buňky se vejde nejvýše 32767 znaků.
 }
 report-journal = Záznamy { $numbers } deníku { $chain }; jeho poslední záznam tehdy: { $number }:{ $hash }
+report-template-new-about = Šablona zpráv. Smažte, co zpráva nemá ukazovat; odstraňte znak # u toho, co ukazovat má.
+report-template-new-name = Nová šablona
+report-changed-since = Změny od zprávy z { $since }:
+report-changed-none = žádný výsledek a žádná mez
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: meze { $low } až { $high } → { $lower } až { $higher } mm
+report-changed-added = { $name }: nové
+report-changed-removed = { $name }: ve zprávě již není
+report-changed-several = { $name }: neporovnáno, protože je více hodnot
+report-since-no-report = není zpráva programu Fitcheck ve formátu JSON: zapište dřívější zprávu s -o FILE.json, nebo vezměte report.json z PDF
+report-since-unread = kontroly nelze porovnat: { $reason }

@@ -113,6 +113,10 @@ records-page-out-replaced = { $count ->
     [one] 1 berichtigte oder zurückgenommene Aufzeichnung ist weggelassen
    *[other] { $count } berichtigte oder zurückgenommene Aufzeichnungen sind weggelassen
 }
+records-page-report-corrects = { $count ->
+    [one] 1 Wert steht an der Stelle einer berichtigten Aufzeichnung
+   *[other] { $count } Werte stehen an der Stelle berichtigter Aufzeichnungen
+}
 records-page-out-cycles = { $count ->
     [one] 1 Aufzeichnung eines Zyklus ist weggelassen
    *[other] { $count } Aufzeichnungen von Zyklen sind weggelassen

@@ -2,6 +2,7 @@
 
 ## Fehler
 report-error-writer = der Prüfbericht im Format { $format } konnte nicht erstellt werden: { $reason }
+report-error-label-alone = { $format } ist für Etiketten: wählen Sie die Vorlage label oder das Papier small-label oder large-label
 report-attachment-too-large = die Daten der Datei sind größer als { $most } Byte
 report-attachment-packed = die Daten in der Datei sind mit { $filter } gepackt, das Fitcheck nicht liest
 report-attachment-damaged = die Daten in der Datei sind beschädigt: { $reason }
@@ -212,6 +213,7 @@ report-pdf-cut = Ein Text, der mit … endet, ist hier gekürzt; in den angehän
 report-pdf-substituted = Ein □ steht für ein Zeichen, das die Schriften dieser Seiten nicht haben, etwa von rechts nach links geschriebene; kopierter Text und die angehängten Daten haben das Zeichen.
 report-statement-conforms = Konformitätsaussage: Alle { $count } Werte liegen nach der hier genannten Entscheidungsregel innerhalb ihrer Grenzen.
 report-statement-not = Keine Konformität: { $bad } von { $count } Werten sind nach der hier genannten Entscheidungsregel nicht konform.
+report-statement-partial = Keine Konformitätsaussage: Einige Zeilen wurden zurückgewiesen, nicht beurteilt oder nicht gelesen. Der Bericht führt sie auf.
 report-statement-simulated = Keine Konformitätsaussage: { $count } Werte sind simuliert und wurden von niemandem gemessen.
 report-statement-open = Keine Konformitätsaussage: Werte fehlen, insgesamt { $count }.
 report-code-said = Code des Eintrags { $number }, sein Hash { $hash }
@@ -225,3 +227,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } Texte sind gekürzt: Eine Zelle fasst höchstens 32767 Zeichen.
 }
 report-journal = Einträge { $numbers } des Journals { $chain }; sein letzter Eintrag damals: { $number }:{ $hash }
+report-template-new-about = Eine Vorlage für Berichte. Löschen Sie, was ein Bericht nicht zeigen soll; entfernen Sie das # vor dem, was er zeigen soll.
+report-template-new-name = Neue Vorlage
+report-changed-since = Geändert seit dem Bericht vom { $since }:
+report-changed-none = kein Ergebnis und keine Grenze
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: Grenzen { $low } bis { $high } → { $lower } bis { $higher } mm
+report-changed-added = { $name }: neu
+report-changed-removed = { $name }: nicht mehr im Bericht
+report-changed-several = { $name }: nicht verglichen, weil mehrere Werte vorliegen
+report-since-no-report = kein Bericht von Fitcheck als JSON: schreiben Sie den früheren Bericht mit -o FILE.json oder nehmen Sie report.json aus dem PDF
+report-since-unread = die Prüfungen lassen sich nicht vergleichen: { $reason }

@@ -113,6 +113,10 @@ records-page-out-replaced = { $count ->
     [one] 1 corrected or withdrawn record is left out
    *[other] { $count } corrected or withdrawn records are left out
 }
+records-page-report-corrects = { $count ->
+    [one] 1 value stands in place of a corrected record
+   *[other] { $count } values stand in place of corrected records
+}
 records-page-out-cycles = { $count ->
     [one] 1 record of a cycle is left out
    *[other] { $count } records of cycles are left out

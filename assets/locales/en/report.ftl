@@ -2,6 +2,7 @@
 
 ## Errors
 report-error-writer = the { $format } report could not be made: { $reason }
+report-error-label-alone = { $format } is for labels: choose the template label, or the paper small-label or large-label
 report-attachment-too-large = the data of the file is larger than { $most } bytes
 report-attachment-packed = the data in the file is packed with { $filter }, which Fitcheck does not read
 report-attachment-damaged = the data in the file is damaged: { $reason }
@@ -212,6 +213,7 @@ report-pdf-cut = A text that ends in … is cut here; it is whole in the attache
 report-pdf-substituted = A □ stands for a character that the fonts of these pages lack, such as those written from right to left; copied text and the attached data have the character.
 report-statement-conforms = Statement of conformity: all { $count } values lie within their limits by the decision rule stated here.
 report-statement-not = No conformity: { $bad } of { $count } values do not conform by the decision rule stated here.
+report-statement-partial = No statement of conformity: some rows were refused, not judged or not read. The report lists them.
 report-statement-simulated = No statement of conformity: { $count } values are simulated and were measured by nobody.
 report-statement-open = No statement of conformity: values are missing, { $count } in all.
 report-code-said = Code of record { $number }, its hash { $hash }
@@ -225,3 +227,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } texts are cut short: a cell holds at most 32767 characters.
 }
 report-journal = Records { $numbers } of journal { $chain }; its last entry then: { $number }:{ $hash }
+report-template-new-about = A template of reports. Delete what a report is not to show; remove the # of what it is to show.
+report-template-new-name = New template
+report-changed-since = Changed since the report of { $since }:
+report-changed-none = no result and no limit
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: limits { $low } to { $high } → { $lower } to { $higher } mm
+report-changed-added = { $name }: new
+report-changed-removed = { $name }: no longer in the report
+report-changed-several = { $name }: not compared, because it has several values
+report-since-no-report = not a report of Fitcheck as JSON: write the earlier report with -o FILE.json, or take report.json from its PDF
+report-since-unread = the checks cannot be compared: { $reason }

@@ -113,6 +113,10 @@ records-page-out-replaced = { $count ->
     [one] 1 entrada corregida o retirada queda fuera
    *[other] { $count } entradas corregidas o retiradas quedan fuera
 }
+records-page-report-corrects = { $count ->
+    [one] 1 valor sustituye a una entrada corregida
+   *[other] { $count } valores sustituyen a entradas corregidas
+}
 records-page-out-cycles = { $count ->
     [one] 1 entrada de un ciclo queda fuera
    *[other] { $count } entradas de ciclos quedan fuera

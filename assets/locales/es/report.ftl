@@ -2,6 +2,7 @@
 
 ## Errors
 report-error-writer = el informe { $format } no se pudo crear: { $reason }
+report-error-label-alone = { $format } es para etiquetas: elija la plantilla label, o el papel small-label o large-label
 report-attachment-too-large = los datos del archivo superan { $most } bytes
 report-attachment-packed = los datos del archivo están comprimidos con { $filter }, que Fitcheck no lee
 report-attachment-damaged = los datos del archivo están dañados: { $reason }
@@ -212,6 +213,7 @@ report-pdf-cut = Un texto que termina en … está cortado aquí; en los datos a
 report-pdf-substituted = Un □ representa un carácter que falta en las fuentes de estas páginas, como los que se escriben de derecha a izquierda; el texto copiado y los datos adjuntos contienen el carácter.
 report-statement-conforms = Declaración de conformidad: los { $count } valores están dentro de sus límites según la regla de decisión indicada.
 report-statement-not = Sin conformidad: { $bad } de { $count } valores no son conformes según la regla de decisión indicada.
+report-statement-partial = Sin declaración de conformidad: algunas filas se rechazaron, no se evaluaron o no se leyeron. El informe las indica.
 report-statement-simulated = Sin declaración de conformidad: { $count } valores son simulados y nadie los ha medido.
 report-statement-open = Sin declaración de conformidad: faltan valores, { $count } en total.
 report-code-said = Código del registro { $number }, su hash { $hash }
@@ -225,3 +227,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } textos están abreviados: una celda contiene como máximo 32767 caracteres.
 }
 report-journal = Entradas { $numbers } del registro { $chain }; su última entrada entonces: { $number }:{ $hash }
+report-template-new-about = Una plantilla de informes. Borre lo que un informe no deba mostrar; quite el # de lo que deba mostrar.
+report-template-new-name = Plantilla nueva
+report-changed-since = Cambios desde el informe del { $since }:
+report-changed-none = ningún resultado y ningún límite
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: límites de { $low } a { $high } → de { $lower } a { $higher } mm
+report-changed-added = { $name }: nuevo
+report-changed-removed = { $name }: ya no está en el informe
+report-changed-several = { $name }: no comparado, porque hay varios valores
+report-since-no-report = no es un informe de Fitcheck en JSON: escriba el informe anterior con -o FILE.json, o tome report.json de su PDF
+report-since-unread = las comprobaciones no se pueden comparar: { $reason }

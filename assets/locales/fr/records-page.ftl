@@ -113,6 +113,10 @@ records-page-out-replaced = { $count ->
     [one] { $count } relevé corrigé ou retiré est omis
    *[other] { $count } relevés corrigés ou retirés sont omis
 }
+records-page-report-corrects = { $count ->
+    [one] { $count } valeur remplace un relevé corrigé
+   *[other] { $count } valeurs remplacent des relevés corrigés
+}
 records-page-out-cycles = { $count ->
     [one] { $count } relevé d'un cycle est omis
    *[other] { $count } relevés de cycles sont omis

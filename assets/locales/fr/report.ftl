@@ -2,6 +2,7 @@
 
 ## Erreurs
 report-error-writer = le rapport { $format } n'a pas pu être établi : { $reason }
+report-error-label-alone = { $format } est pour les étiquettes : choisissez le modèle label, ou le papier small-label ou large-label
 report-attachment-too-large = les données du fichier dépassent { $most } octets
 report-attachment-packed = les données du fichier sont compressées avec { $filter }, que Fitcheck ne lit pas
 report-attachment-damaged = les données du fichier sont endommagées : { $reason }
@@ -212,6 +213,7 @@ report-pdf-cut = Un texte qui finit par … est coupé ici ; il est entier dans
 report-pdf-substituted = Un □ remplace un caractère que les polices de ces pages n'ont pas, comme ceux qui s'écrivent de droite à gauche ; le texte copié et les données jointes contiennent ce caractère.
 report-statement-conforms = Déclaration de conformité : les { $count } valeurs sont toutes dans leurs limites selon la règle de décision indiquée.
 report-statement-not = Pas de conformité : { $bad } valeurs sur { $count } ne sont pas conformes selon la règle de décision indiquée.
+report-statement-partial = Pas de déclaration de conformité : certaines rangées ont été refusées, n’ont pas été évaluées ou n’ont pas été lues. Le rapport les indique.
 report-statement-simulated = Pas de déclaration de conformité : { $count } valeurs sont simulées et n’ont été mesurées par personne.
 report-statement-open = Pas de déclaration de conformité : il manque des valeurs, { $count } en tout.
 report-code-said = Code du relevé { $number }, son empreinte { $hash }
@@ -225,3 +227,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } textes sont abrégés : une cellule contient au plus 32767 caractères.
 }
 report-journal = Relevés { $numbers } du journal { $chain } ; sa dernière entrée alors : { $number }:{ $hash }
+report-template-new-about = Un modèle de rapports. Supprimez ce qu’un rapport ne doit pas montrer ; enlevez le # devant ce qu’il doit montrer.
+report-template-new-name = Nouveau modèle
+report-changed-since = Modifié depuis le rapport du { $since } :
+report-changed-none = aucun résultat ni aucune limite
+report-changed-result = { $name } : { $before } → { $now }
+report-changed-limits = { $name } : limites de { $low } à { $high } → de { $lower } à { $higher } mm
+report-changed-added = { $name } : nouveau
+report-changed-removed = { $name } : ne figure plus dans le rapport
+report-changed-several = { $name } : non comparé, car il y a plusieurs valeurs
+report-since-no-report = n’est pas un rapport de Fitcheck en JSON : écrivez le rapport précédent avec -o FILE.json, ou prenez report.json dans son PDF
+report-since-unread = les contrôles ne peuvent pas être comparés : { $reason }

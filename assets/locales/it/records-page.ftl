@@ -113,6 +113,10 @@ records-page-out-replaced = { $count ->
     [one] 1 registrazione corretta o ritirata è tralasciata
    *[other] { $count } registrazioni corrette o ritirate sono tralasciate
 }
+records-page-report-corrects = { $count ->
+    [one] 1 valore sostituisce una registrazione corretta
+   *[other] { $count } valori sostituiscono registrazioni corrette
+}
 records-page-out-cycles = { $count ->
     [one] 1 registrazione di un ciclo è tralasciata
    *[other] { $count } registrazioni di cicli sono tralasciate

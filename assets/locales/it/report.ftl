@@ -2,6 +2,7 @@
 
 ## Errori
 report-error-writer = impossibile creare il rapporto { $format }: { $reason }
+report-error-label-alone = { $format } è per le etichette: scegliere il modello label, oppure la carta small-label o large-label
 report-attachment-too-large = i dati del file superano { $most } byte
 report-attachment-packed = i dati nel file sono compressi con { $filter }, che Fitcheck non legge
 report-attachment-damaged = i dati nel file sono danneggiati: { $reason }
@@ -212,6 +213,7 @@ report-pdf-cut = Un testo che finisce con … qui è tagliato; nei dati allegati
 report-pdf-substituted = Un □ sta per un carattere che manca nei font di queste pagine, come quelli scritti da destra a sinistra; il testo copiato e i dati allegati contengono il carattere.
 report-statement-conforms = Dichiarazione di conformità: tutti i { $count } valori sono entro i limiti secondo la regola di decisione indicata.
 report-statement-not = Nessuna conformità: { $bad } valori su { $count } non sono conformi secondo la regola di decisione indicata.
+report-statement-partial = Nessuna dichiarazione di conformità: alcune righe sono state rifiutate, non valutate o non lette. Il rapporto le elenca.
 report-statement-simulated = Nessuna dichiarazione di conformità: { $count } valori sono simulati e nessuno li ha misurati.
 report-statement-open = Nessuna dichiarazione di conformità: mancano valori, { $count } in tutto.
 report-code-said = Codice della registrazione { $number }, il suo hash { $hash }
@@ -225,3 +227,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } testi sono abbreviati: una cella contiene al massimo 32767 caratteri.
 }
 report-journal = Registrazioni { $numbers } del registro { $chain }; la sua ultima voce allora: { $number }:{ $hash }
+report-template-new-about = Un modello di rapporti. Eliminare ciò che un rapporto non deve mostrare; togliere il # da ciò che deve mostrare.
+report-template-new-name = Nuovo modello
+report-changed-since = Modifiche rispetto al rapporto del { $since }:
+report-changed-none = nessun risultato e nessun limite
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: limiti da { $low } a { $high } → da { $lower } a { $higher } mm
+report-changed-added = { $name }: nuovo
+report-changed-removed = { $name }: non è più nel rapporto
+report-changed-several = { $name }: non confrontato, perché ci sono più valori
+report-since-no-report = non è un rapporto di Fitcheck in JSON: scrivere il rapporto precedente con -o FILE.json, oppure prendere report.json dal PDF
+report-since-unread = i controlli non si possono confrontare: { $reason }

@@ -113,6 +113,10 @@ records-page-out-replaced = { $count ->
     [one] 1 gecorrigeerde of ingetrokken vastlegging is weggelaten
    *[other] { $count } gecorrigeerde of ingetrokken vastleggingen zijn weggelaten
 }
+records-page-report-corrects = { $count ->
+    [one] 1 waarde staat in de plaats van een gecorrigeerde vastlegging
+   *[other] { $count } waarden staan in de plaats van gecorrigeerde vastleggingen
+}
 records-page-out-cycles = { $count ->
     [one] 1 vastlegging van een cyclus is weggelaten
    *[other] { $count } vastleggingen van cycli zijn weggelaten

@@ -2,6 +2,7 @@
 
 ## Errors
 report-error-writer = het rapport in formaat { $format } kon niet worden gemaakt: { $reason }
+report-error-label-alone = { $format } is voor labels: kies het sjabloon label, of het papier small-label of large-label
 report-attachment-too-large = de gegevens van het bestand zijn groter dan { $most } bytes
 report-attachment-packed = de gegevens in het bestand zijn verpakt met { $filter }, dat Fitcheck niet leest
 report-attachment-damaged = de gegevens in het bestand zijn beschadigd: { $reason }
@@ -212,6 +213,7 @@ report-pdf-cut = Een tekst die op … eindigt, is hier ingekort; in de bijgevoeg
 report-pdf-substituted = Een □ staat voor een teken dat de lettertypen van deze pagina's missen, zoals tekens die van rechts naar links worden geschreven; gekopieerde tekst en de bijgevoegde gegevens hebben het teken wel.
 report-statement-conforms = Conformiteitsverklaring: alle { $count } waarden liggen binnen hun grenzen volgens de hier genoemde beslisregel.
 report-statement-not = Geen conformiteit: { $bad } van { $count } waarden voldoen niet volgens de hier genoemde beslisregel.
+report-statement-partial = Geen conformiteitsverklaring: sommige rijen zijn geweigerd, niet beoordeeld of niet gelezen. Het rapport vermeldt ze.
 report-statement-simulated = Geen conformiteitsverklaring: { $count } waarden zijn gesimuleerd en door niemand gemeten.
 report-statement-open = Geen conformiteitsverklaring: er ontbreken waarden, { $count } in totaal.
 report-code-said = Code van regel { $number }, de hash { $hash }
@@ -225,3 +227,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } teksten zijn ingekort: in een cel passen hoogstens 32767 tekens.
 }
 report-journal = Regels { $numbers } van logboek { $chain }; de laatste regel was toen: { $number }:{ $hash }
+report-template-new-about = Een sjabloon voor rapporten. Verwijder wat een rapport niet moet tonen; haal de # weg bij wat het wel moet tonen.
+report-template-new-name = Nieuw sjabloon
+report-changed-since = Gewijzigd sinds het rapport van { $since }:
+report-changed-none = geen resultaat en geen grens
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: grenzen { $low } tot { $high } → { $lower } tot { $higher } mm
+report-changed-added = { $name }: nieuw
+report-changed-removed = { $name }: niet meer in het rapport
+report-changed-several = { $name }: niet vergeleken, omdat er meer dan één waarde is
+report-since-no-report = geen rapport van Fitcheck als JSON: schrijf het eerdere rapport met -o FILE.json, of neem report.json uit de PDF
+report-since-unread = de controles kunnen niet worden vergeleken: { $reason }

@@ -129,6 +129,12 @@ records-page-out-replaced = { $count ->
     [many] pominięto { $count } zapisów skorygowanych lub wycofanych
    *[other] pominięto { $count } zapisów skorygowanych lub wycofanych
 }
+records-page-report-corrects = { $count ->
+    [one] 1 wartość zastępuje skorygowany zapis
+    [few] { $count } wartości zastępują skorygowane zapisy
+    [many] { $count } wartości zastępuje skorygowane zapisy
+   *[other] { $count } wartości zastępuje skorygowane zapisy
+}
 records-page-out-cycles = { $count ->
     [one] pominięto 1 zapis z cyklu
     [few] pominięto { $count } zapisy z cykli

@@ -2,6 +2,7 @@
 
 ## Errors
 report-error-writer = nie można utworzyć raportu { $format }: { $reason }
+report-error-label-alone = { $format } jest dla etykiet: wybierz szablon label albo papier small-label lub large-label
 report-attachment-too-large = dane w pliku są większe niż { $most } B
 report-attachment-packed = dane w pliku są spakowane metodą { $filter }, której Fitcheck nie czyta
 report-attachment-damaged = dane w pliku są uszkodzone: { $reason }
@@ -224,6 +225,7 @@ report-pdf-cut = Tekst, który kończy się znakiem …, jest tu skrócony; w do
 report-pdf-substituted = Znak □ zastępuje znak, którego nie mają czcionki tych stron, na przykład pisany od prawej do lewej; skopiowany tekst i dołączone dane zawierają ten znak.
 report-statement-conforms = Stwierdzenie zgodności: wszystkie wartości ({ $count }) mieszczą się w granicach według podanej reguły decyzyjnej.
 report-statement-not = Brak zgodności: { $bad } z { $count } wartości nie spełnia wymagań według podanej reguły decyzyjnej.
+report-statement-partial = Brak stwierdzenia zgodności: niektóre wiersze odrzucono, nie oceniono ich lub nie odczytano. Raport je wymienia.
 report-statement-simulated = Brak stwierdzenia zgodności: { $count } wartości jest symulowanych i nikt ich nie zmierzył.
 report-statement-open = Brak stwierdzenia zgodności: brakuje wartości, łącznie { $count }.
 report-code-said = Kod zapisu { $number }, jego skrót { $hash }
@@ -239,3 +241,14 @@ report-sheets-cut = { $count ->
    *[other] { $count } tekstów jest skróconych: komórka mieści najwyżej 32767 znaków.
 }
 report-journal = Zapisy { $numbers } dziennika { $chain }; jego ostatni wpis wtedy: { $number }:{ $hash }
+report-template-new-about = Szablon raportów. Usuń to, czego raport nie ma pokazywać; usuń znak # przed tym, co ma pokazywać.
+report-template-new-name = Nowy szablon
+report-changed-since = Zmiany od raportu z { $since }:
+report-changed-none = żaden wynik i żadna granica
+report-changed-result = { $name }: { $before } → { $now }
+report-changed-limits = { $name }: granice od { $low } do { $high } → od { $lower } do { $higher } mm
+report-changed-added = { $name }: nowe
+report-changed-removed = { $name }: nie ma już w raporcie
+report-changed-several = { $name }: nie porównano, ponieważ jest kilka wartości
+report-since-no-report = nie jest raportem programu Fitcheck w JSON: zapisz wcześniejszy raport z -o FILE.json albo weź report.json z pliku PDF
+report-since-unread = nie można porównać kontroli: { $reason }

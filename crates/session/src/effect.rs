@@ -177,6 +177,10 @@ pub enum Effect {
     },
     /// Read the user's own templates of reports from a folder and send `ReportsCommand::Templates`.
     ReadTemplates(PathBuf),
+    /// Write a template of reports with this text into a folder, and send `ReportsCommand::TemplateMade`.
+    NewTemplate { folder: PathBuf, text: String },
+    /// Read the company's logo and send `SettingsCommand::LogoRead`.
+    ReadLogo(PathBuf),
     /// Hand a report to the system's printer and send `ReportsCommand::Printed`.
     Print(Box<Content>),
     /// Read the part's picture and send `PlanCommand::PictureRead`.

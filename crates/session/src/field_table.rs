@@ -225,6 +225,9 @@ rows! {
     GaugePort, "gauges-port", AT_TIMES, "port-of-a-gauge";
     GaugeSpeed, "gauges-speed", AT_TIMES, "speed-of-a-gauge";
     GaugeGave, "gauges-gave", AT_TIMES, "what-a-line-gave";
+    Company, "settings-page-company", AT_TIMES, "company-on-reports";
+    CompanyAddress, "settings-page-company-address", AT_TIMES, "address-on-reports";
+    CompanyLogo, "settings-page-company-logo", AT_TIMES, "logo-on-reports";
 }
 
 rows! {

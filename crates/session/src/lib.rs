@@ -169,7 +169,7 @@ pub use program::{ProgramAction, ProgramCommand, ProgramField, ProgramPage};
 pub use purpose::{CycleFile, ImportInto, Purpose};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, RecordsPage};
-pub use reports::{Magnification, ReportOf, ReportsAction, ReportsCommand, ReportsField, ReportsPage};
+pub use reports::{Drawing, Magnification, ReportOf, ReportsAction, ReportsCommand, ReportsField, ReportsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow, row_forms};
 pub use ruler::{Ruler, RulerStep};
 pub use saved::{

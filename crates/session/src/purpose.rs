@@ -15,8 +15,8 @@ use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Words;
 use fitcheck_exchange::batch::FORMS as ROW_FORMS;
 use fitcheck_exchange::exchange::{self, tables::TABLE_FORMATS};
-use fitcheck_exchange::report::RENDERINGS;
 use fitcheck_exchange::report::pairing::FORMATS as PAIR_FORMATS;
+use fitcheck_exchange::report::{RENDERINGS, of_any_paper};
 
 use crate::page::Page;
 use crate::rows::row_forms;
@@ -176,7 +176,7 @@ const fn writes(kind: &'static str, title: &'static str, endings: Endings) -> Pu
 impl Purpose {
     /// Everything that is read, and everything that is written.
     fn all() -> impl Iterator<Item = Self> {
-        let reports = (0..RENDERINGS.len()).map(Self::Export);
+        let reports = of_any_paper().map(Self::Export);
         let tables = (0..TABLE_FORMATS.len()).map(Self::SaveTable);
         let pairs = (0..PAIR_FORMATS.len()).map(Self::SavePairs);
         let rows = row_forms().map(Self::ExportRows);

@@ -76,6 +76,8 @@ pub struct Saved {
     pub records: SavedRecords,
     /// How reports look.
     pub reports: SavedReports,
+    /// Who stands at the top of reports whose template names nobody.
+    pub company: SavedCompany,
     /// The part that is being measured.
     pub walk: SavedWalk,
     /// The gauges on ports of this computer.
@@ -94,6 +96,17 @@ pub struct SavedGauge {
     pub port: PortSettings,
     /// The form of its lines, where it is not a known one.
     pub taught: Option<Taught>,
+}
+
+/// Who stands at the top of reports whose template names nobody.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedCompany {
+    pub name: String,
+    /// Its lines, with a semicolon between them.
+    pub address: String,
+    /// The whole path of its logo; empty where it has none.
+    pub logo: String,
 }
 
 /// What is kept of the reports page.
@@ -224,6 +237,7 @@ impl Default for Saved {
             columns: Remembered::default(),
             records: SavedRecords::default(),
             reports: SavedReports::default(),
+            company: SavedCompany::default(),
             walk: SavedWalk::default(),
             gauges: Vec::new(),
         }

@@ -20,13 +20,14 @@ use super::judging::JudgeArgs;
 use super::measured::Measured;
 use super::parts::RepeatArgs;
 use super::progress::Work;
-use super::{CliError, CliWarning, Io, Outcome, TableArgs};
+use super::{CliError, CliWarning, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::journal::Record;
 use crate::journal::entry::Shown;
 use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
 use crate::proof::{Seen, SeenFile};
+use crate::report::changes::Changes;
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -66,10 +67,14 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     inspector: Option<String>,
 
-    /// Language of the report as HTML, PDF, Markdown or XLSX; the other formats are the same in every language;
+    /// Language of the report as HTML, PDF, PNG, Markdown or XLSX; the other formats are the same in every language;
     /// default: that of the template, else en
     #[arg(long, value_parser = one_of(Language::all(), |language| language.code()))]
     language: Option<Language>,
+
+    /// An earlier report of the part as JSON: HTML, PDF and Markdown say which results and limits changed since
+    #[arg(long, value_name = "FILE.json")]
+    since: Option<PathBuf>,
 
     #[command(flatten)]
     look: TemplateArgs,
@@ -107,13 +112,14 @@ Examples:
   fitcheck report --plan flange.toml results.qif --language de -o flange.pdf
   fitcheck report bores.csv --paper letter -o report.pdf
   fitcheck report --plan flange.toml results.qif --template certificate --head customer=Northgate -o flange.pdf
+  fitcheck report --plan flange.toml results.qif --template label --paper large-label -o label.png
   fitcheck report --check \"25 H7=25.012\" -o - --format json
   fitcheck report bores.csv -o bores.html --record --who Anna
   fitcheck report bores.csv -o report.xlsx
   fitcheck report --plan flange.toml results.csv -o flange.dfq
 
 A report as PDF has pages to print and to sign. The same data as JSON and CSV are attached, unless
-they are very large. The file can be kept (PDF/A-3a) and read aloud (PDF/UA-1).
+they are very large. The file can be kept (PDF/A-3a) and read aloud (PDF/UA-1). PNG is for labels.
 
 With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
 balloon for each feature, and the source of each value. JSON has the same under parts, without
@@ -185,6 +191,9 @@ impl Args {
         let judge = self.by.judge(io)?;
         let sources = self.tables.load(io)?;
         let template = self.look.template()?;
+        if let Some(refused) = rendering.refusal(self.look.paper(&template)) {
+            return Err(CliError::Said(refused.message()));
+        }
         let words = Words::new(self.language.or_else(|| template.language()).unwrap_or_default());
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
@@ -236,11 +245,16 @@ impl Args {
             part: self.part.clone().or(of_plan),
             order: self.order.clone(),
             inspector: self.inspector.clone(),
+            is_partial: collected.is_partial(),
             notes: collected.notes(),
             parts,
             ..Report::new(now, Arc::clone(&checks))
         };
-        let report = self.look.dress(report, &template);
+        let mut report = self.look.dress(report, &template);
+        if let Some(path) = &self.since {
+            let earlier = crate::files::read_file(path).said()?;
+            report.changes = Some(Changes::since(&earlier, &report).about(&name(path))?);
+        }
         if rendering.is_checks_alone {
             self.warn_of_checks_alone(report.notes.len(), io);
         }

@@ -127,6 +127,8 @@ pub(super) struct Collected {
     pub(super) notes: Vec<Message>,
     more_notes: usize,
     pub(super) bad: bool,
+    /// Whether parts are not shown as a whole.
+    has_more_parts: bool,
     warned: Warned,
     /// Whether a value was brought to 20 °C, here or before.
     pub(super) are_corrected: bool,
@@ -192,6 +194,7 @@ impl Collected {
             self.notes.push(contradiction);
         }
         let (sheets, more) = parts.end(io);
+        self.has_more_parts = more.is_some();
         self.notes.extend(more);
         (sheets, name)
     }
@@ -216,6 +219,11 @@ impl Collected {
     pub(super) fn outcome(&self) -> Option<Outcome> {
         let judged = Outcome::Judged(self.worst?);
         Some(if self.bad { Outcome::BadData } else { self.outcome.unwrap_or(judged) })
+    }
+
+    /// Whether something was refused or not judged, or is not known of every part.
+    pub(super) const fn is_partial(&self) -> bool {
+        self.bad || self.has_more_parts
     }
 
     /// The notes of the report; the last one says how many more there are.

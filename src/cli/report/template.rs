@@ -14,15 +14,15 @@ use crate::report::template::{HeadField, Template};
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Pages")]
 pub(super) struct TemplateArgs {
-    /// Template of a report as PDF: a file, or inspection, first-article, certificate, list, sheet, label
+    /// Template of a report as PDF or PNG: a file, or inspection, first-article, certificate, list, sheet, label
     #[arg(long, value_name = "FILE|NAME")]
     template: Option<String>,
 
-    /// Paper of a report as PDF; default: that of the template
+    /// Paper of a report as PDF or PNG; default: that of the template
     #[arg(long, value_parser = super::one_of(Paper::ALL.iter().copied(), |paper| paper.name()))]
     paper: Option<Paper>,
 
-    /// Field of the head of a report as PDF, such as customer or revision; can be repeated
+    /// Field of the head of a report as PDF or PNG, such as customer or revision; can be repeated
     #[arg(long = "head", value_name = "FIELD=TEXT", value_parser = head)]
     heads: Vec<(HeadField, String)>,
 }
@@ -44,10 +44,15 @@ impl TemplateArgs {
         self.template.as_deref().map_or_else(|| Ok(Template::usual()), read)
     }
 
+    /// The paper that was asked for, or that of the template.
+    pub(super) fn paper(&self, template: &Template) -> Paper {
+        self.paper.unwrap_or(template.paper)
+    }
+
     /// The report by a template, on the paper and with the head that were asked for.
     pub(super) fn dress(&self, report: Report, template: &Arc<Template>) -> Report {
         let mut report = report.by(template);
-        report.paper = self.paper.unwrap_or(report.paper);
+        report.paper = self.paper(template);
         for (field, text) in &self.heads {
             report.tell(*field, text);
         }

@@ -10,7 +10,7 @@ use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
 use crate::gui::view::{View, one_of_ui, problem, quiet};
 use crate::journal::ask::KEYS;
 use crate::message::{Message, message};
-use crate::report::RENDERINGS;
+use crate::report::of_any_paper;
 use crate::session::records::{Filter, LeftOut, NOT_GOOD, Shorthand};
 use crate::session::{Command, Field, RecordsCommand, RecordsField};
 use crate::session::{RecordsAction, WindowAction};
@@ -160,7 +160,7 @@ fn more_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.checkbox(ui, action);
     }
     ui.separator();
-    for number in 0..RENDERINGS.len() {
+    for number in of_any_paper() {
         view.menu_item(ui, RecordsAction::ReportRecords(number));
     }
     for action in [
@@ -176,7 +176,7 @@ fn more_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// What is exported of the page: reports of what is chosen, or else of what is listed.
 pub(in crate::gui) fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for number in 0..RENDERINGS.len() {
+    for number in of_any_paper() {
         view.menu_item(ui, RecordsAction::ReportRecords(number));
     }
     view.checkbox(ui, RecordsAction::WithSimulated);
@@ -223,7 +223,7 @@ pub(super) fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
         let can_report = view.session.can(RecordsAction::ReportRecords(0));
         ui.add_enabled_ui(can_report, |ui| {
             ui.menu_button(view.text("records-page-report"), |ui| {
-                for number in 0..RENDERINGS.len() {
+                for number in of_any_paper() {
                     view.menu_item(ui, RecordsAction::ReportRecords(number));
                 }
             });

@@ -42,6 +42,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     for why in refused {
         problem(ui, why);
     }
+    view.button(ui, ReportsAction::NewTemplate);
     if view.session.report_of().is_none() {
         ui.separator();
         quiet(ui, view.text("reports-page-nothing-hint"));

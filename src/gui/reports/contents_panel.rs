@@ -18,7 +18,8 @@ pub(super) fn write_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         view.button(ui, ReportsAction::Print);
         for (number, rendering) in RENDERINGS.iter().enumerate() {
-            if rendering.name != "pdf" {
+            let is_apt = rendering.refusal(view.session.reports().paper()).is_none();
+            if rendering.name != "pdf" && is_apt {
                 view.button(ui, ReportsAction::Save(number));
             }
         }

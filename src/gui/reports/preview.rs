@@ -1,6 +1,7 @@
 //! Middle: a page as it will print, and the way to the others.
 
 use std::sync::{Arc, Weak};
+use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -14,11 +15,13 @@ use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
 use crate::report::pdf::{Pages, PictureDots};
 use crate::session::{Magnification, ReportsAction, ReportsCommand, Step};
+use crate::text::grouped;
 
 /// Between the page and the edge of its ground.
 const MARGIN: f32 = 16.0;
 
 pub(super) fn preview_ui(ui: &mut Ui, view: &mut View<'_>) {
+    working_ui(ui, view);
     let page = view.session.reports();
     match page.pages() {
         Some(Ok(pages)) => {
@@ -52,10 +55,35 @@ pub(super) fn preview_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         Some(Err(_)) if view.session.report_of().is_none() => empty_ui(ui, view, "reports-page-nothing-hint", &[]),
         Some(Err(why)) => _ = problem(ui, view.words.say(why)),
-        None if page.is_at_work() => _ = quiet(ui, view.text("reports-page-drawing")),
+        None if page.at_work().is_some() => {}
         None => empty_ui(ui, view, "reports-page-nothing-hint", &[]),
     }
 }
+
+/// How far the pages are that are being made, and the button that stops them. Short work says nothing of its figures.
+fn working_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let Some(drawing) = view.session.reports().at_work() else { return };
+    let checks = drawing.checks();
+    ui.ctx().request_repaint_after(EVERY);
+    if checks < LONG {
+        if view.session.reports().pages().is_none() {
+            quiet(ui, view.text("reports-page-drawing"));
+        }
+        return;
+    }
+    let said = message!("reports-page-drawing-checks").text("count", grouped(checks));
+    let said = view.words.say(&said);
+    ui.horizontal_wrapped(|ui| {
+        quiet(ui, said);
+        view.button(ui, ReportsAction::StopPages);
+    });
+}
+
+/// How often it is said how far pages are.
+const EVERY: Duration = Duration::from_millis(100);
+
+/// From so many checks on it is said how far the pages are.
+const LONG: u64 = 5_000;
 
 /// The pictures of pages, whose dots go to the graphics card once.
 fn textures(ui: &Ui, pages: &Arc<Pages>) -> Vec<Option<TextureHandle>> {

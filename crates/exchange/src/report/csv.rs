@@ -28,6 +28,7 @@ pub const RENDERING: Rendering = Rendering {
     title: "CSV",
     is_for_people: false,
     is_checks_alone: true,
+    is_label_alone: false,
     endings: &["csv"],
     render: render_report,
 };

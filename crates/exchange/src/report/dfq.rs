@@ -26,6 +26,7 @@ pub const RENDERING: Rendering = Rendering {
     title: "AQDEF (Q-DAS)",
     is_for_people: false,
     is_checks_alone: false,
+    is_label_alone: false,
     endings: &["dfq"],
     render,
 };

@@ -22,6 +22,7 @@ pub const RENDERING: Rendering = Rendering {
     title: "JSON",
     is_for_people: false,
     is_checks_alone: false,
+    is_label_alone: false,
     endings: &["json"],
     render: render_report,
 };

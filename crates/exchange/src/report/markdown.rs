@@ -11,9 +11,9 @@ use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::html::part::{SizeView, size_view};
-use super::html::{MOST_CHECKS, entries};
+use super::html::{MOST_CHECKS, closing, entries};
 use super::part::PartSheet;
-use super::said::{decimals_of, heading, lacks};
+use super::said::{decimals_of, heading, lacks, title};
 use super::seen::ReportSurvey;
 use super::told::{CheckSaid, callout, mark, on_one_line, standing, verdict};
 use super::{Rendering, Report, text};
@@ -24,6 +24,7 @@ pub const RENDERING: Rendering = Rendering {
     title: "Markdown",
     is_for_people: true,
     is_checks_alone: false,
+    is_label_alone: false,
     endings: &["md", "markdown"],
     render,
 };
@@ -62,8 +63,7 @@ const SIZES: [&str; 9] = [
 
 fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
     let seen = ReportSurvey::of(report, MOST_CHECKS)?;
-    let title = if report.title.is_empty() { words.get("report-title") } else { report.title.clone() };
-    writeln!(out, "# {}\n", escaped(&title))?;
+    writeln!(out, "# {}\n", escaped(&title(report, words)))?;
     let simulated = seen.simulated;
     if 0 < simulated {
         let said = words.say(&message!("walk-page-simulated").count("count", simulated));
@@ -71,6 +71,10 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     }
     for entry in entries(report, &seen, words) {
         writeln!(out, "- **{}**: {}", escaped(&entry.label), escaped(&entry.value))?;
+    }
+    if let Some(changes) = &report.changes {
+        writeln!(out, "\n## {}\n", escaped(&words.say(&changes.heading())))?;
+        changes.lines.iter().try_for_each(|line| writeln!(out, "- {}", escaped(&words.say(line))))?;
     }
     for part in &report.parts {
         of_part(part, words, out)?;
@@ -88,6 +92,9 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     counts(&seen, words, out)?;
     head(&CHECKS, words, out)?;
     seen.each(report, &mut |number, record| row(&check(number, record, words), out))?;
+    for said in closing(report, &seen, words) {
+        writeln!(out, "\n**{}**", escaped(&said))?;
+    }
     writeln!(out, "\n{}", escaped(&words.get("report-footer")))
 }
 

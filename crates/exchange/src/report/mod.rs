@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `html` | one self-contained page that prints well on A4 |
 //! | `pdf` | pages to sign and to keep: A4 or letter, tagged, with the data attached |
+//! | `png` | a label as a picture, for printers of labels |
 //! | `markdown` | a page of headings and tables, for wikis and tickets |
 //! | `xlsx` | a workbook: a sheet a part, one for the lot, one for all checks |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
@@ -15,6 +16,7 @@
 //! | `pairing` | which parts go together, and its files |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
+//! | `changes` | what changed since an earlier report of the part |
 //! | `shapes` | the picture of a part as shapes, for drawing |
 //! | `paper` | what pages are printed on |
 //! | `template` | what a report for people shows, and in which order |
@@ -36,6 +38,7 @@
 //! The formats of the command line, the entries of the window's menus and the filters of its dialogs follow.
 
 pub mod band;
+pub mod changes;
 pub mod columns;
 pub mod csv;
 pub mod dfq;
@@ -51,6 +54,7 @@ pub mod paper;
 pub mod part;
 pub mod pdf;
 mod picture;
+pub mod png;
 pub mod qif;
 pub mod row;
 mod said;
@@ -67,6 +71,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 
+use changes::Changes;
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
@@ -97,6 +102,10 @@ pub struct Report {
     pub checks: Arc<dyn Checks>,
     /// Errors and warnings: nothing is left out in silence.
     pub notes: Vec<Message>,
+    /// Whether rows of the input are no checks: refused, not judged, or not read. The notes say which; such a report states no conformity.
+    pub is_partial: bool,
+    /// What changed since an earlier report; `None` where there is none to compare it with.
+    pub changes: Option<Changes>,
     /// The whole parts whose values the checks are.
     pub parts: Vec<PartSheet>,
     /// What renderings with pages of their own are printed on.
@@ -184,6 +193,8 @@ impl Report {
             inspector: None,
             checks: Arc::new(checks),
             notes: Vec::new(),
+            is_partial: false,
+            changes: None,
             parts: Vec::new(),
             paper: Paper::default(),
             template: Template::usual(),
@@ -228,6 +239,8 @@ pub struct Rendering {
     pub is_for_people: bool,
     /// Whether it has no place for title, part, order, inspector and notes of the report. The command line says so.
     pub is_checks_alone: bool,
+    /// Whether it is for labels and takes no other paper.
+    pub is_label_alone: bool,
     /// Endings of its files without the point, the usual one first.
     pub endings: &'static [&'static str],
     /// Writes the file check by check. Machine-readable renderings do not use the words.
@@ -238,6 +251,11 @@ pub struct Rendering {
 }
 
 impl Rendering {
+    /// Why it cannot write reports on this paper; `None` where it can.
+    pub fn refusal(&self, paper: Paper) -> Option<RenderError> {
+        (self.is_label_alone && !paper.is_label()).then_some(RenderError::LabelAlone { format: self.title })
+    }
+
     /// The file in memory.
     ///
     /// # Errors
@@ -259,7 +277,13 @@ pub const RENDERINGS: &[Rendering] = &[
     dfq::RENDERING,
     qif::RENDERING,
     pdf::RENDERING,
+    png::RENDERING,
 ];
+
+/// The renderings that take any paper, by their numbers: where nobody has chosen a template.
+pub fn of_any_paper() -> impl Iterator<Item = usize> {
+    RENDERINGS.iter().enumerate().filter(|(_, rendering)| !rendering.is_label_alone).map(|(number, _)| number)
+}
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
 /// may fail, and an incomplete report must not be saved.
@@ -272,6 +296,11 @@ pub enum RenderError {
         format: &'static str,
         /// What the writer says.
         reason: String,
+    },
+    /// A page where only a label can be written.
+    LabelAlone {
+        /// What the format is called.
+        format: &'static str,
     },
 }
 
@@ -299,7 +328,6 @@ pub enum EndingError {
     },
 }
 
-/// Every ending with its point: `.html .htm .csv .json .pdf`.
 /// Every ending with its point: `.html .htm .csv` and so on.
 pub fn endings() -> String {
     let all: Vec<String> = RENDERINGS.iter().flat_map(|r| r.endings).map(|ending| format!(".{ending}")).collect();

@@ -51,8 +51,17 @@ impl Paper {
         }
     }
 
+    /// Width and height of a label in millimetres; `None` for a page.
+    pub const fn label_mm(self) -> Option<[u32; 2]> {
+        match self {
+            Self::A4 | Self::Letter => None,
+            Self::SmallLabel => Some([62, 29]),
+            Self::LargeLabel => Some([100, 50]),
+        }
+    }
+
     /// Whether only the answer has room on it.
     pub const fn is_label(self) -> bool {
-        matches!(self, Self::SmallLabel | Self::LargeLabel)
+        self.label_mm().is_some()
     }
 }

@@ -6,8 +6,16 @@ use fitcheck_core::part::FeatureStanding;
 use fitcheck_core::verdict::{Removal, SizeVerdict, Status, Verdict};
 use fitcheck_core::words::Words;
 
+use super::Report;
 use super::part::PartSheet;
 use crate::journal::Record;
+
+/// The title of the report: its own, that of its template, or the usual one.
+pub(super) fn title(report: &Report, words: &Words) -> String {
+    let of_template = || report.template.text(&report.template.title, words);
+    let mut titles = std::iter::once(report.title.clone()).chain(std::iter::once_with(of_template));
+    titles.find(|title| !title.is_empty()).unwrap_or_else(|| words.get("report-title"))
+}
 
 pub(super) fn heading(part: &PartSheet, words: &Words) -> String {
     let name = &part.plan.head.part;

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
@@ -29,6 +29,8 @@ pub(super) struct ReportSurvey {
     pub guarded: usize,
     /// The most contacts of a check.
     pub contacts: usize,
+    /// The longest name of a check, bytes.
+    longest: usize,
     /// The most decimals of a size in millimetres, 3 at least.
     pub decimals: usize,
     /// The first that are not good or in doubt, by their place in the report, and how many there are.
@@ -69,6 +71,7 @@ impl ReportSurvey {
         self.doubted += usize::from(record.doubt.is_some());
         self.beyond += usize::from(record.verdict.is_beyond_limits());
         self.guarded += usize::from(!record.verdict.rule.is_plain());
+        self.longest = self.longest.max(record.id.len());
         self.contacts = self.contacts.max(record.measurement.contacts.len());
         let sizes = [record.limits.maximum(), record.limits.minimum(), record.measurement.diameter];
         self.decimals = sizes.into_iter().map(decimals_of).fold(self.decimals, usize::max);
@@ -79,6 +82,33 @@ impl ReportSurvey {
     /// Whether the page lists all checks.
     pub const fn is_whole(&self) -> bool {
         self.total <= self.most
+    }
+
+    /// What the values say together: only measured and complete ones within their limits, of an input that was judged as a whole, are a statement
+    /// of conformity.
+    pub fn statement(&self, report: &Report) -> Message {
+        let good = self.counts.get(Status::Good.at()).copied().unwrap_or(0);
+        let open: usize = report.parts.iter().map(|part| part.missing().len() + part.left_out().len()).sum();
+        let bad = self.total.saturating_sub(good) + self.beyond;
+        if 0 < bad {
+            message!("report-statement-not").count("bad", bad).count("count", self.total)
+        } else if report.is_partial {
+            message!("report-statement-partial")
+        } else if 0 < self.simulated {
+            message!("report-statement-simulated").count("count", self.simulated)
+        } else if 0 < self.doubted {
+            // A value that may be another quantity or another part's proves nothing.
+            message!("report-pdf-doubted").count("count", self.doubted).count("total", self.total)
+        } else if 0 < open || self.total == 0 {
+            message!("report-statement-open").count("count", open)
+        } else {
+            message!("report-statement-conforms").count("count", self.total)
+        }
+    }
+
+    /// Whether its data are surely few: no text of a check that somebody gave is long, and a check has some kilobytes at most.
+    pub const fn is_short(&self) -> bool {
+        self.total <= 500 && self.contacts <= 100 && self.longest <= 1_000
     }
 
     /// What the page says of the checks that it does not list.

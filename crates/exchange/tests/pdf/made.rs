@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fitcheck_core::part::{Document, Plan};
 use fitcheck_core::probing::{Measurement, Origin};
-use fitcheck_core::tolerance::Sources;
+use fitcheck_core::tolerance::{Callout, Feature, Sources};
 use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::{RuleInputs, RuleName, Uncertainty};
 use fitcheck_core::words::{Language, Words};
@@ -29,8 +29,8 @@ pub fn simulated(id: &str, callout: &str, measured: &str) -> Record {
 }
 
 fn of_origin(id: &str, callout: &str, measured: &str, origin: Origin) -> Record {
-    let callout = callout.parse().unwrap();
-    let limits = Sources::default().limits(&callout, None).unwrap();
+    let callout: Callout = callout.parse().unwrap();
+    let limits = Sources::default().limits(&callout, callout.feature().or(Some(Feature::Hole))).unwrap();
     let measurement = Measurement::of_diameter(measured.parse().unwrap(), origin);
     Record::judged(time(), id.to_owned(), Some(callout), limits, measurement, None)
 }

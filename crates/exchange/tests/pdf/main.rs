@@ -8,13 +8,17 @@
 //! | `parts` | whole parts with pictures |
 //! | `names` | what names must not do |
 //! | `templates` | what templates show and leave out, certificates, lots, labels, codes |
+//! | `labels` | labels as pictures |
+//! | `twelve` | a part of twelve features: every rendering and kind in four languages |
 
 #![cfg(test)]
 
 mod checks;
+mod labels;
 mod made;
 mod names;
 mod parts;
 mod reader;
 mod templates;
+mod twelve;
 mod values;

@@ -46,6 +46,40 @@ fn a_certificate_states_conformity_only_of_measured_complete_good_values() {
 }
 
 #[test]
+fn a_value_in_doubt_states_no_conformity() {
+    // A radius where a diameter was asked for, and one that lies within its limits all the same.
+    for (callout, measured) in [("25 H7", "12.506"), ("1 +0.1 -0.6", "0.5")] {
+        let radius = record("Bore A", callout, measured);
+        assert!(radius.doubt.is_some(), "{callout}");
+        let said = by("certificate", report_of(vec![record("Bore B", "25 H7", "25.003"), radius]));
+        assert!(!said.contains("Statement of conformity: all"), "{said}");
+        assert!(said.contains("Values in doubt, marked with a question mark: 1 of 2"), "{said}");
+    }
+}
+
+#[test]
+fn rows_that_are_no_checks_keep_a_certificate_from_stating_conformity() {
+    let said = by("certificate", Report { is_partial: true, ..good() });
+    assert!(said.contains("No statement of conformity: some rows were refused, not judged or not read."), "{said}");
+    assert!(!said.contains("Statement of conformity: all"), "{said}");
+}
+
+#[test]
+fn a_label_says_first_what_must_be_known() {
+    for paper in [Paper::SmallLabel, Paper::LargeLabel] {
+        let label = |report: Report| {
+            let report = report.by(&template("label"));
+            text(&pdf(&Report { paper, ..report }, "en"))
+        };
+        let said = label(report_of(vec![record("Bore A", "25 H7", "12.506")]));
+        assert!(said.contains("Values in doubt"), "{said}");
+        let some = &whole()[..1];
+        let said = label(of_part(part(some), some));
+        assert!(said.contains("Missing: SEAT, HUB"), "{said}");
+    }
+}
+
+#[test]
 fn a_first_article_lists_every_feature_also_what_is_missing_with_its_instrument() {
     let some = &whole()[..1];
     let mut report = of_part(part(some), some);
@@ -112,7 +146,7 @@ fn the_parts_of_a_lot_stand_with_the_worst_first() {
     assert!(rows[1].contains("SCRAP") && !rows[2].contains("SCRAP"), "{rows:?}");
 }
 
-fn in_journal(report: Report) -> Report {
+pub fn in_journal(report: Report) -> Report {
     let head = |number| Head { number, hash: Hash([u8::try_from(number).unwrap(); 32]) };
     let numbers = "5, 7 to 8".to_owned();
     let journal = ReportJournal { chain: ChainId([1; 16]), head: head(9), newest: Some(head(8)), numbers };

@@ -4,7 +4,7 @@ use fitcheck_core::message::{Message, message};
 use fitcheck_core::tolerance::Base;
 use fitcheck_core::tolerance::iso286::{Edition, JsHalves, Options};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::{RENDERINGS, Rendering};
+use fitcheck_exchange::report::{RENDERINGS, Rendering, of_any_paper};
 
 use super::possible::{
     can_export, has_bad, has_history, has_status, is_of_1988, rounds_js, shows_columns, tells_of_file, told_columns,
@@ -55,7 +55,7 @@ actions! {
     /// Judges a file on the check page that is of no part of the plan.
     JudgeUnplanned;
     /// Writes the checks in a format of the report's list, by its number there.
-    Export(usize): 0..RENDERINGS.len();
+    Export(usize): of_any_paper();
     /// Writes the status window's text.
     ExportStatus;
     /// Chooses light, dark, or the system's setting.

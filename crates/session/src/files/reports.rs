@@ -66,7 +66,34 @@ impl Session {
                 (self.records.report(now, journal), shown, newest)
             }
         };
+        let mut report = report;
+        report.template = self.settings_page.company.in_template(&report.template);
+        for (id, count) in self.told_of_corrections(of) {
+            if 0 < count {
+                report.notes.push(Message::new(id).count("count", count));
+            }
+        }
         Ok(Composed { report: Report { journal: self.journal_of(shown.as_ref(), newest), ..report }, shown })
+    }
+
+    /// What was corrected or withdrawn among what is reported; the records page tells it of its own.
+    fn told_of_corrections(&self, of: ReportOf) -> [(&'static str, usize); 2] {
+        let history = &self.shared.history;
+        let [mut left_out, mut corrected] = [0, 0];
+        match of {
+            ReportOf::Part => {
+                let values = (0..self.parts.walking.count()).flat_map(|at| self.parts.walking.values(at));
+                corrected = history.corrections(values.filter_map(|value| value.id));
+            }
+            ReportOf::Check => corrected = history.corrections(self.check.shown.iter().filter_map(|shown| shown.id)),
+            ReportOf::List if self.lists_rows() => {}
+            ReportOf::List => {
+                left_out = history.replaced_for_report();
+                corrected = history.corrections(history.ids_for_report());
+            }
+            ReportOf::Records => {}
+        }
+        [("records-page-out-replaced", left_out), ("records-page-report-corrects", corrected)]
     }
 
     /// The listed rows of a large file, or the list of the check page.

@@ -127,7 +127,12 @@ impl Gauges {
         }
         let Some(gauge) = self.shown_mut() else { return };
         match field {
-            SettingsField::Find | SettingsField::NewPin | SettingsField::Pin => {}
+            SettingsField::Find
+            | SettingsField::NewPin
+            | SettingsField::Pin
+            | SettingsField::Company
+            | SettingsField::CompanyAddress
+            | SettingsField::CompanyLogo => {}
             SettingsField::GaugeName => gauge.saved.name = text,
             SettingsField::GaugePort => {
                 gauge.saved.port.port = text;
@@ -148,7 +153,12 @@ impl Gauges {
     pub(crate) fn text(&self, field: SettingsField) -> &str {
         let Some(gauge) = self.shown() else { return "" };
         match field {
-            SettingsField::Find | SettingsField::NewPin | SettingsField::Pin => "",
+            SettingsField::Find
+            | SettingsField::NewPin
+            | SettingsField::Pin
+            | SettingsField::Company
+            | SettingsField::CompanyAddress
+            | SettingsField::CompanyLogo => "",
             SettingsField::GaugeName => &gauge.saved.name,
             SettingsField::GaugePort => &gauge.saved.port.port,
             SettingsField::GaugeSpeed => &gauge.speed,
@@ -159,7 +169,13 @@ impl Gauges {
     pub(crate) fn error(&self, field: SettingsField) -> Option<&Message> {
         let gauge = self.shown()?;
         match field {
-            SettingsField::Find | SettingsField::NewPin | SettingsField::Pin | SettingsField::GaugeName => None,
+            SettingsField::Find
+            | SettingsField::NewPin
+            | SettingsField::Pin
+            | SettingsField::GaugeName
+            | SettingsField::Company
+            | SettingsField::CompanyAddress
+            | SettingsField::CompanyLogo => None,
             SettingsField::GaugePort => gauge.port_error.as_ref(),
             SettingsField::GaugeSpeed => gauge.speed_error.as_ref(),
             SettingsField::GaugeGave => gauge.gave_error.as_ref(),

@@ -139,6 +139,20 @@ impl History {
         self.reported().map(|(id, _)| id)
     }
 
+    /// How many of the listed checks a report leaves out, because they were corrected or withdrawn; none of chosen ones is.
+    pub(super) fn replaced_for_report(&self) -> usize {
+        if !self.chosen.is_empty() {
+            return 0;
+        }
+        self.records.count().saturating_sub(self.reported().count())
+    }
+
+    /// How many of these stand in the place of a check that was corrected.
+    pub(super) fn corrections(&self, ids: impl Iterator<Item = RecordId>) -> usize {
+        let all: BTreeSet<RecordId> = self.successors.values().copied().collect();
+        ids.filter(|id| all.contains(id)).count()
+    }
+
     fn reported(&self) -> impl Iterator<Item = (RecordId, &Arc<Record>)> {
         let listed: BTreeSet<RecordId> = if self.chosen.is_empty() {
             self.records.page(0..self.records.count()).into_iter().map(|(id, _)| id).collect()

@@ -3,7 +3,7 @@
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::MOST_FEATURES;
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::{RENDERINGS, Rendering};
+use fitcheck_exchange::report::{RENDERINGS, Rendering, of_any_paper};
 
 use super::{PartsCommand, PartsField, PartsView, PlanCommand, PlanField, WalkCommand, WalkField};
 use crate::Session;
@@ -109,7 +109,7 @@ actions! {
     /// Ends that.
     StopWatch;
     /// Writes the part that is being measured in a format of the report's list, by its number there.
-    ReportPart(usize): 0..RENDERINGS.len();
+    ReportPart(usize): of_any_paper();
 }
 
 impl Actions for PartsAction {

@@ -3,7 +3,7 @@
 use fitcheck_core::message::message;
 use fitcheck_core::text::{grouped, long};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::RENDERINGS;
+use fitcheck_exchange::report::of_any_paper;
 
 use super::{RecordsCommand, RecordsField, Shorthand, Walk};
 use crate::Session;
@@ -44,7 +44,7 @@ actions! {
     /// Puts the chosen records, or the one at which the keys are, on the clipboard.
     CopyRecords;
     /// Writes the chosen records, or all that are listed, in a format of the report's list, by its number there.
-    ReportRecords(usize): 0..RENDERINGS.len();
+    ReportRecords(usize): of_any_paper();
     /// Goes back to the list.
     CloseRecord;
     /// Takes what the record asked for to the check page.

@@ -223,6 +223,17 @@ impl RecordsPage {
         used.map(|row| row.head).collect()
     }
 
+    /// How many of the reported records stand in the place of a corrected one.
+    fn corrections(&self) -> usize {
+        let used = self.for_use().values().filter(|row| match use_of(row) {
+            Use::Reported(_) => true,
+            Use::Simulated(_) => self.with_simulated,
+            _ => false,
+        });
+        let checks = used.filter_map(|row| row.entry.as_ref().ok()?.check());
+        checks.filter(|check| check.corrects.is_some()).count()
+    }
+
     /// The chosen records as a report, which says what it leaves out and where its records stand.
     pub(crate) fn report(&self, now: DateTime, journal: Option<(ChainId, Head)>) -> Report {
         let mut report = Report::new(now, self.for_report());
@@ -233,6 +244,7 @@ impl RecordsPage {
             ("records-page-report-simulated", with_simulated),
             ("records-page-out-simulated", simulated),
             ("records-page-out-replaced", replaced),
+            ("records-page-report-corrects", self.corrections()),
             ("records-page-out-cycles", cycles),
             ("records-page-out-unread", unread),
         ] {
@@ -240,6 +252,7 @@ impl RecordsPage {
                 report.notes.push(Message::new(id).count("count", count));
             }
         }
+        report.is_partial = 0 < unread;
         if let Some((chain, head)) = journal {
             let all = self.for_use().iter().filter(|(_, row)| !matches!(use_of(row), Use::Report)).map(|(key, _)| key);
             let numbers: Vec<String> = all.clone().take(20).map(u64::to_string).collect();

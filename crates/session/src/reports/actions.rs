@@ -28,6 +28,10 @@ actions! {
     Move(Step): [Step::PageUp, Step::PageDown];
     /// Shows the whole page.
     WholePage;
+    /// Draws the pages no further.
+    StopPages;
+    /// Begins a template of the user's own.
+    NewTemplate;
     /// Goes to the records, to choose others.
     OpenRecords;
 }
@@ -46,9 +50,8 @@ impl Actions for ReportsAction {
             Self::Print => {
                 on(Page::Reports, "reports-page-print", ReportsCommand::Print).key(Shortcut::ctrl('P')).when(has_report)
             }
-            Self::Save(number) => {
-                on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(number))).when(has_report)
-            }
+            Self::Save(number) => on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(number)))
+                .when(if RENDERINGS.get(number).is_some_and(|to| to.is_label_alone) { has_label } else { has_report }),
             Self::Of(of) => on(Page::Reports, of.name(), ReportsCommand::Of(of)).when(match of {
                 ReportOf::Part => |session| session.can_report(ReportOf::Part),
                 ReportOf::Check => |session| session.can_report(ReportOf::Check),
@@ -57,6 +60,10 @@ impl Actions for ReportsAction {
             }),
             Self::Move(step) => on(Page::Reports, "reports-page-move", ReportsCommand::Move(step)).key(keys(step)),
             Self::OpenRecords => on(Page::Reports, "reports-page-open-records", Command::OpenPage(Page::Records)),
+            Self::StopPages => on(Page::Reports, "working-stop", ReportsCommand::Stop)
+                .when(|session| session.reports().at_work().is_some()),
+            Self::NewTemplate => on(Page::Reports, "reports-page-new-template", ReportsCommand::NewTemplate)
+                .when(|session| session.settings_page().state_file.is_some()),
             Self::WholePage => {
                 on(Page::Reports, "reports-page-whole", ReportsCommand::Magnify(Magnification::WholePage))
             }
@@ -84,4 +91,8 @@ impl Actions for ReportsAction {
 
 fn has_report(session: &Session) -> bool {
     session.report_of().is_some()
+}
+
+fn has_label(session: &Session) -> bool {
+    has_report(session) && session.reports().paper().is_label()
 }

@@ -3,8 +3,9 @@
 use fitcheck_core::message::{Message, message};
 use jiff::civil::DateTime;
 
-use super::{ReportsCommand, ReportsField, ReportsPage};
+use super::{ReportsCommand, ReportsField, ReportsPage, Wanted};
 use crate::effect::Effect;
+use crate::files::Launch;
 use crate::page::Page;
 use crate::saved::{Saved, SavedReports};
 use crate::shared::{News, Shared};
@@ -61,21 +62,36 @@ impl PageState for ReportsPage {
                 self.take_pages(run, result);
                 return Vec::new();
             }
+            ReportsCommand::Stop => {
+                self.stop();
+                return Vec::new();
+            }
             ReportsCommand::Templates(own) => self.own = own,
+            ReportsCommand::NewTemplate => {
+                self.wanted = Some(Wanted::NewTemplate);
+                return Vec::new();
+            }
+            ReportsCommand::TemplateMade(Ok(file)) => {
+                let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
+                shared.note(message!("reports-page-template-made").text("name", name), Vec::new());
+                self.reads_templates = true;
+                return vec![Effect::Launch(file, Launch::ShowInFolder)];
+            }
             ReportsCommand::Print => {
-                // What is printed is made where everything of the report is known.
-                self.prints = true;
+                self.wanted = Some(Wanted::Print);
                 return Vec::new();
             }
             ReportsCommand::Printed(Ok(())) => {
                 shared.note(message!("reports-page-printed"), Vec::new());
                 return Vec::new();
             }
-            ReportsCommand::Printed(Err(why)) => {
+            ReportsCommand::TemplateMade(Err(why)) | ReportsCommand::Printed(Err(why)) => {
                 shared.tell(why);
                 return Vec::new();
             }
         }
+        // Nobody waits for pages that are others now.
+        self.stop();
         self.is_stale = true;
         Vec::new()
     }

@@ -1,5 +1,6 @@
 //! What can be done on the reports page, and what comes back from outside.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::Message;
@@ -35,8 +36,14 @@ pub enum ReportsCommand {
         run: u64,
         result: Result<Arc<Pages>, Message>,
     },
+    /// Draws the pages no further.
+    Stop,
     /// The files of the user's own templates, read or refused.
     Templates(Vec<Result<Arc<Template>, Message>>),
+    /// Begins a template of the user's own.
+    NewTemplate,
+    /// It is written into this file, or not.
+    TemplateMade(Result<PathBuf, Message>),
     /// Hands the pages to the system's printer.
     Print,
     /// The system has taken them, or why not.

@@ -8,7 +8,8 @@ use fitcheck_exchange::report::template::{HeadField, Template};
 use fitcheck_exchange::report::{RENDERINGS, Rendering};
 use jiff::civil::DateTime;
 
-use super::{ReportOf, ReportsField, ReportsPage};
+use super::drawing::{Drawing, WatchedChecks};
+use super::{ReportOf, ReportsField, ReportsPage, Wanted};
 use crate::Session;
 use crate::effect::Effect;
 use crate::files::Content;
@@ -26,8 +27,13 @@ impl ReportsPage {
         self.is_stale = false;
         self.run += 1;
         match made {
-            Ok(content) => {
-                self.at_work = Some(self.run);
+            Ok(mut content) => {
+                let drawing = Arc::<Drawing>::default();
+                if let Content::Report { report, .. } = &mut content {
+                    let checks = Arc::clone(&report.checks);
+                    report.checks = Arc::new(WatchedChecks { checks, drawing: Arc::clone(&drawing) });
+                }
+                self.at_work = Some((self.run, drawing));
                 self.errands.push(Effect::DrawReport { run: self.run, content: Box::new(content) });
             }
             Err(why) => self.pages = Some(Err(why)),
@@ -35,9 +41,18 @@ impl ReportsPage {
     }
 
     pub(super) fn take_pages(&mut self, run: u64, result: Result<Arc<Pages>, Message>) {
-        if self.at_work == Some(run) {
-            self.at_work = None;
-            self.pages = Some(result);
+        let Some((_, drawing)) = self.at_work.take_if(|(asked, _)| *asked == run) else { return };
+        // What was stopped because something else is to be shown now says nothing.
+        if drawing.is_stopped() && self.is_stale {
+            return;
+        }
+        self.pages = Some(if drawing.is_stopped() { Err(message!("reports-page-stopped")) } else { result });
+    }
+
+    /// Ends the drawing of pages, if there is any.
+    pub(super) fn stop(&self) {
+        if let Some((_, drawing)) = &self.at_work {
+            drawing.stop();
         }
     }
 }
@@ -71,10 +86,18 @@ impl Session {
         {
             self.reports.errands.push(Effect::ReadTemplates(file.with_file_name("templates")));
         }
-        if std::mem::take(&mut self.reports.prints) {
-            match self.made_report(&pdf::RENDERING, now) {
+        match self.reports.wanted.take() {
+            None => {}
+            Some(Wanted::Print) => match self.made_report(&pdf::RENDERING, now) {
                 Ok(content) => self.reports.errands.push(Effect::Print(Box::new(content))),
                 Err(why) => self.shared.tell(why),
+            },
+            Some(Wanted::NewTemplate) => {
+                let text = Template::sample(&self.shared.words());
+                match self.settings_page.state_file.as_ref().map(|file| file.with_file_name("templates")) {
+                    Some(folder) => self.reports.errands.push(Effect::NewTemplate { folder, text }),
+                    None => self.shared.tell(message!("reports-page-no-folder")),
+                }
             }
         }
         self.reports.errands.drain(..).collect()
@@ -93,7 +116,7 @@ impl Session {
         let of = self.report_of().ok_or_else(|| message!("reports-page-nothing"))?;
         let mut composed = self.composed(of, now)?;
         let words = self.shared.report_words_in(self.reports.language());
-        let template = Arc::new(self.reports.made_template());
+        let template = self.settings_page.company.in_template(&Arc::new(self.reports.made_template()));
         let report = &mut composed.report;
         report.paper = template.paper;
         report.template = template;

@@ -6,6 +6,7 @@
 //! | `field` | the text fields of the head |
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `actions` | menus, buttons, keys |
+//! | `drawing` | how far the pages are, and their end before that |
 //! | `made` | the report that the page shows and writes |
 //!
 //! Pages of a long report take longer than a frame may, so drawing them is an errand: [`Effect::DrawReport`] asks for it with a number, and an
@@ -14,6 +15,7 @@
 mod actions;
 mod apply;
 mod command;
+mod drawing;
 mod field;
 mod made;
 
@@ -28,6 +30,7 @@ use fitcheck_exchange::report::template::{Section, Template};
 
 pub use actions::ReportsAction;
 pub use command::ReportsCommand;
+pub use drawing::Drawing;
 pub use field::ReportsField;
 
 use crate::effect::Effect;
@@ -88,6 +91,15 @@ impl Magnification {
     }
 }
 
+/// What is done where everything of the session is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Wanted {
+    /// The report on paper.
+    Print,
+    /// A template of the user's own, to begin with.
+    NewTemplate,
+}
+
 /// The state of the reports page.
 #[derive(Debug, Default)]
 pub struct ReportsPage {
@@ -111,11 +123,11 @@ pub struct ReportsPage {
     is_stale: bool,
     /// Whether the user's own templates are to be read.
     reads_templates: bool,
-    /// Whether it is to be printed.
-    prints: bool,
-    /// The number of the last question, and whether its answer is awaited.
+    /// What was asked for and is done where everything of the session is known.
+    wanted: Option<Wanted>,
+    /// The number of the last question, and how far its answer is while it is awaited.
     run: u64,
-    at_work: Option<u64>,
+    at_work: Option<(u64, Arc<Drawing>)>,
     errands: Vec<Effect>,
 }
 
@@ -166,8 +178,8 @@ impl ReportsPage {
         pages.map_or(0, |pages| pages.count().saturating_sub(1))
     }
 
-    /// Whether its pages are being made.
-    pub const fn is_at_work(&self) -> bool {
-        self.at_work.is_some()
+    /// How far its pages are while they are being made.
+    pub fn at_work(&self) -> Option<&Drawing> {
+        self.at_work.as_ref().map(|(_, drawing)| &**drawing)
     }
 }

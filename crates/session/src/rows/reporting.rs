@@ -77,8 +77,9 @@ impl Rows {
         if 0 < unjudged {
             notes.push(message!("rows-report-without").count("count", unjudged));
         }
+        let is_partial = 0 < unjudged || !self.is_whole() || self.is_cut();
         let checks = RowChecks { rows, file: self.name.clone(), now };
-        Some(Report { notes, ..Report::new(now, checks) })
+        Some(Report { notes, is_partial, ..Report::new(now, checks) })
     }
 
     /// The listed rows in a form of text.

@@ -1,6 +1,9 @@
 //! What can be done on the settings page. What a setting changes is a command of whatever it belongs to.
 
+use std::path::PathBuf;
+
 use fitcheck_core::message::Message;
+use fitcheck_exchange::report::image::Image;
 
 use super::{Section, SettingsField};
 use crate::gauges::GaugeCommand;
@@ -26,6 +29,8 @@ pub enum SettingsCommand {
     Stay,
     /// Shows a section, and no longer what was looked for.
     Show(Section),
+    /// The company's logo was read from this file, or not.
+    LogoRead { path: PathBuf, result: Result<Image, Message> },
     /// Does something with the gauges.
     Gauge(GaugeCommand),
 }

@@ -17,4 +17,10 @@ pub enum SettingsField {
     GaugeSpeed,
     /// What its newest line gave.
     GaugeGave,
+    /// Who stands at the top of reports whose template names nobody.
+    Company,
+    /// The lines of its address, with a semicolon between them.
+    CompanyAddress,
+    /// The path of its logo.
+    CompanyLogo,
 }

@@ -7,6 +7,7 @@
 //! | `defaults` | what a first start has |
 //! | `searching` | which settings words find |
 //! | `settings_file`, `importing` | a file of settings for a whole shop, and what it changes |
+//! | `company` | who stands at the top of reports whose template names nobody |
 //! | `pin` | the PIN that locks the operator's window |
 //! | `keys_list` | every key, by the place where it is heard |
 //! | `field`, `command`, `actions` | what can be done, and what can be set and is no action of another page |
@@ -15,6 +16,7 @@
 
 mod actions;
 mod command;
+mod company;
 mod defaults;
 mod field;
 mod importing;
@@ -32,6 +34,7 @@ use jiff::civil::DateTime;
 
 pub use actions::SettingsAction;
 pub use command::SettingsCommand;
+pub use company::CompanySettings;
 pub use field::SettingsField;
 pub use keys_list::{KeyRow, KeysOfPlace};
 pub use section::Section;
@@ -41,6 +44,7 @@ pub use table::{Control, SETTINGS, Setting, Told};
 use super::command::Command;
 use super::effect::Effect;
 use super::gauges::{GaugeCommand, Gauges};
+use super::page::Page;
 use super::saved::Saved;
 use super::shared::{News, Shared};
 use super::state::PageState;
@@ -66,6 +70,8 @@ pub struct SettingsPage {
     unknown: toml::Table,
     /// The gauges on serial and USB ports.
     pub gauges: Gauges,
+    /// Who stands at the top of reports whose template names nobody.
+    pub company: CompanySettings,
     /// The file that keeps the settings; `None` where nothing is kept.
     pub state_file: Option<PathBuf>,
 }
@@ -92,11 +98,13 @@ impl PageState for SettingsPage {
     type Field = SettingsField;
 
     fn restored(saved: &Saved, _shared: &Shared) -> Self {
-        Self { gauges: Gauges::restored(&saved.gauges), ..Self::default() }
+        let company = CompanySettings::restored(&saved.company);
+        Self { gauges: Gauges::restored(&saved.gauges), company, ..Self::default() }
     }
 
     fn save(&self, saved: &mut Saved) {
         saved.gauges = self.gauges.saved();
+        saved.company = self.company.saved();
     }
 
     fn apply(&mut self, command: SettingsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
@@ -109,6 +117,11 @@ impl PageState for SettingsPage {
                 | SettingsField::GaugeGave),
                 text,
             ) => self.gauges.type_text(field, text),
+            SettingsCommand::Type(
+                field @ (SettingsField::Company | SettingsField::CompanyAddress | SettingsField::CompanyLogo),
+                text,
+            ) => self.company.type_text(field, text),
+            SettingsCommand::LogoRead { path, result } => self.company.take_logo(&path, result),
             SettingsCommand::Gauge(command) => self.gauges.apply(command, shared),
             SettingsCommand::Show(section) => {
                 self.section = section;
@@ -128,10 +141,13 @@ impl PageState for SettingsPage {
         if *news == News::StatusWindow {
             self.search(shared);
         }
+        if *news == News::Opened(Page::Reports) {
+            self.company.read_again();
+        }
     }
 
     fn take_errands(&mut self) -> Vec<Effect> {
-        self.gauges.take_errands()
+        self.gauges.take_errands().into_iter().chain(self.company.take_errand()).collect()
     }
 
     fn typed(field: SettingsField, text: String) -> SettingsCommand {
@@ -143,13 +159,13 @@ impl PageState for SettingsPage {
             SettingsField::Find => &self.query,
             SettingsField::NewPin => &self.new_pin,
             SettingsField::Pin => self.pin.as_deref().unwrap_or(""),
-            field => self.gauges.text(field),
+            field => self.company.text(field).unwrap_or_else(|| self.gauges.text(field)),
         }
     }
 
     fn error(&self, field: SettingsField) -> Option<&Message> {
         let of_pin = self.pin_error.as_ref().filter(|(of, _)| *of == field).map(|(_, error)| error);
-        of_pin.or_else(|| self.gauges.error(field))
+        of_pin.or_else(|| self.company.error(field)).or_else(|| self.gauges.error(field))
     }
 
     fn closes(&self) -> Option<Command> {

@@ -119,6 +119,11 @@ const fn of_check(
     row(section, names.0, names.1, Control::Field(Field::Check(field), unit, &[]))
 }
 
+/// Something that stands at the top of reports.
+const fn of_company(names: (&'static str, &'static str), field: SettingsField) -> Setting {
+    row(Section::Records, names.0, names.1, Control::Field(Field::Settings(field), "", &[]))
+}
+
 /// Something of the gauge that is shown.
 const fn of_gauge(names: (&'static str, &'static str), control: Control) -> Setting {
     row(Section::Gauges, names.0, names.1, control).when(has_gauge)
@@ -314,6 +319,9 @@ pub const SETTINGS: &[Setting] = &[
     row(Section::Records, "settings-page-journal", "settings-page-journal-about", Control::Told(Told::Journal)),
     row(Section::Records, "records-page-who", "settings-page-who-about", Control::Who),
     row(Section::Records, "settings-page-station", "settings-page-station-about", Control::Told(Told::Station)),
+    of_company(("settings-page-company", "settings-page-company-about"), SettingsField::Company),
+    of_company(("settings-page-company-address", "settings-page-company-address-about"), SettingsField::CompanyAddress),
+    of_company(("settings-page-company-logo", "settings-page-company-logo-about"), SettingsField::CompanyLogo),
     row(
         Section::ShopServer,
         "settings-page-server",

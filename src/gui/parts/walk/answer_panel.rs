@@ -15,7 +15,7 @@ use crate::gui::verdict_card::{
 };
 use crate::gui::view::{Digits, View, problem, quiet, remembered, steady};
 use crate::message::{Message, message};
-use crate::report::RENDERINGS;
+use crate::report::of_any_paper;
 use crate::session::PartsAction;
 use crate::session::parts::{Headline, Value, Walking};
 use crate::session::{Keeping, Question, Recorded};
@@ -213,7 +213,7 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
             ui.add_enabled_ui(walking.is_begun(), |ui| {
                 theme::looking(ui, theme::tonal, |ui| {
                     ui.menu_button(view.text("walk-page-report"), |ui| {
-                        for number in 0..RENDERINGS.len() {
+                        for number in of_any_paper() {
                             view.menu_item(ui, PartsAction::ReportPart(number));
                         }
                     });

@@ -19,11 +19,13 @@ use fitcheck_core::probing::{Circle, Contact};
 use fitcheck_core::verdict::{Removal, Status};
 use fitcheck_core::words::Words;
 
+use super::changes::Changes;
 use super::origins::{self, Entry};
 use super::part::PartSheet;
 use super::picture;
-use super::said::{cause, decimals_of, nearest, undecided};
+use super::said::{cause, decimals_of, nearest, title, undecided};
 use super::seen::ReportSurvey;
+use super::template::{Company, Section as Shown};
 use super::text;
 use super::told::printable;
 use super::{Rendering, Report};
@@ -34,6 +36,7 @@ pub const RENDERING: Rendering = Rendering {
     title: "HTML",
     is_for_people: true,
     is_checks_alone: false,
+    is_label_alone: false,
     endings: &["html", "htm"],
     render,
 };
@@ -63,12 +66,22 @@ trait Part: Template {
     }
 }
 
+/// Who stands at the top of the page.
+struct CompanyView {
+    name: String,
+    address: Vec<String>,
+    /// The address of the logo, or why there is none.
+    logo: Option<String>,
+    no_logo: Option<String>,
+}
+
 /// Up to what the report is about.
 #[derive(Template)]
 #[template(path = "head.html", config = "../../assets/report/askama.toml")]
 struct Head<'a> {
     words: &'a Words,
     title: String,
+    company: Option<CompanyView>,
     entries: Vec<Entry>,
     /// Whether a check has guard bands, which have their own look.
     has_guards: bool,
@@ -91,6 +104,8 @@ struct PartSection<'a> {
 #[template(path = "notes.html", config = "../../assets/report/askama.toml")]
 struct Notes<'a> {
     words: &'a Words,
+    /// What changed since an earlier report, below the sentence that says so.
+    changes: Option<(String, Vec<String>)>,
     told: Vec<String>,
     summary: Option<Summary>,
 }
@@ -124,6 +139,8 @@ struct Annex<'a> {
 #[template(path = "foot.html", config = "../../assets/report/askama.toml")]
 struct Foot<'a> {
     words: &'a Words,
+    /// What whoever signs says of the rule, and the statement of conformity, where the template has them.
+    said: Vec<String>,
     inspector: &'a str,
 }
 
@@ -204,11 +221,12 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     let seen = ReportSurvey::of(report, MOST_CHECKS)?;
     let head = Head {
         words,
-        title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
+        title: title(report, words),
+        company: company(report, words),
         entries: entries(report, &seen, words),
         has_guards: 0 < seen.guarded,
         has_parts: !report.parts.is_empty(),
-        has_pictures: part::have_pictures(&report.parts),
+        has_pictures: part::have_pictures(&report.parts) || has_logo(report),
         program: &report.program,
     };
     head.write(out)?;
@@ -216,12 +234,15 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     for part in &report.parts {
         PartSection { words, part: parts.view(part, words).map_err(io::Error::other)? }.write(out)?;
     }
+    let said =
+        |changes: &Changes| (words.say(&changes.heading()), changes.lines.iter().map(|line| words.say(line)).collect());
     let notes = Notes {
         words,
+        changes: report.changes.as_ref().map(said),
         told: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
         summary: (1 < seen.total).then(|| summary(&seen, &report.parts, words)),
     };
-    if !notes.told.is_empty() || notes.summary.is_some() {
+    if notes.changes.is_some() || !notes.told.is_empty() || notes.summary.is_some() {
         notes.write(out)?;
     }
     let made = |number, record: &Record| check(number, record, words).map_err(io::Error::other);
@@ -241,7 +262,29 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
             Annex { words, check: &made(number, record)? }.write(out)
         })?;
     }
-    Foot { words, inspector: report.inspector.as_deref().unwrap_or("") }.write(out)
+    Foot { words, said: closing(report, &seen, words), inspector: report.inspector.as_deref().unwrap_or("") }.write(out)
+}
+
+fn company(report: &Report, words: &Words) -> Option<CompanyView> {
+    let Company { name, address, .. } = report.template.company.clone();
+    let (logo, no_logo) = match &report.template.logo {
+        Some(Ok(image)) => (Some(image.address()), None),
+        Some(Err(why)) => (None, Some(words.say(why))),
+        None => (None, None),
+    };
+    let is_there = !name.is_empty() || !address.is_empty() || logo.is_some() || no_logo.is_some();
+    is_there.then_some(CompanyView { name, address, logo, no_logo })
+}
+
+fn has_logo(report: &Report) -> bool {
+    matches!(report.template.logo, Some(Ok(_)))
+}
+
+/// What stands above the signature: in the words of whoever signs, and the statement of conformity, where the template has them.
+pub(super) fn closing(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<String> {
+    let rule = Some(report.template.rule_text.clone()).filter(|text| !text.is_empty());
+    let statement = report.template.has(Shown::Statement).then(|| words.say(&seen.statement(report)));
+    rule.into_iter().chain(statement).collect()
 }
 
 /// The head: what the report is about, and what all checks have in common.

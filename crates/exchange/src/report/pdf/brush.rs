@@ -156,7 +156,7 @@ impl<'a> Brush<'a> {
 }
 
 /// How far the middle of an icon is above its base line, in ems.
-const MIDDLE: f32 = 0.4375;
+pub(super) const MIDDLE: f32 = 0.4375;
 
 /// Something that is in the file once, however often it is drawn.
 fn kept(surface: &mut Surface<'_>, draw: impl FnOnce(&mut Surface<'_>)) -> Graphic {

@@ -1,7 +1,6 @@
 //! The end of the report: notes, what is attached, the signature; then what stands on every page.
 
-use fitcheck_core::message::{Message, message};
-use fitcheck_core::verdict::Status;
+use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 
 use super::attach::{Attachments, MOST};
@@ -72,7 +71,7 @@ pub(super) fn write_end(flow: &mut Flow<'_>, report: &Report, seen: &ReportSurve
         let section = flow.tags.add(Tags::ROOT, Kind::Section);
         flow.y += GAP;
         flow.room(3.0 * STRONG.line());
-        flow.paragraph(section, STRONG, &words.say(&statement(report, seen)));
+        flow.paragraph(section, STRONG, &words.say(&seen.statement(report)));
     }
     let newest = report.journal.as_ref().and_then(|journal| journal.newest).filter(|_| template.has(Section::Code));
     let code = newest.and_then(|head| Code::of(&head.hash.to_string()).map(|code| (head, code)));
@@ -96,25 +95,6 @@ pub(super) fn write_end(flow: &mut Flow<'_>, report: &Report, seen: &ReportSurve
         write_signature(flow, report, right, words);
     }
     flow.y = flow.bottom();
-}
-
-/// What the values say together: only measured and complete ones within their limits are a statement of conformity.
-fn statement(report: &Report, seen: &ReportSurvey) -> Message {
-    let good = seen.counts.get(Status::Good.at()).copied().unwrap_or(0);
-    let open: usize = report.parts.iter().map(|part| part.missing().len() + part.left_out().len()).sum();
-    let bad = seen.total.saturating_sub(good) + seen.beyond;
-    if 0 < bad {
-        message!("report-statement-not").count("bad", bad).count("count", seen.total)
-    } else if 0 < seen.simulated {
-        message!("report-statement-simulated").count("count", seen.simulated)
-    } else if 0 < seen.doubted {
-        // A value that may be another quantity or another part's proves nothing.
-        message!("report-pdf-doubted").count("count", seen.doubted).count("total", seen.total)
-    } else if 0 < open || seen.total == 0 {
-        message!("report-statement-open").count("count", open)
-    } else {
-        message!("report-statement-conforms").count("count", seen.total)
-    }
 }
 
 fn write_signature(flow: &mut Flow<'_>, report: &Report, right: f32, words: &Words) {

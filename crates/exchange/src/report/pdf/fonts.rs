@@ -37,8 +37,12 @@ struct Found {
     advance: f32,
 }
 
+/// A glyph to be drawn by its outline: its font, its number there, and its width in ems.
+pub(super) type Drawn = (FontRef<'static>, skrifa::GlyphId, f32);
+
 struct Face {
     font: Font,
+    all: FontRef<'static>,
     low: Vec<Option<Found>>,
     /// Sorted.
     high: Vec<(char, Found)>,
@@ -68,7 +72,11 @@ impl Face {
             }
         }
         high.sort_unstable_by_key(|(sign, _)| *sign);
-        Ok(Self { font, low, high })
+        Ok(Self { font, all, low, high })
+    }
+
+    fn drawn(&self, found: Found) -> Drawn {
+        (self.all.clone(), skrifa::GlyphId::new(found.glyph), found.advance)
     }
 
     fn find(&self, sign: char) -> Option<Found> {
@@ -182,6 +190,19 @@ impl Fonts {
             }
         }
         runs
+    }
+
+    /// The glyphs of a text one by one, for a picture.
+    pub fn drawn<'a>(&'a self, text: &'a str, weight: Weight) -> impl Iterator<Item = Drawn> + 'a {
+        text.chars().map(move |sign| {
+            let (face, found) = self.find(sign, weight);
+            face.drawn(found)
+        })
+    }
+
+    /// An icon, for a picture.
+    pub fn drawn_icon(&self, sign: char) -> Option<Drawn> {
+        self.icons.find(sign).map(|found| self.icons.drawn(found))
     }
 
     /// The outline of an icon: its font, its glyph, and its width in ems.

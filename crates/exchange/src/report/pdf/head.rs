@@ -26,13 +26,6 @@ const CARD: f32 = 0.43;
 /// The columns of labels and values beside the card.
 const COLUMNS: u8 = 3;
 
-/// The title of the report: its own, that of its template, or the usual one.
-pub(super) fn title(report: &Report, words: &Words) -> String {
-    let of_template = || report.template.text(&report.template.title, words);
-    let mut titles = std::iter::once(report.title.clone()).chain(std::iter::once_with(of_template));
-    titles.find(|title| !title.is_empty()).unwrap_or_else(|| words.get("report-title"))
-}
-
 /// Writes title, and what the report is about; on the right the company.
 pub(super) fn write_title(
     flow: &mut Flow<'_>,
@@ -213,7 +206,7 @@ fn value(report: &Report, field: HeadField, words: &Words) -> Option<String> {
 }
 
 /// So many notes stand on the first page; more stand at the end, and the first page says so.
-pub(super) const MOST_NOTES: usize = 6;
+pub(super) const MOST_NOTES: usize = 8;
 
 /// What is special about the checks, in numbers, and what the report notes.
 pub(super) fn signals(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<String> {

@@ -5,6 +5,7 @@ use fitcheck_core::words::Words;
 use super::card::Card;
 use super::code::Code;
 use super::flow::{Flow, base};
+use super::fonts::ELLIPSIS;
 use super::head::DATE;
 use super::look::{Style, TEXT, VALUE, WORD};
 use super::sheet::{Area, Edge, Shape};
@@ -53,6 +54,7 @@ pub(super) fn write(
     }
     // What must be known comes before what the label is of.
     lines.extend(first);
+    let known = lines.len();
     let entries = super::head::entries(report, words);
     lines.extend(entries.into_iter().map(|entry| entry.value).filter(|value| !value.is_empty()));
     if entries_lack_date(report) {
@@ -62,10 +64,13 @@ pub(super) fn write(
         ((height - 2.0 * SIDE - tall) / 1.3 / super::cells::count(lines.len().max(1))).clamp(4.5, VALUE.size + 1.0);
     let style = Style { size, ink: TEXT, ..VALUE };
     let mut y = SIDE + tall;
-    for line in lines {
-        if height - SIDE + 1.0 < y + style.line() {
+    for (number, line) in (1..).zip(lines) {
+        let fits = |y: f32| y + style.line() <= height - SIDE + 1.0;
+        if !fits(y) {
             break;
         }
+        // Where not all of it has room, that is seen.
+        let line = if number < known && !fits(y + style.line()) { ELLIPSIS.to_string() } else { line };
         let element = flow.tags.add(section, Kind::Paragraph);
         let line = flow.wrap(&line, style, room, 1).concat();
         flow.say(Some(element), [SIDE, base(y, style.line(), style)], style, format!("{line} "));

@@ -11,7 +11,7 @@
 //! | `lot` | many parts with their verdicts, the worst first |
 //! | `closing`, `code` | notes, statement, signature and code, and what stands on every page |
 //! | `label` | the answer on a label |
-//! | `pages` | the pages for a window |
+//! | `pages`, `raster` | the pages for a window; a page as a picture |
 //! | `flow`, `wrap`, `fonts`, `look` | where things go: pages, lines, letters, colours and sizes |
 //! | `sheet`, `tags` | pages as plain values, and their logical structure |
 //! | `attach`, `emit`, `brush`, `paths` | the data as attachments; plain values become a file |
@@ -44,6 +44,7 @@ mod pages;
 mod parts;
 mod paths;
 mod pictures;
+mod raster;
 mod rows;
 mod sheet;
 mod signs;
@@ -62,15 +63,23 @@ use flow::Flow;
 use fonts::Fonts;
 pub use pages::{Canvas, CanvasEdge, Pages, PictureDots};
 use pictures::Pictures;
+pub(super) use raster::raster;
 use tags::{Kind, TagId, Tags};
 
-use super::said::heading;
+use super::said::{heading, title};
 use super::seen::ReportSurvey;
 use super::template::Section;
 use super::{Rendering, Report};
 
-pub const RENDERING: Rendering =
-    Rendering { name: "pdf", title: "PDF", is_for_people: true, is_checks_alone: false, endings: &["pdf"], render };
+pub const RENDERING: Rendering = Rendering {
+    name: "pdf",
+    title: "PDF",
+    is_for_people: true,
+    is_checks_alone: false,
+    is_label_alone: false,
+    endings: &["pdf"],
+    render,
+};
 
 /// The most checks that the pages list: some 500 pages.
 pub const MOST_CHECKS: usize = 20_000;
@@ -111,7 +120,7 @@ fn made(
     let fonts = Fonts::new()?;
     let pictures = Pictures::of(report, refused);
     let mut flow = Flow::new(&fonts, report.paper.points());
-    let title = head::title(report, words);
+    let name = title(report, words);
     let outline = set(&mut flow, report, (seen, attachments, &pictures), words)?;
     let Flow { sheets, tags, .. } = flow;
     let book = Book {
@@ -121,7 +130,7 @@ fn made(
         tags,
         pictures: pictures.all,
         outline,
-        title,
+        title: name,
         language: words.language().code(),
     };
     emit::bytes(book, report, attachments)
@@ -142,7 +151,7 @@ fn set(
         return Ok(Vec::new());
     }
     let outline = write(flow, report, (seen, attachments, pictures), words)?;
-    closing::write_running(flow, report, (&head::title(report, words), simulated), words);
+    closing::write_running(flow, report, (&title(report, words), simulated), words);
     Ok(outline)
 }
 
@@ -156,8 +165,8 @@ fn pages(report: &Report, words: &Words) -> io::Result<Pages> {
 
 fn set_pages(report: &Report, words: &Words) -> io::Result<Pages> {
     let fonts = Fonts::new()?;
-    let attachments = Attachments::of(report, words)?;
     let seen = ReportSurvey::of(report, MOST_CHECKS)?;
+    let attachments = Attachments::named(report, words, &seen)?;
     let pictures = Pictures::of(report, None);
     let mut flow = Flow::new(&fonts, report.paper.points());
     set(&mut flow, report, (&seen, &attachments, &pictures), words)?;
@@ -171,13 +180,13 @@ fn write(
     (seen, attachments, pictures): (&ReportSurvey, &Attachments, &Pictures),
     words: &Words,
 ) -> io::Result<Vec<(String, usize, f32)>> {
-    let title = head::title(report, words);
-    let mut outline = vec![(title.clone(), 0, 0.0)];
+    let name = title(report, words);
+    let mut outline = vec![(name.clone(), 0, 0.0)];
     let about = match report.parts.as_slice() {
         [only] => heading(only, words),
         _ => report.part.clone().unwrap_or_default(),
     };
-    head::write_title(flow, (report, pictures), [&title, &about], words);
+    head::write_title(flow, (report, pictures), [&name, &about], words);
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
     let card = answer(report, seen, words)?;
     let shows = |section| report.template.has(section);
@@ -186,6 +195,10 @@ fn write(
     // A sheet that is filled in by hand lacks every value.
     if !report.template.is_blank() {
         write_first(flow, section, report, seen, words);
+    }
+    if let Some(changes) = &report.changes {
+        let lines = std::iter::once(changes.heading()).chain(changes.lines.iter().cloned());
+        head::write_signals(flow, section, &lines.map(|line| words.say(&line)).collect::<Vec<_>>());
     }
     if shows(Section::Rule) {
         head::write_sentences(flow, section, &seen.shared.entries(words));

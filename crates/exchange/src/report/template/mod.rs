@@ -15,6 +15,7 @@
 //! To add a section, a column or a head field: a line in `parts`, its text in the locales, and drawing it in `pdf`.
 
 mod parts;
+mod sample;
 
 use std::collections::BTreeSet;
 use std::hash::Hash;
@@ -210,6 +211,12 @@ impl Template {
         let name = self.company.logo.as_str();
         let logo = (!name.is_empty()).then(|| read(name).and_then(|bytes| Image::read(name, &bytes)));
         Self { logo, ..self }
+    }
+
+    /// The same with a company and its logo, or why that is not shown.
+    #[must_use]
+    pub fn of_company(&self, company: Company, logo: Option<Result<Image, Message>>) -> Self {
+        Self { company, logo, ..self.clone() }
     }
 
     /// A text of it in a language: those of a shipped one are names of texts.

@@ -29,14 +29,22 @@ use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 use rust_xlsxwriter::{DocProperties, Workbook, XlsxError};
 
+use super::said::title;
 use super::seen::ReportSurvey;
 use super::told::on_one_line;
 use super::{Rendering, Report};
 use cells::{Looks, Paper, excel_time};
 use names::SheetNames;
 
-pub const RENDERING: Rendering =
-    Rendering { name: "xlsx", title: "XLSX", is_for_people: true, is_checks_alone: false, endings: &["xlsx"], render };
+pub const RENDERING: Rendering = Rendering {
+    name: "xlsx",
+    title: "XLSX",
+    is_for_people: true,
+    is_checks_alone: false,
+    is_label_alone: false,
+    endings: &["xlsx"],
+    render,
+};
 
 /// The most checks of a workbook, far below the 1 048 576 rows of a sheet: it takes some 100 MB of memory to write, and as much to open.
 pub const MOST_CHECKS: usize = 50_000;
@@ -107,7 +115,7 @@ impl Book<'_> {
     }
 
     fn title(&self) -> String {
-        if self.report.title.is_empty() { self.words.get("report-title") } else { self.report.title.clone() }
+        title(self.report, self.words)
     }
 
     /// Writes a text, and counts it where it is too long for a cell.

@@ -1,0 +1,50 @@
+//! A label as a picture for printers that take no PDF: PNG, 300 dots an inch, black and white with the greys of smooth edges.
+//!
+//! It is drawn from the same plain values as the label of the PDF. It has no data attached: the code on the label leads back to its record. The
+//! same report always gives the same bytes.
+
+use std::io::{self, Write};
+
+use fitcheck_core::words::Words;
+use png::{BitDepth, ColorType, Encoder, PixelDimensions, Unit};
+
+use super::pdf::{Pages, raster};
+use super::{RenderError, Rendering, Report};
+
+pub const RENDERING: Rendering = Rendering {
+    name: "png",
+    title: "PNG",
+    is_for_people: true,
+    is_checks_alone: false,
+    is_label_alone: true,
+    endings: &["png"],
+    render,
+};
+
+/// Dots an inch.
+const FINENESS: u32 = 300;
+
+/// The same, a metre.
+const FINENESS_PER_METRE: u32 = 11_811;
+
+/// How much is written at once.
+const PIECE: usize = 16 << 10;
+
+fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
+    let refused = || io::Error::other(RenderError::LabelAlone { format: RENDERING.title }.to_string());
+    let [width, height] = report.paper.label_mm().ok_or_else(refused)?.map(dots);
+    let grey = raster(&Pages::of(report, words)?, [width, height])?;
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, width, height);
+    encoder.set_color(ColorType::Grayscale);
+    encoder.set_depth(BitDepth::Eight);
+    let (xppu, yppu) = (FINENESS_PER_METRE, FINENESS_PER_METRE);
+    encoder.set_pixel_dims(Some(PixelDimensions { xppu, yppu, unit: Unit::Meter }));
+    encoder.write_header().and_then(|mut writer| writer.write_image_data(&grey)).map_err(io::Error::other)?;
+    bytes.chunks(PIECE).try_for_each(|piece| out.write_all(piece))
+}
+
+/// Dots of so many millimetres, to the nearest one.
+const fn dots(mm: u32) -> u32 {
+    (mm * FINENESS * 10 + 127) / 254
+}
