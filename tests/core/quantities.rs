@@ -370,7 +370,10 @@ fn files_of_other_tools_with_another_quantity_or_nominal_size_are_not_that_featu
     let header = "id\ttype\tidsymbol\tactual\tnominal\tuppertol\tlowertol\tdeviation\texceed\tunit\t\n";
     for (row, words) in [
         ("BORE_A\tD1\tdiameter\t25.012\t25\t0.021\t0\t0.012\t\tmm\t\n", "GOOD"),
-        ("BORE_A\tD1\tdiameter\t40.012\t40\t0.021\t0\t0.012\t\tmm\t\n", "its limits 40 … 40.021 have nothing in common"),
+        (
+            "BORE_A\tD1\tdiameter\t40.012\t40\t0.021\t0\t0.012\t\tmm\t\n",
+            "its limits 40 … 40.021 have nothing in common",
+        ),
         ("BORE_A\tR1\tradius\t25.012\t25\t0.021\t0\t0.012\t\tmm\t\n", "not judged"),
         ("BORE_A\tX1\txValue\t25.012\t25\t0.021\t0\t0.012\t\tmm\t\n", "not judged"),
     ] {

@@ -9,13 +9,14 @@ use std::sync::Arc;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::FilePlace;
 use fitcheck_core::probing::{Measurement, Origin};
-use fitcheck_core::tolerance::{Callout, Deviations, Feature, Limits, LimitsError, Source as LimitSource};
+use fitcheck_core::tolerance::{Callout, Feature, Limits, LimitsError};
 use fitcheck_core::verdict::judge_size;
 use jiff::civil::DateTime;
 
 use super::claim::ClaimAnswer;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::{Labels, Sink, StatedLimits, Unjudged, WhyUnjudged};
+use super::limits::{Given, NoLimits};
 use super::source::Context;
 use crate::journal::Record;
 
@@ -149,7 +150,13 @@ impl Characteristic {
     ) -> Result<(Option<Callout>, Limits), NoLimits> {
         match &self.what {
             CharacteristicKind::Size => {}
-            CharacteristicKind::Length(otherwise) => return self.own_limits(otherwise, context),
+            CharacteristicKind::Length(otherwise) => {
+                return match self.said().limits(given(context, None, false)) {
+                    Ok(limits) => Ok((None, limits)),
+                    Err(NoLimits::Unjudged(WhyUnjudged::NoCallout)) => Err(NoLimits::Unjudged(otherwise.clone())),
+                    Err(why) => Err(why),
+                };
+            }
             CharacteristicKind::Quantity(quantity) => {
                 return Err(NoLimits::Unjudged(WhyUnjudged::Quantity { quantity: *quantity }));
             }
@@ -188,50 +195,12 @@ impl Characteristic {
             None if !self.class.is_empty() => warn(ImportWarningKind::ClassUnknown { given: self.class.clone() }),
             None => {}
         }
-        if maximum < minimum {
-            return Err(NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }));
-        }
-        let nominal = self.nominal.unwrap_or(minimum);
-        let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
-        let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
-        let deviations = Deviations::new(upper, lower);
-        let deviations =
-            deviations.map_err(|_swapped| NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }))?;
-        let from = LimitSource::File(Arc::clone(&context.file));
-        let limits = Limits::new(self.feature(), nominal, deviations, from).ok_or_else(too_large)?;
-        context.sources.proportionate(&limits.bounds()).map_err(|error| NoLimits::Refused(Box::new(error)))?;
-        Ok((None, limits))
+        let stated = StatedLimits { minimum: Some(minimum), maximum: Some(maximum), ..self.said() };
+        Ok((None, stated.limits(given(context, self.feature(), true))?))
     }
 }
 
-impl Characteristic {
-    /// The limits of a length that is no size of a hole or shaft: those of the file. A form or a place that has its largest value alone has
-    /// 0 as the smallest one.
-    fn own_limits(
-        &self,
-        otherwise: &WhyUnjudged,
-        context: &Context<'_>,
-    ) -> Result<(Option<Callout>, Limits), NoLimits> {
-        let from_zero = self.nominal.is_none_or(|nominal| nominal == Length::ZERO).then_some(Length::ZERO);
-        let (minimum, maximum) = match (self.minimum.or(from_zero), self.maximum) {
-            (Some(minimum), Some(maximum)) => (minimum, maximum),
-            (_, None) if self.minimum.is_none() => {
-                return Err(NoLimits::Unjudged(otherwise.clone()));
-            }
-            _ => return Err(NoLimits::Unjudged(WhyUnjudged::OneLimit)),
-        };
-        let nominal = self.nominal.unwrap_or(minimum);
-        let swapped = |_order| NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum });
-        let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
-        let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
-        let from = LimitSource::File(Arc::clone(&context.file));
-        let limits = Limits::new(None, nominal, Deviations::new(upper, lower).map_err(swapped)?, from);
-        Ok((None, limits.ok_or_else(too_large)?))
-    }
-}
-
-/// Why a value is not judged.
-enum NoLimits {
-    Unjudged(WhyUnjudged),
-    Refused(Box<LimitsError>),
+/// What is known of a value besides its limits.
+const fn given<'a>(context: &'a Context<'_>, feature: Option<Feature>, is_size: bool) -> Given<'a> {
+    Given { feature, is_size, file: &context.file, sources: context.sources }
 }

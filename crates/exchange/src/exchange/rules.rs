@@ -7,7 +7,9 @@ use std::sync::Arc;
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Say as _;
-use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, LimitsError, Sources, Tolerance, ToleranceClass};
+use fitcheck_core::tolerance::{
+    Callout, CalloutError, Feature, Limits, LimitsError, Sources, Tolerance, ToleranceClass,
+};
 
 use super::band;
 use super::cells;

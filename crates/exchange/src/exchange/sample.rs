@@ -122,7 +122,8 @@ impl Sample {
         let best = pairs.into_iter().find_map(|(top, bottom)| {
             let (above, below) = (row(top)?, row(bottom)?);
             let names = merged(above, below);
-            let is_more = named(above).max(named(below)) < named(&names) && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
+            let is_more = named(above).max(named(below)) < named(&names)
+                && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
             let is_units = stated::is_row_of_units(above, below);
             (can_be(above) && can_be(below) && !is_units && is_more).then_some((top?, bottom?, names))
         });
@@ -229,7 +230,8 @@ fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
     let is_header = |at: usize| rows.get(at).is_some_and(|(_, cells)| !is_data(cells));
     // Of several lines of names, that of measured values: "Part Name;Plate;Serial;S-7" may be names, too.
     let has_values = |cells: &StringRecord| {
-        let is_measured = |cell: &str| words::role(cell).is_some_and(|(role, rank)| role == Role::Measured && rank != Rank::Unsure);
+        let is_measured =
+            |cell: &str| words::role(cell).is_some_and(|(role, rank)| role == Role::Measured && rank != Rank::Unsure);
         cells.iter().any(is_measured) || names_samples(cells)
     };
     let below = above().position(|(_, cells)| is_data(cells) || names(cells) && has_values(cells));
@@ -244,8 +246,7 @@ fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
 /// Whether a row names columns of samples by numbers, and others.
 fn names_samples(cells: &StringRecord) -> bool {
     let samples = samples::counted(cells);
-    let others: StringRecord =
-        (0..).zip(cells).filter(|(at, _)| !samples.contains(at)).map(|(_, cell)| cell).collect();
+    let others: StringRecord = (0..).zip(cells).filter(|(at, _)| !samples.contains(at)).map(|(_, cell)| cell).collect();
     !samples.is_empty() && may_be_names(&others)
 }
 
@@ -259,7 +260,8 @@ fn merged(top: &StringRecord, bottom: &StringRecord) -> StringRecord {
             group = above;
         }
         let both = format!("{group} {below}").trim().to_owned();
-        let known = [both.as_str(), below, group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
+        let known =
+            [both.as_str(), below, group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
         known.unwrap_or(both)
     };
     (0..top.len().max(bottom.len())).map(name).collect()

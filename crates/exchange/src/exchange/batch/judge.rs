@@ -11,11 +11,11 @@ use super::layout::utf8;
 use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
+use crate::exchange::column::LengthColumn;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
-use crate::exchange::column::LengthColumn;
 use crate::exchange::left_out;
 use crate::exchange::limits::LimitColumns;
 use crate::exchange::row::{Part, TextRow};
@@ -323,7 +323,10 @@ impl Judge<'_> {
             None => None,
         };
         let (nominal, deviations) = bounds_of(row, limits, nominal, said)?;
-        let feature = self.side(row.cell(fast.side?.at())?)?;
+        let feature = match fast.side {
+            Some(side) => self.side(row.cell(side.at())?),
+            None => None,
+        };
         let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
         self.court.sources.proportionate(&bounds).ok()?;
         self.give(row, &Judged::new(bounds, measured), None, tally, take);

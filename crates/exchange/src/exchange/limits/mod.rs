@@ -67,7 +67,8 @@ impl LimitColumns {
         let [upper, lower] = &self.names;
         let minus = (self.are == LimitsAre::UnsignedDeviations)
             .then(|| ImportWarningKind::MinusSupplied { column: lower.clone() });
-        let columns = || [upper.as_str(), lower.as_str()].into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>();
+        let columns =
+            || [upper.as_str(), lower.as_str()].into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>();
         let limits = self.is_concluded.then(|| ImportWarningKind::LimitsRead { columns: columns().join(", ") });
         minus.into_iter().chain(limits)
     }

@@ -357,6 +357,14 @@ pub(super) fn roles(columns: &Columns) -> Vec<Option<Role>> {
     let samples = samples.into_iter().map(|at| (Role::Sample, Some(at)));
     let times = columns.time.iter().map(|at| (Role::Time, Some(*at)));
     let quantities = columns.quantities.iter().map(|column| (Role::Quantity, Some(column.at)));
-    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(samples).chain(times).chain(quantities).chain(limits).chain(units).chain(beside).collect();
+    let all: Vec<(Role, Option<usize>)> = one
+        .into_iter()
+        .chain(samples)
+        .chain(times)
+        .chain(quantities)
+        .chain(limits)
+        .chain(units)
+        .chain(beside)
+        .collect();
     (0..columns.count).map(|at| all.iter().find(|(_, of)| *of == Some(at)).map(|(role, _)| *role)).collect()
 }
