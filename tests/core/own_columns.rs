@@ -166,7 +166,9 @@ fn without_the_column_the_error_says_which_there_are() {
 #[test]
 fn a_name_that_means_something_else_is_no_class() {
     let is_class = |text: &str| text.parse::<ToleranceClass>().is_ok();
-    for name in ["mm", "MM", "um", "in", "IN", "inch", "Inch", "nr", "NR", "BEREICH", "BEREIK", "MAX", "ref", "f", "M", "c", "V"] {
+    for name in [
+        "mm", "MM", "um", "in", "IN", "inch", "Inch", "nr", "NR", "BEREICH", "BEREIK", "MAX", "ref", "f", "M", "c", "V",
+    ] {
         assert!(!is_class(name), "{name}");
     }
     for name in ["7", "7H", "P_F", "P-F", "PFÄ", "ABCDEFGHI", "", "H7x", "P F", "P/F"] {
