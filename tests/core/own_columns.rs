@@ -166,7 +166,9 @@ fn without_the_column_the_error_says_which_there_are() {
 #[test]
 fn a_name_that_means_something_else_is_no_class() {
     let is_class = |text: &str| text.parse::<ToleranceClass>().is_ok();
-    for name in ["mm", "MM", "um", "in", "IN", "inch", "Inch", "nr", "NR", "BEREICH", "BEREIK", "f", "M", "c", "V"] {
+    for name in [
+        "mm", "MM", "um", "in", "IN", "inch", "Inch", "nr", "NR", "BEREICH", "BEREIK", "MAX", "ref", "f", "M", "c", "V",
+    ] {
         assert!(!is_class(name), "{name}");
     }
     for name in ["7", "7H", "P_F", "P-F", "PFÄ", "ABCDEFGHI", "", "H7x", "P F", "P/F"] {
@@ -178,10 +180,7 @@ fn a_name_that_means_something_else_is_no_class() {
     }
     assert!(matches!("Pf".parse::<ToleranceClass>(), Err(ClassError::MixedCase { .. })));
     let said = |text: &str| text.parse::<Callout>().map_or_else(|error| error.to_string(), |read| read.to_string());
-    assert_eq!(
-        said("25 in"),
-        "in is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)"
-    );
+    assert_eq!(said("25 in"), "25 in is 635 mm: write size and tolerance in millimetres");
     assert_eq!(said("10m"), "10m");
     assert_eq!(
         said("25mmPF"),

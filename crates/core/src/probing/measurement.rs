@@ -219,6 +219,7 @@ impl Caveat {
 }
 
 /// Micrometres with their sign.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "derive(Say) hands over references")]
 fn micrometres(length: &Length) -> String {
     length.signed_um()
 }

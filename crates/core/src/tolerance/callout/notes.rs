@@ -264,7 +264,11 @@ impl Notes {
         let stated = self
             .stated
             .map_or_else(String::new, |stated| format!(" ({} {})", signed(stated.upper()), signed(stated.lower())));
-        let modifiers: String = self.modifiers.iter().map(|modifier| format!(" {modifier}")).collect();
-        format!("{count}{text}{form}{stated}{modifiers}")
+        let mut whole = format!("{count}{text}{form}{stated}");
+        for modifier in self.modifiers.iter() {
+            whole.push(' ');
+            whole.push_str(&modifier.to_string());
+        }
+        whole
     }
 }

@@ -33,12 +33,12 @@ impl Drawing<'_> {
     pub(super) fn refuse(&self) -> Result<(), CalloutError> {
         let place = self.whole();
         let text = self.slice(&place);
-        kind(&text).map_or(Ok(()), |kind| Err(self.error(&place, kind)))
+        kind(&text, self.given.trim()).map_or(Ok(()), |kind| Err(self.error(&place, kind)))
     }
 }
 
-fn kind(text: &str) -> Option<Kind> {
-    let given = || shorten(text);
+fn kind(text: &str, as_given: &str) -> Option<Kind> {
+    let given = || shorten(as_given);
     let capital = text.to_ascii_uppercase();
     let words: Vec<&str> = capital.split_whitespace().map(|word| word.trim_matches(['.', ',', ';'])).collect();
     let has = |known: &[&str]| words.iter().any(|word| known.contains(word));
@@ -59,7 +59,7 @@ fn kind(text: &str) -> Option<Kind> {
     let first = words.first().copied().unwrap_or("");
     let is_thread = |name: &&str| first.strip_prefix(*name).is_some_and(|rest| rest.starts_with(is_number));
     let is_two_words = first == "G" && words.get(1).is_some_and(|word| word.starts_with(is_number));
-    if THREADS.iter().any(|name| is_thread(&name)) || is_two_words || has_thread_word(&words) {
+    if THREADS.iter().any(is_thread) || is_two_words || has_thread_word(&words) {
         return Some(Kind::Thread { given: given() });
     }
     let ansi = words.iter().zip(words.iter().skip(1)).find(|(name, grade)| ANSI.contains(name) && is_grade(grade));
