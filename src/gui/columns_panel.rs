@@ -13,7 +13,7 @@ use crate::session::WindowAction;
 use crate::session::{ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.
-const ROLES: [Role; 14] = [
+const ROLES: [Role; 25] = [
     Role::Id,
     Role::Number,
     Role::Tolerance,
@@ -28,6 +28,17 @@ const ROLES: [Role; 14] = [
     Role::Z,
     Role::Simulated,
     Role::Quantity,
+    Role::Upper,
+    Role::Lower,
+    Role::Minus,
+    Role::Maximum,
+    Role::Minimum,
+    Role::Kind,
+    Role::Units,
+    Role::Status,
+    Role::Machine,
+    Role::Batch,
+    Role::Sample,
 ];
 
 /// The names of the separators.

@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = co se měřilo
+exchange-role-upper = horní úchylka
+exchange-role-lower = dolní úchylka
+exchange-role-minus = dolní úchylka bez mínusu
+exchange-role-maximum = horní mezní rozměr
+exchange-role-minimum = dolní mezní rozměr
+exchange-role-kind = díra nebo hřídel
+exchange-role-units = jednotka
+exchange-role-status = stav
+exchange-role-machine = stroj
+exchange-role-batch = dávka
+exchange-role-sample = vzorek
 exchange-no-column = { $role }: má být ve sloupci { $given }, ale soubor má { $columns }
 exchange-column-twice = sloupec { $column } nemůže být zároveň { $first } a { $second }
 exchange-unit = neznámá jednotka { $unit }: použijte mm, µm nebo inch
+exchange-limit = mez: { $reason }
+exchange-tolerance-unsigned = tolerance { $given } nemá znaménko: napište ±{ $given }, nebo obě úchylky, například +0.02 0
+exchange-minus-again = dolní úchylka { $given } má mínus, ale ostatní ne: napište všechny se znaménkem
+exchange-limits-contradict = { $callout } má meze { $minimum } až { $maximum }, ale sloupce uvádějí { $given }: pro posouzení podle kóty zadejte --columns { $columns }, podle sloupců --columns callout=-
+exchange-limits-or-deviations = sloupce { $columns } mohou být meze nebo úchylky od jmenovitého rozměru: zvolte pomocí --columns, například maximum={ $upper },minimum={ $lower } nebo upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = sloupce { $columns } mohou být meze, nebo největší a nejmenší z několika odečtů: zvolte pomocí --columns, například maximum={ $upper },minimum={ $lower } pro meze nebo maximum=-,minimum=- pro odečty
+exchange-minus-or-plus = dolní úchylky ve sloupci { $columns } nemají znaménko: zvolte pomocí --columns, minus={ $lower } pro pod jmenovitým rozměrem nebo lower={ $lower } pro nad ním
+exchange-samples-side-by-side = několik naměřených hodnot stojí vedle sebe ve sloupcích { $columns }: přečtěte je pomocí fitcheck import, nebo zvolte jednu pomocí --columns, například measured={ $first }
 exchange-unit-stated = řádek { $line } udává jednotku { $unit }, která není podporována („{ $text }“): použijte mm, µm nebo inch, nebo zvolte jednotku rozměrů (--columns unit=mm)
 exchange-unit-mentioned = řádek { $line } zmiňuje { $unit } („{ $text }“), nic však neříká, zda jsou hodnoty v této jednotce: zvolte jednotku rozměrů (--columns unit=mm, um nebo inch)
 exchange-units-differ = „{ $at }“ udává { $unit }, „{ $other-at }“ udává { $other }: jedno z nich opravte
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = neposouzeno: body dotyku bez předpisu, počet { $c
 exchange-warning-ignored-columns = přeskočené sloupce: { $columns }
 exchange-warning-quantity-unknown = sloupec { $column } nemá známé slovo pro to, co se měřilo ({ $words }): všechny jeho hodnoty se čtou jako rozměry; je-li to správně, uveďte import --columns quantity=-
 exchange-warning-not-used = přeskočeno, není to měření: { $text }
+exchange-warning-minus-supplied = sloupec { $column } nemá znaménka mínus: jeho hodnoty se čtou jako dolní úchylky pod jmenovitým rozměrem
+exchange-warning-limits-read = sloupce { $columns } se čtou jako meze
+exchange-warning-head-read = přečteno pro všechny hodnoty: { $said }
+exchange-warning-samples-read = sloupce { $columns } se čtou jako naměřené hodnoty vedle sebe: každá se posuzuje zvlášť a prázdná buňka není hodnota
 exchange-warning-comment = řádek začínající # je komentář, tento však obsahuje měření
 exchange-warning-several-lines = řádek tabulky zabírá v uvozovkách několik řádků souboru: { $lines }
 exchange-warning-time = { $given } není datum a čas: použije se čas importu

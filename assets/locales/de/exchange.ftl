@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = die gemessene Größe
+exchange-role-upper = das obere Abmaß
+exchange-role-lower = das untere Abmaß
+exchange-role-minus = das untere Abmaß ohne Minus
+exchange-role-maximum = das Höchstmaß
+exchange-role-minimum = das Mindestmaß
+exchange-role-kind = Bohrung oder Welle
+exchange-role-units = die Einheit
+exchange-role-status = der Status
+exchange-role-machine = die Maschine
+exchange-role-batch = das Los
+exchange-role-sample = eine Stichprobe
 exchange-no-column = { $role } sollte in Spalte { $given } stehen, die Datei hat aber { $columns }
 exchange-column-twice = Spalte { $column } kann nicht zugleich { $first } und { $second } sein
 exchange-unit = unbekannte Einheit { $unit }: mm, µm oder inch verwenden
+exchange-limit = Grenze: { $reason }
+exchange-tolerance-unsigned = die Toleranz { $given } hat kein Vorzeichen: ±{ $given } schreiben, oder beide Abmaße, etwa +0.02 0
+exchange-minus-again = das untere Abmaß { $given } hat ein Minus, die anderen haben keins: alle mit Vorzeichen schreiben
+exchange-limits-contradict = { $callout } hat die Grenzen { $minimum } bis { $maximum }, aber die Spalten sagen { $given }: für die Maßangabe --columns { $columns } angeben, für die Spalten --columns callout=-
+exchange-limits-or-deviations = Spalten { $columns } können Grenzen oder Abmaße vom Nennmaß sein: mit --columns wählen, etwa maximum={ $upper },minimum={ $lower } oder upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = Spalten { $columns } können Grenzen sein, oder die größte und die kleinste von mehreren Ablesungen: mit --columns wählen, etwa maximum={ $upper },minimum={ $lower } für Grenzen oder maximum=-,minimum=- für Ablesungen
+exchange-minus-or-plus = die unteren Abmaße in Spalte { $columns } haben kein Vorzeichen: mit --columns wählen, minus={ $lower } für unter dem Nennmaß oder lower={ $lower } für darüber
+exchange-samples-side-by-side = mehrere Messwerte stehen nebeneinander in den Spalten { $columns }: mit fitcheck import lesen, oder einen mit --columns wählen, etwa measured={ $first }
 exchange-unit-stated = Textzeile { $line } nennt die Einheit { $unit }, die nicht unterstützt wird („{ $text }“): mm, µm oder inch verwenden, oder die Einheit der Maße wählen (--columns unit=mm)
 exchange-unit-mentioned = Textzeile { $line } nennt { $unit } („{ $text }“), nichts sagt aber, ob die Werte in dieser Einheit stehen: die Einheit der Maße wählen (--columns unit=mm, um oder inch)
 exchange-units-differ = „{ $at }“ sagt { $unit }, „{ $other-at }“ sagt { $other }: eines von beiden berichtigen
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = nicht beurteilt: { $count } Antastpunkte ohne Toler
 exchange-warning-ignored-columns = übersprungene Spalten: { $columns }
 exchange-warning-quantity-unknown = Spalte { $column } hat kein bekanntes Wort für die gemessene Größe ({ $words }): alle ihre Werte werden als Maße gelesen; ist das richtig, import --columns quantity=- angeben
 exchange-warning-not-used = übersprungen, keine Messung: { $text }
+exchange-warning-minus-supplied = Spalte { $column } hat keine Minuszeichen: ihre Werte gelten als untere Abmaße unter dem Nennmaß
+exchange-warning-limits-read = Spalten { $columns } werden als Grenzen gelesen
+exchange-warning-head-read = für alle Werte gelesen: { $said }
+exchange-warning-samples-read = Spalten { $columns } werden als Messwerte nebeneinander gelesen: jeder wird für sich beurteilt, und eine leere Zelle ist kein Wert
 exchange-warning-comment = eine Textzeile, die mit # beginnt, ist ein Kommentar, diese enthält aber eine Messung
 exchange-warning-several-lines = die Zeile geht in Anführungszeichen über { $lines } Textzeilen
 exchange-warning-time = { $given } ist kein Datum mit Uhrzeit: die Zeit des Importierens wird verwendet

@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = what was measured
+exchange-role-upper = the upper deviation
+exchange-role-lower = the lower deviation
+exchange-role-minus = the lower deviation without its minus
+exchange-role-maximum = the upper limit
+exchange-role-minimum = the lower limit
+exchange-role-kind = hole or shaft
+exchange-role-units = the unit
+exchange-role-status = the status
+exchange-role-machine = the machine
+exchange-role-batch = the batch
+exchange-role-sample = a sample
 exchange-no-column = { $role } should be in column { $given }, but the file has { $columns }
 exchange-column-twice = column { $column } cannot be both { $first } and { $second }
 exchange-unit = unknown unit { $unit }: use mm, µm or inch
+exchange-limit = limit: { $reason }
+exchange-tolerance-unsigned = the tolerance { $given } has no sign: write ±{ $given }, or both deviations, such as +0.02 0
+exchange-minus-again = the lower deviation { $given } has a minus, but the others have none: write all of them with their signs
+exchange-limits-contradict = { $callout } has the limits { $minimum } to { $maximum }, but the columns say { $given }: to judge by the callout, give --columns { $columns }; to judge by the columns, give --columns callout=-
+exchange-limits-or-deviations = columns { $columns } may be limits or deviations from the nominal size: choose with --columns, such as maximum={ $upper },minimum={ $lower } or upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = columns { $columns } may be limits, or the largest and the smallest of several readings: choose with --columns, such as maximum={ $upper },minimum={ $lower } for limits or maximum=-,minimum=- for readings
+exchange-minus-or-plus = the lower deviations in column { $columns } have no sign: choose with --columns, minus={ $lower } for below the nominal size or lower={ $lower } for above it
+exchange-samples-side-by-side = several measured values stand side by side in columns { $columns }: read them with fitcheck import, or choose one with --columns, such as measured={ $first }
 exchange-unit-stated = line { $line } states the unit { $unit }, which is not supported (“{ $text }”): use mm, µm or inch, or choose the unit of sizes (--columns unit=mm)
 exchange-unit-mentioned = line { $line } mentions { $unit } (“{ $text }”), but nothing says whether the values are in this unit: choose the unit of sizes (--columns unit=mm, um or inch)
 exchange-units-differ = “{ $at }” says { $unit }, “{ $other-at }” says { $other }: correct one of them
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = not judged: { $count } contacts without a callout
 exchange-warning-ignored-columns = columns skipped: { $columns }
 exchange-warning-quantity-unknown = column { $column } has no known word for what was measured ({ $words }): all its values are read as sizes; if that is right, give import --columns quantity=-
 exchange-warning-not-used = skipped, not a measurement: { $text }
+exchange-warning-minus-supplied = column { $column } has no minus signs: its values are read as lower deviations below the nominal size
+exchange-warning-limits-read = columns { $columns } are read as limits
+exchange-warning-head-read = read for all values: { $said }
+exchange-warning-samples-read = columns { $columns } are read as measured values side by side: each is judged by itself, and an empty cell is no value
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks
 exchange-warning-time = { $given } is not a date and time: the time of import is used

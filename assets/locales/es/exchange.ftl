@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = lo que se midió
+exchange-role-upper = la desviación superior
+exchange-role-lower = la desviación inferior
+exchange-role-minus = la desviación inferior sin su signo menos
+exchange-role-maximum = el límite superior
+exchange-role-minimum = el límite inferior
+exchange-role-kind = agujero o eje
+exchange-role-units = la unidad
+exchange-role-status = el estado
+exchange-role-machine = la máquina
+exchange-role-batch = el lote
+exchange-role-sample = una muestra
 exchange-no-column = { $role } debería estar en la columna { $given }, pero el archivo tiene { $columns }
 exchange-column-twice = la columna { $column } no puede ser a la vez { $first } y { $second }
 exchange-unit = unidad desconocida { $unit }: use mm, µm o inch
+exchange-limit = límite: { $reason }
+exchange-tolerance-unsigned = la tolerancia { $given } no tiene signo: escriba ±{ $given }, o ambas desviaciones, como +0.02 0
+exchange-minus-again = la desviación inferior { $given } tiene signo menos, pero las otras no: escríbalas todas con su signo
+exchange-limits-contradict = { $callout } tiene los límites { $minimum } a { $maximum }, pero las columnas dicen { $given }: para juzgar por la cota, indique --columns { $columns }; por las columnas, --columns callout=-
+exchange-limits-or-deviations = las columnas { $columns } pueden ser límites o desviaciones de la medida nominal: elija con --columns, como maximum={ $upper },minimum={ $lower } o upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = las columnas { $columns } pueden ser límites, o la mayor y la menor de varias lecturas: elija con --columns, como maximum={ $upper },minimum={ $lower } para límites o maximum=-,minimum=- para lecturas
+exchange-minus-or-plus = las desviaciones inferiores de la columna { $columns } no tienen signo: elija con --columns, minus={ $lower } para debajo de la medida nominal o lower={ $lower } para encima
+exchange-samples-side-by-side = varios valores medidos están uno junto a otro en las columnas { $columns }: léalos con fitcheck import, o elija uno con --columns, como measured={ $first }
 exchange-unit-stated = la línea { $line } indica la unidad { $unit }, que no se admite («{ $text }»): use mm, µm o inch, o elija la unidad de medida (--columns unit=mm)
 exchange-unit-mentioned = la línea { $line } menciona { $unit } («{ $text }»), pero nada dice si los valores están en esa unidad: elija la unidad de medida (--columns unit=mm, um o inch)
 exchange-units-differ = «{ $at }» dice { $unit }, «{ $other-at }» dice { $other }: corrija uno de los dos
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = no evaluado: puntos de palpación sin cota: { $coun
 exchange-warning-ignored-columns = columnas omitidas: { $columns }
 exchange-warning-quantity-unknown = la columna { $column } no tiene ninguna palabra conocida para lo que se midió ({ $words }): todos sus valores se leen como medidas; si es correcto, indique import --columns quantity=-
 exchange-warning-not-used = omitido, no es una medición: { $text }
+exchange-warning-minus-supplied = la columna { $column } no tiene signos menos: sus valores se leen como desviaciones inferiores por debajo de la medida nominal
+exchange-warning-limits-read = las columnas { $columns } se leen como límites
+exchange-warning-head-read = leído para todos los valores: { $said }
+exchange-warning-samples-read = las columnas { $columns } se leen como valores medidos uno junto a otro: cada uno se juzga por sí solo, y una celda vacía no es un valor
 exchange-warning-comment = una línea que empieza con # es un comentario, pero esta contiene una medición
 exchange-warning-several-lines = la fila ocupa { $lines } líneas entre comillas
 exchange-warning-time = { $given } no es una fecha y hora: se usa la hora de importación

@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = la grandeur mesurée
+exchange-role-upper = l’écart supérieur
+exchange-role-lower = l’écart inférieur
+exchange-role-minus = l’écart inférieur sans son signe moins
+exchange-role-maximum = la limite supérieure
+exchange-role-minimum = la limite inférieure
+exchange-role-kind = alésage ou arbre
+exchange-role-units = l’unité
+exchange-role-status = le statut
+exchange-role-machine = la machine
+exchange-role-batch = le lot
+exchange-role-sample = un échantillon
 exchange-no-column = { $role } devrait être dans la colonne { $given }, mais le fichier a { $columns }
 exchange-column-twice = la colonne { $column } ne peut pas être à la fois { $first } et { $second }
 exchange-unit = unité inconnue { $unit } : utiliser mm, µm ou inch
+exchange-limit = limite : { $reason }
+exchange-tolerance-unsigned = la tolérance { $given } n’a pas de signe : écrire ±{ $given }, ou les deux écarts, comme +0.02 0
+exchange-minus-again = l’écart inférieur { $given } a un signe moins, mais les autres n’en ont pas : les écrire tous avec leur signe
+exchange-limits-contradict = { $callout } a les limites { $minimum } à { $maximum }, mais les colonnes disent { $given } : pour juger selon la cote, indiquer --columns { $columns } ; selon les colonnes, --columns callout=-
+exchange-limits-or-deviations = les colonnes { $columns } peuvent être des limites ou des écarts par rapport à la cote nominale : choisir avec --columns, comme maximum={ $upper },minimum={ $lower } ou upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = les colonnes { $columns } peuvent être des limites, ou la plus grande et la plus petite de plusieurs lectures : choisir avec --columns, comme maximum={ $upper },minimum={ $lower } pour des limites ou maximum=-,minimum=- pour des lectures
+exchange-minus-or-plus = les écarts inférieurs de la colonne { $columns } n’ont pas de signe : choisir avec --columns, minus={ $lower } pour en dessous de la cote nominale ou lower={ $lower } pour au-dessus
+exchange-samples-side-by-side = plusieurs valeurs mesurées se suivent dans les colonnes { $columns } : les lire avec fitcheck import, ou en choisir une avec --columns, comme measured={ $first }
 exchange-unit-stated = la ligne { $line } indique l'unité { $unit }, qui n'est pas prise en charge (« { $text } ») : utiliser mm, µm ou inch, ou choisir l'unité des cotes (--columns unit=mm)
 exchange-unit-mentioned = la ligne { $line } mentionne { $unit } (« { $text } »), mais rien ne dit si les valeurs sont dans cette unité : choisir l'unité des cotes (--columns unit=mm, um ou inch)
 exchange-units-differ = « { $at } » indique { $unit }, « { $other-at } » indique { $other } : corriger l'un des deux
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = non jugé : { $count } points de palpage sans cote
 exchange-warning-ignored-columns = colonnes ignorées : { $columns }
 exchange-warning-quantity-unknown = la colonne { $column } n'a aucun mot connu pour la grandeur mesurée ({ $words }) : toutes ses valeurs sont lues comme des cotes ; si c'est exact, donner import --columns quantity=-
 exchange-warning-not-used = ignoré, pas une mesure : { $text }
+exchange-warning-minus-supplied = la colonne { $column } n’a pas de signes moins : ses valeurs sont lues comme écarts inférieurs en dessous de la cote nominale
+exchange-warning-limits-read = les colonnes { $columns } sont lues comme limites
+exchange-warning-head-read = lu pour toutes les valeurs : { $said }
+exchange-warning-samples-read = les colonnes { $columns } sont lues comme valeurs mesurées côte à côte : chacune est jugée seule, et une cellule vide n’est pas une valeur
 exchange-warning-comment = une ligne qui commence par # est un commentaire, mais celle-ci contient une mesure
 exchange-warning-several-lines = la rangée occupe { $lines } lignes entre guillemets
 exchange-warning-time = { $given } n'est pas une date avec heure : l'heure de l'import est utilisée

@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = la grandezza misurata
+exchange-role-upper = lo scostamento superiore
+exchange-role-lower = lo scostamento inferiore
+exchange-role-minus = lo scostamento inferiore senza il meno
+exchange-role-maximum = il limite superiore
+exchange-role-minimum = il limite inferiore
+exchange-role-kind = foro o albero
+exchange-role-units = l’unità
+exchange-role-status = lo stato
+exchange-role-machine = la macchina
+exchange-role-batch = il lotto
+exchange-role-sample = un campione
 exchange-no-column = { $role } dovrebbe essere nella colonna { $given }, ma il file ha { $columns }
 exchange-column-twice = la colonna { $column } non può essere sia { $first } sia { $second }
 exchange-unit = unità sconosciuta { $unit }: usare mm, µm o inch
+exchange-limit = limite: { $reason }
+exchange-tolerance-unsigned = la tolleranza { $given } è senza segno: scrivere ±{ $given }, oppure entrambi gli scostamenti, come +0.02 0
+exchange-minus-again = lo scostamento inferiore { $given } ha il meno, ma gli altri no: scriverli tutti con il segno
+exchange-limits-contradict = { $callout } ha i limiti da { $minimum } a { $maximum }, ma le colonne dicono { $given }: per giudicare secondo la quota indicare --columns { $columns }, secondo le colonne --columns callout=-
+exchange-limits-or-deviations = le colonne { $columns } possono essere limiti o scostamenti dalla quota nominale: scegliere con --columns, come maximum={ $upper },minimum={ $lower } oppure upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = le colonne { $columns } possono essere limiti, oppure la maggiore e la minore di più letture: scegliere con --columns, come maximum={ $upper },minimum={ $lower } per i limiti o maximum=-,minimum=- per le letture
+exchange-minus-or-plus = gli scostamenti inferiori nella colonna { $columns } sono senza segno: scegliere con --columns, minus={ $lower } per sotto la quota nominale o lower={ $lower } per sopra
+exchange-samples-side-by-side = più valori misurati stanno affiancati nelle colonne { $columns }: leggerli con fitcheck import, oppure sceglierne uno con --columns, come measured={ $first }
 exchange-unit-stated = la linea { $line } indica l'unità { $unit }, che non è supportata («{ $text }»): usare mm, µm o inch, o scegliere l'unità delle dimensioni (--columns unit=mm)
 exchange-unit-mentioned = la linea { $line } nomina { $unit } («{ $text }»), ma nulla dice se i valori sono in questa unità: scegliere l'unità delle dimensioni (--columns unit=mm, um o inch)
 exchange-units-differ = «{ $at }» dice { $unit }, «{ $other-at }» dice { $other }: correggere uno dei due
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = non valutato: { $count } punti di contatto senza in
 exchange-warning-ignored-columns = colonne saltate: { $columns }
 exchange-warning-quantity-unknown = la colonna { $column } non ha parole note per la grandezza misurata ({ $words }): tutti i suoi valori vengono letti come dimensioni; se è corretto, indicare import --columns quantity=-
 exchange-warning-not-used = saltato, non è una misura: { $text }
+exchange-warning-minus-supplied = la colonna { $column } è senza segni meno: i valori sono letti come scostamenti inferiori sotto la quota nominale
+exchange-warning-limits-read = le colonne { $columns } sono lette come limiti
+exchange-warning-head-read = letto per tutti i valori: { $said }
+exchange-warning-samples-read = le colonne { $columns } sono lette come valori misurati affiancati: ognuno è giudicato da solo, e una cella vuota non è un valore
 exchange-warning-comment = una linea che comincia con # è un commento, ma questa contiene una misura
 exchange-warning-several-lines = la riga occupa { $lines } linee tra virgolette
 exchange-warning-time = { $given } non è una data con ora: si usa l'ora dell'importazione

@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = wat gemeten is
+exchange-role-upper = de bovenafwijking
+exchange-role-lower = de onderafwijking
+exchange-role-minus = de onderafwijking zonder minteken
+exchange-role-maximum = de bovengrens
+exchange-role-minimum = de ondergrens
+exchange-role-kind = gat of as
+exchange-role-units = de eenheid
+exchange-role-status = de status
+exchange-role-machine = de machine
+exchange-role-batch = de partij
+exchange-role-sample = een monster
 exchange-no-column = { $role } zou in kolom { $given } moeten staan, maar het bestand heeft { $columns }
 exchange-column-twice = kolom { $column } kan niet tegelijk { $first } en { $second } zijn
 exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
+exchange-limit = grens: { $reason }
+exchange-tolerance-unsigned = de tolerantie { $given } heeft geen teken: schrijf ±{ $given }, of beide afwijkingen, zoals +0.02 0
+exchange-minus-again = de onderafwijking { $given } heeft een minteken, maar de andere niet: schrijf ze alle met hun teken
+exchange-limits-contradict = { $callout } heeft de grenzen { $minimum } tot { $maximum }, maar de kolommen zeggen { $given }: voor de maataanduiding --columns { $columns } opgeven, voor de kolommen --columns callout=-
+exchange-limits-or-deviations = kolommen { $columns } kunnen grenzen zijn of afwijkingen van de nominale maat: kies met --columns, zoals maximum={ $upper },minimum={ $lower } of upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = kolommen { $columns } kunnen grenzen zijn, of de grootste en de kleinste van meerdere metingen: kies met --columns, zoals maximum={ $upper },minimum={ $lower } voor grenzen of maximum=-,minimum=- voor metingen
+exchange-minus-or-plus = de onderafwijkingen in kolom { $columns } hebben geen teken: kies met --columns, minus={ $lower } voor onder de nominale maat of lower={ $lower } voor erboven
+exchange-samples-side-by-side = meerdere meetwaarden staan naast elkaar in kolommen { $columns }: lees ze met fitcheck import, of kies er een met --columns, zoals measured={ $first }
 exchange-unit-stated = regel { $line } noemt de eenheid { $unit }, die niet wordt ondersteund (“{ $text }”): gebruik mm, µm of inch, of kies de eenheid van de maten (--columns unit=mm)
 exchange-unit-mentioned = regel { $line } noemt { $unit } (“{ $text }”), maar niets zegt of de waarden in die eenheid staan: kies de eenheid van de maten (--columns unit=mm, um of inch)
 exchange-units-differ = “{ $at }” zegt { $unit }, “{ $other-at }” zegt { $other }: corrigeer een van beide
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = niet beoordeeld: { $count } meetpunten zonder passi
 exchange-warning-ignored-columns = overgeslagen kolommen: { $columns }
 exchange-warning-quantity-unknown = kolom { $column } heeft geen bekend woord voor wat gemeten is ({ $words }): al haar waarden worden als maten gelezen; klopt dat, geef dan import --columns quantity=- op
 exchange-warning-not-used = overgeslagen, geen meting: { $text }
+exchange-warning-minus-supplied = kolom { $column } heeft geen mintekens: de waarden worden gelezen als onderafwijkingen onder de nominale maat
+exchange-warning-limits-read = kolommen { $columns } worden als grenzen gelezen
+exchange-warning-head-read = gelezen voor alle waarden: { $said }
+exchange-warning-samples-read = kolommen { $columns } worden gelezen als meetwaarden naast elkaar: elke wordt apart beoordeeld, en een lege cel is geen waarde
 exchange-warning-comment = een regel die met # begint is commentaar, maar hier staat een meting in
 exchange-warning-several-lines = de rij loopt binnen aanhalingstekens over { $lines } regels
 exchange-warning-time = { $given } is geen datum en tijd: het tijdstip van importeren is gebruikt

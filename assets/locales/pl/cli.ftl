@@ -270,6 +270,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } elementów
 }
 cli-remark-plan-example = nie podano wymiaru tolerowanego: plan ma jeden element jako przykład
+cli-remark-no-columns = plik jest czytany według własnego formatu i nie ma kolumn do wyboru
 cli-remark-plan-head-left = CSV zawiera tylko elementy: { $keys } części nie zapisano
 cli-warning-neither-stands = wpis { $number } korygował wpis { $target }: teraz żaden z nich się nie liczy. Jeśli jedna z wartości jest właściwa, zarejestrować ją ponownie
 cli-warning-beyond-limits = poza granicami: przyjęty według reguły, bo przekroczenie nie jest wykazane

@@ -39,9 +39,28 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = co zmierzono
+exchange-role-upper = odchyłka górna
+exchange-role-lower = odchyłka dolna
+exchange-role-minus = odchyłka dolna bez minusa
+exchange-role-maximum = wymiar graniczny górny
+exchange-role-minimum = wymiar graniczny dolny
+exchange-role-kind = otwór lub wałek
+exchange-role-units = jednostka
+exchange-role-status = stan
+exchange-role-machine = maszyna
+exchange-role-batch = partia
+exchange-role-sample = próbka
 exchange-no-column = { $role }: oczekiwana kolumna { $given }, ale plik ma { $columns }
 exchange-column-twice = kolumna { $column } nie może jednocześnie zawierać: { $first } i { $second }
 exchange-unit = nieznana jednostka { $unit }: użyć mm, µm lub cala (inch)
+exchange-limit = granica: { $reason }
+exchange-tolerance-unsigned = tolerancja { $given } nie ma znaku: wpisać ±{ $given } albo obie odchyłki, np. +0.02 0
+exchange-minus-again = odchyłka dolna { $given } ma minus, a inne go nie mają: wpisać wszystkie ze znakiem
+exchange-limits-contradict = { $callout } ma granice od { $minimum } do { $maximum }, ale kolumny podają { $given }: aby oceniać według wymiaru, podać --columns { $columns }, według kolumn --columns callout=-
+exchange-limits-or-deviations = kolumny { $columns } mogą być granicami albo odchyłkami od wymiaru nominalnego: wybrać przez --columns, np. maximum={ $upper },minimum={ $lower } albo upper={ $upper },lower={ $lower }
+exchange-limits-or-readings = kolumny { $columns } mogą być granicami albo największym i najmniejszym z kilku odczytów: wybrać przez --columns, np. maximum={ $upper },minimum={ $lower } dla granic albo maximum=-,minimum=- dla odczytów
+exchange-minus-or-plus = odchyłki dolne w kolumnie { $columns } nie mają znaku: wybrać przez --columns, minus={ $lower } dla poniżej wymiaru nominalnego albo lower={ $lower } dla powyżej
+exchange-samples-side-by-side = kilka wartości zmierzonych stoi obok siebie w kolumnach { $columns }: odczytać je przez fitcheck import albo wybrać jedną przez --columns, np. measured={ $first }
 exchange-unit-stated = linia { $line } podaje nieobsługiwaną jednostkę { $unit } („{ $text }”): użyć mm, µm lub inch albo wybrać jednostkę wymiarów (--columns unit=mm)
 exchange-unit-mentioned = linia { $line } wspomina { $unit } („{ $text }”), ale nic nie mówi, czy wartości są w tej jednostce: wybrać jednostkę wymiarów (--columns unit=mm, um lub inch)
 exchange-units-differ = „{ $at }” podaje { $unit }, „{ $other-at }” podaje { $other }: poprawić jedno z nich
@@ -98,6 +117,10 @@ exchange-unjudged-contacts = nie oceniono: punkty pomiarowe ({ $count }) bez wym
 exchange-warning-ignored-columns = pominięte kolumny: { $columns }
 exchange-warning-quantity-unknown = kolumna { $column } nie ma znanego słowa na to, co zmierzono ({ $words }): wszystkie wartości są czytane jako wymiary; jeśli to prawda, podać import --columns quantity=-
 exchange-warning-not-used = pominięto, to nie pomiar: { $text }
+exchange-warning-minus-supplied = kolumna { $column } nie ma minusów: jej wartości są czytane jako odchyłki dolne poniżej wymiaru nominalnego
+exchange-warning-limits-read = kolumny { $columns } są czytane jako granice
+exchange-warning-head-read = odczytano dla wszystkich wartości: { $said }
+exchange-warning-samples-read = kolumny { $columns } są czytane jako wartości zmierzone obok siebie: każda jest oceniana osobno, a pusta komórka nie jest wartością
 exchange-warning-comment = linia zaczynająca się od # jest komentarzem, ale ta zawiera pomiar
 exchange-warning-several-lines = liczba linii, które zajmuje wiersz w cudzysłowie: { $lines }
 exchange-warning-time = { $given } nie jest datą i godziną: użyto czasu importu

@@ -25,7 +25,8 @@ use super::io::is_dash;
 use super::progress::Work;
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
-use crate::exchange::ImportErrorKind;
+use super::import::columns;
+use crate::exchange::{ImportErrorKind, Mapping};
 use crate::exchange::batch::{ADDED, BLOCK, Cutter, Layout, StreamJudging};
 use crate::files;
 use crate::message::Say as _;
@@ -58,6 +59,10 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=64))]
     jobs: Option<u8>,
 
+    /// What the columns hold, by number or name, such as measured=3,callout=Passung; or a .toml file with the same
+    #[arg(long, value_name = "LIST|FILE")]
+    columns: Option<String>,
+
     #[command(flatten)]
     tables: TableArgs,
 }
@@ -65,7 +70,7 @@ pub(super) struct Args {
 fn help() -> String {
     format!(
         "\
-Columns are found as by fitcheck import: by their names in English, Dutch, German or Italian, or by their content. \
+Columns are found as by fitcheck import: by their names in English, Dutch, German, Italian, French or Spanish, by their content, or as --columns says. \
 Every column is written unchanged, followed by these:
 
   {}
@@ -95,7 +100,8 @@ impl Args {
         for input in &self.inputs {
             self.not_the_output(input)?;
         }
-        let job = Job { args: self, sources: &sources, form, packing };
+        let mapping = self.columns.as_deref().map(columns::mapping).transpose()?;
+        let job = Job { args: self, sources: &sources, form, packing, mapping };
         let mut result = Ok(Summary::default());
         if let Some(path) = self.file() {
             let (input, _, listener) = io.streams();
@@ -185,6 +191,8 @@ struct Job<'a> {
     sources: &'a Sources,
     form: Form,
     packing: Packing,
+    /// What is said of the columns.
+    mapping: Option<Mapping>,
 }
 
 /// An input that can be read.
@@ -225,13 +233,13 @@ impl Job<'_> {
         let mut first = None;
         // Before anything is written; a pipe can be looked at only once.
         for path in self.args.inputs.iter().filter(|path| path.as_os_str() != "-" && path.is_file()) {
-            self.same_columns(&Self::open(path, &mut *input)?, &mut first)?;
+            self.same_columns(&self.open(path, &mut *input)?, &mut first)?;
         }
         let mut summary = Summary::default();
         let mut out = Some(out);
         let mut answers = None;
         for path in &self.args.inputs {
-            let opened = Self::open(path, &mut *input)?;
+            let opened = self.open(path, &mut *input)?;
             self.same_columns(&opened, &mut first)?;
             if let From::Text(Stream { is_utf16: true, .. }) = &opened.from {
                 told.remark(&CliRemark::BatchUtf16 { name: opened.name.clone() });
@@ -280,7 +288,7 @@ impl Job<'_> {
     }
 
     /// Looks at the beginning of an input until its columns are known.
-    fn open<'i>(path: &'i Path, input: &'i mut (dyn Read + Send)) -> Result<Opened<'i>, CliError> {
+    fn open<'i>(&self, path: &'i Path, input: &'i mut (dyn Read + Send)) -> Result<Opened<'i>, CliError> {
         let is_standard = path.as_os_str() == "-";
         let name = if is_standard { "standard input".to_owned() } else { path.display().to_string() };
         let failed = |error: io::Error| CliError::from(files::system(path, &error));
@@ -306,7 +314,7 @@ impl Job<'_> {
                 Err(error) => Err(CliError::BatchInput { name, error: error.to_string() }),
             };
         }
-        match stream.layout(is_patient, &name).map_err(failed)? {
+        match stream.mapped(is_patient, &name, self.mapping.as_ref()).map_err(failed)? {
             Ok(layout) => Ok(Opened { name, path, from: From::Text(stream), layout, types: Vec::new(), size }),
             Err(error) => Err(CliError::BatchInput { name, error: error.to_string() }),
         }

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value as Json, json};
 
 use crate::cli::rows::csv_line;
-use crate::cli::{CliError, Format, IntoCliError as _, Io, Outcome};
-use crate::exchange::{Detected, Mapping};
+use crate::cli::{CliError, CliRemark, Format, IntoCliError as _, Io, Outcome};
+use crate::exchange::{Detected, FirstRows, Mapping};
 use crate::files;
 
 /// How much of a file is looked at.
@@ -16,7 +16,7 @@ const HEAD: usize = 64 << 10;
 const WIDEST: usize = 40;
 
 /// Reads a mapping: a list, or a file of TOML.
-pub(super) fn mapping(given: &str) -> Result<Mapping, CliError> {
+pub(in crate::cli) fn mapping(given: &str) -> Result<Mapping, CliError> {
     let path = Path::new(given);
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
         let bytes = files::read(path)?;
@@ -25,21 +25,28 @@ pub(super) fn mapping(given: &str) -> Result<Mapping, CliError> {
     given.parse::<Mapping>().said()
 }
 
-/// Prints what the columns of each file are taken for.
+/// Prints what the columns of each file are taken for. Where they are not all known, it prints what is, and why nothing can be read yet.
 pub(super) fn show(paths: &[PathBuf], mapping: Option<&Mapping>, format: Format, io: &mut Io<'_>) -> Outcome {
     let open = Mapping::default();
+    let mapping = mapping.unwrap_or(&open);
     let mut bad = false;
     let mut is_first = true;
     let mut shown = Vec::new();
     for path in paths {
-        let head = files::read_head(path, HEAD).map_err(|error| error.to_string());
-        let found = head.and_then(|head| {
-            let detected = mapping.unwrap_or(&open).detect(&head).map_err(|error| error.to_string())?;
+        let found = first_rows(path).and_then(|first| {
+            let (detected, why) = match first.detect(mapping) {
+                Ok(detected) => (detected, None),
+                Err(error) => (first.guessed(mapping), Some(error.to_string())),
+            };
             let toml = detected.mapping.to_toml().map_err(|error| error.to_string())?;
-            Ok((detected, toml))
+            Ok((detected, toml, why))
         });
+        if let Ok((.., Some(why))) = &found {
+            bad = true;
+            io.fail(format_args!("{}: {why}", path.display()));
+        }
         match found {
-            Ok((detected, toml)) => match format {
+            Ok((detected, toml, _)) => match format {
                 Format::Json => shown.push(as_json(path, &detected, &toml)),
                 Format::Csv => csv(path, &detected, std::mem::take(&mut is_first), io),
                 Format::Text => text(path, &detected, &toml, io),
@@ -54,6 +61,15 @@ pub(super) fn show(paths: &[PathBuf], mapping: Option<&Mapping>, format: Format,
         io.json(&shown);
     }
     if bad { Outcome::BadData } else { Outcome::Done }
+}
+
+/// The first rows of a file: of a text its beginning, of a workbook those of its sheets.
+fn first_rows(path: &Path) -> Result<FirstRows, String> {
+    let head = files::read_head(path, HEAD).map_err(|error| error.to_string())?;
+    let name = files::name_of(path).to_string_lossy();
+    let is_workbook = head.starts_with(b"PK");
+    let bytes = if is_workbook { files::read(path).map_err(|error| error.to_string())? } else { head };
+    FirstRows::of_columns(&name, &bytes).ok_or_else(|| CliRemark::NoColumns.to_string())
 }
 
 /// What is shown of one column.

@@ -1,6 +1,6 @@
 //! `fitcheck import`: measurements from files, with a verdict for each.
 
-mod columns;
+pub(super) mod columns;
 mod keeping;
 mod print;
 mod row;
@@ -21,7 +21,7 @@ use super::rows::names;
 use super::said::CliWarning;
 use super::{CliError, Format, IntoCliError as _, Io, Outcome, TableArgs, said};
 use crate::control::mask::Mask;
-use crate::exchange::{Body, ByPlan, FORMATS, ImportInputs, Item, MOST_ROWS, WHOLE, import_from};
+use crate::exchange::{Body, ByPlan, FORMATS, ImportInputs, Item, MOST_ROWS, Role, WHOLE, import_from};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::part::{Plan, Size};
@@ -81,16 +81,16 @@ fn help() -> String {
         format!("  {:<14}{} ({})\n", format.name, format, endings.join(" "))
     });
     let largest = WHOLE >> 20;
+    let roles = Role::all().map(Role::word).collect::<Vec<_>>().join(", ");
     format!(
         "\
 Formats, recognised by content:
 {}
-A CSV needs a column of callouts (or of nominal sizes and classes) and one of measured values. \
-A header in English, Dutch, German or Italian identifies them; without one, their content does. \
+A CSV needs a column of measured values, and one of callouts, or of nominal sizes with a class or deviations, or of limits. \
+A header in English, Dutch, German, Italian, French or Spanish identifies them; without one, their content does. \
 The separator is a comma, semicolon, tab or pipe, and the decimal sign a point or comma. \
 The header may give a unit: measured [mm], measured_um, Istmaß (inch). \
---columns sets what none of these show: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
-are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit of sizes and place-unit of x, y and z (mm, um, \
+--columns sets what none of these show: {roles} are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit of sizes and place-unit of x, y and z (mm, um, \
 inch), first-row (a line) and sheet (of a workbook) are set in the same way, and - means no column. Give each only once. \
 --show-columns shows how the columns would be read; text and JSON also give the TOML that --columns reads.
 

@@ -7,7 +7,7 @@ use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
 
-use crate::exchange::ImportErrorKind;
+use crate::exchange::{ImportErrorKind, Mapping};
 use crate::exchange::batch::{BLOCK, HEAD, Layout, read};
 use crate::exchange::pieces;
 
@@ -125,11 +125,24 @@ impl Stream<'_> {
     /// # Errors
     /// What the stream reports; within that, why nothing in it can be judged.
     pub fn layout(&mut self, is_patient: bool, name: &str) -> io::Result<Result<Layout, ImportErrorKind>> {
+        self.mapped(is_patient, name, None)
+    }
+
+    /// The same with what the user says of the columns.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn mapped(
+        &mut self,
+        is_patient: bool,
+        name: &str,
+        mapping: Option<&Mapping>,
+    ) -> io::Result<Result<Layout, ImportErrorKind>> {
         loop {
             let wanted = if is_patient { HEAD } else { BLOCK };
             self.is_all = !read(&mut self.input, wanted, is_patient, &mut self.head)?;
             let is_enough = self.is_all || HEAD <= self.head.len();
-            match Layout::of(&self.head, self.is_all, name) {
+            match Layout::mapped(&self.head, self.is_all, name, mapping) {
                 Ok(layout) if layout.has_rows || is_enough => return Ok(Ok(layout)),
                 Err(error) if is_enough => return Ok(Err(error)),
                 Ok(_) | Err(_) => {}

@@ -1,8 +1,12 @@
 //! What a cell or a row of a CSV seems to hold: numbers, callouts, classes, nothing; what the numbers of a column look like.
 
+use std::borrow::Cow;
+
 use csv::StringRecord;
-use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::length::{Length, LengthError, Unit};
 use fitcheck_core::tolerance::{Callout, ToleranceClass};
+
+use super::units;
 
 /// Whether a row holds no figures: neither numbers nor callouts, nor anything meant as one.
 pub(super) fn may_be_names(cells: &StringRecord) -> bool {
@@ -30,7 +34,72 @@ pub(super) fn is_comment(cells: &StringRecord) -> bool {
 }
 
 pub(super) fn is_number(cell: &str) -> bool {
-    Length::parse_in(cell, Unit::Millimetre).is_ok()
+    length(cell, Unit::Millimetre).is_ok()
+}
+
+/// A length as tables have it: with a unit of its own, and with signs between its thousands.
+///
+/// # Errors
+/// What is wrong with the text.
+pub(super) fn length(text: &str, unit: Unit) -> Result<Length, LengthError> {
+    Length::parse_in(text, unit).or_else(|error| {
+        let (number, own) = split_inch(text.trim());
+        match (ungrouped(number), own) {
+            (Cow::Borrowed(_), None) => Err(error),
+            (number, own) => Length::parse_in(&number, own.unwrap_or(unit)),
+        }
+    })
+}
+
+/// A number without the sign of inch behind it, and the unit where it has one.
+fn split_inch(text: &str) -> (&str, Option<Unit>) {
+    let number = text.trim_end_matches(|c: char| c == '.' || !c.is_ascii_digit() && c != ',').trim_end();
+    let behind = text.strip_prefix(number).map_or("", str::trim);
+    match units::known(behind) {
+        Some(Unit::Inch) if !number.is_empty() => (number, Some(Unit::Inch)),
+        _ => (text, None),
+    }
+}
+
+/// A number without the signs between its thousands: `1.025,012`, `1 025.012`, `1'025`. A point or a comma is one only where the other
+/// one follows.
+fn ungrouped(text: &str) -> Cow<'_, str> {
+    let digits = text.trim_start_matches(['+', '-', '\u{2212}']);
+    let Some(separator) = digits.chars().find(|c| !c.is_ascii_digit()) else { return Cow::Borrowed(text) };
+    let is_blank = matches!(separator, ' ' | '\u{a0}' | '\u{2009}' | '\u{202f}' | '\'' | '\u{2019}');
+    let is_sign = matches!(separator, '.' | ',');
+    if !is_blank && !is_sign {
+        return Cow::Borrowed(text);
+    }
+    let other = digits.chars().find(|c| matches!(c, '.' | ',') && *c != separator);
+    let (whole, rest) = match other {
+        Some(sign) => digits.split_once(sign).map_or((digits, ""), |(whole, _)| (whole, digits.get(whole.len()..).unwrap_or(""))),
+        None if is_sign => return Cow::Borrowed(text),
+        None => {
+            let end = digits.find(|c: char| !c.is_ascii_digit() && c != separator).unwrap_or(digits.len());
+            let (whole, rest) = digits.split_at_checked(end).unwrap_or((digits, ""));
+            (whole.trim_end(), rest)
+        }
+    };
+    let mut groups = whole.split(separator);
+    let first = groups.next().unwrap_or("");
+    let is_number = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
+    let begins = (1..=3).contains(&first.len()) && is_number(first) && !first.starts_with('0');
+    let mut count = 0;
+    let are_thousands = groups.all(|group| {
+        count += 1;
+        group.len() == 3 && is_number(group)
+    });
+    if !begins || !are_thousands || count == 0 || rest.contains(separator) && !is_blank {
+        return Cow::Borrowed(text);
+    }
+    let sign = text.get(..text.len() - digits.len()).unwrap_or("");
+    Cow::Owned(format!("{sign}{}{rest}", whole.replace(separator, "")))
+}
+
+/// The decimal sign of a number: the last one of two.
+pub(super) fn sign_of(cell: &str) -> Option<char> {
+    cell.chars().rfind(|c| matches!(c, '.' | ','))
 }
 
 pub(super) fn is_callout(cell: &str) -> bool {
@@ -78,11 +147,7 @@ pub(super) fn decimals(cell: &str) -> usize {
 
 /// The decimal sign that most numbers of a column have; in a tie, the first one.
 pub(super) fn decimal_sign<'c>(cells: impl Iterator<Item = &'c str> + Clone) -> Option<char> {
-    let mut signs = cells.filter_map(|cell| match (cell.contains('.'), cell.contains(',')) {
-        (true, false) => Some('.'),
-        (false, true) => Some(','),
-        _ => None,
-    });
+    let mut signs = cells.filter_map(sign_of);
     let all_signs = signs.clone();
     let first = signs.next()?;
     let (same, all) = all_signs.fold((0, 0), |(same, all), sign| (same + usize::from(sign == first), all + 1));
@@ -114,4 +179,40 @@ impl WholeNumbers {
 
 fn begins_with_zero(cell: &str) -> bool {
     1 < cell.len() && cell.starts_with('0')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_signs_between_their_thousands_and_units() {
+        for (text, expected) in [
+            ("1.025,012", Some("1025.012")),
+            ("1,025.012", Some("1025.012")),
+            ("1 025,012", Some("1025.012")),
+            ("1\u{202f}025,012", Some("1025.012")),
+            ("1\u{a0}025.5 mm", Some("1025.5")),
+            ("1'025.012", Some("1025.012")),
+            ("-1\u{2019}025", Some("-1025")),
+            ("12 345 678,9 µm", Some("12345.6789")),
+            ("1.025", Some("1.025")),
+            ("0,98472 in", Some("25.011888")),
+            ("1\"", Some("25.4")),
+            ("1.0009 inch", Some("25.42286")),
+            ("25012 µm", Some("25.012")),
+            ("25,012 mm", Some("25.012")),
+            ("1.025.012", None),
+            ("1.02,012", None),
+            ("0.025,012", None),
+            ("1 02", None),
+            ("25 012 7", None),
+            ("25,012;", None),
+            ("25 in H7", None),
+            ("in", None),
+        ] {
+            let read = length(text, Unit::Millimetre).ok().map(|length| length.to_string());
+            assert_eq!(read.as_deref(), expected, "{text}");
+        }
+    }
 }

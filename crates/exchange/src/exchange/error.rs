@@ -416,6 +416,53 @@ pub enum ImportErrorKind {
         /// The other nominal size.
         nominal: Length,
     },
+    /// A limit in a column of its own cannot be read.
+    Limit(#[say(name = "reason")] LengthError),
+    /// A tolerance of one number without a sign: both deviations, or the width of the zone.
+    ToleranceUnsigned {
+        given: String,
+    },
+    /// A lower deviation with a minus, where the others have none.
+    MinusAgain {
+        given: String,
+    },
+    /// Limits beside a callout that are other ones than those of the callout.
+    LimitsContradict {
+        callout: Callout,
+        /// The limits of the callout.
+        minimum: Length,
+        maximum: Length,
+        /// The others, as the file has them.
+        given: String,
+        /// How the columns are left out.
+        columns: &'static str,
+    },
+    /// Columns of limits or of deviations.
+    LimitsOrDeviations {
+        columns: String,
+        /// The number of the upper one; `-` where there is none.
+        upper: String,
+        lower: String,
+    },
+    /// Columns of limits, or of the largest and the smallest of several readings.
+    LimitsOrReadings {
+        columns: String,
+        /// The number of the upper one; `-` where there is none.
+        upper: String,
+        lower: String,
+    },
+    /// Lower deviations without a sign, which may be above the nominal size or below it.
+    MinusOrPlus {
+        columns: String,
+        /// The number of the column.
+        lower: String,
+    },
+    /// Several measured values in each row, where a row has one answer.
+    SamplesSideBySide {
+        columns: String,
+        /// The number of the first column.
+        first: usize,
+    },
     /// The callout has no limits.
     #[say(transparent)]
     Limits(LimitsError),

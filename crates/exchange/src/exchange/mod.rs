@@ -27,13 +27,17 @@
 //! | `refused` | a cell that cannot be used |
 //! | `size`, `sizes` | what was measured alone, of holes or of shafts |
 //! | `vocabulary`, `units`, `words` | the words of names of columns, the units beside them, what a name says |
+//! | `samples` | measured values side by side, in columns that are counted |
 //! | `sample`, `column` | the first rows of a CSV; one column of it |
 //! | `columns` | which column of a CSV is which, by header or content |
+//! | `band` | the cell of a tolerance beside a nominal size |
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
 //! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
+//! | `limits` | limits in columns of their own: as sizes or as deviations |
 //! | `left_out` | what a line beside the measurements says against them |
 //! | `remarks` | columns of no known name, in which a row may say something against its value |
+//! | `head` | what the lines above a header say of all values |
 //! | `headers` | a header among the rows, below which the columns may be others |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
 //! | `quantity` | what a row says that was measured of its feature |
@@ -83,6 +87,7 @@
 //! Other formats: `tables` writes tables of deviations, `sql` dialects, `report` renderings.
 
 pub mod aqdef;
+mod band;
 pub mod batch;
 mod beside;
 mod by_plan;
@@ -101,10 +106,12 @@ mod fn16;
 pub mod gauge;
 mod given;
 mod guarded;
+mod head;
 pub mod headers;
 mod imported;
 mod index;
 mod left_out;
+mod limits;
 mod logs;
 mod lookup;
 mod mapping;
@@ -125,6 +132,7 @@ mod role;
 mod row;
 mod rules;
 mod sample;
+mod samples;
 mod size;
 mod sizes;
 mod source;

@@ -63,9 +63,17 @@ impl Sample {
             Some(at) => Some(at),
             None => Self::measured_value(header, roles)?,
         };
+        let is_counted = measured.is_none() && of(roles, Role::Measured, &[Rank::Weak, Rank::Unsure]).is_empty();
+        let samples = if is_counted { self.side_by_side(header) } else { Vec::new() };
+        let measured = measured.or_else(|| samples.first().copied()).or_else(|| self.results(header, roles));
         let tolerance = best(header, roles, Role::Tolerance, &[Rank::Exact, Rank::Contained, Rank::Weak])?;
         let mut nominal = best(header, roles, Role::Nominal, &sure)?;
         // "diameter" is the measured value where no other column is; otherwise it may be the nominal size.
+        if !samples.is_empty()
+            && let Some(measured) = measured
+        {
+            return Ok(Chosen { measured, tolerance, nominal });
+        }
         let Some(measured) = measured else {
             let unsure = of(roles, Role::Measured, &[Rank::Unsure]);
             let measured = best(header, roles, Role::Measured, &[Rank::Weak])?;
@@ -81,6 +89,15 @@ impl Sample {
         }
         let chosen = Chosen { measured, tolerance, nominal };
         self.no_rival(header, roles, chosen)
+    }
+
+    /// A column of results, which are numbers where they are measured values, and words where they are a status.
+    fn results(&self, header: &StringRecord, roles: &Roles) -> Option<usize> {
+        let has_sizes = roles.iter().flatten().any(|(role, _)| *role == Role::Measured);
+        let is_one = |at: &usize| header.get(*at).is_some_and(words::may_be_results) && self.mostly(*at, is_number);
+        let mut found = (0..header.len()).filter(is_one);
+        let first = found.next().filter(|_| !has_sizes)?;
+        found.next().is_none().then_some(first)
     }
 
     /// The column of measured values by its name.

@@ -33,4 +33,26 @@ pub enum Role {
     Z,
     /// What was measured.
     Quantity,
+    /// Upper limit deviation, with its sign.
+    Upper,
+    /// Lower limit deviation, with its sign.
+    Lower,
+    /// Lower limit deviation without its minus.
+    Minus,
+    /// Largest permitted size.
+    Maximum,
+    /// Smallest permitted size.
+    Minimum,
+    /// Hole or shaft.
+    Kind,
+    /// The unit of the row.
+    Units,
+    /// What somebody or something else decided.
+    Status,
+    /// The machine that made the part.
+    Machine,
+    /// The batch.
+    Batch,
+    /// A measured value beside others of its row: each is of another part, or is a repeat.
+    Sample,
 }

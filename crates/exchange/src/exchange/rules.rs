@@ -2,11 +2,14 @@
 //!
 //! `measurements` asks it for files that are kept in memory, `batch` for rows by the million.
 
+use std::sync::Arc;
+
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Say as _;
-use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
+use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, LimitsError, Sources, Tolerance, ToleranceClass};
 
+use super::band;
 use super::cells;
 use super::column::LengthColumn;
 use super::columns::Columns;
@@ -14,6 +17,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence;
 use super::given::{shorten, shorten_cell};
 use super::imported::{StatedLimits, WhyUnjudged};
+use super::limits::{Given, LimitColumns, LimitsAre, NoLimits};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
 use super::refused::{Cell, Refused};
@@ -22,8 +26,8 @@ use crate::exchange::cell::Cells as _;
 /// What a row says.
 pub(super) struct RowMeasurement {
     pub(super) measured: Length,
-    /// The callout and its limits; `None` where the row has no callout.
-    pub(super) asked: Option<(Callout, Limits)>,
+    /// The limits, with the callout where they are of one; otherwise why the row is not judged.
+    pub(super) asked: Result<(Option<Callout>, Limits), WhyUnjudged>,
     /// What a row without a callout says that its value should be.
     pub(super) said: StatedLimits,
     /// Whether it says that nobody measured.
@@ -40,6 +44,8 @@ pub(super) struct Rules<'a> {
     pub(super) sources: &'a Sources,
     /// What was asked before; `None` where that is remembered elsewhere.
     pub(super) lookup: Option<&'a Lookup>,
+    /// The file, as the source of limits that stand in it.
+    pub(super) file: &'a Arc<str>,
     /// Whether a plan judges values without a callout: some of them are deviations or coordinates, which may be below zero.
     pub(super) has_plan: bool,
 }
@@ -53,33 +59,66 @@ impl Rules<'_> {
         }
         self.right_length(cells, self.columns.tolerance)?;
         let asks = self.columns.tolerance.is_some_and(|at| !is_blank(cells, at));
-        let measured = if self.has_plan && !asks { self.any_measured(cells)? } else { self.measured(cells)? };
+        let may_be_below = !asks && (self.has_plan || self.columns.limits.is_some());
+        let measured = if may_be_below { self.any_measured(cells)? } else { self.measured(cells)? };
         let Some((callout, cell)) = self.callout(cells, measured)? else {
             // A plan may judge it: what a file of Fitcheck says against it counts all the same.
             self.columns.own.decided_by_size(cells)?;
             let said = self.said(cells)?;
-            return Ok(RowMeasurement {
-                measured,
-                asked: None,
-                said,
-                is_simulated: self.is_simulated(cells)?,
-                quantity,
-            });
+            let asked = self.by_limits(cells, &said, measured, true)?;
+            return Ok(RowMeasurement { measured, asked, said, is_simulated: self.is_simulated(cells)?, quantity });
         };
         let limits = match self.lookup {
-            Some(lookup) => lookup.limits(&callout, self.sources),
-            None => self.sources.limits(&callout, None),
+            Some(lookup) if callout.class().is_some() => lookup.limits(&callout, self.sources),
+            _ => self.sources.limits(&callout, callout.feature().or_else(|| self.columns.feature_of(cells))),
         };
         let limits = limits.map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
+        if let Some(columns) = &self.columns.limits
+            && let Some(given) = columns.contradict(cells, &self.columns.stated, limits.bounds())
+        {
+            let minimum = limits.minimum();
+            let maximum = limits.maximum();
+            let columns = columns.words();
+            return Err((cell, ImportErrorKind::LimitsContradict { callout, minimum, maximum, given, columns }));
+        }
         let is_simulated = self.is_simulated(cells)?;
         self.columns.own.decided_by_size(cells)?;
-        Ok(RowMeasurement {
-            measured,
-            asked: Some((callout, limits)),
-            said: StatedLimits::default(),
-            is_simulated,
-            quantity,
-        })
+        let asked = Ok((Some(callout), limits));
+        Ok(RowMeasurement { measured, asked, said: StatedLimits::default(), is_simulated, quantity })
+    }
+
+    /// The limits of a row without a callout, or why it has none to judge by. With a plan its limits are compared with those of the plan.
+    fn by_limits<'c>(
+        &self,
+        cells: &'c StringRecord,
+        said: &StatedLimits,
+        measured: Length,
+        is_size: bool,
+    ) -> Result<Result<(Option<Callout>, Limits), WhyUnjudged>, Refused<'c>> {
+        let at = self.columns.measured.at;
+        let text = cells.cell(at).trim();
+        let not_positive = || WhyUnjudged::NotPositive { given: shorten(text), column: at + 1 };
+        if self.has_plan || said.minimum.or(said.maximum).is_none() || self.columns.limits.is_none() && is_size {
+            let is_below = is_size && measured <= Length::ZERO;
+            return match is_below {
+                true if self.has_plan => Ok(Err(not_positive())),
+                true => Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) })),
+                false => Ok(Err(WhyUnjudged::NoCallout)),
+            };
+        }
+        // Nothing measures zero or less that has to be larger.
+        if is_size && measured <= Length::ZERO && said.minimum.is_some_and(|minimum| Length::ZERO < minimum) {
+            return Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) }));
+        }
+        let feature = self.columns.feature_of(cells);
+        match said.limits(Given { feature, is_size, file: self.file, sources: self.sources }) {
+            Ok(limits) => Ok(Ok((None, limits))),
+            Err(NoLimits::Unjudged(why)) => Ok(Err(why)),
+            Err(NoLimits::Refused(error)) => {
+                let at = self.columns.limits.as_ref().and_then(|limits| limits.iter().next()).map(|column| column.at);
+                Err((Cell { at, text: cells.cell(at).trim() }, ImportErrorKind::Limits(*error)))
+            }
+        }
     }
 
     /// What a row says was measured.
@@ -101,17 +140,79 @@ impl Rules<'_> {
     ) -> Result<RowMeasurement, Refused<'c>> {
         self.right_length(cells, None)?;
         let measured = self.any_measured(cells)?;
-        // Nothing is judged by it, so what cannot be read refuses nothing.
-        let said = self.said(cells).unwrap_or_else(|_unreadable| StatedLimits::default());
-        Ok(RowMeasurement { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity })
+        let said = match self.said(cells) {
+            Ok(said) => StatedLimits { ..self.or_of_form(cells, said) },
+            // Without limits nothing is judged by it, so what cannot be read refuses nothing.
+            Err(refused) if self.columns.limits.is_some() && !self.has_plan => return Err(refused),
+            Err(_unreadable) => StatedLimits::default(),
+        };
+        let other = || {
+            let what = self.other_than_size(cells).map_or("", |cell| cell.text);
+            WhyUnjudged::NotASize { what: shorten(what) }
+        };
+        let asked = match self.by_limits(cells, &said, measured, false)? {
+            Err(WhyUnjudged::NoCallout) => Err(other()),
+            asked => asked,
+        };
+        Ok(RowMeasurement { measured, asked, said, is_simulated: self.is_simulated(cells)?, quantity })
+    }
+
+    /// A tolerance of form is one number: `0.02`.
+    fn or_of_form(&self, cells: &StringRecord, said: StatedLimits) -> StatedLimits {
+        let text = cells.cell(self.columns.tolerance).trim();
+        let is_form = said.nominal.is_none_or(|nominal| nominal == Length::ZERO);
+        let one = cells::length(text, fitcheck_core::length::Unit::Millimetre).ok();
+        let one = one.filter(|one| is_form && Length::ZERO < *one && text.starts_with(|c: char| c.is_ascii_digit()));
+        if said.minimum.or(said.maximum).is_some() { said } else { StatedLimits { maximum: one, ..said } }
     }
 
     /// What a row without a callout says that its value should be.
     fn said<'c>(&self, cells: &'c StringRecord) -> Result<StatedLimits, Refused<'c>> {
         let nominal = self.columns.nominal.filter(|column| !is_blank(cells, column.at));
         let nominal = nominal.map(|column| self.length(cells, column, ImportErrorKind::Nominal)).transpose()?;
-        let [minimum, maximum] = self.columns.own.limits(cells);
-        Ok(StatedLimits { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
+        let nominal = nominal.map(|(_, nominal)| nominal);
+        let [minimum, maximum] = match &self.columns.limits {
+            Some(columns) if !self.has_plan => self.column_limits(cells, columns, nominal)?,
+            _ => self.columns.own.limits(cells),
+        };
+        Ok(StatedLimits { nominal, minimum, maximum })
+    }
+
+    /// The limits that stand in columns of their own, as sizes: the smaller one first.
+    fn column_limits<'c>(
+        &self,
+        cells: &'c StringRecord,
+        columns: &LimitColumns,
+        nominal: Option<Length>,
+    ) -> Result<[Option<Length>; 2], Refused<'c>> {
+        let read = |column: Option<LengthColumn>| -> Result<Option<(Cell<'c>, Length)>, Refused<'c>> {
+            let Some(column) = column else { return Ok(None) };
+            let text = cells.cell(column.at).trim();
+            if matches!(text, "" | "-" | "\u{2013}" | "\u{2014}") {
+                return Ok(None);
+            }
+            let column = self.columns.stated.of_limit(column, cells)?;
+            let cell = Cell { at: Some(column.at), text };
+            let length = cells::length(&shorten_cell(text), column.unit);
+            length.map(|length| Some((cell, length))).map_err(|error| (cell, ImportErrorKind::Limit(error)))
+        };
+        let upper = read(columns.upper)?;
+        let lower = read(columns.lower)?;
+        let size = |found: Option<(Cell<'c>, Length)>, is_lower: bool| -> Result<Option<Length>, Refused<'c>> {
+            let Some((cell, length)) = found else { return Ok(None) };
+            let deviation = match columns.are {
+                LimitsAre::Sizes => return Ok(Some(length)),
+                LimitsAre::UnsignedDeviations if is_lower && length < Length::ZERO => {
+                    return Err((cell, ImportErrorKind::MinusAgain { given: shorten(cell.text) }));
+                }
+                LimitsAre::UnsignedDeviations if is_lower => length.negated(),
+                LimitsAre::Deviations | LimitsAre::UnsignedDeviations => length,
+            };
+            let nominal = nominal.ok_or((cell, ImportErrorKind::QifNoNominal))?;
+            let too_large = || (cell, ImportErrorKind::Limits(LimitsError::TooLarge { nominal }));
+            nominal.checked_add(deviation).map(Some).ok_or_else(too_large)
+        };
+        Ok([size(lower, true)?, size(upper, false)?])
     }
 
     /// That the end of the file may have cut off a last row that has no line end: its measured value, if that has fewer decimals than the
@@ -121,7 +222,8 @@ impl Rules<'_> {
         let last = cells.len().checked_sub(1)?;
         let given = shorten(cells.cell(last).trim());
         let judged_by = [Some(columns.measured.at), columns.tolerance, columns.nominal.map(|column| column.at)];
-        let quantities = columns.quantities.iter().map(|column| column.at);
+        let limits = columns.limits.iter().flat_map(LimitColumns::iter).map(|column| column.at);
+        let quantities = columns.quantities.iter().map(|column| column.at).chain(limits);
         if judged_by.into_iter().flatten().chain(quantities).max() < Some(last) {
             return None;
         }
@@ -159,7 +261,8 @@ impl Rules<'_> {
         }
         let is_simulated = self.is_simulated(cells)?;
         let quantity = None;
-        Ok(RowMeasurement { measured, asked: None, said: StatedLimits::default(), is_simulated, quantity })
+        let asked = Err(WhyUnjudged::NoCallout);
+        Ok(RowMeasurement { measured, asked, said: StatedLimits::default(), is_simulated, quantity })
     }
 
     /// Whether a comment would be a row with a size, were it none.
@@ -170,7 +273,7 @@ impl Rules<'_> {
     /// Whether a comment would be a row with a callout and its measured value, were it none: with its `#` or without.
     pub(super) fn hides_measurement(&self, cells: &StringRecord) -> bool {
         let bare = uncommented(cells);
-        let is_row = self.read(&bare).is_ok_and(|found| found.asked.is_some());
+        let is_row = self.read(&bare).is_ok_and(|found| found.asked.is_ok() || found.said.maximum.is_some());
         is_row || [cells, &bare].into_iter().any(cells::is_data)
     }
 
@@ -206,7 +309,7 @@ impl Rules<'_> {
         let (cell, measured) = self.length(cells, self.columns.measured, ImportErrorKind::Measured)?;
         let given = || shorten(cell.text);
         if let Some(sign) = self.columns.decimal_sign
-            && cell.text.contains(if sign == '.' { ',' } else { '.' })
+            && cells::sign_of(cell.text).is_some_and(|own| own != sign)
         {
             return Err((cell, ImportErrorKind::DecimalSign { given: given(), sign }));
         }
@@ -233,7 +336,7 @@ impl Rules<'_> {
         let column = self.columns.stated.in_row(column, cells)?;
         let text = cells.cell(column.at).trim();
         let cell = Cell { at: Some(column.at), text };
-        let length = Length::parse_in(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
+        let length = cells::length(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
         Ok((cell, length))
     }
 
@@ -265,10 +368,22 @@ impl Rules<'_> {
             Some((_, nominal)) if begins_with_letter => {
                 given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
             }
+            Some((_, nominal)) if band::is_one(&given) => {
+                let goes_both_ways = self.columns.tolerance_goes_both_ways;
+                let deviations = band::read(&given, goes_both_ways).map_err(|reason| (cell, reason))?;
+                Callout::with_deviations(nominal, deviations)
+            }
             _ => self.lookup.map_or_else(|| given.parse::<Callout>(), |lookup| lookup.callout(&given)),
         };
         let callout = read.map_err(|error| (cell, ImportErrorKind::Callout(error)))?;
-        if let Some((_, nominal)) = nominal.filter(|(_, nominal)| *nominal != callout.nominal()) {
+        // Of two limits the nominal size is another than their middle, and within twice of them.
+        let is_between = |nominal: Length| match callout.tolerance() {
+            Tolerance::Limits { maximum, minimum } => {
+                nominal.saturating_sub(maximum) <= maximum && minimum.saturating_sub(nominal) <= nominal
+            }
+            _ => nominal == callout.nominal(),
+        };
+        if let Some((_, nominal)) = nominal.filter(|(_, nominal)| !is_between(*nominal)) {
             return Err((cell, ImportErrorKind::NominalDiffers { callout, nominal }));
         }
         self.one_callout(cells, cell, callout, measured)?;

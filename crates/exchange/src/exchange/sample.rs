@@ -6,7 +6,10 @@ use fitcheck_core::length::Unit;
 
 use super::cells::{WholeNumbers, decimals, is_blank, is_comment, is_data, is_number, is_whole, may_be_names};
 use super::delimited::{Item, Rows, SEPARATORS};
+use super::role::Role;
+use super::samples;
 use super::stated;
+use super::vocabulary::Rank;
 use super::warmth;
 use super::words;
 
@@ -20,7 +23,7 @@ pub(super) const NO_SEPARATOR: u8 = b'\t';
 const SAMPLE_BYTES: usize = 512 << 10;
 
 /// How many lines may come before a header.
-pub(super) const ABOVE_HEADER: usize = 20;
+pub(super) const ABOVE_HEADER: usize = 50;
 
 /// The first rows of a text, split at one separator.
 pub(super) struct Sample {
@@ -29,6 +32,8 @@ pub(super) struct Sample {
     pub(super) header: Option<usize>,
     /// How many rows come before the measurements.
     pub(super) above: usize,
+    /// The line above the header that is a part of it.
+    pub(super) top: Option<usize>,
     /// Whether the last of the rows ends the text, without a line end.
     is_last_open: bool,
     /// The column of measured values, where the user has said it.
@@ -40,6 +45,8 @@ pub(super) struct Sample {
     /// The unit of sizes, where the user has said it, and whether that of places is said.
     pub(super) given: Option<Unit>,
     pub(super) has_place_unit: bool,
+    /// Columns that the user has said to hold a status, the unit of the row, hole or shaft.
+    pub(super) said: Vec<(Role, usize)>,
 }
 
 impl Sample {
@@ -92,15 +99,40 @@ impl Sample {
             rows,
             header,
             above,
+            top: None,
             is_last_open: false,
             measured: None,
             comments,
             units_row: None,
             given: None,
             has_place_unit: false,
+            said: Vec::new(),
         };
+        sample.merge_header();
         sample.find_units_row();
         sample
+    }
+
+    /// Makes one header of two rows of names, where both together name more columns than either.
+    fn merge_header(&mut self) {
+        let Some(at) = self.header else { return };
+        let row = |at: Option<usize>| at.and_then(|at| self.rows.get(at)).map(|(_, cells)| cells);
+        let can_be = |cells: &StringRecord| may_be_names(cells) || names_samples(cells);
+        let pairs = [(Some(at), at.checked_add(1)), (at.checked_sub(1), Some(at))];
+        let best = pairs.into_iter().find_map(|(top, bottom)| {
+            let (above, below) = (row(top)?, row(bottom)?);
+            let names = merged(above, below);
+            let is_more = named(above).max(named(below)) < named(&names) && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
+            let is_units = stated::is_row_of_units(above, below);
+            (can_be(above) && can_be(below) && !is_units && is_more).then_some((top?, bottom?, names))
+        });
+        let Some((top, bottom, names)) = best else { return };
+        self.top = self.rows.get(top).map(|(line, _)| *line);
+        self.header = Some(bottom);
+        self.above = self.above.max(bottom + 1);
+        if let Some((_, cells)) = self.rows.get_mut(bottom) {
+            *cells = names;
+        }
     }
 
     /// Finds the row of units below the header: no measurement.
@@ -114,6 +146,11 @@ impl Sample {
         if self.units_row.is_some() {
             self.above = self.above.max(at + 1);
         }
+    }
+
+    /// Whether the user has said that a column holds something.
+    pub(super) fn is_said(&self, role: Role, at: usize) -> bool {
+        self.said.contains(&(role, at))
     }
 
     /// Whether a column has no cells below the header.
@@ -186,16 +223,46 @@ fn row(line: usize, cells: StringRecord, comments: &mut Vec<(usize, StringRecord
 
 /// The header row: the first that names columns and holds no measurement.
 fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
-    let first = rows
-        .iter()
-        .take(ABOVE_HEADER)
-        .position(|(_, cells)| is_data(cells) || 2 <= named(cells) && may_be_names(cells));
+    let names = |cells: &StringRecord| 2 <= named(cells) && (may_be_names(cells) || names_samples(cells));
+    let above = || rows.iter().take(ABOVE_HEADER);
+    let first = above().position(|(_, cells)| is_data(cells) || names(cells));
     let is_header = |at: usize| rows.get(at).is_some_and(|(_, cells)| !is_data(cells));
+    // Of several lines of names, that of measured values: "Part Name;Plate;Serial;S-7" may be names, too.
+    let has_values = |cells: &StringRecord| {
+        let is_measured = |cell: &str| words::role(cell).is_some_and(|(role, rank)| role == Role::Measured && rank != Rank::Unsure);
+        cells.iter().any(is_measured) || names_samples(cells)
+    };
+    let below = above().position(|(_, cells)| is_data(cells) || names(cells) && has_values(cells));
+    let first = below.filter(|at| is_header(*at)).or(first);
     match first {
         Some(at) if is_header(at) => Some(at),
         // A single column that is named, or a name for the measured value alone.
         _ => rows.first().filter(|(_, cells)| 1 <= named(cells) && may_be_names(cells)).map(|_| 0),
     }
+}
+
+/// Whether a row names columns of samples by numbers, and others.
+fn names_samples(cells: &StringRecord) -> bool {
+    let samples = samples::counted(cells);
+    let others: StringRecord =
+        (0..).zip(cells).filter(|(at, _)| !samples.contains(at)).map(|(_, cell)| cell).collect();
+    !samples.is_empty() && may_be_names(&others)
+}
+
+/// The names of two rows as one: what stands above several columns, and what stands below it over each.
+fn merged(top: &StringRecord, bottom: &StringRecord) -> StringRecord {
+    let mut group = "";
+    let name = |at: usize| {
+        let below = bottom.get(at).unwrap_or("").trim();
+        let above = top.get(at).unwrap_or("").trim();
+        if !above.is_empty() || below.is_empty() {
+            group = above;
+        }
+        let both = format!("{group} {below}").trim().to_owned();
+        let known = [both.as_str(), below, group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
+        known.unwrap_or(both)
+    };
+    (0..top.len().max(bottom.len())).map(name).collect()
 }
 
 /// How many columns a row would name as a header.

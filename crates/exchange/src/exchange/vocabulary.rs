@@ -1,4 +1,5 @@
-//! The words that people use to name columns, in English, Dutch, German and Italian, and what each of them says.
+//! The words that people use to name columns, in English, Dutch, German, Italian, French and
+//! Spanish, and what each of them says.
 //!
 //! To add a name of a column: add it to its list, in small letters, with one blank for each sign. Names of labels, of a status and of an
 //! origin are in `words`.
@@ -24,23 +25,33 @@ pub(super) enum Rank {
 
 const ID: &str = "id|nr|no|number|nummer|num|numero|part|part no|part number|part id|teil|teilenummer|deel|onderdeel|\
     workpiece|werkstuk|werkstück|pezzo|stuk|name|naam|nome|bezeichnung|benaming|feature|feature id|merkmal|kenmerk|\
-    caratteristica|characteristic|characteristic name|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|serial|serial number|\
-    seriennummer|serienummer|matricola|pos|item|code|codice|what|was|wat";
+    caratteristica|characteristic|characteristics|characteristic name|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|serial|serial number|\
+    seriennummer|serienummer|matricola|pos|item|code|codice|what|was|wat|\
+    numéro|désignation|designation|repère|pièce|caractéristique|élément|alésage|arbre|code pièce|nombre|número|pieza|\
+    característica|designación|agujero|eje|char no|char number|dimension no|print no|merkmalsname";
 const TOLERANCE: &str = "callout|fit|tolerance|tol|toleranz|tolerantie|tolleranza|passing|passung|accoppiamento|\
-    toleranzfeld|tolerantieveld|spec|specification|specificatie|spezifikation|specifica|size and class";
-const CLASS: &str = "class|klasse|classe|tolerance class|toleranzklasse|tolerantieklasse|classe di tolleranza|iso";
+    toleranzfeld|tolerantieveld|spec|specification|specificatie|spezifikation|specifica|size and class|\
+    requirement|requirements|specifications|specs|anforderung|forderung|zeichnungsmaß|zeichnungsmass|eis|requisito|ajustement|tolérance|\
+    spécification|exigence|ajuste|tolerancia|especificación|especificaciones";
+const CLASS: &str = "class|klasse|classe|tolerance class|toleranzklasse|tolerantieklasse|classe di tolleranza|iso|\
+    classe de tolérance|clase|clase de tolerancia";
 const NOMINAL: &str = "nominal|nominal size|nominal diameter|nominal value|nom|nennmaß|nennmass|nenngröße|nennwert|\
     sollmaß|sollmass|sollwert|soll|nominaal|nominale maat|nominale diameter|nominale|quota nominale|valore nominale|\
-    diametro nominale|dimensione nominale|basic size|target";
+    diametro nominale|dimensione nominale|basic size|target|\
+    cote nominale|valeur nominale|dimension nominale|diamètre nominal|valor nominal|medida nominal|cota nominal|diámetro nominal";
 const MEASURED: &str = "measured|meas|act|mis|measured value|measured size|measured diameter|measurement|actual|actual value|\
     actual size|actual diameter|reading|remeasured|re measured|remeasurement|recheck|re check|rechecked|nachgemessen|\
     nachmessung|hermeten|hermeting|rimisurato|rimisurata|istmaß|istmass|istwert|ist|messwert|gemessen|gemessener wert|gemeten|\
     gemeten waarde|gemeten maat|meetwaarde|meting|werkelijk|werkelijke maat|werkelijke waarde|misurato|misurata|\
-    valore misurato|diametro misurato|quota misurata|misurazione|effettivo|valore effettivo|dimensione effettiva";
+    valore misurato|diametro misurato|quota misurata|misurazione|effettivo|valore effettivo|dimensione effettiva|\
+    mesuré|mesurée|mesure|valeur mesurée|cote mesurée|valeur réelle|cote réelle|diamètre mesuré|relevé|valeur relevée|\
+    medido|medida real|valor medido|valor real|cota medida|cota real|diámetro medido|medición";
 const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|grootte|value|wert|waarde|valore|misura|\
-    dimension|dimensione|mm";
+    dimension|dimensione|mm|\
+    diamètre|valeur|cote|diámetro|valor|cota|medida";
 const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|date|tijd|tijdstip|datum|datum tijd|\
-    datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on";
+    datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on|\
+    date et heure|date de mesure|heure|horodatage|fecha|fecha y hora|hora";
 
 const SIMULATED: &str = "simulated|is simulated|gesimuleerd|simuliert|simulato|simulata";
 
@@ -49,7 +60,9 @@ const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|f
     minimaal|maximaal|minimo|massimo|lower|upper|onder|boven|unten|oben|inferiore|superiore|limit|limits|grens|grenze|\
     limite|by|door|von|at|on|op|am|gauge|tool|device|unit|eenheid|einheit|unità|height|hoogte|höhe|altezza|temp|\
     temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
-    risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo";
+    risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo|\
+    maxi|mini|supérieur|supérieure|inférieur|inférieure|superior|inferior|écart|desviación|écarts|limites|límite|máximo|mínimo|par|por|unité|unidad|\
+    résultat|résultats|resultado|estado|état|statut|quantité|cantidad|observation|observaciones|température|temperatura|appareil";
 
 /// Words that say another measurement or another quantity than the diameter that was measured now: an earlier or an expected one,
 /// that of a master or at the setting of a gauge, a radius. In a name for a part they say nothing.
@@ -85,6 +98,59 @@ const BESIDE: &str = "average|avg|mean|median|final|raw|corrected|in|gemiddeld|g
     with|mit|met|con|probe|taster|tastsystem|tastatore|cmm|kmg|machine|maschine|messmaschine|meetmachine|macchina|\
     point|points|punkt|punkte|punt|punten|punto|punti|two|three|four|inner|outer|inside|outside|innen|außen|aussen|\
     binnen|buiten|interno|esterno|round|zone|hand|val|eff|dim|1st|2nd|3rd|4th|vor|voor|prima|after|nach|na|dopo|ort|r";
+
+/// Names of the upper limit deviation. The sign of `+TOL` and `Tol +` is looked at elsewhere.
+pub(super) const UPPER_DEVIATION: &str = "upper tol|upper tolerance|upper deviation|upper dev|upper limit deviation|upper allowance|uppertol|tol upper|\
+    tolerance upper|tol plus|plus tol|plus tolerance|tolerance plus|pos tol|positive tolerance|oberes abmaß|oberes abmass|\
+    oberes grenzabmaß|oberes grenzabmass|obere toleranz|obere abweichung|toleranz oben|tol oben|bovenafwijking|bovenste afwijking|\
+    boventolerantie|bovenste tolerantie|tol boven|tolerantie boven|scostamento superiore|tolleranza superiore|tol superiore|\
+    écart supérieur|tolérance supérieure|tol supérieure|tolérance sup|tol sup|desviación superior|tolerancia superior|tol superior";
+
+/// Names of the lower one.
+pub(super) const LOWER_DEVIATION: &str = "lower tol|lower tolerance|lower deviation|lower dev|lower limit deviation|lower allowance|lowertol|tol lower|\
+    tolerance lower|unteres abmaß|unteres abmass|unteres grenzabmaß|unteres grenzabmass|untere toleranz|untere abweichung|toleranz unten|\
+    tol unten|onderafwijking|onderste afwijking|ondertolerantie|onderste tolerantie|tol onder|tolerantie onder|scostamento inferiore|\
+    tolleranza inferiore|tol inferiore|écart inférieur|tolérance inférieure|tol inférieure|tolérance inf|tol inf|desviación inferior|\
+    tolerancia inferior|tol inferior";
+
+/// Names of a lower one that may stand without its sign: the name has it.
+pub(super) const MINUS: &str = "tol minus|minus tol|minus tolerance|tolerance minus|neg tol|negative tolerance";
+
+/// Names of the largest permitted size.
+pub(super) const MAXIMUM: &str = "usl|utl|upper limit|upper spec limit|upper specification limit|upper tolerance limit|max limit|max size|max dimension|\
+    maximum size|maximum dimension|maximum limit|limit max|otg|ogw|größtmaß|größtmass|grösstmaß|grösstmass|groesstmass|höchstmaß|\
+    höchstmass|hoechstmass|obergrenze|obere grenze|obere toleranzgrenze|obere spezifikationsgrenze|oberes grenzmaß|oberes grenzmass|\
+    oberer grenzwert|bovengrens|bovenste grens|bovenmaat|grootste maat|maximale maat|limite superiore|quota massima|\
+    dimensione massima|limite supérieure|cote maximale|cote maxi|cote max|dimension maximale|límite superior|limite superior|\
+    cota máxima|cota maxima|medida máxima|dimensión máxima";
+
+/// Names of the smallest one.
+pub(super) const MINIMUM: &str = "lsl|ltl|lower limit|lower spec limit|lower specification limit|lower tolerance limit|min limit|min size|min dimension|\
+    minimum size|minimum dimension|minimum limit|limit min|utg|ugw|kleinstmaß|kleinstmass|mindestmaß|mindestmass|untergrenze|\
+    untere grenze|untere toleranzgrenze|untere spezifikationsgrenze|unteres grenzmaß|unteres grenzmass|unterer grenzwert|ondergrens|\
+    onderste grens|ondermaat|kleinste maat|minimale maat|limite inferiore|quota minima|dimensione minima|limite inférieure|\
+    cote minimale|cote mini|cote min|dimension minimale|límite inferior|limite inferior|cota mínima|cota minima|medida mínima|\
+    dimensión mínima";
+
+/// Names of either an upper limit or an upper deviation: the numbers tell.
+pub(super) const UPPER: &str = "upper|boven|superiore|supérieur|superior";
+
+/// The same of the lower one.
+pub(super) const LOWER: &str = "lower|onder|inferiore|inférieur|inferior";
+
+/// Names of the largest permitted size, or of the largest of several readings: beside a callout they are compared alone.
+pub(super) const LARGEST: &str = "max|maximum|massimo|maxi|máximo";
+
+/// The same of the smallest one.
+pub(super) const SMALLEST: &str = "min|minimum|minimo|mini|mínimo";
+
+/// Words that make a sign one of a deviation: `+TOL`, `Abw. -`.
+pub(super) const SIGNED: &str = "tol|toll|tols|tolerance|toleranz|tolerantie|tolleranza|tolérance|tolerancia|dev|abmaß|abmass|afwijking|scostamento|écart";
+
+/// Whether a list of names has one.
+pub(super) fn has(list: &str, name: &str) -> bool {
+    list.split('|').any(|known| known == name)
+}
 
 /// The lists above, to be asked by a word.
 pub(super) struct Known {

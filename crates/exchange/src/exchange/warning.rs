@@ -52,6 +52,26 @@ pub enum ImportWarningKind {
         /// Its first words.
         words: String,
     },
+    /// Lower deviations that stand without their minus, which is supplied.
+    MinusSupplied {
+        /// Its number and name.
+        column: String,
+    },
+    /// Columns that are read as limits by what stands in them.
+    LimitsRead {
+        /// Their numbers and names.
+        columns: String,
+    },
+    /// What lines above the measurements say of all of them.
+    HeadRead {
+        /// Their words.
+        said: String,
+    },
+    /// Columns with a measured value each.
+    SamplesRead {
+        /// Their numbers and names.
+        columns: String,
+    },
     /// A skipped line above the measurements.
     NotUsed {
         /// The line's text.
@@ -374,6 +394,10 @@ impl ImportWarningKind {
             | Self::OtherRule
             | Self::IgnoredColumns { .. }
             | Self::NotUsed { .. }
+            | Self::MinusSupplied { .. }
+            | Self::LimitsRead { .. }
+            | Self::HeadRead { .. }
+            | Self::SamplesRead { .. }
             | Self::Place { .. }
             | Self::SeveralLines { .. }
             | Self::Time { .. }

@@ -1,8 +1,9 @@
-//! What the name of a column says, in English, Dutch, German and Italian; `vocabulary` has the words, `units` the units beside them.
+//! What the name of a column says, in six languages; `vocabulary` has the words, `units` the units beside them.
 //!
 //! Names of what is compared beside a value are in `beside`, words of a verdict in `claim`, words of what was measured in `quantity`.
 //! Tests: `tests/core/beside.rs`, `column_mapping.rs`.
 
+use super::limits;
 use super::role::Role;
 use super::units::{self, ColumnNameParts};
 use super::vocabulary::{KNOWN, Rank, WITHIN};
@@ -21,30 +22,40 @@ const CORRECTED: &str = "temp comp|temp compensation|temp compensated|temperatur
 
 /// Words of a name whose numbers are those of features: a balloon, a characteristic, a bore. A number below another name may count the rows.
 const OF_FEATURES: &str = "name|naam|nome|bezeichnung|benaming|feature|merkmal|merkmalsnummer|kenmerk|kenmerknummer|\
-    characteristic|caratteristica|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|balloon|pos|\
+    characteristic|caratteristica|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|balloon|bubble|repère|alésage|característica|caractéristique|agujero|pos|\
     position|positie|posizione|positionsnummer|what|was|wat";
 
 /// Names that say more of a value than what it is of: they count beside a column that names the feature.
-const LABELS: [(Role, &str); 4] = [
+const LABELS: [(Role, &str); 6] = [
     (
         Role::Part,
         "part|part no|part number|part id|teil|teilenummer|teil nr|deel|onderdeel|onderdeelnummer|workpiece|werkstuk|\
         werkstück|pezzo|drawing|drawing no|drawing number|zeichnung|zeichnungsnummer|tekening|tekeningnummer|disegno|\
-        numero disegno|codice pezzo",
+        numero disegno|codice pezzo|pièce|numéro de pièce|code pièce|plan|numéro de plan|pieza|número de pieza|plano|número de plano",
     ),
     (
         Role::Serial,
-        "serial|serial no|serial number|sn|seriennummer|serien nr|serienummer|serienr|matricola|numero di serie|numero seriale",
+        "serial|serial no|serial number|sn|seriennummer|serien nr|serienummer|serienr|matricola|numero di serie|numero seriale|numéro de série|número de serie|ser number",
     ),
     (
         Role::Number,
         "number|no|nr|nummer|num|numero|characteristic no|characteristic number|merkmalsnummer|merkmal nr|kenmerknummer|balloon|\
-        balloon no|pos|position no|positie nr|positionsnummer",
+        balloon no|pos|position no|positie nr|positionsnummer|repère|numéro|número|print no|char no|bubble|bubble no|ballon",
     ),
     (
         Role::Who,
         "who|operator|inspector|measured by|checked by|inspected by|prüfer|bediener|gemessen von|geprüft von|operateur|\
-        keurmeester|inspecteur|gemeten door|gekeurd door|operatore|ispettore|collaudatore|misurato da",
+        keurmeester|inspecteur|gemeten door|gekeurd door|operatore|ispettore|collaudatore|misurato da|opérateur|contrôleur|mesuré par|operador|operario|inspector|medido por",
+    ),
+    (
+        Role::Machine,
+        "machine|machine no|machine number|machine id|maschine|maschinennummer|maschinen nr|machinenummer|macchina|macchina n|\
+        machine outil|máquina|maquina|equipment|anlage",
+    ),
+    (
+        Role::Batch,
+        "batch|batch no|batch number|lot|lot no|lot number|charge|chargennummer|chargen nr|los|losnummer|partij|partijnummer|batchnummer|\
+        lotto|numero lotto|numéro de lot|lote|número de lote",
     ),
 ];
 
@@ -110,6 +121,9 @@ pub(super) fn may_be_before(header: &str) -> bool {
 
 /// What a column with this name holds.
 pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
+    if let Some(limit) = limits::by_name(header) {
+        return Some(limit.role());
+    }
     let ColumnNameParts { mut name, inside, is_remark, .. } = units::split(header);
     let is_strange = |words: &[String]| words.iter().any(|word| KNOWN.strange.contains(word.as_str()));
     // A remark in brackets is no part of a name, but it may say that a size is another one.
@@ -180,6 +194,26 @@ pub(super) fn may_be_running(header: &str) -> bool {
 const STATUS: &str = "status|result|verdict|decision|judgement|judgment|pass fail|ok nok|resultaat|uitslag|oordeel|beoordeling|\
     ergebnis|urteil|bewertung|entscheid|entscheidung|befund|risultato|esito|giudizio";
 
+/// Words with which a line begins that sums up the rows above it.
+const SUMMARY: &str = "summary|total|totals|zusammenfassung|gesamtergebnis|gesamt|samenvatting|totaal|riepilogo|totale|résumé|synthèse|resumen|end of report|\
+    ende|end";
+
+/// Whether a line that is no measurement sums up the rows above it.
+pub(super) fn is_summary(cells: &csv::StringRecord) -> bool {
+    let first = cells.iter().map(str::trim).find(|cell| !cell.is_empty()).map(bare);
+    first.is_some_and(|first| SUMMARY.split('|').any(|known| known == first))
+}
+
+/// Names of a column of results: measured values, or what somebody decided.
+const RESULTS: &str = "result|results|messergebnis|messergebnisse|ergebnis|ergebnisse|resultaat|resultaten|meetresultaat|risultato|risultati|\
+    résultat|résultats|resultado|resultados";
+
+/// Whether a column with this name may have measured values, if they are numbers.
+pub(super) fn may_be_results(header: &str) -> bool {
+    let name = bare(header);
+    RESULTS.split('|').any(|known| known == name)
+}
+
 /// Whether a column with this name says the status of a value.
 pub(super) fn is_status(header: &str) -> bool {
     let name = bare(header);
@@ -234,7 +268,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_of_four_languages_are_known() {
+    fn names_of_six_languages_are_known() {
         for (name, expected) in [
             ("id", Some((Role::Id, Rank::Exact))),
             ("Part No.", Some((Role::Id, Rank::Exact))),
@@ -259,7 +293,9 @@ mod tests {
             ("measured at", Some((Role::Time, Rank::Exact))),
             ("measured by", None),
             ("measured deviation", None),
-            ("upper tolerance", None),
+            ("upper tolerance", Some((Role::Upper, Rank::Exact))),
+            ("valeur mesurée", Some((Role::Measured, Rank::Exact))),
+            ("cota nominal", Some((Role::Nominal, Rank::Exact))),
             ("remark", None),
             ("", None),
         ] {

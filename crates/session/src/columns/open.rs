@@ -194,11 +194,14 @@ impl OpenColumns {
 
 /// What is needed to use a file, where a column for it is missing: measured values, and what they are of.
 pub fn refusal(into: ImportInto, has: impl Fn(Role) -> bool) -> Option<Message> {
-    if !has(Role::Measured) {
+    if !has(Role::Measured) && !has(Role::Sample) {
         return Some(message!("columns-page-no-measured"));
     }
     match into {
-        ImportInto::History => (!has(Role::Tolerance)).then(|| message!("columns-page-no-callout")),
+        ImportInto::History => {
+            let limits = [Role::Tolerance, Role::Upper, Role::Lower, Role::Maximum, Role::Minimum];
+            (!limits.into_iter().any(&has)).then(|| message!("columns-page-no-callout"))
+        }
         ImportInto::Part(_) => {
             let is_found = has(Role::Id) || has(Role::Number) || has(Role::X) && has(Role::Y);
             (!is_found).then(|| message!("columns-page-no-name"))

@@ -1,7 +1,11 @@
 //! What every worker needs to judge the rows of a stream, and which of them are plain.
 
+use std::sync::Arc;
+
 use super::known::Steps;
 use super::layout::Layout;
+use crate::exchange::beside::BesideColumn;
+use crate::exchange::limits::LimitColumns;
 use crate::exchange::quantity::QuantityColumn;
 use fitcheck_core::length::Unit;
 use fitcheck_core::tolerance::Sources;
@@ -13,6 +17,8 @@ pub struct StreamJudging<'a> {
     pub(super) sources: &'a Sources,
     pub(super) steps: Steps,
     pub(super) fast: Fast<'a>,
+    /// In place of the name of a file: no answer has it.
+    pub(super) file: Arc<str>,
 }
 
 /// Which rows can be judged fast.
@@ -22,6 +28,10 @@ pub(super) struct Fast<'a> {
     pub(super) measured: (usize, Unit),
     pub(super) nominal: Option<(usize, Unit)>,
     pub(super) tolerance: Option<usize>,
+    /// Limits in columns of their own.
+    pub(super) limits: Option<&'a LimitColumns>,
+    /// The column that says hole or shaft, where rows have limits; rows are looked at closely where several do.
+    pub(super) side: Option<&'a BesideColumn>,
     /// The only column that states the unit of each row.
     pub(super) unit: Option<usize>,
     /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
@@ -54,6 +64,11 @@ impl<'a> StreamJudging<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
+            limits: columns.limits.as_ref().filter(|_| plain.is_some() && !columns.evidence.are_simulated),
+            side: match columns.sides().as_slice() {
+                [one] => Some(one),
+                _ => None,
+            },
             unit,
             is_inch,
             aside: columns
@@ -70,7 +85,7 @@ impl<'a> StreamJudging<'a> {
             may_join: has_commas && !columns.names_known,
             has_comments: !layout.is_typed,
         };
-        Self { layout, sources, steps: Steps::of(sources), fast }
+        Self { layout, sources, steps: Steps::of(sources), fast, file: Arc::from("") }
     }
 
     /// The layout of the rows.

@@ -13,18 +13,20 @@ use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::marks_simulation;
-use crate::exchange::given::shorten;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
+use crate::exchange::column::LengthColumn;
 use crate::exchange::left_out;
+use crate::exchange::limits::LimitColumns;
 use crate::exchange::row::{Part, TextRow};
 use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::stated;
+use crate::exchange::words;
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Say;
 use fitcheck_core::text::Within as _;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
-use fitcheck_core::tolerance::{Bounds, ToleranceClass};
+use fitcheck_core::tolerance::{Bounds, Deviations, Feature, ToleranceClass};
 use fitcheck_core::verdict::{Status, doubt_of};
 use std::fmt;
 
@@ -59,6 +61,8 @@ pub struct Judge<'a> {
     index: Index,
     /// What stands beside a value and may contradict its answer.
     compared: Compared<'a>,
+    /// Words of holes and shafts that were met.
+    sides: Vec<(Vec<u8>, Option<Feature>)>,
 }
 
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
@@ -84,6 +88,7 @@ impl StreamJudging<'_> {
             others: Counts::default(),
             index: Index::default(),
             compared: Compared::with(&self.layout.columns),
+            sides: Vec::new(),
         }
     }
 }
@@ -237,7 +242,10 @@ impl Judge<'_> {
         {
             return None;
         }
-        let at = fast.tolerance?;
+        let at = match fast.tolerance {
+            Some(at) if fast.limits.is_none() || row.cell(at).is_some_and(|cell| !cell.is_empty()) => at,
+            _ => return self.by_limits(row, measured, said, tally, take),
+        };
         if fast.may_join && at.checked_sub(1).and_then(|before| row.cell(before)).is_some_and(may_be_number) {
             return None;
         }
@@ -276,8 +284,62 @@ impl Judge<'_> {
         let (class, feature, deviations) = self.classes.deviations(number, nominal)?;
         // Within a step a zone is as wide everywhere; whether it reaches to zero depends on the size.
         let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
+        if let Some(limits) = fast.limits {
+            let own = bounds_of(row, limits, Some(nominal), said)?;
+            let bounds_of_row = Bounds::new(feature, own.0, own.1)?;
+            if (bounds_of_row.minimum(), bounds_of_row.maximum()) != (bounds.minimum(), bounds.maximum()) {
+                return None;
+            }
+        }
         self.give(row, &Judged::new(bounds, measured), Some((number, class)), tally, take);
         Some(())
+    }
+
+    /// Judges a plain row by limits in columns of their own; `None` as above.
+    #[inline]
+    fn by_limits(
+        &mut self,
+        row: &TextRow<'_>,
+        measured: Length,
+        said: Option<Unit>,
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) -> Option<()> {
+        let fast = &self.court.fast;
+        let limits = fast.limits?;
+        for at in &fast.aside {
+            if !row.cell(*at)?.is_empty() {
+                return None;
+            }
+        }
+        for column in fast.quantities {
+            if !column.is_known_size(row.cell(column.at)?) {
+                return None;
+            }
+        }
+        let nominal = match fast.nominal {
+            Some((at, unit)) => Some(number(row, (at, said.unwrap_or(unit)))?.0),
+            None => None,
+        };
+        let (nominal, deviations) = bounds_of(row, limits, nominal, said)?;
+        let feature = self.side(row.cell(fast.side?.at())?)?;
+        let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
+        self.court.sources.proportionate(&bounds).ok()?;
+        self.give(row, &Judged::new(bounds, measured), None, tally, take);
+        Some(())
+    }
+
+    /// Hole or shaft, as a cell says; a word is read once.
+    fn side(&mut self, cell: &[u8]) -> Option<Feature> {
+        /// So many words are remembered.
+        const MOST: usize = 16;
+        if let Some((_, side)) = self.sides.iter().find(|(known, _)| known == cell) {
+            return *side;
+        }
+        let side = self.court.fast.side.and_then(|column| column.feature(utf8(cell).trim().trim_matches('"')));
+        self.sides.truncate(MOST - 1);
+        self.sides.push((cell.to_vec(), side));
+        side
     }
 
     /// A row as `import` reads it.
@@ -300,7 +362,8 @@ impl Judge<'_> {
         let stray = || stated::stray(columns, &cells);
         let has_commas = self.court.fast.has_commas;
         let sources = self.court.sources;
-        let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
+        let file = &self.court.file;
+        let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None, file };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
             if marks_simulation(&cells) && !columns.evidence.are_simulated {
                 return Self::refuse(row, None, &ImportErrorKind::SimulatedBelow, tally, take);
@@ -316,7 +379,7 @@ impl Judge<'_> {
             return take.line(whole);
         }
         match rules.read(&cells) {
-            Ok(RowMeasurement { measured, asked: Some((callout, limits)), is_simulated, .. }) => {
+            Ok(RowMeasurement { measured, asked: Ok((callout, limits)), is_simulated, .. }) => {
                 if self.court.fast.has_comments
                     && row.line_end().is_empty()
                     && let Some(warning) = rules.cut_off(&cells)
@@ -325,19 +388,19 @@ impl Judge<'_> {
                     tally.note(RowNoteKind::CutOff, Some(columns.measured.at), || warning.message());
                 }
                 let bounds = limits.bounds();
-                let class = callout.class().map(|class| (self.classes.number_of(class), class));
-                self.classes.note(&callout, &limits);
+                let class = callout.and_then(|callout| callout.class());
+                let class = class.map(|class| (self.classes.number_of(class), class));
+                if let Some(callout) = &callout {
+                    self.classes.note(callout, &limits);
+                }
                 tally.simulated += u64::from(is_simulated);
                 self.give(row, &Judged::new(bounds, measured), class, tally, take);
             }
-            Ok(RowMeasurement { asked: None, .. }) => match rules.other_than_size(&cells) {
-                Some(cell) => {
-                    let why = WhyUnjudged::NotASize { what: shorten(cell.text) };
-                    Self::refuse(row, cell.at, &why, tally, take);
-                }
-                None => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
-            },
-            Err(_) if columns.stated.repeats_names(&cells) => take.refused(row, ""),
+            Ok(RowMeasurement { asked: Err(why), .. }) => {
+                let cell = rules.other_than_size(&cells).filter(|_| matches!(why, WhyUnjudged::NotASize { .. }));
+                Self::refuse(row, cell.and_then(|cell| cell.at), &why, tally, take);
+            }
+            Err(_) if columns.stated.repeats_names(&cells) || words::is_summary(&cells) => take.refused(row, ""),
             Err((cell, _)) if columns.are_renamed_by(&cells) => {
                 Self::refuse(row, cell.at, &ImportErrorKind::OtherHeader, tally, take);
             }
@@ -390,6 +453,32 @@ const BEGINNING: usize = 200;
 fn number(row: &TextRow<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
     let part = row.part(at)?;
     part.number(unit).or_else(|| wrapped_number(part, unit))
+}
+
+/// A number that may have a sign.
+#[inline]
+fn signed(row: &TextRow<'_>, column: LengthColumn, said: Option<Unit>) -> Option<Length> {
+    let unit = said.unwrap_or(column.unit);
+    match row.cell(column.at)? {
+        [sign @ (b'+' | b'-'), ..] => {
+            let (length, _) = row.part(column.at)?.split(1).1.number(unit)?;
+            Some(if *sign == b'-' { length.negated() } else { length })
+        }
+        _ => Some(number(row, (column.at, unit))?.0),
+    }
+}
+
+/// The nominal size and the deviations of a row by its limits.
+#[inline]
+fn bounds_of(
+    row: &TextRow<'_>,
+    limits: &LimitColumns,
+    nominal: Option<Length>,
+    said: Option<Unit>,
+) -> Option<(Length, Deviations)> {
+    let upper = signed(row, limits.upper?, said)?;
+    let lower = signed(row, limits.lower?, said)?;
+    limits.bounds(nominal, [upper, lower])
 }
 
 /// A number in quotation marks or between blanks.

@@ -16,6 +16,8 @@ use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::left_out;
+use crate::exchange::mapping::Mapping;
+use crate::exchange::limits::LimitColumns;
 use crate::exchange::row::TextRow;
 use crate::exchange::sample::Sample;
 use fitcheck_core::text::Within as _;
@@ -62,6 +64,20 @@ impl Layout {
     /// # Errors
     /// Why nothing in it can be judged; with more of the stream, up to [`HEAD`], that may change.
     pub fn of(head: &[u8], is_all: bool, file_name: &str) -> Result<Self, ImportErrorKind> {
+        Self::mapped(head, is_all, file_name, None)
+    }
+
+    /// The same with what the user says of the columns.
+    ///
+    /// # Errors
+    /// As above, and what contradicts the mapping.
+    pub fn mapped(
+        head: &[u8],
+        is_all: bool,
+        file_name: &str,
+        mapping: Option<&Mapping>,
+    ) -> Result<Self, ImportErrorKind> {
+        let open = Mapping::default();
         // Before the first line end nothing is whole.
         let end = if is_all { head.len() } else { last_line_end(head, false).unwrap_or(0) };
         let head = head.within(..end);
@@ -69,11 +85,18 @@ impl Layout {
         if body.trim_ascii().is_empty() {
             return Err(ImportErrorKind::Empty);
         }
-        known_format(head, file_name)?;
+        if mapping.is_none() {
+            known_format(head, file_name)?;
+        }
+        let mapping = mapping.unwrap_or(&open);
         let decoded = utf8(body);
         let (text, first_line, separator) = without_separator_line(&decoded);
-        let sample = Sample::of(text, first_line, separator);
-        let mut columns = sample.columns()?;
+        let mut sample = Sample::of(text, first_line, mapping.separator().or(separator));
+        let mut columns = mapping.columns(&mut sample)?;
+        if let Some(first) = columns.sample_places().first() {
+            let columns = columns.samples_named.clone();
+            return Err(ImportErrorKind::SamplesSideBySide { columns, first: first + 1 });
+        }
         let separator = sample.separator;
         let above_header = decoded.len() - text.len();
         let rows = text.as_bytes();
@@ -81,6 +104,9 @@ impl Layout {
             Some(header) => Above::of(rows, separator, first_line, header),
             None => Above { line: first_line, ..Above::default() },
         };
+        // Names over two rows are one.
+        let merged = sample.rows.iter().find(|(line, _)| sample.top.is_some() && Some(*line) == columns.header);
+        let header = merged.map_or(header, |(_, names)| names.iter().map(str::to_owned).collect());
         // A line with other names, or a title.
         let has_header = columns.header.is_some() && (columns.names_known || header.len() == columns.count);
         let names = (0..columns.count).map(|at| {
@@ -108,7 +134,7 @@ impl Layout {
         let comments = mark + above_header..mark + above_header + if has_header { header_start } else { length };
         if has_header {
             // It is used after all.
-            warnings.retain(|(at, _)| Some(*at) != columns.header);
+            warnings.retain(|(at, _)| Some(*at) != columns.header && Some(*at) != columns.top);
         }
         let told = columns.stated.told(columns.measured);
         warnings.retain(|(at, _)| told.as_ref().is_none_or(|(told, _)| told != at));
@@ -176,6 +202,7 @@ impl Layout {
             || columns.own.deciding().contains(&Some(at))
             || columns.stated.columns.contains(&at)
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
+            || columns.limits.iter().flat_map(LimitColumns::iter).any(|column| column.at == at)
             || columns.evidence.word == Some(at)
             || columns.quantities.iter().any(|column| column.at == at)
             || columns.beside.iter().any(|column| column.at() == at)

@@ -100,10 +100,11 @@ impl Picker<'_> {
             sources: court.sources(),
             lookup: None,
             has_plan: false,
+            file: &court.file,
         };
         match rules.read(cells) {
             Err((_, reason)) => stray().unwrap_or(reason).message(),
-            Ok(_) => WhyUnjudged::NoCallout.message(),
+            Ok(read) => read.asked.err().unwrap_or(WhyUnjudged::NoCallout).message(),
         }
     }
 }

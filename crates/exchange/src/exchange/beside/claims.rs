@@ -1,6 +1,7 @@
 //! What a row says of its value beside it.
 
 use csv::StringRecord;
+use fitcheck_core::tolerance::Feature;
 
 use super::BesideColumn;
 use crate::exchange::cell::Cells as _;
@@ -24,6 +25,18 @@ impl Columns {
     /// Whether what a row says of a temperature counts: its value was not brought to 20 °C already.
     pub(in crate::exchange) fn asks_temperature(&self, cells: &StringRecord) -> bool {
         !self.own.are_corrected() && !self.evidence.is_corrected(cells)
+    }
+
+    /// The columns that tell holes and shafts apart.
+    pub(in crate::exchange) fn sides(&self) -> Vec<&BesideColumn> {
+        self.beside.iter().filter(|column| column.tells_sides()).collect()
+    }
+
+    /// Whether a row says that it is of a hole or of a shaft; `None` where nothing says it, or two cells contradict each other.
+    pub(in crate::exchange) fn feature_of(&self, cells: &StringRecord) -> Option<Feature> {
+        let mut said = self.beside.iter().filter_map(|column| column.feature(cells.get(column.at)?));
+        let first = said.next()?;
+        said.all(|other| other == first).then_some(first)
     }
 
     /// Those of them that are numbers.

@@ -11,6 +11,7 @@ use crate::exchange::columns::Columns;
 use crate::exchange::evidence::says_simulated;
 use crate::exchange::quantity::{is_shape, may_be_named};
 use crate::exchange::remarks::RemarkColumn;
+use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
 use crate::exchange::units;
 use crate::exchange::warmth::{self, OfTemperature, Whose};
@@ -33,7 +34,12 @@ impl Sample {
             let has_quantity = columns.quantities.iter().any(|column| column.at == at);
             let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
             let is_name = columns.id == Some(at) && columns.header.is_some();
-            let says = match by_name(name, &with_unit).filter(|_| is_free && !has_quantity) {
+            let said = if self.is_said(Role::Kind, at) {
+                Some(Says::Feature)
+            } else {
+                self.is_said(Role::Status, at).then_some(Says::Status { is_named: true })
+            };
+            let says = match said.or_else(|| by_name(name, &with_unit).filter(|_| is_free && !has_quantity)) {
                 None if is_name => self.cells(at).any(|cell| of_no_size(cell).is_some()).then_some(Says::Name),
                 Some(says) => Some(says),
                 None if has_quantity || is_free && may_be_named(name) => {

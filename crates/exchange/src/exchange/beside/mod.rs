@@ -24,7 +24,10 @@ use fitcheck_core::tolerance::Feature;
 use super::cells;
 use super::claim::{Claim, Figure, letters};
 use super::evidence::yes_or_no;
+use super::limits::{self, LimitName};
 use super::quantity::{is_form, is_shape};
+use super::role::Role;
+use super::vocabulary::has;
 use super::warmth::{self, OfTemperature};
 use super::words;
 
@@ -87,42 +90,21 @@ const STATUS_WORDS: &str = "status|state|judge|judged|judgement|judgment|verdict
     inspection|decision|stato|ergebnis|messergebnis|gesamtergebnis|endergebnis|prüfergebnis|pruefergebnis|prüfurteil|prüfstatus|pruefstatus|prüfbefund|beurteilung|bewertung|freigabe|resultaat|keuring|keuringsresultaat|goedkeuring|\
     beoordeling|oordeel|risultato|esito|conformità|giudizio|verdetto|controllo";
 
-const UPPER: &str = "max|maximum|usl|utl|upper|upper limit|upper spec limit|upper specification limit|upper tol|upper tolerance|upper deviation|\
-    upper dev|max limit|max size|max dimension|maximum size|maximum dimension|tol plus|plus tol|plus tolerance|otg|ogw|größtmaß|größtmass|\
-    grösstmaß|grösstmass|groesstmass|höchstmaß|höchstmass|hoechstmass|obergrenze|obere grenze|oberes grenzmaß|oberes grenzmass|oberer grenzwert|\
-    oberes abmaß|oberes abmass|obere toleranz|toleranz oben|tol oben|boven|bovengrens|bovenste grens|bovenmaat|grootste maat|bovenafwijking|\
-    bovenste afwijking|tol boven|tolerantie boven|massimo|limite superiore|superiore|scostamento superiore|tolleranza superiore|quota massima";
-
-const LOWER: &str = "min|minimum|lsl|ltl|lower|lower limit|lower spec limit|lower specification limit|lower tol|lower tolerance|lower deviation|\
-    lower dev|min limit|min size|min dimension|minimum size|minimum dimension|tol minus|minus tol|minus tolerance|utg|ugw|kleinstmaß|kleinstmass|\
-    mindestmaß|mindestmass|untergrenze|untere grenze|unteres grenzmaß|unteres grenzmass|unterer grenzwert|unteres abmaß|unteres abmass|\
-    untere toleranz|toleranz unten|tol unten|onder|ondergrens|onderste grens|ondermaat|kleinste maat|onderafwijking|onderste afwijking|tol onder|\
-    tolerantie onder|minimo|limite inferiore|inferiore|scostamento inferiore|tolleranza inferiore|quota minima";
-
 const DEVIATION: &str = "deviation|dev|deviation from nominal|nominal deviation|diff|difference|delta|abweichung|abw|istabweichung|soll ist abweichung|\
     afwijking|verschil|scostamento|differenza";
-
-/// Whether a list of names has one.
-fn has(list: &str, name: &str) -> bool {
-    list.split('|').any(|known| known == name)
-}
 
 /// What the name of a column says, alone and with its unit.
 fn by_name(header: &str, with_unit: &str) -> Option<Says> {
     let name = letters(header);
     let bare = words::bare(header);
-    let is_signed = |sign: char| {
-        let text = header.trim().replace('\u{2212}', "-");
-        let rest = text.strip_prefix(sign).or_else(|| text.strip_suffix(sign));
-        rest.is_some_and(|rest| has("tol|tolerance|toleranz|tolerantie|tolleranza|dev", letters(rest).as_str()))
-    };
+    let limit = limits::by_name(header);
     let says = match name.as_str() {
         _ if words::is_status(header) => Says::Status { is_named: true },
         name if has(BOTH, name) => Says::Status { is_named: true },
         name if has(ACCEPTED, name) => Says::Accepted,
         name if has(REJECTED, name) => Says::Rejected,
-        _ if is_signed('+') || has(UPPER, &bare) => Says::Upper,
-        _ if is_signed('-') || has(LOWER, &bare) => Says::Lower,
+        _ if limit.is_some_and(LimitName::is_upper) => Says::Upper,
+        _ if limit.is_some() => Says::Lower,
         _ if has(DEVIATION, &bare) => Says::Deviation,
         _ => match warmth::of_column(with_unit) {
             Some(column) => Says::Temperature(column),
@@ -143,6 +125,15 @@ impl BesideColumn {
         self.at
     }
 
+    /// What the column holds, where that is one thing that a user may say.
+    pub(super) const fn role(&self) -> Option<Role> {
+        match self.says {
+            Says::Status { .. } => Some(Role::Status),
+            Says::Feature => Some(Role::Kind),
+            _ => None,
+        }
+    }
+
     /// Whether its claims depend on nothing but the cell.
     pub(super) const fn has_words(&self) -> bool {
         !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation)
@@ -150,8 +141,8 @@ impl BesideColumn {
 
     /// Measuring machines write the largest and the smallest reading below short names, too.
     fn limit(&self, claim: Claim) -> Claim {
-        let is_short = has("max|maximum|min|minimum|massimo|minimo", &words::bare(&self.name));
-        if is_short { claim.or_reading() } else { claim }
+        let may_be_reading = limits::by_name(&self.name).is_some_and(LimitName::may_be_reading);
+        if may_be_reading { claim.or_reading() } else { claim }
     }
 
     /// What a cell says; numbers without a unit of their column are in the unit of the row.
@@ -185,10 +176,18 @@ impl BesideColumn {
             Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
             Says::Temperature(column) => warmth::read(text, column.scale).map(|warm| Claim::warm(&said(), warm)),
             Says::Warmth => warmth::mentioned(text).map(|warm| Claim::warm(&said(), warm)),
-            Says::Feature => {
-                let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };
-                Some(Claim::feature(text, feature))
-            }
+            Says::Feature => Some(Claim::feature(text, self.feature(text)?)),
         }
+    }
+
+    /// Whether it tells holes and shafts apart.
+    pub(super) fn tells_sides(&self) -> bool {
+        self.says == Says::Feature
+    }
+
+    /// Hole or shaft, where the column tells them apart and the cell says one of them.
+    pub(super) fn feature(&self, text: &str) -> Option<Feature> {
+        let is_hole = if self.says == Says::Feature { is_shape(text)? } else { return None };
+        Some(if is_hole { Feature::Hole } else { Feature::Shaft })
     }
 }

@@ -8,6 +8,7 @@ use crate::exchange::cells::{is_callout, is_class_with_grade, is_number, own_cal
 use crate::exchange::column::{LengthColumn, name_of, several};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
+use crate::exchange::head::Head;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::Free;
 use crate::exchange::role::Role;
@@ -67,6 +68,8 @@ impl Sample {
             tolerance,
             nominal: nominal.map(|at| LengthColumn { at, unit: Unit::Millimetre }),
             measured: LengthColumn { at: measured, unit: Unit::Millimetre },
+            tolerance_goes_both_ways: false,
+            limits: None,
             time: Vec::new(),
             simulated: None,
             count,
@@ -83,6 +86,10 @@ impl Sample {
             other_values: Vec::new(),
             beside: Vec::new(),
             remarks: Vec::new(),
+            samples: Vec::new(),
+            samples_named: String::new(),
+            head: Head::default(),
+            top: None,
             first: None,
             stated: Stated::default(),
         })

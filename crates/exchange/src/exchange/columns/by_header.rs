@@ -7,6 +7,8 @@ use crate::exchange::cell::Cells as _;
 use crate::exchange::column::{LengthColumn, name_of, unit_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
+use crate::exchange::head::Head;
+use crate::exchange::limits::{self, Beside, LimitColumns};
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::Free;
 use crate::exchange::rivals::{Roles, best};
@@ -58,12 +60,21 @@ impl Sample {
             Ok(LengthColumn { at, unit: unit_of(header.cell(at))? })
         };
         let evidence = Evidence::of(header, measured_at);
+        // What Fitcheck wrote is compared with its own callouts.
+        let limits = if own == OwnColumns::default() {
+            let has_callouts = tolerance.is_some();
+            let beside = Beside { names: header, measured: measured_at, nominal, has_callouts };
+            self.limit_columns(beside, |at| ![tolerance, nominal].contains(&Some(at)))?
+        } else {
+            None
+        };
         let used: Vec<usize> = [id, tolerance, nominal, simulated, evidence.origin, Some(measured_at)]
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
             .chain(quantities.iter().map(|column| column.at))
             .chain(own.of_correction())
+            .chain(limits.iter().flat_map(LimitColumns::iter).map(|column| column.at))
             .collect();
         let labels = LabelColumns::of(header, id, &[used.as_slice(), &warm].concat());
         let used: Vec<usize> = used.into_iter().chain(labels.iter()).collect();
@@ -73,6 +84,8 @@ impl Sample {
             tolerance,
             nominal: nominal.map(column).transpose()?,
             measured: column(measured_at)?,
+            tolerance_goes_both_ways: tolerance.is_some_and(|at| limits::goes_both_ways(header.cell(at))),
+            limits,
             time,
             simulated,
             quantities,
@@ -89,6 +102,10 @@ impl Sample {
             other_values: Vec::new(),
             beside: Vec::new(),
             remarks: Vec::new(),
+            samples: Vec::new(),
+            samples_named: String::new(),
+            head: Head::default(),
+            top: None,
             first: None,
             stated: Stated::default(),
         })

@@ -8,6 +8,7 @@ use crate::exchange::cell::Cells as _;
 use crate::exchange::cells;
 use crate::exchange::column::{NAMED, name_of};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::head::Head;
 use crate::exchange::sample::Sample;
 use crate::exchange::stated;
 
@@ -30,20 +31,32 @@ impl Sample {
             }
             columns
         };
+        columns.top = self.top;
         let names = self.above.checked_sub(1).map(|last| self.header.unwrap_or(last)).and_then(|at| self.rows.get(at));
-        self.look_at_values(&mut columns, names.map_or(&StringRecord::new(), |(_, names)| names));
+        let none = StringRecord::new();
+        let names = names.map_or(&none, |(_, names)| names);
+        let samples = self.side_by_side(names);
+        let samples = if self.measured.is_none() && samples.first() == Some(&columns.measured.at) { samples } else { Vec::new() };
+        if !samples.is_empty() {
+            columns.split_into(&samples, names)?;
+        }
+        self.look_at_values(&mut columns, names);
         if let Some((line, _)) =
             self.rows.iter().take(self.above).find(|(_, row)| columns.hides_rows(row, self.separator))
         {
             return Err(ImportErrorKind::HeaderHidesRows { line: *line });
         }
         stated::decide(self, &mut columns)?;
+        columns.split_into(&columns.sample_places(), names)?;
         Ok(columns)
     }
 
     /// What the first measured values look like.
     pub(in crate::exchange) fn look_at_values(&self, columns: &mut Columns, names: &StringRecord) {
         let used = columns.used();
+        let above = self.rows.iter().filter(|(line, _)| columns.header.is_some_and(|header| *line < header));
+        columns.head = Head::of(above.filter(|(line, _)| Some(*line) != columns.top));
+        columns.ignored.retain(|ignored| !columns.samples.iter().any(|sample| *ignored == name_of(sample.measured.at, names.cell(sample.measured.at))));
         columns.evidence.word = self.says_simulated(columns, &used);
         columns.beside = self.beside(names, columns, &used);
         columns.evidence.warm = self.said_of_all(columns, names);

@@ -22,9 +22,12 @@ use super::column::{LengthColumn, listed, unit_of};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence::Evidence;
 use super::own::OwnColumns;
+use super::head::Head;
+use super::limits::LimitColumns;
 use super::quantity::QuantityColumn;
 use super::remarks::RemarkColumn;
 use super::role::Role;
+use super::samples;
 use super::row::cells_of;
 use super::stated::Stated;
 use super::words;
@@ -37,6 +40,10 @@ pub(super) struct Columns {
     pub(super) tolerance: Option<usize>,
     pub(super) nominal: Option<LengthColumn>,
     pub(super) measured: LengthColumn,
+    /// Whether the name of the tolerances says that a number goes both ways: `Tol ±`.
+    pub(super) tolerance_goes_both_ways: bool,
+    /// Limits in columns of their own.
+    pub(super) limits: Option<LimitColumns>,
     /// A column with date and time, or one for each.
     pub(super) time: Vec<usize>,
     /// A column that says whether nobody measured.
@@ -69,6 +76,14 @@ pub(super) struct Columns {
     pub(super) beside: Vec<BesideColumn>,
     /// Columns of no known name.
     pub(super) remarks: Vec<RemarkColumn>,
+    /// The columns of measured values side by side, each as if it were the only one; none where there is one alone.
+    pub(super) samples: Vec<Self>,
+    /// How messages name them.
+    pub(super) samples_named: String,
+    /// What lines above the names say of all values.
+    pub(super) head: Head,
+    /// The line above the names that is a part of them.
+    pub(super) top: Option<usize>,
     /// The line of the first row, where the user has said it.
     pub(super) first: Option<usize>,
     /// What is stated of units beside the names of the columns.
@@ -81,6 +96,8 @@ pub(super) struct LabelColumns {
     pub(super) part: Option<usize>,
     pub(super) serial: Option<usize>,
     pub(super) who: Option<usize>,
+    pub(super) machine: Option<usize>,
+    pub(super) batch: Option<usize>,
     pub(super) place: [Option<LengthColumn>; 3],
     /// Whether the numbers that features are found by may be running ones.
     pub(super) may_be_running: bool,
@@ -105,13 +122,15 @@ impl LabelColumns {
             // A serial number that names the rows is one all the same.
             serial: (0..).zip(header).find(|(_, name)| words::label(name) == Some(Role::Serial)).map(|(at, _)| at),
             who: at(Role::Who),
+            machine: at(Role::Machine),
+            batch: at(Role::Batch),
             place: [Role::X, Role::Y, Role::Z].map(place),
         }
     }
 
     /// The columns that are read.
     pub(super) fn iter(&self) -> impl Iterator<Item = usize> {
-        let texts = [self.number, self.part, self.serial, self.who].into_iter().flatten();
+        let texts = [self.number, self.part, self.serial, self.who, self.machine, self.batch].into_iter().flatten();
         texts.chain(self.place.iter().flatten().map(|column| column.at))
     }
 }
@@ -136,6 +155,48 @@ impl Columns {
         Some(counted).filter(|_| !is_above && !self.own.are_corrected() && !self.evidence.are_corrected)
     }
 
+    /// The columns of each value of a row; empty cells beside values are none.
+    pub(super) fn of_values<'s>(&'s self, cells: &StringRecord) -> Vec<&'s Self> {
+        let is_filled = |sample: &&Self| !cells.cell(sample.measured.at).trim().is_empty();
+        let filled: Vec<&Self> = self.samples.iter().filter(is_filled).collect();
+        if filled.is_empty() { vec![self] } else { filled }
+    }
+
+    /// Does something with the columns of each value.
+    pub(super) fn each_value(&mut self, mut change: impl FnMut(&mut Self)) {
+        change(self);
+        self.samples.iter_mut().for_each(change);
+    }
+
+    /// The places of measured values that have a decimal comma.
+    pub(super) fn with_decimal_comma(&self) -> Vec<usize> {
+        let all = std::iter::once(self).chain(&self.samples);
+        all.filter(|own| own.decimal_sign == Some(',')).map(|own| own.measured.at).collect()
+    }
+
+    /// The places of the measured values side by side.
+    pub(super) fn sample_places(&self) -> Vec<usize> {
+        self.samples.iter().map(|sample| sample.measured.at).collect()
+    }
+
+    /// The same columns for each of some columns of measured values.
+    pub(super) fn split_into(&mut self, samples: &[usize], names: &StringRecord) -> Result<(), ImportErrorKind> {
+        if samples.len() < 2 {
+            return Ok(());
+        }
+        self.samples_named = samples::range(names, samples);
+        let one = |at: &usize| -> Result<Self, ImportErrorKind> {
+            let unit = match self.measured.unit {
+                Unit::Millimetre => unit_of(names.cell(*at))?,
+                stated => stated,
+            };
+            Ok(Self { measured: LengthColumn { at: *at, unit }, samples: Vec::new(), ..self.clone() })
+        };
+        let all: Result<Vec<Self>, ImportErrorKind> = samples.iter().map(one).collect();
+        self.samples = all?;
+        Ok(())
+    }
+
     /// Measured values are in this unit.
     pub(super) fn set_unit(&mut self, unit: Unit) {
         self.measured.unit = unit;
@@ -148,8 +209,9 @@ impl Columns {
         let id = self.id.filter(|_| self.header.is_some());
         let one = [id, self.tolerance, self.nominal.map(|column| column.at), Some(self.measured.at)];
         let more = [self.simulated].into_iter().chain(self.own.deciding());
-        let all = one.into_iter().chain(more).flatten().chain(self.time.iter().copied());
-        all.chain(self.own.of_correction()).chain(self.labels.iter()).collect()
+        let all = one.into_iter().chain(more).flatten().chain(self.time.iter().copied()).chain(self.sample_places());
+        let limits = self.limits.iter().flat_map(LimitColumns::iter).map(|column| column.at);
+        all.chain(self.own.of_correction()).chain(self.labels.iter()).chain(limits).collect()
     }
 
     /// That words which say nothing known of what was measured are taken for sizes, and that other sizes are not judged.
@@ -157,7 +219,10 @@ impl Columns {
         let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
         let columns = || listed(&self.other_values);
         let others = (!self.other_values.is_empty()).then(|| ImportWarningKind::OtherValues { columns: columns() });
-        others.into_iter().chain(
+        let samples = || ImportWarningKind::SamplesRead { columns: self.samples_named.clone() };
+        let samples = (!self.samples.is_empty()).then(samples);
+        let limits = self.limits.iter().flat_map(LimitColumns::told).chain(samples);
+        others.into_iter().chain(limits).chain(
             taken.map(|(column, words)| ImportWarningKind::QuantityUnknown {
                 column: column.clone(),
                 words: words.clone(),

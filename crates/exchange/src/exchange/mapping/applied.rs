@@ -9,6 +9,8 @@ use crate::exchange::columns::{Columns, LabelColumns};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
 use crate::exchange::given::shorten;
+use crate::exchange::head::Head;
+use crate::exchange::limits::{self, Beside, Found, LimitColumns, LimitsAre};
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::role::Role;
@@ -43,12 +45,18 @@ impl Mapping {
         let said = self.said(&names, width)?;
         sample.given = self.unit.map(ColumnUnit::unit);
         sample.has_place_unit = self.place_unit.is_some();
+        let of_row = |role: Role| matches!(role, Role::Kind | Role::Status | Role::Units);
+        sample.said = said.iter().filter_map(|(role, at)| Some((*role, (*at).filter(|_| of_row(*role))?))).collect();
         sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at);
+        let samples: Vec<usize> =
+            said.iter().filter(|(role, _)| *role == Role::Sample).filter_map(|(_, at)| *at).collect();
+        sample.measured = sample.measured.or_else(|| samples.first().copied());
         let detected = sample.columns();
         let is_used = |at: usize| said.iter().any(|(_, of)| *of == Some(at));
         let at_measured = said.iter().find(|(role, _)| *role == Role::Measured).map(|(_, at)| *at);
         let measured = match (at_measured, &detected) {
             (Some(Some(at)), _) => at,
+            _ if !samples.is_empty() => samples.first().copied().ok_or(ImportErrorKind::NoMeasuredColumn)?,
             (None, Ok(detected)) if !is_used(detected.measured.at) => detected.measured.at,
             (None, Err(error)) => return Err(error.clone()),
             _ => return Err(ImportErrorKind::NoMeasuredColumn),
@@ -56,12 +64,21 @@ impl Mapping {
         let said = Said { mapping: self, roles: said, names, found: detected.ok() };
         let mut columns = said.columns(measured, width)?;
         columns.quantities = said.quantities(&columns, sample);
+        columns.tolerance_goes_both_ways =
+            columns.tolerance.is_some_and(|at| limits::goes_both_ways(said.names.cell(at)));
+        columns.limits = said.limits(&columns, sample)?;
         columns.header = header.map(|(line, _)| line).or_else(|| said.found.as_ref().and_then(|found| found.header));
         columns.names_known = sample.header.is_some();
+        let found = said.found.as_ref().map_or_else(Vec::new, Columns::sample_places);
+        let is_found = samples.is_empty() && said.of(Role::Sample).is_none() && found.first() == Some(&measured);
+        let samples = if is_found { found.into_iter().filter(|at| !said.is_used(*at)).collect() } else { samples };
+        columns.top = sample.top;
+        columns.split_into(&samples, &said.names)?;
         columns.ignored = said.ignored(&columns);
         sample.look_at_values(&mut columns, &said.names);
         columns.decimal_sign = self.decimal.map(DecimalSign::sign).or(columns.decimal_sign);
         stated::decide(sample, &mut columns)?;
+        columns.split_into(&columns.sample_places(), &said.names)?;
         Ok(columns)
     }
 
@@ -168,6 +185,38 @@ impl Said<'_> {
         said.filter_map(|(_, at)| sample.quantity(&self.names, (*at)?, columns.id)).collect()
     }
 
+    /// The columns of the limits: those that are said; otherwise those that are found, but for columns that are said to be something else.
+    fn limits(&self, columns: &Columns, sample: &Sample) -> Result<Option<LimitColumns>, ImportErrorKind> {
+        let all = [Role::Upper, Role::Lower, Role::Minus, Role::Maximum, Role::Minimum];
+        let said = |role: Role| self.of(role).and_then(|(_, at)| *at);
+        if all.into_iter().any(|role| said(role).is_some()) {
+            let are = match (said(Role::Maximum).or(said(Role::Minimum)), said(Role::Minus)) {
+                (Some(_), _) => LimitsAre::Sizes,
+                (None, Some(_)) => LimitsAre::UnsignedDeviations,
+                (None, None) => LimitsAre::Deviations,
+            };
+            let (upper, lower) = match are {
+                LimitsAre::Sizes => (said(Role::Maximum), said(Role::Minimum)),
+                LimitsAre::Deviations | LimitsAre::UnsignedDeviations => {
+                    (said(Role::Upper), said(Role::Lower).or(said(Role::Minus)))
+                }
+            };
+            return sample.said_limits(Found { upper, lower, are: Some(are) }, &self.names);
+        }
+        // Somebody says that there are none.
+        if all.into_iter().any(|role| self.of(role).is_some()) {
+            return Ok(None);
+        }
+        let beside = Beside {
+            names: &self.names,
+            measured: columns.measured.at,
+            nominal: columns.nominal.map(|column| column.at),
+            has_callouts: columns.tolerance.is_some(),
+        };
+        let used = columns.used();
+        sample.limit_columns(beside, |at| !self.is_used(at) && !used.contains(&at))
+    }
+
     fn columns(&self, measured: usize, width: usize) -> Result<Columns, ImportErrorKind> {
         let id = self.either(Role::Id, |found| found.id);
         let number = self.either(Role::Number, |found| found.labels.number);
@@ -180,6 +229,8 @@ impl Said<'_> {
             part: self.either(Role::Part, |found| found.labels.part),
             serial: self.either(Role::Serial, |found| found.labels.serial),
             who: self.either(Role::Who, |found| found.labels.who),
+            machine: self.either(Role::Machine, |found| found.labels.machine),
+            batch: self.either(Role::Batch, |found| found.labels.batch),
             place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
             may_be_running,
         };
@@ -192,6 +243,8 @@ impl Said<'_> {
             tolerance: beside(self.either(Role::Tolerance, |found| found.tolerance)),
             nominal: nominal.map(|at| self.length(at)).transpose()?,
             measured: self.length(measured)?,
+            tolerance_goes_both_ways: false,
+            limits: None,
             time: self.times(),
             simulated: self.either(Role::Simulated, |found| found.simulated),
             quantities: Vec::new(),
@@ -208,6 +261,10 @@ impl Said<'_> {
             other_values: Vec::new(),
             beside: Vec::new(),
             remarks: Vec::new(),
+            samples: Vec::new(),
+            samples_named: String::new(),
+            head: Head::default(),
+            top: None,
             first: self.mapping.first_row,
             stated: Stated::default(),
         })
@@ -268,8 +325,10 @@ fn no_column(role: Role, given: &str, names: &csv::StringRecord, width: usize) -
 pub(super) fn roles(columns: &Columns) -> Vec<Option<Role>> {
     let labels = &columns.labels;
     let [x, y, z] = labels.place.map(|column| column.map(|column| column.at));
+    let samples = columns.sample_places();
+    let measured = Some(columns.measured.at).filter(|_| samples.is_empty());
     let one = [
-        (Role::Measured, Some(columns.measured.at)),
+        (Role::Measured, measured),
         (Role::Tolerance, columns.tolerance),
         (Role::Nominal, columns.nominal.map(|column| column.at)),
         (Role::Id, columns.id),
@@ -278,12 +337,26 @@ pub(super) fn roles(columns: &Columns) -> Vec<Option<Role>> {
         (Role::Part, labels.part),
         (Role::Serial, labels.serial),
         (Role::Who, labels.who),
+        (Role::Machine, labels.machine),
+        (Role::Batch, labels.batch),
         (Role::X, x),
         (Role::Y, y),
         (Role::Z, z),
     ];
+    let limits = columns.limits.iter().flat_map(|limits| {
+        let [upper, lower] = match limits.are {
+            LimitsAre::Sizes => [Role::Maximum, Role::Minimum],
+            LimitsAre::Deviations => [Role::Upper, Role::Lower],
+            LimitsAre::UnsignedDeviations => [Role::Upper, Role::Minus],
+        };
+        let at = |column: Option<LengthColumn>| column.map(|column| column.at);
+        [(upper, at(limits.upper)), (lower, at(limits.lower))]
+    });
+    let units = columns.stated.columns.iter().map(|at| (Role::Units, Some(*at)));
+    let beside = columns.beside.iter().filter_map(|column| Some((column.role()?, Some(column.at()))));
+    let samples = samples.into_iter().map(|at| (Role::Sample, Some(at)));
     let times = columns.time.iter().map(|at| (Role::Time, Some(*at)));
     let quantities = columns.quantities.iter().map(|column| (Role::Quantity, Some(column.at)));
-    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(times).chain(quantities).collect();
+    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(samples).chain(times).chain(quantities).chain(limits).chain(units).chain(beside).collect();
     (0..columns.count).map(|at| all.iter().find(|(_, of)| *of == Some(at)).map(|(role, _)| *role)).collect()
 }

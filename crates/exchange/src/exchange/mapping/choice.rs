@@ -34,7 +34,7 @@ impl Choice {
         if self.roles.len() <= at {
             self.roles.resize(at + 1, None);
         }
-        let most = if role.is_some_and(Role::may_be_two) { 2 } else { 1 };
+        let most = role.map_or(1, Role::most);
         let others: Vec<usize> =
             (0..self.roles.len()).filter(|other| *other != at && self.roles.get(*other) == Some(&role)).collect();
         for other in others.into_iter().skip(most - 1).filter(|_| role.is_some()) {
@@ -54,7 +54,7 @@ impl Choice {
             let mut columns: Vec<Column> = of_it.map(|(at, _)| column_of(at, names)).collect();
             let column = match (role, columns.len()) {
                 (_, 0) => Column::none(),
-                (role, _) if role.may_be_two() => Column::Several(columns),
+                (role, _) if 1 < role.most() => Column::Several(columns),
                 _ => columns.swap_remove(0),
             };
             (role.word().to_owned(), column)

@@ -1,9 +1,12 @@
 //! What would be taken for what in a file, with its first rows.
 
+use std::collections::BTreeMap;
+
+use csv::StringRecord;
 use fitcheck_core::length::Unit;
 
 use super::applied::roles;
-use super::{Column, ColumnUnit, DecimalSign, Mapping, Separator, is_named};
+use super::{Choice, Column, ColumnUnit, DecimalSign, Mapping, Separator, is_named};
 use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::ImportErrorKind;
@@ -62,18 +65,29 @@ impl Detected {
             unit: common(&of_sizes).map(ColumnUnit::of),
             place_unit: common(&of_places).map(ColumnUnit::of),
             first_row: rows.first().map(|(line, _)| *line),
-            columns: roles
-                .iter()
-                .enumerate()
-                .rev()
-                .filter_map(|(at, role)| Some(((*role)?.word().to_owned(), column_of(at, &names))))
-                .collect(),
+            columns: said(&roles, &names),
         };
         let is_own = columns.own != OwnColumns::default();
         let header = columns.header;
         let skipped = columns.ignored.clone();
         let unit_from = columns.stated.source(columns.measured, &names);
         Self { mapping, names, roles, rows, header, skipped, is_own, unit_from }
+    }
+
+    /// What is guessed of a file whose columns are not known.
+    pub(super) fn guessed(
+        choice: &Choice,
+        header: Option<&(usize, StringRecord)>,
+        rows: Vec<(usize, Vec<String>)>,
+    ) -> Self {
+        let names: Vec<String> =
+            header.iter().flat_map(|(_, cells)| cells.iter()).map(|name| name.trim().to_owned()).collect();
+        let line = header.map(|(line, _)| *line);
+        let rows = rows.into_iter().filter(|(row, _)| line.is_none_or(|line| line < *row)).collect();
+        let roles = choice.roles.clone();
+        let columns = said(&roles, &names);
+        let mapping = Mapping { sheet: choice.sheet.clone(), separator: choice.separator, columns, ..Mapping::default() };
+        Self { mapping, names, roles, rows, header: line, skipped: Vec::new(), is_own: false, unit_from: None }
     }
 
     /// The word of what a column holds, from 0.
@@ -105,6 +119,21 @@ impl Mapping {
         let columns = self.columns(&mut sample)?;
         Ok(Detected::of(&sample, &columns))
     }
+}
+
+/// Each role with its column, or with all of them.
+fn said(roles: &[Option<Role>], names: &[String]) -> BTreeMap<String, Column> {
+    let mut all: BTreeMap<String, Column> = BTreeMap::new();
+    for (at, role) in roles.iter().enumerate().rev() {
+        let Some(role) = role else { continue };
+        let column = column_of(at, names);
+        match all.get_mut(role.word()) {
+            Some(Column::Several(columns)) => columns.insert(0, column),
+            _ if *role == Role::Sample => _ = all.insert(role.word().to_owned(), Column::Several(vec![column])),
+            _ => _ = all.insert(role.word().to_owned(), column),
+        }
+    }
+    all
 }
 
 /// The unit of all that have one; `None` where they differ, so that a mapping leaves it to the names.

@@ -139,6 +139,14 @@ impl FirstRows {
         Choice { sheet, separator, roles, ..Choice::default() }
     }
 
+    /// The same where that is refused: what single names say.
+    pub fn guessed(&self, mapping: &Mapping) -> Detected {
+        let choice = self.guess(mapping);
+        let names = self.sample(mapping);
+        let header = names.header.and_then(|at| names.rows.get(at));
+        Detected::guessed(&choice, header, self.rows(mapping))
+    }
+
     /// How many columns the shown rows have.
     pub fn width(&self, mapping: &Mapping) -> usize {
         self.rows(mapping).iter().map(|(_, cells)| cells.len()).fold(0, usize::max)

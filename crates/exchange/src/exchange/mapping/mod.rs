@@ -101,6 +101,11 @@ impl Mapping {
         self.unit
     }
 
+    /// The decimal sign, where it is said.
+    pub(super) const fn decimal(&self) -> Option<DecimalSign> {
+        self.decimal
+    }
+
     /// The separator, where it is said.
     pub(super) fn separator(&self) -> Option<u8> {
         self.separator.map(Separator::byte)

@@ -3,8 +3,11 @@
 use super::MappingError;
 use crate::exchange::role::Role;
 
+/// The most values that stand side by side in a row.
+pub(in crate::exchange) const MOST_SAMPLES: usize = 250;
+
 /// The words of what a column holds.
-pub(super) const ROLES: [(Role, &str); 14] = [
+pub(super) const ROLES: [(Role, &str); 25] = [
     (Role::Id, "name"),
     (Role::Tolerance, "callout"),
     (Role::Nominal, "nominal"),
@@ -19,19 +22,52 @@ pub(super) const ROLES: [(Role, &str); 14] = [
     (Role::Y, "y"),
     (Role::Z, "z"),
     (Role::Quantity, "quantity"),
+    (Role::Upper, "upper"),
+    (Role::Lower, "lower"),
+    (Role::Minus, "minus"),
+    (Role::Maximum, "maximum"),
+    (Role::Minimum, "minimum"),
+    (Role::Kind, "kind"),
+    (Role::Units, "units"),
+    (Role::Status, "status"),
+    (Role::Machine, "machine"),
+    (Role::Batch, "batch"),
+    (Role::Sample, "sample"),
 ];
 
 /// Other words for the same.
-const OTHER_WORDS: [(&str, Role); 4] =
-    [("id", Role::Id), ("class", Role::Tolerance), ("date", Role::Time), ("type", Role::Quantity)];
+const OTHER_WORDS: [(&str, Role); 18] = [
+    ("id", Role::Id),
+    ("feature", Role::Id),
+    ("class", Role::Tolerance),
+    ("tolerance", Role::Tolerance),
+    ("requirement", Role::Tolerance),
+    ("result", Role::Measured),
+    ("date", Role::Time),
+    ("type", Role::Quantity),
+    ("axis", Role::Quantity),
+    ("balloon", Role::Number),
+    ("operator", Role::Who),
+    ("usl", Role::Maximum),
+    ("max", Role::Maximum),
+    ("lsl", Role::Minimum),
+    ("min", Role::Minimum),
+    ("hole-shaft", Role::Kind),
+    ("samples", Role::Sample),
+    ("lot", Role::Batch),
+];
 
 /// Words beside those of columns.
 const OF_THE_FILE: [&str; 6] = ["separator", "decimal", "unit", "place-unit", "first-row", "sheet"];
 
 impl Role {
-    /// Whether two columns may have it: date and time, the type of a feature and the axis of a value.
-    pub(super) const fn may_be_two(self) -> bool {
-        matches!(self, Self::Time | Self::Quantity)
+    /// How many columns may have it: date and time are two, and so are the type of a feature and the axis of a value.
+    pub(super) const fn most(self) -> usize {
+        match self {
+            Self::Time | Self::Quantity => 2,
+            Self::Sample => MOST_SAMPLES,
+            _ => 1,
+        }
     }
 
     /// Everything that a column may hold.

@@ -35,8 +35,7 @@ impl Written {
         for (word, column) in self.columns {
             let role = role_of(&word)?;
             let is_pair = |columns: &[Column]| {
-                role.may_be_two()
-                    && matches!(columns.len(), 1..=2)
+                (1..=role.most()).contains(&columns.len())
                     && !columns.iter().any(|column| matches!(column, Column::Several(_)) || column.is_none())
             };
             if let Column::Several(columns) = &column

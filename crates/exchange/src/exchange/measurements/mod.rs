@@ -25,6 +25,7 @@ use crate::exchange::source::{Context, Source, WHOLE};
 use crate::exchange::stated;
 use csv::StringRecord;
 use reader::{NOTHING, Reader};
+pub(super) use time::date_time;
 use std::borrow::Cow;
 
 /// The bytes that end a row.

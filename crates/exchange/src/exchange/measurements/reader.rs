@@ -11,7 +11,7 @@ use crate::exchange::delimited::{Item, Rows, lines};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::given::shorten;
-use crate::exchange::imported::{Sink, Unjudged, WhyUnjudged};
+use crate::exchange::imported::{Sink, Unjudged};
 use crate::exchange::index::LONGEST_ROW;
 use crate::exchange::left_out;
 use crate::exchange::refused::{Cell, Refused};
@@ -118,6 +118,9 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         if let Some((line, reason)) = self.columns.stated.told(self.columns.measured) {
             self.warn(line, reason);
         }
+        if let Some((line, said)) = &self.columns.head.said {
+            self.warn(*line, ImportWarningKind::HeadRead { said: shorten(said) });
+        }
         if self.columns.own.are_corrected() {
             self.warn(line, ImportWarningKind::Corrected);
         }
@@ -187,6 +190,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
+            Some(_) if self.columns.top == Some(line) => return,
             _ if self.columns.stated.told(self.columns.measured).is_some_and(|(told, _)| told == line) => {
                 let told = self.said_against(line, cells);
                 return told.into_iter().for_each(|told| self.warn(line, told));
@@ -198,8 +202,21 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         if let Some(header) = self.renamed {
             return self.refuse(line, NOTHING, ImportErrorKind::BelowOtherHeader { line: header });
         }
+        for columns in self.columns.of_values(cells) {
+            self.value(line, cells, columns);
+        }
+    }
+
+    /// Reads a value of a row by these columns.
+    fn value(&mut self, line: usize, cells: &StringRecord, columns: &'a Columns) {
+        let all = std::mem::replace(&mut self.columns, columns);
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
+        self.columns = all;
         if let Err((cell, reason)) = read {
+            let stray = || stated::stray(self.columns, cells);
+            if words::is_summary(cells) {
+                return self.not_used(line, cells);
+            }
             if self.columns.stated.repeats_names(cells) {
                 return self.not_used(line, cells);
             }
@@ -253,7 +270,8 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         let Context { sources, lookup, .. } = self.source;
         let has_commas = self.separator == b',';
         let has_plan = self.has_plan;
-        Rules { columns: self.columns, has_commas, sources, has_plan, lookup: Some(lookup) }
+        let file = &self.source.file;
+        Rules { columns: self.columns, has_commas, sources, has_plan, lookup: Some(lookup), file }
     }
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
@@ -269,26 +287,20 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
             Origin::Imported { file }
         };
         let correction = self.columns.own.correction(cells, measured)?;
-        let Some((callout, limits)) = asked else {
-            let column = self.columns.measured.at;
-            let given = shorten(cells.cell(column).trim());
-            let below = WhyUnjudged::NotPositive { given, column: column + 1 };
-            let other = self.rules().other_than_size(cells);
-            let why = match other {
-                Some(cell) => WhyUnjudged::NotASize { what: shorten(cell.text) },
-                None if measured <= Length::ZERO => below,
-                None => WhyUnjudged::NoCallout,
-            };
-            let labels = Labels { quantity, ..self.labels(line, cells) };
-            let asked = said;
-            let measured = Some(measured);
-            let position = None;
-            let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
-            self.sink.set_aside(unjudged);
-            return Ok(());
+        let (callout, limits) = match asked {
+            Ok(asked) => asked,
+            Err(why) => {
+                let labels = Labels { quantity, ..self.labels(line, cells) };
+                let asked = said;
+                let measured = Some(measured);
+                let position = None;
+                let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
+                self.sink.set_aside(unjudged);
+                return Ok(());
+            }
         };
         let measurement = Measurement::of_diameter(measured, origin);
-        let record = Record::judged(time, id, Some(callout), limits, measurement, None);
+        let record = Record::judged(time, id, callout, limits, measurement, None);
         let labels = Labels { quantity, ..self.labels(line, cells) };
         self.nominal.judged += 1;
         self.nominal.exact += usize::from(record.measurement.diameter == record.limits.nominal);
@@ -305,6 +317,8 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         let columns = &self.columns.labels;
         let text = |at: usize| cells.cell(at).trim();
         let label = |at: Option<usize>| cells.cell(at).trim().to_owned();
+        let head = &self.columns.head;
+        let or_head = |at: Option<usize>, of_all: &str| Some(label(at)).filter(|own| !own.is_empty()).unwrap_or_else(|| of_all.to_owned());
         let place = columns.place.map(|column| {
             let column = column.filter(|column| !text(column.at).is_empty())?;
             let given = shorten(text(column.at));
@@ -317,13 +331,18 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         });
         Labels {
             number: label(columns.number),
-            part: label(columns.part),
-            serial: label(columns.serial),
-            who: label(columns.who),
+            part: or_head(columns.part, &head.part),
+            serial: or_head(columns.serial, &head.serial),
+            who: or_head(columns.who, &head.who),
+            machine: or_head(columns.machine, &head.machine),
+            batch: or_head(columns.batch, &head.batch),
             claims: self
                 .columns
                 .claims(cells, &mut self.heard)
                 .into_iter()
+                .chain(self.columns.limits.iter().filter(|_| self.has_plan).flat_map(|limits| {
+                    limits.claims(cells, &self.columns.stated)
+                }))
                 .map(|claim| claim.from(self.source.counted))
                 .collect(),
             place,
@@ -347,6 +366,6 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         if let Some(reason) = reason {
             self.warn_row(line, reason);
         }
-        read.unwrap_or(self.source.now)
+        read.or(self.columns.head.time).unwrap_or(self.source.now)
     }
 }

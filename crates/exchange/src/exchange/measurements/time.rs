@@ -9,7 +9,7 @@ pub(super) fn has_offset(given: &str) -> bool {
 }
 
 /// `2024-03-14 08:05:09` as in ISO 8601 (the time is optional), or day first: `14.3.2024 8:05`.
-pub(super) fn date_time(given: &str) -> Option<DateTime> {
+pub(in crate::exchange) fn date_time(given: &str) -> Option<DateTime> {
     if let Ok(time) = given.parse() {
         return Some(time);
     }

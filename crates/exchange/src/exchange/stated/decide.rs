@@ -13,6 +13,8 @@ use crate::exchange::column::name_of;
 use crate::exchange::columns::Columns;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
+use crate::exchange::limits::LimitColumns;
+use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
 use crate::exchange::units;
 use crate::exchange::vocabulary::Rank;
@@ -82,6 +84,9 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
     if let Some(nominal) = &mut columns.nominal {
         nominal.unit = unit(nominal.at);
     }
+    for limit in columns.limits.iter_mut().flat_map(LimitColumns::iter_mut) {
+        limit.unit = unit(limit.at);
+    }
     if stated.from.is_some() && !sample.has_place_unit {
         for place in columns.labels.place.iter_mut().flatten() {
             place.unit = unit(place.at);
@@ -132,8 +137,11 @@ fn own_units<'n>(
     name: &impl Fn(usize) -> &'n str,
 ) -> Result<(), ImportErrorKind> {
     let sizes = [Some(columns.measured.at), columns.nominal.map(|column| column.at)];
+    let limits = columns.limits.iter().flat_map(LimitColumns::iter).map(|column| column.at);
     let places = columns.labels.place.iter().flatten().map(|column| column.at);
-    for (at, is_size) in sizes.into_iter().flatten().map(|at| (at, true)).chain(places.map(|at| (at, false))) {
+    let sizes = sizes.into_iter().flatten().map(|at| (at, true));
+    // Deviations are often in micrometres, beside sizes in millimetres.
+    for (at, is_size) in sizes.chain(limits.chain(places).map(|at| (at, false))) {
         let by_name = match of_name(name(at)) {
             Ok(unit) => unit,
             Err(unknown) => match sample.given.filter(|_| is_size) {
@@ -183,7 +191,13 @@ fn unit_columns<'n>(
     let rows = sample.rows.len().saturating_sub(sample.above);
     let is_temperature = |cell: &str| word(cell) == Word::Other;
     let mut units = Vec::new();
+    let said = sample.said.iter().filter(|(role, _)| *role == Role::Units).map(|(_, at)| *at);
+    stated.columns.extend(said);
     for &at in free {
+        if sample.is_said(Role::Units, at) {
+            units.extend(sample.cells(at).filter_map(units::known));
+            continue;
+        }
         let filled: Vec<&str> = sample.cells(at).collect();
         let lengths = filled.iter().filter(is_length).count();
         let sure = filled.iter().filter(is_length).filter(|cell| !may_be_a_name(cell)).count();
@@ -252,8 +266,9 @@ fn halves<'n>(stated: &Stated, columns: &Columns, name: &impl Fn(usize) -> &'n s
     {
         return Err(half(inch, measured));
     }
-    match columns.nominal.filter(|nominal| own(nominal.at).is_none()) {
-        Some(nominal) if own(measured) == Some(Unit::Inch) => Err(half(measured, nominal.at)),
+    let sizes = columns.nominal.into_iter().chain(columns.limits.iter().flat_map(LimitColumns::iter));
+    match sizes.map(|column| column.at).find(|at| own(*at).is_none()) {
+        Some(open) if own(measured) == Some(Unit::Inch) => Err(half(measured, open)),
         _ => Ok(()),
     }
 }

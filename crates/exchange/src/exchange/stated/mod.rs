@@ -146,6 +146,16 @@ impl Stated {
         Ok(LengthColumn { unit, ..column })
     }
 
+    /// A column of limits as a row has it: deviations may be in a unit of their own, beside sizes in that of the row.
+    pub(super) fn of_limit<'c>(
+        &self,
+        column: LengthColumn,
+        cells: &'c StringRecord,
+    ) -> Result<LengthColumn, Refused<'c>> {
+        let has_own = self.own.iter().any(|(own, _)| *own == column.at);
+        if has_own { Ok(column) } else { self.in_row(column, cells) }
+    }
+
     /// The unit of a coordinate in a row.
     pub(super) fn of_place(&self, column: LengthColumn, cells: &StringRecord) -> Unit {
         let has_own = self.own.iter().any(|(own, _)| *own == column.at);

@@ -9,6 +9,7 @@ mod package;
 mod sheet;
 mod shown;
 
+use std::collections::BTreeMap;
 use std::io::BufReader;
 
 use calamine::{Reader as _, SheetType, SheetVisible, Xlsx};
@@ -160,7 +161,8 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     if SAMPLE <= count {
         agree(&mut rows(&mut workbook, &chosen, &units)?, &columns)?;
     }
-    let mut rows = rows(&mut workbook, &chosen, &units)?;
+    let with_comma = columns.with_decimal_comma();
+    let mut rows = rows(&mut workbook, &chosen, &units)?.with_comma_in(with_comma);
     read_rows(&mut rows, (&context, &columns, &chosen, has_plan), sink, sizes)
 }
 
@@ -240,7 +242,8 @@ fn choose(workbook: &mut Workbook<'_>, names: &[String], mapping: &Mapping) -> R
     }
     for name in names.iter().filter(|name| mapping.sheet().is_none_or(|sheet| sheet == name.as_str())) {
         let mut units = UnitsShown::default();
-        let (sample, sampled) = sample(workbook, name, &mut units);
+        let mut signs = BTreeMap::new();
+        let (sample, sampled) = sample(workbook, name, (&mut units, &mut signs));
         let count = sample.len();
         let columns = match sampled {
             Err(error) if sample.is_empty() => Err(error),
@@ -248,7 +251,11 @@ fn choose(workbook: &mut Workbook<'_>, names: &[String], mapping: &Mapping) -> R
             _ => mapping.columns(&mut Sample::of_cells(sample.into_iter())),
         };
         match columns {
-            Ok(columns) => {
+            Ok(mut columns) => {
+                // A number of a workbook has no decimal sign: texts alone tell which one is theirs.
+                if mapping.decimal().is_none() {
+                    columns.each_value(|own| own.decimal_sign = signs.get(&own.measured.at).copied());
+                }
                 let is_best = columns.tolerance.is_some();
                 let chosen = Chosen { sheet: name.clone(), columns, units, count };
                 if is_best {
@@ -270,7 +277,7 @@ fn choose(workbook: &mut Workbook<'_>, names: &[String], mapping: &Mapping) -> R
 fn sample(
     workbook: &mut Workbook<'_>,
     sheet: &str,
-    shown: &mut UnitsShown,
+    (shown, signs): (&mut UnitsShown, &mut BTreeMap<usize, char>),
 ) -> (Vec<(usize, StringRecord)>, Result<(), ImportErrorKind>) {
     let mut sample = Vec::new();
     let sampled = units(workbook, sheet).and_then(|units| {
@@ -281,6 +288,8 @@ fn sample(
         {
             sample.push(row);
         }
+        let width = sample.iter().map(|(_, cells)| cells.len()).fold(0, usize::max);
+        signs.extend((0..width).filter_map(|at| Some((at, rows.sign_of(at)?))));
         Ok(())
     });
     (sample, sampled)
@@ -296,7 +305,7 @@ pub(super) fn samples(source: &mut Source<'_>) -> Result<(Sheets, usize), Import
     let chosen = choose(&mut workbook, &names, &Mapping::default()).map(|chosen| chosen.sheet).ok();
     let mut sheets = Sheets::new();
     for name in names.into_iter().take(MOST_SHEETS) {
-        let (rows, _) = sample(&mut workbook, &name, &mut UnitsShown::default());
+        let (rows, _) = sample(&mut workbook, &name, (&mut UnitsShown::default(), &mut BTreeMap::new()));
         if !rows.is_empty() || chosen.as_ref() == Some(&name) {
             sheets.push((name, rows));
         }

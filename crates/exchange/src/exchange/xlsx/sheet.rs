@@ -8,6 +8,7 @@ use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
 use super::shown;
+use crate::exchange::cells;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::units;
 
@@ -23,6 +24,10 @@ pub(super) struct Rows<'x, R: Read + Seek> {
     units: &'x UnitsShown,
     /// The first cell of the next row.
     waiting: Option<(usize, usize, String)>,
+    /// The columns in which a number has a decimal comma, as the texts beside it: it has no sign of its own.
+    with_comma: Vec<usize>,
+    /// The decimal signs of texts that are numbers, by column: how many points and commas.
+    signs: BTreeMap<usize, [usize; 2]>,
     /// The row before, from 1.
     before: usize,
     /// Whether the last cell was read.
@@ -30,8 +35,19 @@ pub(super) struct Rows<'x, R: Read + Seek> {
 }
 
 impl<'x, R: Read + Seek> Rows<'x, R> {
-    pub(super) const fn new(cells: XlsxCellReader<'x, R>, units: &'x UnitsShown) -> Self {
-        Self { cells, units, waiting: None, before: 0, is_ended: false }
+    pub(super) fn new(cells: XlsxCellReader<'x, R>, units: &'x UnitsShown) -> Self {
+        Self { cells, units, waiting: None, with_comma: Vec::new(), signs: BTreeMap::new(), before: 0, is_ended: false }
+    }
+
+    /// The same with a decimal comma in some columns.
+    pub(super) fn with_comma_in(self, with_comma: Vec<usize>) -> Self {
+        Self { with_comma, ..self }
+    }
+
+    /// The decimal sign that most texts of a column have, as far as it was read; `None` where it has numbers alone.
+    pub(super) fn sign_of(&self, at: usize) -> Option<char> {
+        let [points, commas] = self.signs.get(&at)?;
+        Some(if points < commas { ',' } else { '.' })
     }
 
     /// The next row: its number from 1, and its cells.
@@ -79,6 +95,15 @@ impl<'x, R: Read + Seek> Rows<'x, R> {
             let (row, at) = cell.pos;
             let text = match (&cell.value, &cell.formula) {
                 (DataRef::Empty, Some(formula)) => format!("{FORMULA}{}", of_formula(formula)),
+                (DataRef::Float(number), _) if self.with_comma.contains(&index(at)) => typed(*number).replace('.', ","),
+                (value @ (DataRef::String(_) | DataRef::SharedString(_)), _) => {
+                    let text = text(value);
+                    if let Some(sign) = cells::sign_of(&text).filter(|_| cells::is_number(&text)) {
+                        let [points, commas] = self.signs.entry(index(at)).or_default();
+                        *if sign == ',' { commas } else { points } += 1;
+                    }
+                    text
+                }
                 (value, _) => text(value),
             };
             // A number that was typed as text stands before the unit of its format, too.

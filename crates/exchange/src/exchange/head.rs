@@ -1,0 +1,94 @@
+//! What the lines above a header say of all values below it: `Part Name;Plate 4711`, `SER NUMBER : 3`. A column of the same counts first.
+
+use csv::StringRecord;
+use jiff::civil::DateTime;
+
+use super::measurements::date_time;
+use super::role::Role;
+use super::vocabulary::{KNOWN, Rank};
+use super::words;
+
+/// More names of a part than those of a column: beside a title they can hardly be anything else.
+const PART: &str = "part name|teilename|teilebezeichnung|benennung|item description|part description|drg no|drg no rev|drawing no rev|naam onderdeel|\
+    nome pezzo|nom de la pièce|nombre de la pieza";
+
+/// What is said of all values.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Head {
+    pub(super) part: String,
+    pub(super) serial: String,
+    pub(super) who: String,
+    pub(super) machine: String,
+    pub(super) batch: String,
+    pub(super) time: Option<DateTime>,
+    /// The words of all that, and the line of the first.
+    pub(super) said: Option<(usize, String)>,
+}
+
+impl Head {
+    /// What some lines say; the first of two that say the same thing counts.
+    pub(super) fn of<'l>(lines: impl Iterator<Item = &'l (usize, StringRecord)>) -> Self {
+        let mut head = Self::default();
+        let mut day = String::new();
+        let mut clock = String::new();
+        let mut said: Vec<String> = Vec::new();
+        for (line, cells) in lines {
+            for (key, value) in pairs(cells) {
+                let place = match role(key) {
+                    Some(Role::Part) => &mut head.part,
+                    Some(Role::Serial) => &mut head.serial,
+                    Some(Role::Who) => &mut head.who,
+                    Some(Role::Machine) => &mut head.machine,
+                    Some(Role::Batch) => &mut head.batch,
+                    Some(Role::Time) if value.contains(':') && !value.contains(['-', '.', '/']) => &mut clock,
+                    Some(Role::Time) => &mut day,
+                    _ => continue,
+                };
+                if place.is_empty() && !value.is_empty() {
+                    value.clone_into(place);
+                    said.push(format!("{key} {value}"));
+                    head.said.get_or_insert((*line, String::new()));
+                }
+            }
+        }
+        if !day.is_empty() {
+            head.time = date_time(format!("{day} {clock}").trim()).or_else(|| date_time(&day));
+        }
+        if let Some((_, text)) = &mut head.said {
+            *text = said.join(", ");
+        }
+        head
+    }
+}
+
+/// The keys of a line with their values: in cells beside each other, or in one cell with a colon.
+fn pairs(cells: &StringRecord) -> Vec<(&str, &str)> {
+    let cells: Vec<&str> = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect();
+    let mut found = Vec::new();
+    let mut rest = cells.as_slice();
+    while let [first, more @ ..] = rest {
+        rest = more;
+        if let Some((key, value)) = first.split_once([':', '=']).filter(|(key, value)| role(key).is_some() && !value.trim().is_empty()) {
+            found.push((key.trim(), value.trim()));
+            continue;
+        }
+        let key = first.trim_end_matches([':', '=']).trim();
+        if let [value, more @ ..] = more
+            && role(key).is_some()
+            && role(value.trim_end_matches(':')).is_none()
+        {
+            found.push((key, *value));
+            rest = more;
+        }
+    }
+    found
+}
+
+fn role(key: &str) -> Option<Role> {
+    let bare = words::bare(key);
+    if PART.split('|').any(|known| known == bare) {
+        return Some(Role::Part);
+    }
+    let is_time = || KNOWN.whole.get(bare.as_str()) == Some(&(Role::Time, Rank::Exact));
+    words::label(key).filter(|role| !matches!(role, Role::Number | Role::X | Role::Y | Role::Z)).or_else(|| is_time().then_some(Role::Time))
+}

@@ -1,0 +1,132 @@
+//! What the name of a column says of a limit; `vocabulary` has the words.
+
+use crate::exchange::claim::letters;
+use crate::exchange::role::Role;
+use crate::exchange::units;
+use crate::exchange::vocabulary::{
+    LARGEST, LOWER, LOWER_DEVIATION, MAXIMUM, MINIMUM, MINUS, Rank, SIGNED, SMALLEST, UPPER, UPPER_DEVIATION, has,
+};
+use crate::exchange::words;
+
+/// What a name says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::exchange) enum LimitName {
+    UpperDeviation,
+    LowerDeviation,
+    /// The lower deviation, with or without its sign.
+    Minus,
+    Maximum,
+    Minimum,
+    /// A limit or a deviation.
+    Upper,
+    Lower,
+    /// A limit, or one of several readings.
+    Largest,
+    Smallest,
+}
+
+impl LimitName {
+    pub(in crate::exchange) const fn is_upper(self) -> bool {
+        matches!(self, Self::UpperDeviation | Self::Maximum | Self::Upper | Self::Largest)
+    }
+
+    pub(in crate::exchange) const fn may_be_reading(self) -> bool {
+        matches!(self, Self::Largest | Self::Smallest)
+    }
+
+    /// Whether it says a limit and nothing else, or a deviation and nothing else.
+    pub(super) const fn is_sure(self) -> bool {
+        !matches!(self, Self::Upper | Self::Lower | Self::Largest | Self::Smallest)
+    }
+
+    pub(super) const fn is_deviation(self) -> bool {
+        matches!(self, Self::UpperDeviation | Self::LowerDeviation | Self::Minus)
+    }
+
+    /// What a column of the name holds, and how sure that is.
+    pub(in crate::exchange) const fn role(self) -> (Role, Rank) {
+        match self {
+            Self::UpperDeviation => (Role::Upper, Rank::Exact),
+            Self::LowerDeviation => (Role::Lower, Rank::Exact),
+            Self::Minus => (Role::Lower, Rank::Weak),
+            Self::Maximum => (Role::Maximum, Rank::Exact),
+            Self::Minimum => (Role::Minimum, Rank::Exact),
+            Self::Upper | Self::Largest => (Role::Maximum, Rank::Weak),
+            Self::Lower | Self::Smallest => (Role::Minimum, Rank::Weak),
+        }
+    }
+}
+
+/// What the name of a column says of a limit.
+pub(in crate::exchange) fn by_name(header: &str) -> Option<LimitName> {
+    match sign(header) {
+        Some('+') => return Some(LimitName::UpperDeviation),
+        Some(_) => return Some(LimitName::Minus),
+        None => {}
+    }
+    let bare = words::bare(header);
+    let lists = [
+        (UPPER_DEVIATION, LimitName::UpperDeviation),
+        (LOWER_DEVIATION, LimitName::LowerDeviation),
+        (MINUS, LimitName::Minus),
+        (MAXIMUM, LimitName::Maximum),
+        (MINIMUM, LimitName::Minimum),
+        (UPPER, LimitName::Upper),
+        (LOWER, LimitName::Lower),
+        (LARGEST, LimitName::Largest),
+        (SMALLEST, LimitName::Smallest),
+    ];
+    lists.into_iter().find(|(list, _)| has(list, &bare)).map(|(_, name)| name)
+}
+
+/// The sign of a deviation in a name: `+TOL`, `Tol. (-)`, or the sign alone, as below a name for both.
+fn sign(header: &str) -> Option<char> {
+    let (name, unit) = match header.trim().rsplit_once(['[', '(']) {
+        Some((name, unit)) if units::known(unit.trim_end_matches([']', ')'])).is_some() => (name, true),
+        _ => (header.trim(), false),
+    };
+    let name = name.replace(['\u{2212}', '\u{2013}'], "-");
+    let is_at_end = |c: char| name.trim_matches([' ', '(', ')', '[', ']']).starts_with(c) || name.trim_end_matches([' ', ')', ']']).ends_with(c);
+    let found = ['+', '-'].into_iter().filter(|c| is_at_end(*c)).collect::<Vec<_>>();
+    let [found] = found.as_slice() else { return None };
+    let letters = letters(&name);
+    let is_alone = letters.is_empty() && name.trim().chars().count() == 1 && !unit;
+    (is_alone || has(SIGNED, &letters)).then_some(*found)
+}
+
+/// Whether the name of a tolerance says that its number goes both ways: `Tol ±`, `+/- Tol`.
+pub(in crate::exchange) fn goes_both_ways(header: &str) -> bool {
+    header.contains('±') || header.replace(' ', "").contains("+/-")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_say_limits_and_deviations() {
+        for (name, expected) in [
+            ("+TOL", Some(LimitName::UpperDeviation)),
+            ("Tol +", Some(LimitName::UpperDeviation)),
+            ("Tol. (+)", Some(LimitName::UpperDeviation)),
+            ("Tol+ [mm]", Some(LimitName::UpperDeviation)),
+            ("-TOL", Some(LimitName::Minus)),
+            ("Tol\u{2212}", Some(LimitName::Minus)),
+            ("-", Some(LimitName::Minus)),
+            ("oberes Abmaß", Some(LimitName::UpperDeviation)),
+            ("Unteres Abmass (µm)", Some(LimitName::LowerDeviation)),
+            ("Upper limit", Some(LimitName::Maximum)),
+            ("LSL", Some(LimitName::Minimum)),
+            ("cote maxi", Some(LimitName::Maximum)),
+            ("Max", Some(LimitName::Largest)),
+            ("superior", Some(LimitName::Upper)),
+            ("+/- Tol", None),
+            ("X-Pos", None),
+            ("Tol-Klasse", None),
+            ("Tol", None),
+        ] {
+            assert_eq!(by_name(name), expected, "{name}");
+        }
+        assert!(goes_both_ways("Tol ±") && goes_both_ways("+ / - Tol") && !goes_both_ways("+Tol"));
+    }
+}

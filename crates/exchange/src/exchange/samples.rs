@@ -1,0 +1,63 @@
+//! Measured values side by side: each row of a table is a characteristic, and each of some columns is a part or a repeat.
+
+use csv::StringRecord;
+
+use super::cells::is_number;
+use super::claim::letters;
+use super::column::name_of;
+use super::sample::Sample;
+use super::vocabulary::has;
+use crate::exchange::cell::Cells as _;
+
+/// Words before the numbers of such columns: `Sample 1`, `Teil 2`. A measured value with a number is asked about.
+const BEFORE: &str = "|sample|samples|s|part|pc|pcs|piece|specimen|unit|teil|stück|stueck|muster|stichprobe|probe|monster|stuk|campione|pezzo|\
+    échantillon|pièce|muestra|pieza|x|n|no|nr";
+
+/// The columns whose names are counted from 1, one beside the other, where two or more are.
+pub(super) fn counted(names: &StringRecord) -> Vec<usize> {
+    let mut best: Vec<usize> = Vec::new();
+    let mut run: Vec<usize> = Vec::new();
+    let mut word = String::new();
+    for (at, name) in names.iter().enumerate() {
+        let Some((before, number)) = split(name) else {
+            run.clear();
+            continue;
+        };
+        if number != run.len() + 1 || !run.is_empty() && before != word {
+            run.clear();
+        }
+        if number == run.len() + 1 {
+            run.push(at);
+            word = before;
+        }
+        if best.len() < run.len() {
+            best.clone_from(&run);
+        }
+    }
+    if best.len() < 2 { Vec::new() } else { best }
+}
+
+/// The word and the number of a name.
+fn split(name: &str) -> Option<(String, usize)> {
+    let name = name.trim();
+    let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let number = name.strip_prefix(word)?.parse().ok()?;
+    let word = letters(word);
+    has(BEFORE, &word).then_some((word, number))
+}
+
+impl Sample {
+    /// The columns with a measured value each, by names that are counted; most of their cells are numbers.
+    pub(super) fn side_by_side(&self, names: &StringRecord) -> Vec<usize> {
+        let found = counted(names);
+        let cells = || found.iter().flat_map(|at| self.cells(*at));
+        let (numbers, all) = cells().fold((0, 0), |(numbers, all), cell| (numbers + usize::from(is_number(cell)), all + 1));
+        if all < numbers * 2 { found } else { Vec::new() }
+    }
+}
+
+/// The first and the last of such columns, as messages name them.
+pub(super) fn range(names: &StringRecord, samples: &[usize]) -> String {
+    let name = |at: Option<&usize>| at.map_or_else(String::new, |at| name_of(*at, names.cell(*at)));
+    format!("{} … {}", name(samples.first()), name(samples.last()))
+}
