@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use csv::StringRecord;
-use fitcheck_core::length::Length;
+use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Say as _;
 use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, LimitsError, Sources, Tolerance, ToleranceClass};
 
@@ -123,7 +123,21 @@ impl Rules<'_> {
 
     /// What a row says was measured.
     fn quantity(&self, cells: &StringRecord) -> Option<Quantity> {
-        quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity)
+        let said = quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity);
+        said.or_else(|| self.is_form_by_name(cells).then_some(Quantity::Other))
+    }
+
+    /// What a row says that its value should be: a callout, or limits as far as it has them.
+    pub(super) fn planned<'c>(&self, cells: &'c StringRecord) -> Result<(Option<Callout>, StatedLimits), Refused<'c>> {
+        // Without commas between cells no measured value is asked whether it fits.
+        let callout = self.callout(cells, Length::ZERO)?;
+        Ok((callout.map(|(callout, _)| callout), self.said(cells)?))
+    }
+
+    /// Whether the name of a row is one of form, and its tolerance one number: `Flatness`, `0.02`.
+    fn is_form_by_name(&self, cells: &StringRecord) -> bool {
+        let text = cells.cell(self.columns.tolerance).trim();
+        text.starts_with(|c: char| c.is_ascii_digit()) && cells::is_number(text) && quantity::is_form(cells.cell(self.columns.id))
     }
 
     /// The cell by which a row is of another quantity than a size.
@@ -141,13 +155,14 @@ impl Rules<'_> {
         self.right_length(cells, None)?;
         let measured = self.any_measured(cells)?;
         let said = match self.said(cells) {
-            Ok(said) => StatedLimits { ..self.or_of_form(cells, said) },
+            Ok(said) => self.or_of_form(cells, said),
             // Without limits nothing is judged by it, so what cannot be read refuses nothing.
             Err(refused) if self.columns.limits.is_some() && !self.has_plan => return Err(refused),
             Err(_unreadable) => StatedLimits::default(),
         };
         let other = || {
-            let what = self.other_than_size(cells).map_or("", |cell| cell.text);
+            let name = || cells.cell(self.columns.id).trim();
+            let what = self.other_than_size(cells).map_or_else(name, |cell| cell.text);
             WhyUnjudged::NotASize { what: shorten(what) }
         };
         let asked = match self.by_limits(cells, &said, measured, false)? {
@@ -161,7 +176,7 @@ impl Rules<'_> {
     fn or_of_form(&self, cells: &StringRecord, said: StatedLimits) -> StatedLimits {
         let text = cells.cell(self.columns.tolerance).trim();
         let is_form = said.nominal.is_none_or(|nominal| nominal == Length::ZERO);
-        let one = cells::length(text, fitcheck_core::length::Unit::Millimetre).ok();
+        let one = cells::length(text, Unit::Millimetre).ok();
         let one = one.filter(|one| is_form && Length::ZERO < *one && text.starts_with(|c: char| c.is_ascii_digit()));
         if said.minimum.or(said.maximum).is_some() { said } else { StatedLimits { maximum: one, ..said } }
     }

@@ -94,6 +94,7 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
     }
     let is_stated = |ignored: &String| stated.columns.iter().any(|at| *ignored == name_of(*at, name(*at)));
     columns.ignored.retain(|ignored| !is_stated(ignored));
+    columns.remarks.retain(|remark| !stated.columns.contains(&remark.at));
     columns.stated = stated;
     let decided = columns.stated.decided(columns.measured);
     for (line, text, (unit, _)) in said.iter().filter(|(.., (_, is_clear))| !is_clear) {
