@@ -273,3 +273,31 @@ fn names_of_the_users_own_are_known_in_any_file() {
         }
     }
 }
+
+/// The names of the manual are known, and each word of `--columns` has its line there.
+#[test]
+fn the_manual_has_every_role_with_names_that_are_known() {
+    use fitcheck::exchange::{FirstRows, Mapping, Role};
+    let manual = include_str!("../../docs/manual/columns.md");
+    let rows: Vec<Vec<&str>> = manual
+        .lines()
+        .filter(|line| line.starts_with("| `"))
+        .map(|line| line.trim_matches('|').split('|').map(str::trim).collect())
+        .collect();
+    for role in Role::all() {
+        let word = format!("`{}`", role.word());
+        let row = rows.iter().find(|row| row[0].split(", ").any(|known| known == word));
+        let row = row.unwrap_or_else(|| panic!("no line for {word}"));
+        if matches!(role, Role::Minus | Role::Sample | Role::Kind | Role::Units | Role::Status | Role::X | Role::Y | Role::Z) {
+            continue;
+        }
+        for name in row[2].split('`').filter(|name| !name.trim_matches([',', ' ']).is_empty()) {
+            let text = format!("{name};q;r\na;b;1\n");
+            let first = FirstRows::of_columns("a.csv", text.as_bytes()).unwrap();
+            let guessed = first.guess(&Mapping::default()).roles[0];
+            // A name of a part, a number or a serial number names a feature where nothing else does.
+            let is_label = matches!(role, Role::Number | Role::Part | Role::Serial) && guessed == Some(Role::Id);
+            assert!(guessed == Some(role) || is_label || role == Role::Quantity, "{name}: {guessed:?}");
+        }
+    }
+}

@@ -64,7 +64,10 @@ impl<'a> StreamJudging<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
-            limits: columns.limits.as_ref().filter(|_| plain.is_some() && !columns.evidence.are_simulated),
+            limits: columns
+                .limits
+                .as_ref()
+                .filter(|_| plain.is_some() && !columns.evidence.are_simulated && columns.sides().len() < 2),
             side: match columns.sides().as_slice() {
                 [one] => Some(one),
                 _ => None,

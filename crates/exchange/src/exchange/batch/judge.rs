@@ -322,7 +322,10 @@ impl Judge<'_> {
             None => None,
         };
         let (nominal, deviations) = bounds_of(row, limits, nominal, said)?;
-        let feature = self.side(row.cell(fast.side?.at())?)?;
+        let feature = match fast.side {
+            Some(side) => self.side(row.cell(side.at())?),
+            None => None,
+        };
         let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
         self.court.sources.proportionate(&bounds).ok()?;
         self.give(row, &Judged::new(bounds, measured), None, tally, take);

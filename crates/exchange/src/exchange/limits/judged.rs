@@ -45,24 +45,22 @@ impl StatedLimits {
         let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
         let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
         let deviations = Deviations::new(upper, lower).map_err(|_swapped| swapped())?;
-        judged(given, nominal, deviations, (minimum, maximum))
+        judged(given, nominal, deviations)
     }
 }
 
-/// Limits by which a value is judged. Where neither hole nor shaft is said, nobody knows yet what lies beyond them.
-fn judged(
-    given: Given<'_>,
-    nominal: Length,
-    deviations: Deviations,
-    (minimum, maximum): (Length, Length),
-) -> Result<Limits, NoLimits> {
+/// Limits by which a value is judged. Where neither hole nor shaft is said, it stays open what a value beyond them is.
+fn judged(given: Given<'_>, nominal: Length, deviations: Deviations) -> Result<Limits, NoLimits> {
     let Given { feature, is_size, file, sources } = given;
     let refused = |error: LimitsError| NoLimits::Refused(Box::new(error));
-    let Some(feature) = feature.filter(|_| is_size) else {
-        return Err(NoLimits::Unjudged(WhyUnjudged::NoFeature { minimum, maximum }));
-    };
+    let feature = feature.filter(|_| is_size);
     let limits = Limits::new(feature, nominal, deviations, Source::File(Arc::clone(file)));
     let limits = limits.ok_or_else(|| refused(LimitsError::TooLarge { nominal }))?;
-    sources.proportionate(&limits.bounds()).map_err(refused)?;
+    // What lies at zero or below is a coordinate or a deviation, where nobody says otherwise.
+    if is_size && (feature.is_some() || Length::ZERO < nominal) {
+        sources.proportionate(&limits.bounds()).map_err(refused)?;
+    } else {
+        sources.proportionate_coordinate(nominal, deviations).map_err(refused)?;
+    }
     Ok(limits)
 }
