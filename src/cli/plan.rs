@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 use serde_json::{Value as Json, json};
 
+use super::import::columns;
 use super::rows::csv_line;
 use super::rows::{line, names};
 use super::{CliError, CliRemark, ErrorSubject, Figure, Format, IntoCliError as _, Io, Outcome, TableArgs, read_input};
 use crate::cli::io::{is_dash, write_new};
-use super::import::columns;
 use crate::exchange::{self, ImportInputs, Mapping, PLAN_ENDINGS};
 use crate::files;
 use crate::message::{IntoArg as _, Say as _};
@@ -162,7 +162,11 @@ fn of_bytes(path: &Path, name: &str, bytes: &[u8], mapping: Option<&Mapping>) ->
     let beside = |ending: &str| files::beside(path, ending);
     // Limits of classes are compared with those of the standard; a plan has no times.
     let sources = Sources::default();
-    exchange::read_plan(name, bytes, ImportInputs { beside: &beside, mapping, ..ImportInputs::new(&sources, DateTime::MIN) })
+    exchange::read_plan(
+        name,
+        bytes,
+        ImportInputs { beside: &beside, mapping, ..ImportInputs::new(&sources, DateTime::MIN) },
+    )
 }
 
 /// Says what a plan of another tool does not take over.

@@ -21,13 +21,13 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::one_of;
+use super::import::columns;
 use super::io::is_dash;
 use super::progress::Work;
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
-use super::import::columns;
-use crate::exchange::{ImportErrorKind, Mapping};
 use crate::exchange::batch::{ADDED, BLOCK, Cutter, Layout, StreamJudging};
+use crate::exchange::{ImportErrorKind, Mapping};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;

@@ -73,7 +73,9 @@ fn ungrouped(text: &str) -> Cow<'_, str> {
     }
     let other = digits.chars().find(|c| matches!(c, '.' | ',') && *c != separator);
     let (whole, rest) = match other {
-        Some(sign) => digits.split_once(sign).map_or((digits, ""), |(whole, _)| (whole, digits.get(whole.len()..).unwrap_or(""))),
+        Some(sign) => {
+            digits.split_once(sign).map_or((digits, ""), |(whole, _)| (whole, digits.get(whole.len()..).unwrap_or("")))
+        }
         None if is_sign => return Cow::Borrowed(text),
         None => {
             let end = digits.find(|c: char| !c.is_ascii_digit() && c != separator).unwrap_or(digits.len());

@@ -83,7 +83,9 @@ fn pairs(cells: &StringRecord) -> Vec<(&str, &str)> {
     let mut rest = cells.as_slice();
     while let [first, more @ ..] = rest {
         rest = more;
-        if let Some((key, value)) = first.split_once([':', '=']).filter(|(key, value)| role(key).is_some() && !value.trim().is_empty()) {
+        if let Some((key, value)) =
+            first.split_once([':', '=']).filter(|(key, value)| role(key).is_some() && !value.trim().is_empty())
+        {
             found.push((key.trim(), value.trim()));
             continue;
         }
@@ -109,5 +111,7 @@ fn role(key: &str) -> Option<Role> {
         return Some(Role::Part);
     }
     let is_time = || KNOWN.whole.get(bare.as_str()) == Some(&(Role::Time, Rank::Exact));
-    words::label(key).filter(|role| !matches!(role, Role::Number | Role::X | Role::Y | Role::Z)).or_else(|| is_time().then_some(Role::Time))
+    words::label(key)
+        .filter(|role| !matches!(role, Role::Number | Role::X | Role::Y | Role::Z))
+        .or_else(|| is_time().then_some(Role::Time))
 }

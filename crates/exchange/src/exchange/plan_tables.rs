@@ -25,11 +25,7 @@ use super::{cells, sheet_rows};
 ///
 /// # Errors
 /// Why its columns are not known.
-pub(super) fn document(
-    file: &str,
-    bytes: &[u8],
-    given: ImportInputs<'_>,
-) -> Result<Option<Document>, ImportErrorKind> {
+pub(super) fn document(file: &str, bytes: &[u8], given: ImportInputs<'_>) -> Result<Option<Document>, ImportErrorKind> {
     let open = Mapping::default();
     let mapping = given.mapping.unwrap_or(&open);
     let Some(first) = FirstRows::of_columns(file, bytes) else { return Ok(None) };
@@ -38,9 +34,12 @@ pub(super) fn document(
         return Ok(None);
     }
     let rows = all_rows(bytes, separator)?;
-    let mut table = Table { columns: &columns, given, file: file.into(), document: Document::default(), part: String::new() };
+    let mut table =
+        Table { columns: &columns, given, file: file.into(), document: Document::default(), part: String::new() };
     let begins = columns.stated.first().max(columns.header.map_or(0, |header| header + 1));
-    for (line, row) in rows.iter().filter(|(line, row)| begins <= *line && !cells::is_blank(row) && !cells::is_comment(row)) {
+    for (line, row) in
+        rows.iter().filter(|(line, row)| begins <= *line && !cells::is_blank(row) && !cells::is_comment(row))
+    {
         table.row(*line, row);
     }
     Ok(Some(table.whole()))
@@ -100,9 +99,12 @@ impl Table<'_> {
             let remark = PlanRemark::Left { name: shorten(&joined(row)), why };
             return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
         }
-        let has = |feature: &DraftFeature, column: Column, text: &str| feature.text(column).map_or("", |known| known) == text;
+        let has =
+            |feature: &DraftFeature, column: Column, text: &str| feature.text(column).map_or("", |known| known) == text;
         let is_known = |feature: &DraftFeature| {
-            has(feature, Column::Name, name) && has(feature, Column::Number, number) && has(feature, Column::Callout, &callout)
+            has(feature, Column::Name, name)
+                && has(feature, Column::Number, number)
+                && has(feature, Column::Callout, &callout)
         };
         // Another part, or the same one measured again.
         if self.document.draft.rows.iter().any(is_known) {
@@ -148,8 +150,10 @@ fn of_limits(said: &StatedLimits) -> String {
         (Some(nominal), Some(minimum), Some(maximum)) => {
             let upper = maximum.saturating_sub(nominal);
             let lower = minimum.saturating_sub(nominal);
-            let callout = Deviations::new(upper, lower).ok().and_then(|both| Callout::with_deviations(nominal, both).ok());
-            callout.map_or_else(|| format!("{nominal} {}/{}", signed(upper), signed(lower)), |callout| callout.to_string())
+            let callout =
+                Deviations::new(upper, lower).ok().and_then(|both| Callout::with_deviations(nominal, both).ok());
+            callout
+                .map_or_else(|| format!("{nominal} {}/{}", signed(upper), signed(lower)), |callout| callout.to_string())
         }
         (None, Some(minimum), Some(maximum)) => format!("{maximum}/{minimum}"),
         (Some(nominal), ..) => nominal.to_string(),

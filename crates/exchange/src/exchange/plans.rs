@@ -7,7 +7,9 @@ use std::io::Cursor;
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::{FilePlace, Located, Say as _};
-use fitcheck_core::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark};
+use fitcheck_core::part::{
+    Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark,
+};
 use fitcheck_core::tolerance::Sources;
 
 use super::characteristic::{Characteristic, CharacteristicKind};

@@ -6,8 +6,8 @@ use fitcheck_core::length::Unit;
 
 use super::cells::{WholeNumbers, decimals, is_blank, is_comment, is_data, is_number, is_whole, may_be_names};
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::role::Role;
 use super::limits::{self, LimitName};
+use super::role::Role;
 use super::samples;
 use super::stated;
 use super::vocabulary::Rank;
@@ -48,6 +48,8 @@ pub(super) struct Sample {
     pub(super) has_place_unit: bool,
     /// Columns that the user has said to hold a status, the unit of the row, hole or shaft.
     pub(super) said: Vec<(Role, usize)>,
+    /// Whether the user has said which columns are the limits, or that none are.
+    pub(super) are_limits_said: bool,
 }
 
 impl Sample {
@@ -108,6 +110,7 @@ impl Sample {
             given: None,
             has_place_unit: false,
             said: Vec::new(),
+            are_limits_said: false,
         };
         sample.merge_header();
         sample.find_units_row();
@@ -123,10 +126,12 @@ impl Sample {
         let best = pairs.into_iter().find_map(|(top, bottom)| {
             let (above, below) = (row(top)?, row(bottom)?);
             let names = merged(above, below);
-            let is_more = named(above).max(named(below)) < named(&names) && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
+            let is_more = named(above).max(named(below)) < named(&names)
+                && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
             let is_units = stated::is_row_of_units(above, below);
             // A title or a line of the head has few cells.
-            let is_group = 2 <= above.iter().filter(|cell| !cell.trim().is_empty()).count() && above.len() <= below.len();
+            let is_group =
+                2 <= above.iter().filter(|cell| !cell.trim().is_empty()).count() && above.len() <= below.len();
             (can_be(above) && can_be(below) && is_group && !is_units && is_more).then_some((top?, bottom?, names))
         });
         let Some((top, bottom, names)) = best else { return };
@@ -234,7 +239,8 @@ fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
     let is_header = |at: usize| rows.get(at).is_some_and(|(_, cells)| !is_data(cells));
     // Of several lines of names, that of measured values: "Part Name;Plate;Serial;S-7" may be names, too.
     let has_values = |cells: &StringRecord| {
-        let is_measured = |cell: &str| words::role(cell).is_some_and(|(role, rank)| role == Role::Measured && rank != Rank::Unsure);
+        let is_measured =
+            |cell: &str| words::role(cell).is_some_and(|(role, rank)| role == Role::Measured && rank != Rank::Unsure);
         cells.iter().any(is_measured) || names_samples(cells)
     };
     let below = above().position(|(_, cells)| is_data(cells) || names(cells) && has_values(cells));
@@ -249,8 +255,7 @@ fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
 /// Whether a row names columns of samples by numbers, and others.
 fn names_samples(cells: &StringRecord) -> bool {
     let samples = samples::counted(cells);
-    let others: StringRecord =
-        (0..).zip(cells).filter(|(at, _)| !samples.contains(at)).map(|(_, cell)| cell).collect();
+    let others: StringRecord = (0..).zip(cells).filter(|(at, _)| !samples.contains(at)).map(|(_, cell)| cell).collect();
     !samples.is_empty() && may_be_names(&others)
 }
 
@@ -267,7 +272,8 @@ fn merged(top: &StringRecord, bottom: &StringRecord) -> StringRecord {
         if limits::by_name(&both).is_some_and(LimitName::is_sure) {
             return both;
         }
-        let known = [below, both.as_str(), group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
+        let known =
+            [below, both.as_str(), group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
         known.unwrap_or(both)
     };
     (0..top.len().max(bottom.len())).map(name).collect()

@@ -51,7 +51,8 @@ impl Sample {
     pub(super) fn side_by_side(&self, names: &StringRecord) -> Vec<usize> {
         let found = counted(names);
         let cells = || found.iter().flat_map(|at| self.cells(*at));
-        let (numbers, all) = cells().fold((0, 0), |(numbers, all), cell| (numbers + usize::from(is_number(cell)), all + 1));
+        let (numbers, all) =
+            cells().fold((0, 0), |(numbers, all), cell| (numbers + usize::from(is_number(cell)), all + 1));
         if all < numbers * 2 { found } else { Vec::new() }
     }
 }

@@ -36,7 +36,8 @@ impl Sample {
         let none = StringRecord::new();
         let names = names.map_or(&none, |(_, names)| names);
         let samples = self.side_by_side(names);
-        let samples = if self.measured.is_none() && samples.first() == Some(&columns.measured.at) { samples } else { Vec::new() };
+        let samples =
+            if self.measured.is_none() && samples.first() == Some(&columns.measured.at) { samples } else { Vec::new() };
         if !samples.is_empty() {
             columns.split_into(&samples, names)?;
         }
@@ -56,7 +57,12 @@ impl Sample {
         let used = columns.used();
         let above = self.rows.iter().filter(|(line, _)| columns.header.is_some_and(|header| *line < header));
         columns.head = Head::of(above.filter(|(line, _)| Some(*line) != columns.top));
-        columns.ignored.retain(|ignored| !columns.samples.iter().any(|sample| *ignored == name_of(sample.measured.at, names.cell(sample.measured.at))));
+        columns.ignored.retain(|ignored| {
+            !columns
+                .samples
+                .iter()
+                .any(|sample| *ignored == name_of(sample.measured.at, names.cell(sample.measured.at)))
+        });
         columns.evidence.word = self.says_simulated(columns, &used);
         columns.beside = self.beside(names, columns, &used);
         columns.evidence.warm = self.said_of_all(columns, names);

@@ -86,7 +86,10 @@ fn sign(header: &str) -> Option<char> {
         _ => (header.trim(), false),
     };
     let name = name.replace(['\u{2212}', '\u{2013}'], "-");
-    let is_at_end = |c: char| name.trim_matches([' ', '(', ')', '[', ']']).starts_with(c) || name.trim_end_matches([' ', ')', ']']).ends_with(c);
+    let is_at_end = |c: char| {
+        name.trim_matches([' ', '(', ')', '[', ']']).starts_with(c)
+            || name.trim_end_matches([' ', ')', ']']).ends_with(c)
+    };
     let found = ['+', '-'].into_iter().filter(|c| is_at_end(*c)).collect::<Vec<_>>();
     let [found] = found.as_slice() else { return None };
     let letters = letters(&name);

@@ -18,6 +18,9 @@ use crate::exchange::sample::Sample;
 use crate::exchange::stated::{self, Stated};
 use fitcheck_core::text::Within as _;
 
+/// The columns of limits.
+const LIMITS: [Role; 5] = [Role::Upper, Role::Lower, Role::Minus, Role::Maximum, Role::Minimum];
+
 /// What a mapping says of the columns of a file, and what is detected beside it.
 struct Said<'a> {
     mapping: &'a Mapping,
@@ -45,6 +48,7 @@ impl Mapping {
         let said = self.said(&names, width)?;
         sample.given = self.unit.map(ColumnUnit::unit);
         sample.has_place_unit = self.place_unit.is_some();
+        sample.are_limits_said = said.iter().any(|(role, _)| LIMITS.contains(role));
         let of_row = |role: Role| matches!(role, Role::Kind | Role::Status | Role::Units);
         sample.said = said.iter().filter_map(|(role, at)| Some((*role, (*at).filter(|_| of_row(*role))?))).collect();
         // A plan is made of a table without measured values, too.
@@ -88,7 +92,8 @@ impl Mapping {
     /// Finds the header by the names that are said, or above the first row.
     fn place_header(&self, sample: &mut Sample) {
         let own = self.names.values().flatten().map(String::as_str);
-        let names: Vec<&str> = self.columns.values().flat_map(Column::iter).filter_map(Column::name).chain(own).collect();
+        let names: Vec<&str> =
+            self.columns.values().flat_map(Column::iter).filter_map(Column::name).chain(own).collect();
         let has = |cells: &csv::StringRecord, name: &str| cells.iter().any(|cell| is_named(cell, name));
         let first = self.first_row.and_then(|first| sample.rows.iter().position(|(line, _)| first <= *line));
         let above = sample.rows.within(..first.unwrap_or(sample.rows.len()));
@@ -203,7 +208,7 @@ impl Said<'_> {
 
     /// The columns of the limits: those that are said; otherwise those that are found, but for columns that are said to be something else.
     fn limits(&self, columns: &Columns, sample: &Sample) -> Result<Option<LimitColumns>, ImportErrorKind> {
-        let all = [Role::Upper, Role::Lower, Role::Minus, Role::Maximum, Role::Minimum];
+        let all = LIMITS;
         let said = |role: Role| self.of(role).and_then(|(_, at)| *at);
         if all.into_iter().any(|role| said(role).is_some()) {
             let are = match (said(Role::Maximum).or(said(Role::Minimum)), said(Role::Minus)) {
@@ -373,6 +378,14 @@ pub(super) fn roles(columns: &Columns) -> Vec<Option<Role>> {
     let samples = samples.into_iter().map(|at| (Role::Sample, Some(at)));
     let times = columns.time.iter().map(|at| (Role::Time, Some(*at)));
     let quantities = columns.quantities.iter().map(|column| (Role::Quantity, Some(column.at)));
-    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(samples).chain(times).chain(quantities).chain(limits).chain(units).chain(beside).collect();
+    let all: Vec<(Role, Option<usize>)> = one
+        .into_iter()
+        .chain(samples)
+        .chain(times)
+        .chain(quantities)
+        .chain(limits)
+        .chain(units)
+        .chain(beside)
+        .collect();
     (0..columns.count).map(|at| all.iter().find(|(_, of)| *of == Some(at)).map(|(role, _)| *role)).collect()
 }

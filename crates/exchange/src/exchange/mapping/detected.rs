@@ -87,7 +87,8 @@ impl Detected {
         let rows = rows.into_iter().filter(|(row, _)| line.is_none_or(|line| line < *row)).collect();
         let roles = choice.roles.clone();
         let columns = said(&roles, &names);
-        let mapping = Mapping { sheet: choice.sheet.clone(), separator: choice.separator, columns, ..Mapping::default() };
+        let mapping =
+            Mapping { sheet: choice.sheet.clone(), separator: choice.separator, columns, ..Mapping::default() };
         Self { mapping, names, roles, rows, header: line, skipped: Vec::new(), is_own: false, unit_from: None }
     }
 

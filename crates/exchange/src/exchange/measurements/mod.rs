@@ -25,8 +25,8 @@ use crate::exchange::source::{Context, Source, WHOLE};
 use crate::exchange::stated;
 use csv::StringRecord;
 use reader::{NOTHING, Reader};
-pub(super) use time::date_time;
 use std::borrow::Cow;
+pub(super) use time::date_time;
 
 /// The bytes that end a row.
 pub(super) const LINE_ENDS: &[u8] = b"\n\r";

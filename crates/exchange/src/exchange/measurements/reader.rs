@@ -318,7 +318,9 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
         let text = |at: usize| cells.cell(at).trim();
         let label = |at: Option<usize>| cells.cell(at).trim().to_owned();
         let head = &self.columns.head;
-        let or_head = |at: Option<usize>, of_all: &str| Some(label(at)).filter(|own| !own.is_empty()).unwrap_or_else(|| of_all.to_owned());
+        let or_head = |at: Option<usize>, of_all: &str| {
+            Some(label(at)).filter(|own| !own.is_empty()).unwrap_or_else(|| of_all.to_owned())
+        };
         let place = columns.place.map(|column| {
             let column = column.filter(|column| !text(column.at).is_empty())?;
             let given = shorten(text(column.at));
@@ -340,9 +342,13 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
                 .columns
                 .claims(cells, &mut self.heard)
                 .into_iter()
-                .chain(self.columns.limits.iter().filter(|_| self.has_plan).flat_map(|limits| {
-                    limits.claims(cells, &self.columns.stated)
-                }))
+                .chain(
+                    self.columns
+                        .limits
+                        .iter()
+                        .filter(|_| self.has_plan)
+                        .flat_map(|limits| limits.claims(cells, &self.columns.stated)),
+                )
                 .map(|claim| claim.from(self.source.counted))
                 .collect(),
             place,
