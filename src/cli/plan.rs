@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 use serde_json::{Value as Json, json};
 
+use super::import::columns;
 use super::rows::csv_line;
 use super::rows::{line, names};
 use super::{CliError, CliRemark, ErrorSubject, Figure, Format, IntoCliError as _, Io, Outcome, TableArgs, read_input};
 use crate::cli::io::{is_dash, write_new};
-use crate::exchange::{self, ImportInputs, PLAN_ENDINGS};
+use crate::exchange::{self, ImportInputs, Mapping, PLAN_ENDINGS};
 use crate::files;
 use crate::message::{IntoArg as _, Say as _};
 use crate::part::{Column, Document, Draft, DraftFeature, HeadField, Plan, PlanError, PlanFault, PlanFeature, Size};
@@ -22,7 +23,8 @@ Examples:
   fitcheck plan convert plan.csv -o plan.toml
 
 A plan is the list of features of a part, as TOML or CSV; docs/PLANS.md describes all keys. \
-Workbooks with the same columns, AQDEF (.dfq, .dfd), QIF and CALYPSO tables can be read as plans, too. \
+Workbooks with the same columns, tables of characteristics with nominal sizes, tolerances or limits, AQDEF (.dfq, .dfd), QIF and \
+CALYPSO tables can be read as plans, too. plan convert writes what is known, and reports what is missing as faults. \
 All faults are reported at once, each with its line.
 
 Exit codes: 0 no faults, 1 a fault or a file that cannot be used, 2 wrong usage.";
@@ -86,6 +88,9 @@ struct ConvertArgs {
     /// Overwrite an existing file
     #[arg(long)]
     force: bool,
+    /// What the columns of a table hold, by number or name, such as callout=2,name=Merkmal; or a .toml file with the same
+    #[arg(long, value_name = "LIST|FILE")]
+    columns: Option<String>,
     #[command(flatten)]
     tables: TableArgs,
 }
@@ -143,17 +148,25 @@ fn said(fault: PlanError, name: Option<&str>) -> CliError {
 }
 
 fn read_document(path: &Path, io: &mut Io<'_>) -> Result<(String, Document), CliError> {
+    read_mapped(path, None, io)
+}
+
+fn read_mapped(path: &Path, mapping: Option<&Mapping>, io: &mut Io<'_>) -> Result<(String, Document), CliError> {
     let (name, bytes) = read_input(path, io)?;
-    let document = of_bytes(path, &name, &bytes).about(&name)?;
+    let document = of_bytes(path, &name, &bytes, mapping).about(&name)?;
     tell_remarks(&document, &name, io);
     Ok((name, document))
 }
 
-fn of_bytes(path: &Path, name: &str, bytes: &[u8]) -> Result<Document, PlanError> {
+fn of_bytes(path: &Path, name: &str, bytes: &[u8], mapping: Option<&Mapping>) -> Result<Document, PlanError> {
     let beside = |ending: &str| files::beside(path, ending);
     // Limits of classes are compared with those of the standard; a plan has no times.
     let sources = Sources::default();
-    exchange::read_plan(name, bytes, ImportInputs { beside: &beside, ..ImportInputs::new(&sources, DateTime::MIN) })
+    exchange::read_plan(
+        name,
+        bytes,
+        ImportInputs { beside: &beside, mapping, ..ImportInputs::new(&sources, DateTime::MIN) },
+    )
 }
 
 /// Says what a plan of another tool does not take over.
@@ -182,7 +195,7 @@ impl CheckArgs {
         for path in &self.files {
             let (name, read) = match read_input(path, io) {
                 Ok((name, bytes)) => {
-                    let read = of_bytes(path, &name, &bytes).map_err(|error| vec![error]);
+                    let read = of_bytes(path, &name, &bytes, None).map_err(|error| vec![error]);
                     if let Ok(document) = &read {
                         tell_remarks(document, &name, io);
                     }
@@ -334,9 +347,22 @@ impl BeginArgs {
 impl ConvertArgs {
     fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let (name, document) = read_document(&self.file, io)?;
-        whole(&document, Some(&name), &sources, io)?;
-        save(&document.draft, &self.output, self.force, io)
+        let mapping = self.columns.as_deref().map(columns::mapping).transpose()?;
+        let (name, document) = read_mapped(&self.file, mapping.as_ref(), io)?;
+        let faults = document.plan(&sources).err().unwrap_or_else(Vec::new);
+        // Nothing can be filled in where there is nothing.
+        if document.draft.rows.is_empty() {
+            whole(&document, Some(&name), &sources, io)?;
+        }
+        let written = save(&document.draft, &self.output, self.force, io)?;
+        for fault in &faults {
+            io.fail(said(fault.clone(), Some(&name)));
+        }
+        if faults.is_empty() {
+            return Ok(written);
+        }
+        io.remark(&CliRemark::PlanToFill { count: faults.len() });
+        Ok(Outcome::BadData)
     }
 }
 

@@ -25,6 +25,8 @@ pub(super) enum CliRemark {
     PlanHas { count: usize },
     /// A plan was begun without a callout.
     PlanExample,
+    /// A plan that was written has faults.
+    PlanToFill { count: usize },
     /// A file that is not read by columns.
     NoColumns,
     /// A plan is written as CSV, which has no place for these of its keys.

@@ -60,6 +60,7 @@ mod journal_kills;
 mod journal_query;
 mod journal_reports;
 mod lengths;
+mod limit_columns;
 mod limits_cli;
 mod local_journal;
 mod locales;

@@ -117,7 +117,7 @@ fn bad_rows_are_listed_and_good_ones_kept() {
             "! line 5: expected 3 cells, found 2 <25 H7>",
             "! line 6, column 3: measured: a length is missing <>",
             "! line 7, column 2: callout: Hh7 mixes upper and lower case: write HH7 for a hole or hh7 for a shaft (character 4) <25 Hh7>",
-            "! line 8, column 3: measured: 1.234,5 is ambiguous: write one decimal sign and no thousands separator <1.234,5>",
+            "! line 8, column 3: measured: 1.234,5 has a different decimal sign than the other values: \".\" <1.234,5>",
             "! line 9, column 2: nominal size 40 mm is beyond table hole.tab, whose last range is over 18 up to and including 30 mm <40 H7>",
             "! line 10, column 4: expected 3 cells, found 4: is the separator also used as decimal sign or within a text? <9>",
             "! line 11, column 3: measured: a diameter of -25.01 is not above 0 <-25.01>",
@@ -141,12 +141,12 @@ fn a_decimal_comma_between_separating_commas_is_never_taken_for_two_numbers() {
     );
     // A column of whole numbers is one where the file shows it.
     check(
-        "id,callout,measured,machine\nb1,25 H7,25.01,3\nb2,25 H7,25,3\nb3,25 H7,25.02,3\n",
+        "id,callout,measured,tool\nb1,25 H7,25.01,3\nb2,25 H7,25,3\nb3,25 H7,25.02,3\n",
         &[
             "2 b1: 25 H7 is 25.01 GOOD",
             "3 b2: 25 H7 is 25 GOOD",
             "4 b3: 25 H7 is 25.02 GOOD",
-            "? line 1: columns skipped: 4 (machine)",
+            "? line 1: columns skipped: 4 (tool)",
         ],
     );
     check(

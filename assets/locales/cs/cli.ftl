@@ -247,6 +247,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } prvků
 }
 cli-remark-plan-example = není uveden předpis: plán má jeden prvek jako příklad
+cli-remark-plan-to-fill = plán je zapsán, pokud je znám; chyby k opravě: { $count }
 cli-remark-no-columns = soubor se čte podle vlastního formátu a nemá sloupce k výběru
 cli-remark-plan-head-left = CSV obsahuje jen prvky: { $keys } dílu se nezapisuje
 cli-warning-neither-stands = zápis { $number } korigoval zápis { $target }: nyní neplatí žádný z nich. Je-li jedna z hodnot správná, zaznamenejte ji znovu

@@ -74,5 +74,6 @@ plan-remark-class-left = { $name }: { $class } má jiné meze než soubor; plat�
 plan-remark-place-left = { $name }: poloha nebyla převzata: { $why }
 plan-remark-axes-assumed = polohy: soubor neříká, podél kterých os leží jeho díry a hřídele; předpokládá se Z
 plan-remark-uncertainty-left = { $name }: rozšířená nejistota { $expanded } mm je přeskočena, protože její polovina není celý počet nanometrů
+plan-remark-clearance-raised = { $name } leží nad obvyklou bezpečnou výškou: zapsáno { $height }
 plan-simulated-no-place = { $name } nemá v plánu polohu: nelze simulovat
 plan-simulated-no-cycle = { $name } neměří žádný cyklus: nelze simulovat

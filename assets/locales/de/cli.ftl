@@ -237,6 +237,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } Merkmale
 }
 cli-remark-plan-example = keine Toleranzangabe genannt: der Plan hat ein Merkmal als Beispiel
+cli-remark-plan-to-fill = der Plan ist geschrieben, soweit er bekannt ist; darin zu behebende Fehler: { $count }
 cli-remark-no-columns = die Datei wird nach ihrem eigenen Format gelesen und hat keine Spalten zu wählen
 cli-remark-plan-head-left = CSV enthält nur die Merkmale: { $keys } des Teils wird nicht geschrieben
 cli-warning-neither-stands = Eintrag { $number } berichtigte Eintrag { $target }: jetzt zählt keiner von beiden. Ist einer der Werte richtig, ihn noch einmal aufzeichnen

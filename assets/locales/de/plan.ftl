@@ -74,5 +74,6 @@ plan-remark-class-left = { $name }: { $class } hat andere Grenzmaße als die Dat
 plan-remark-place-left = { $name }: keine Position übernommen: { $why }
 plan-remark-axes-assumed = Positionen: die Datei sagt nicht, entlang welcher Achsen ihre Bohrungen und Wellen liegen; Z ist angenommen
 plan-remark-uncertainty-left = { $name }: die erweiterte Unsicherheit von { $expanded } mm ist übersprungen, da ihre Hälfte keine ganze Zahl von Nanometern ist
+plan-remark-clearance-raised = { $name } liegt über der üblichen sicheren Höhe: { $height } ist eingetragen
 plan-simulated-no-place = { $name } hat keine Lage im Plan: kann nicht simuliert werden
 plan-simulated-no-cycle = kein Zyklus misst { $name }: kann nicht simuliert werden

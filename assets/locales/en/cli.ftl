@@ -237,6 +237,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } features
 }
 cli-remark-plan-example = no callout given: the plan has one feature as an example
+cli-remark-plan-to-fill = the plan is written as far as it is known; faults to correct in it: { $count }
 cli-remark-no-columns = the file is read by its own format and has no columns to choose
 cli-remark-plan-head-left = CSV holds only the features: { $keys } of the part is not written
 cli-warning-neither-stands = entry { $number } corrected entry { $target }: now neither of them counts. If one of the values is right, record it again

@@ -74,5 +74,6 @@ plan-remark-class-left = { $name }: { $class } has other limits than the file; t
 plan-remark-place-left = { $name }: no position was taken over: { $why }
 plan-remark-axes-assumed = positions: the file does not say along which axes its holes and shafts lie; Z is assumed
 plan-remark-uncertainty-left = { $name }: the expanded uncertainty of { $expanded } mm is skipped, because half of it is not a whole number of nanometres
+plan-remark-clearance-raised = { $name } lies above the usual clearance height: { $height } is written
 plan-simulated-no-place = { $name } has no location in the plan: it cannot be simulated
 plan-simulated-no-cycle = no cycle measures { $name }: it cannot be simulated

@@ -237,6 +237,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } elementos
 }
 cli-remark-plan-example = no se dio ninguna cota: el plan tiene un elemento de muestra
+cli-remark-plan-to-fill = el plan está escrito hasta donde se conoce; errores por corregir en él: { $count }
 cli-remark-no-columns = el archivo se lee según su propio formato y no tiene columnas que elegir
 cli-remark-plan-head-left = CSV contiene solo los elementos: { $keys } de la pieza no se escribe
 cli-warning-neither-stands = la entrada { $number } corregía la entrada { $target }: ahora ninguna de las dos cuenta. Si uno de los valores es correcto, regístrelo de nuevo

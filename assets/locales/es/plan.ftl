@@ -74,5 +74,6 @@ plan-remark-class-left = { $name }: { $class } tiene otros límites que el archi
 plan-remark-place-left = { $name }: no se tomó ninguna posición: { $why }
 plan-remark-axes-assumed = posiciones: el archivo no dice a lo largo de qué ejes de coordenadas están sus agujeros y ejes; se supone Z
 plan-remark-uncertainty-left = { $name }: la incertidumbre expandida de { $expanded } mm se omite, porque su mitad no es un número entero de nanómetros
+plan-remark-clearance-raised = { $name } está por encima de la altura de seguridad habitual: se escribe { $height }
 plan-simulated-no-place = { $name } no tiene ubicación en el plan: no se puede simular
 plan-simulated-no-cycle = ningún ciclo mide { $name }: no se puede simular

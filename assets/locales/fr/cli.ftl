@@ -234,6 +234,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } éléments
 }
 cli-remark-plan-example = aucune cote tolérancée donnée : le plan a un élément à titre d'exemple
+cli-remark-plan-to-fill = le plan est écrit pour autant qu’il est connu ; erreurs à y corriger : { $count }
 cli-remark-no-columns = le fichier est lu selon son propre format et n’a pas de colonnes à choisir
 cli-remark-plan-head-left = CSV ne contient que les éléments : { $keys } de la pièce n'est pas écrit
 cli-warning-neither-stands = l'entrée { $number } corrigeait l'entrée { $target } : maintenant, aucune des deux ne compte. Si l'une des valeurs est juste, la consigner de nouveau

@@ -84,5 +84,6 @@ plan-remark-class-left = { $name } : { $class } a d'autres limites que le fichi
 plan-remark-place-left = { $name } : aucune position n'a été reprise : { $why }
 plan-remark-axes-assumed = positions : le fichier ne dit pas suivant quel axe sont ses alésages et ses arbres ; Z est supposé
 plan-remark-uncertainty-left = { $name } : l'incertitude élargie de { $expanded } mm est ignorée, car sa moitié n'est pas un nombre entier de nanomètres
+plan-remark-clearance-raised = { $name } est au-dessus de la hauteur de sécurité habituelle : { $height } est écrit
 plan-simulated-no-place = { $name } n'a pas de position dans le plan : simulation impossible
 plan-simulated-no-cycle = aucun cycle ne mesure { $name } : simulation impossible

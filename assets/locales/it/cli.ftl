@@ -237,6 +237,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } elementi
 }
 cli-remark-plan-example = nessuna indicazione di tolleranza: il piano ha un elemento come esempio
+cli-remark-plan-to-fill = il piano è scritto per quanto noto; errori da correggere: { $count }
 cli-remark-no-columns = il file è letto secondo il proprio formato e non ha colonne da scegliere
 cli-remark-plan-head-left = CSV contiene solo gli elementi: { $keys } del pezzo non viene scritto
 cli-warning-neither-stands = la voce { $number } correggeva la voce { $target }: ora non conta nessuna delle due. Se uno dei valori è giusto, registrarlo di nuovo

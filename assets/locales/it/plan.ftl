@@ -84,5 +84,6 @@ plan-remark-class-left = { $name }: { $class } ha limiti diversi dal file; valgo
 plan-remark-place-left = { $name }: nessuna posizione tratta dal file: { $why }
 plan-remark-axes-assumed = posizioni: il file non dice lungo quali assi giacciono fori e alberi; si suppone Z
 plan-remark-uncertainty-left = { $name }: l'incertezza estesa di { $expanded } mm viene saltata, perché la sua metà non è un numero intero di nanometri
+plan-remark-clearance-raised = { $name } è sopra l’altezza di sicurezza abituale: è scritto { $height }
 plan-simulated-no-place = { $name } non ha una posizione nel piano: non si può simulare
 plan-simulated-no-cycle = nessun ciclo misura { $name }: non si può simulare

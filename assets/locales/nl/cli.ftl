@@ -237,6 +237,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } elementen
 }
 cli-remark-plan-example = geen passing opgegeven: het plan heeft één element als voorbeeld
+cli-remark-plan-to-fill = het plan is geschreven voor zover bekend; fouten om erin te verbeteren: { $count }
 cli-remark-no-columns = het bestand wordt volgens zijn eigen formaat gelezen en heeft geen kolommen om te kiezen
 cli-remark-plan-head-left = CSV heeft alleen de elementen: { $keys } van het onderdeel blijft weg
 cli-warning-neither-stands = vermelding { $number } corrigeerde vermelding { $target }: nu telt geen van beide. Klopt een van de waarden, leg die dan opnieuw vast

@@ -74,5 +74,6 @@ plan-remark-class-left = { $name }: { $class } heeft andere grensmaten dan het b
 plan-remark-place-left = { $name }: er is geen positie overgenomen: { $why }
 plan-remark-axes-assumed = posities: het bestand zegt niet langs welke assen de boringen en assen liggen; Z is aangenomen
 plan-remark-uncertainty-left = { $name }: de uitgebreide onzekerheid van { $expanded } mm is overgeslagen, omdat de helft ervan geen heel aantal nanometer is
+plan-remark-clearance-raised = { $name } ligt boven de gebruikelijke veilige hoogte: { $height } is geschreven
 plan-simulated-no-place = { $name } heeft geen plaats in het plan: het kan niet worden gesimuleerd
 plan-simulated-no-cycle = geen cyclus meet { $name }: het kan niet worden gesimuleerd

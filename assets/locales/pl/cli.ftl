@@ -270,6 +270,7 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } elementów
 }
 cli-remark-plan-example = nie podano wymiaru tolerowanego: plan ma jeden element jako przykład
+cli-remark-plan-to-fill = plan zapisano, o ile jest znany; błędy do poprawienia: { $count }
 cli-remark-no-columns = plik jest czytany według własnego formatu i nie ma kolumn do wyboru
 cli-remark-plan-head-left = CSV zawiera tylko elementy: { $keys } części nie zapisano
 cli-warning-neither-stands = wpis { $number } korygował wpis { $target }: teraz żaden z nich się nie liczy. Jeśli jedna z wartości jest właściwa, zarejestrować ją ponownie

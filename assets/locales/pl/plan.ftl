@@ -84,5 +84,6 @@ plan-remark-class-left = { $name }: { $class } ma inne granice niż plik; obowi�
 plan-remark-place-left = { $name }: nie przejęto położenia: { $why }
 plan-remark-axes-assumed = położenia: plik nie mówi, wzdłuż których osi leżą otwory i wałki; przyjęto Z
 plan-remark-uncertainty-left = { $name }: niepewność rozszerzoną { $expanded } mm pominięto, bo jej połowa nie jest całkowitą liczbą nanometrów
+plan-remark-clearance-raised = { $name } leży powyżej zwykłej bezpiecznej wysokości: wpisano { $height }
 plan-simulated-no-place = { $name } nie ma położenia w planie: nie można go symulować
 plan-simulated-no-cycle = żaden cykl nie mierzy { $name }: nie można go symulować

@@ -378,6 +378,13 @@ pub enum PlanRemark {
         /// Why.
         why: Message,
     },
+    /// A place above the usual clearance height: a higher one is written into the plan.
+    ClearanceRaised {
+        /// The characteristic.
+        name: String,
+        /// The clearance height that is written.
+        height: Length,
+    },
     /// An expanded uncertainty with an odd number of nanometres: half of it is no whole number.
     UncertaintyLeft {
         /// The characteristic.

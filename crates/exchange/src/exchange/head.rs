@@ -3,14 +3,24 @@
 use csv::StringRecord;
 use jiff::civil::DateTime;
 
+use super::given::shorten;
 use super::measurements::date_time;
 use super::role::Role;
-use super::vocabulary::{KNOWN, Rank};
+use super::vocabulary::{self, KNOWN, Rank};
 use super::words;
 
 /// More names of a part than those of a column: beside a title they can hardly be anything else.
-const PART: &str = "part name|teilename|teilebezeichnung|benennung|item description|part description|drg no|drg no rev|drawing no rev|naam onderdeel|\
+const PART: &str = "part name|teilename|teilebezeichnung|benennung|item description|part description|naam onderdeel|\
     nome pezzo|nom de la pièce|nombre de la pieza";
+
+/// Names of a drawing, and of its revision.
+const DRAWING: &str = "drawing|drawing no|drawing number|drawing no rev|drg no|drg no rev|zeichnung|zeichnungsnummer|zeichnungs nr|tekening|\
+    tekeningnummer|disegno|numero disegno|plan|numéro de plan|plano|número de plano";
+const REVISION: &str = "revision|rev|rev no|rev number|drawing revision|revisie|revisione|révision|revisión|änderungsstand|änderungsindex|index|indice";
+
+fn has(list: &str, key: &str) -> bool {
+    vocabulary::has(list, &words::bare(key))
+}
 
 /// What is said of all values.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -21,6 +31,9 @@ pub(super) struct Head {
     pub(super) machine: String,
     pub(super) batch: String,
     pub(super) time: Option<DateTime>,
+    /// The drawing and its revision, for a plan.
+    pub(super) drawing: String,
+    pub(super) revision: String,
     /// The words of all that, and the line of the first.
     pub(super) said: Option<(usize, String)>,
 }
@@ -35,6 +48,8 @@ impl Head {
         for (line, cells) in lines {
             for (key, value) in pairs(cells) {
                 let place = match role(key) {
+                    _ if has(DRAWING, key) => &mut head.drawing,
+                    _ if has(REVISION, key) => &mut head.revision,
                     Some(Role::Part) => &mut head.part,
                     Some(Role::Serial) => &mut head.serial,
                     Some(Role::Who) => &mut head.who,
@@ -46,7 +61,7 @@ impl Head {
                 };
                 if place.is_empty() && !value.is_empty() {
                     value.clone_into(place);
-                    said.push(format!("{key} {value}"));
+                    said.push(shorten(&format!("{key} {value}")));
                     head.said.get_or_insert((*line, String::new()));
                 }
             }
@@ -88,6 +103,10 @@ fn pairs(cells: &StringRecord) -> Vec<(&str, &str)> {
 
 fn role(key: &str) -> Option<Role> {
     let bare = words::bare(key);
+    if has(DRAWING, key) || has(REVISION, key) {
+        // Beside the lines of a head a drawing is none of its parts.
+        return Some(Role::Id);
+    }
     if PART.split('|').any(|known| known == bare) {
         return Some(Role::Part);
     }

@@ -13,6 +13,7 @@
 //! | `no_place` | why the place of a feature is no position for a cycle |
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `plans` | part plans from files of other tools |
+//! | `plan_tables` | part plans from tables |
 //! | `point_log` | logs of points as deviations along the normal |
 //! | `aqdef` | AQDEF of Q-DAS: `.dfq`, or `.dfd` and `.dfx` |
 //! | `calypso` | tables of characteristics of CALYPSO |
@@ -121,6 +122,7 @@ mod own;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod pieces;
+mod plan_tables;
 mod plans;
 mod point_log;
 mod qif;

@@ -7,14 +7,16 @@ use std::io::Cursor;
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::{FilePlace, Located, Say as _};
-use fitcheck_core::part::{Column, Document, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark};
+use fitcheck_core::part::{
+    Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark,
+};
 use fitcheck_core::tolerance::Sources;
 
 use super::characteristic::{Characteristic, CharacteristicKind};
 use super::error::ImportErrorKind;
 use super::imported::WhyUnjudged;
 use super::source::{ImportInputs, Source};
-use super::{FORMATS, sheet_rows};
+use super::{FORMATS, plan_tables, sheet_rows, words};
 
 /// Reads a part plan of any known form: Fitcheck's own TOML or CSV, a workbook with the same columns, or the characteristics that a file of
 /// AQDEF, QIF or CALYPSO declares. `given` hands over the file beside it where a format is two files.
@@ -40,15 +42,45 @@ pub fn read_plan(file_name: &str, bytes: &[u8], given: ImportInputs<'_>) -> Resu
     if Document::is_own(bytes) {
         return Document::read(bytes);
     }
+    if given.mapping.is_some() {
+        let document = plan_tables::document(file_name, bytes, given).map_err(refused)?;
+        return document.ok_or_else(|| refused(ImportErrorKind::NoRows));
+    }
     if is_workbook(bytes) {
-        return Document::of_rows(sheet_rows(bytes).map_err(refused)?);
+        let own = Document::of_rows(sheet_rows(bytes).map_err(refused)?);
+        return or_of_table(own, file_name, bytes, given);
     }
     let mut body = Cursor::new(bytes);
     let mut source = Source::new(file_name, &mut body, given).map_err(refused)?;
     let format = FORMATS.iter().find(|format| (format.recognises)(&source.beginning()));
     match format.and_then(|format| format.plan) {
         Some(declares) => Ok(document(declares(&mut source).map_err(refused)?, given.sources)),
-        None => Document::read(bytes),
+        None => or_of_table(Document::read(bytes), file_name, bytes, given),
+    }
+}
+
+/// A plan with columns of its own, or else that of a table: one without callouts by that name, or with measured values.
+fn or_of_table(
+    own: Result<Document, PlanError>,
+    file_name: &str,
+    bytes: &[u8],
+    given: ImportInputs<'_>,
+) -> Result<Document, PlanError> {
+    let is_own = own.as_ref().is_ok_and(|document| {
+        let is_other = |problem: &PlanError| match &problem.what {
+            PlanFault::NoColumn { column } => *column == "callout",
+            PlanFault::UnknownColumn { column, .. } => words::role(column).is_some(),
+            _ => false,
+        };
+        !document.problems.iter().any(is_other)
+    });
+    if is_own {
+        return own;
+    }
+    match plan_tables::document(file_name, bytes, given) {
+        Ok(Some(document)) if !document.draft.rows.is_empty() => Ok(document),
+        // The faults of a plan say more than those of a table that is none either.
+        Ok(_) | Err(_) => own,
     }
 }
 
@@ -137,6 +169,14 @@ fn row(
             set(column, length.to_string());
         }
     }
+    // The probe moves above what it measures: a clearance height that nobody gave is no fault of the file.
+    if let Some(z) = characteristic.labels.place.last().copied().flatten()
+        && DEFAULT_CLEARANCE_HEIGHT <= z
+        && let Some(height) = z.checked_add(DEFAULT_CLEARANCE_HEIGHT)
+    {
+        set(Column::ClearanceHeight, height.to_string());
+        remark(PlanRemark::ClearanceRaised { name: characteristic.id(), height });
+    }
     if let Some(why) = &characteristic.labels.no_place {
         remark(PlanRemark::PlaceLeft { name: characteristic.id(), why: why.message() });
     }
@@ -152,6 +192,6 @@ fn row(
 }
 
 /// A deviation with its sign, as callouts have it.
-fn signed(deviation: Length) -> String {
+pub(super) fn signed(deviation: Length) -> String {
     if Length::ZERO < deviation { format!("+{deviation}") } else { deviation.to_string() }
 }

@@ -7,9 +7,7 @@ use std::sync::Arc;
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Say as _;
-use fitcheck_core::tolerance::{
-    Callout, CalloutError, Feature, Limits, LimitsError, Sources, Tolerance, ToleranceClass,
-};
+use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, Sources, Tolerance, ToleranceClass};
 
 use super::band;
 use super::cells;
@@ -19,7 +17,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence;
 use super::given::{shorten, shorten_cell};
 use super::imported::{StatedLimits, WhyUnjudged};
-use super::limits::{Given, LimitColumns, LimitsAre, NoLimits};
+use super::limits::LimitColumns;
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
 use super::refused::{Cell, Refused};
@@ -89,43 +87,25 @@ impl Rules<'_> {
         Ok(RowMeasurement { measured, asked, said: StatedLimits::default(), is_simulated, quantity })
     }
 
-    /// The limits of a row without a callout, or why it has none to judge by. With a plan its limits are compared with those of the plan.
-    fn by_limits<'c>(
-        &self,
-        cells: &'c StringRecord,
-        said: &StatedLimits,
-        measured: Length,
-        is_size: bool,
-    ) -> Result<Result<(Option<Callout>, Limits), WhyUnjudged>, Refused<'c>> {
-        let at = self.columns.measured.at;
-        let text = cells.cell(at).trim();
-        let not_positive = || WhyUnjudged::NotPositive { given: shorten(text), column: at + 1 };
-        if self.has_plan || said.minimum.or(said.maximum).is_none() || self.columns.limits.is_none() && is_size {
-            let is_below = is_size && measured <= Length::ZERO;
-            return match is_below {
-                true if self.has_plan => Ok(Err(not_positive())),
-                true => Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) })),
-                false => Ok(Err(WhyUnjudged::NoCallout)),
-            };
-        }
-        // Nothing measures zero or less that has to be larger.
-        if is_size && measured <= Length::ZERO && said.minimum.is_some_and(|minimum| Length::ZERO < minimum) {
-            return Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) }));
-        }
-        let feature = self.columns.feature_of(cells);
-        match said.limits(Given { feature, is_size, file: self.file, sources: self.sources }) {
-            Ok(limits) => Ok(Ok((None, limits))),
-            Err(NoLimits::Unjudged(why)) => Ok(Err(why)),
-            Err(NoLimits::Refused(error)) => {
-                let at = self.columns.limits.as_ref().and_then(|limits| limits.iter().next()).map(|column| column.at);
-                Err((Cell { at, text: cells.cell(at).trim() }, ImportErrorKind::Limits(*error)))
-            }
-        }
-    }
-
     /// What a row says was measured.
     fn quantity(&self, cells: &StringRecord) -> Option<Quantity> {
-        quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity)
+        let said = quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity);
+        said.or_else(|| self.is_form_by_name(cells).then_some(Quantity::Other))
+    }
+
+    /// What a row says that its value should be: a callout, or limits as far as it has them.
+    pub(super) fn planned<'c>(&self, cells: &'c StringRecord) -> Result<(Option<Callout>, StatedLimits), Refused<'c>> {
+        // Without commas between cells no measured value is asked whether it fits.
+        let callout = self.callout(cells, Length::ZERO)?;
+        Ok((callout.map(|(callout, _)| callout), self.said(cells)?))
+    }
+
+    /// Whether the name of a row is one of form, and its tolerance one number: `Flatness`, `0.02`.
+    fn is_form_by_name(&self, cells: &StringRecord) -> bool {
+        let text = cells.cell(self.columns.tolerance).trim();
+        text.starts_with(|c: char| c.is_ascii_digit())
+            && cells::is_number(text)
+            && quantity::is_form(cells.cell(self.columns.id))
     }
 
     /// The cell by which a row is of another quantity than a size.
@@ -143,13 +123,14 @@ impl Rules<'_> {
         self.right_length(cells, None)?;
         let measured = self.any_measured(cells)?;
         let said = match self.said(cells) {
-            Ok(said) => StatedLimits { ..self.or_of_form(cells, said) },
+            Ok(said) => self.or_of_form(cells, said),
             // Without limits nothing is judged by it, so what cannot be read refuses nothing.
             Err(refused) if self.columns.limits.is_some() && !self.has_plan => return Err(refused),
             Err(_unreadable) => StatedLimits::default(),
         };
         let other = || {
-            let what = self.other_than_size(cells).map_or("", |cell| cell.text);
+            let name = || cells.cell(self.columns.id).trim();
+            let what = self.other_than_size(cells).map_or_else(name, |cell| cell.text);
             WhyUnjudged::NotASize { what: shorten(what) }
         };
         let asked = match self.by_limits(cells, &said, measured, false)? {
@@ -157,15 +138,6 @@ impl Rules<'_> {
             asked => asked,
         };
         Ok(RowMeasurement { measured, asked, said, is_simulated: self.is_simulated(cells)?, quantity })
-    }
-
-    /// A tolerance of form is one number: `0.02`.
-    fn or_of_form(&self, cells: &StringRecord, said: StatedLimits) -> StatedLimits {
-        let text = cells.cell(self.columns.tolerance).trim();
-        let is_form = said.nominal.is_none_or(|nominal| nominal == Length::ZERO);
-        let one = cells::length(text, fitcheck_core::length::Unit::Millimetre).ok();
-        let one = one.filter(|one| is_form && Length::ZERO < *one && text.starts_with(|c: char| c.is_ascii_digit()));
-        if said.minimum.or(said.maximum).is_some() { said } else { StatedLimits { maximum: one, ..said } }
     }
 
     /// What a row without a callout says that its value should be.
@@ -178,43 +150,6 @@ impl Rules<'_> {
             _ => self.columns.own.limits(cells),
         };
         Ok(StatedLimits { nominal, minimum, maximum })
-    }
-
-    /// The limits that stand in columns of their own, as sizes: the smaller one first.
-    fn column_limits<'c>(
-        &self,
-        cells: &'c StringRecord,
-        columns: &LimitColumns,
-        nominal: Option<Length>,
-    ) -> Result<[Option<Length>; 2], Refused<'c>> {
-        let read = |column: Option<LengthColumn>| -> Result<Option<(Cell<'c>, Length)>, Refused<'c>> {
-            let Some(column) = column else { return Ok(None) };
-            let text = cells.cell(column.at).trim();
-            if matches!(text, "" | "-" | "\u{2013}" | "\u{2014}") {
-                return Ok(None);
-            }
-            let column = self.columns.stated.of_limit(column, cells)?;
-            let cell = Cell { at: Some(column.at), text };
-            let length = cells::length(&shorten_cell(text), column.unit);
-            length.map(|length| Some((cell, length))).map_err(|error| (cell, ImportErrorKind::Limit(error)))
-        };
-        let upper = read(columns.upper)?;
-        let lower = read(columns.lower)?;
-        let size = |found: Option<(Cell<'c>, Length)>, is_lower: bool| -> Result<Option<Length>, Refused<'c>> {
-            let Some((cell, length)) = found else { return Ok(None) };
-            let deviation = match columns.are {
-                LimitsAre::Sizes => return Ok(Some(length)),
-                LimitsAre::UnsignedDeviations if is_lower && length < Length::ZERO => {
-                    return Err((cell, ImportErrorKind::MinusAgain { given: shorten(cell.text) }));
-                }
-                LimitsAre::UnsignedDeviations if is_lower => length.negated(),
-                LimitsAre::Deviations | LimitsAre::UnsignedDeviations => length,
-            };
-            let nominal = nominal.ok_or((cell, ImportErrorKind::QifNoNominal))?;
-            let too_large = || (cell, ImportErrorKind::Limits(LimitsError::TooLarge { nominal }));
-            nominal.checked_add(deviation).map(Some).ok_or_else(too_large)
-        };
-        Ok([size(lower, true)?, size(upper, false)?])
     }
 
     /// That the end of the file may have cut off a last row that has no line end: its measured value, if that has fewer decimals than the

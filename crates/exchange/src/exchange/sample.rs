@@ -6,6 +6,7 @@ use fitcheck_core::length::Unit;
 
 use super::cells::{WholeNumbers, decimals, is_blank, is_comment, is_data, is_number, is_whole, may_be_names};
 use super::delimited::{Item, Rows, SEPARATORS};
+use super::limits::{self, LimitName};
 use super::role::Role;
 use super::samples;
 use super::stated;
@@ -47,6 +48,8 @@ pub(super) struct Sample {
     pub(super) has_place_unit: bool,
     /// Columns that the user has said to hold a status, the unit of the row, hole or shaft.
     pub(super) said: Vec<(Role, usize)>,
+    /// Whether the user has said which columns are the limits, or that none are.
+    pub(super) are_limits_said: bool,
 }
 
 impl Sample {
@@ -107,6 +110,7 @@ impl Sample {
             given: None,
             has_place_unit: false,
             said: Vec::new(),
+            are_limits_said: false,
         };
         sample.merge_header();
         sample.find_units_row();
@@ -125,7 +129,10 @@ impl Sample {
             let is_more = named(above).max(named(below)) < named(&names)
                 && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
             let is_units = stated::is_row_of_units(above, below);
-            (can_be(above) && can_be(below) && !is_units && is_more).then_some((top?, bottom?, names))
+            // A title or a line of the head has few cells.
+            let is_group =
+                2 <= above.iter().filter(|cell| !cell.trim().is_empty()).count() && above.len() <= below.len();
+            (can_be(above) && can_be(below) && is_group && !is_units && is_more).then_some((top?, bottom?, names))
         });
         let Some((top, bottom, names)) = best else { return };
         self.top = self.rows.get(top).map(|(line, _)| *line);
@@ -224,7 +231,9 @@ fn row(line: usize, cells: StringRecord, comments: &mut Vec<(usize, StringRecord
 
 /// The header row: the first that names columns and holds no measurement.
 fn header(rows: &[(usize, StringRecord)]) -> Option<usize> {
-    let names = |cells: &StringRecord| 2 <= named(cells) && (may_be_names(cells) || names_samples(cells));
+    let names = |cells: &StringRecord| {
+        2 <= named(cells) && (may_be_names(cells) || names_samples(cells)) && !stated::are_units(cells.iter())
+    };
     let above = || rows.iter().take(ABOVE_HEADER);
     let first = above().position(|(_, cells)| is_data(cells) || names(cells));
     let is_header = |at: usize| rows.get(at).is_some_and(|(_, cells)| !is_data(cells));
@@ -260,8 +269,11 @@ fn merged(top: &StringRecord, bottom: &StringRecord) -> StringRecord {
             group = above;
         }
         let both = format!("{group} {below}").trim().to_owned();
+        if limits::by_name(&both).is_some_and(LimitName::is_sure) {
+            return both;
+        }
         let known =
-            [both.as_str(), below, group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
+            [below, both.as_str(), group].into_iter().find(|name| words::role(name).is_some()).map(str::to_owned);
         known.unwrap_or(both)
     };
     (0..top.len().max(bottom.len())).map(name).collect()

@@ -41,7 +41,7 @@ const NOMINAL: &str = "nominal|nominal size|nominal diameter|nominal value|nom|n
     cote nominale|valeur nominale|dimension nominale|diamètre nominal|valor nominal|medida nominal|cota nominal|diámetro nominal";
 const MEASURED: &str = "measured|meas|act|mis|measured value|measured size|measured diameter|measurement|actual|actual value|\
     actual size|actual diameter|reading|remeasured|re measured|remeasurement|recheck|re check|rechecked|nachgemessen|\
-    nachmessung|hermeten|hermeting|rimisurato|rimisurata|istmaß|istmass|istwert|ist|messwert|gemessen|gemessener wert|gemeten|\
+    nachmessung|hermeten|hermeting|rimisurato|rimisurata|istmaß|istmass|istwert|ist|messwert|messung|gemessen|gemessener wert|gemeten|\
     gemeten waarde|gemeten maat|meetwaarde|meting|werkelijk|werkelijke maat|werkelijke waarde|misurato|misurata|\
     valore misurato|diametro misurato|quota misurata|misurazione|effettivo|valore effettivo|dimensione effettiva|\
     mesuré|mesurée|mesure|valeur mesurée|cote mesurée|valeur réelle|cote réelle|diamètre mesuré|relevé|valeur relevée|\

@@ -8,6 +8,7 @@ use super::known::{Classes, Figures};
 #[cfg(feature = "parquet")]
 use super::layout::Layout;
 use super::layout::utf8;
+use super::limits::bounds_of;
 use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
@@ -27,7 +28,7 @@ use fitcheck_core::message::Say;
 use fitcheck_core::probing::noted;
 use fitcheck_core::text::Within as _;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
-use fitcheck_core::tolerance::{Bounds, Deviations, Feature, ToleranceClass};
+use fitcheck_core::tolerance::{Bounds, Feature, ToleranceClass};
 use fitcheck_core::verdict::{Status, doubt_of};
 use std::fmt;
 
@@ -53,7 +54,7 @@ pub trait Take {
 /// Judges blocks of rows, and remembers the classes that it met.
 #[derive(Debug)]
 pub struct Judge<'a> {
-    court: &'a StreamJudging<'a>,
+    pub(super) court: &'a StreamJudging<'a>,
     classes: Classes<'a>,
     /// The verdicts of each class, by its number.
     counts: Vec<Counts>,
@@ -63,7 +64,7 @@ pub struct Judge<'a> {
     /// What stands beside a value and may contradict its answer.
     compared: Compared<'a>,
     /// Words of holes and shafts that were met.
-    sides: Vec<(Vec<u8>, Option<Feature>)>,
+    pub(super) sides: Vec<(Vec<u8>, Option<Feature>)>,
 }
 
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
@@ -182,7 +183,7 @@ impl Judge<'_> {
 
     #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
     #[inline(always)]
-    fn give(
+    pub(super) fn give(
         &mut self,
         row: &TextRow<'_>,
         judged: &Judged,
@@ -458,7 +459,7 @@ const BEGINNING: usize = 200;
 /// A cell that is a plain number, and its decimal sign.
 #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
 #[inline(always)]
-fn number(row: &TextRow<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
+pub(super) fn number(row: &TextRow<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
     let part = row.part(at)?;
     part.number(unit).or_else(|| wrapped_number(part, unit))
 }

@@ -6,6 +6,7 @@
 //! | `cut` | a stream cut into blocks of whole rows |
 //! | `court` | what every worker needs to judge, and which rows are plain |
 //! | `judge` | rows judged: most of them fast, the others as `import` reads them |
+//! | `limits` | plain rows judged by limits in columns of their own |
 //! | `judged`, `compared` | a row with its verdict; what the file says beside it |
 //! | `known` | limit deviations, looked up once for each class and step |
 //! | `csv`, `tsv`, `json_lines` | the rows as CSV again, with the columns that are added; as TSV for spreadsheets; as JSON |
@@ -31,6 +32,7 @@ mod judge;
 mod judged;
 mod known;
 mod layout;
+mod limits;
 mod marks;
 mod pick;
 mod tally;

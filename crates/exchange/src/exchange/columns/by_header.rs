@@ -61,7 +61,7 @@ impl Sample {
         };
         let evidence = Evidence::of(header, measured_at);
         // What Fitcheck wrote is compared with its own callouts.
-        let limits = if own == OwnColumns::default() {
+        let limits = if own == OwnColumns::default() && !self.are_limits_said {
             let has_callouts = tolerance.is_some();
             let beside = Beside { names: header, measured: measured_at, nominal, has_callouts };
             self.limit_columns(beside, |at| ![tolerance, nominal].contains(&Some(at)))?

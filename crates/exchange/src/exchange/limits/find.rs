@@ -125,11 +125,13 @@ impl Sample {
         let below = self.units_row.and_then(|row| self.rows.get(row)).map(|(_, cells)| cells);
         let of_row = |at: usize| below.and_then(|cells| units::known(cells.cell(at)));
         let units = columns.map(|at| units::unit(names.cell(at)).ok().flatten().or_else(|| of_row(at)));
+        // Beside sizes in inch, limits are in inch as well.
+        let open = if units.contains(&Some(Unit::Inch)) { Unit::Inch } else { Unit::Millimetre };
         let rows = self.rows.iter().skip(self.above);
         rows.filter_map(move |(_, row)| {
             let mut all = [Length::ZERO; N];
             for (place, (at, unit)) in all.iter_mut().zip(columns.into_iter().zip(units)) {
-                *place = cells::length(row.get(at)?, unit.unwrap_or(Unit::Millimetre)).ok()?;
+                *place = cells::length(row.get(at)?, unit.unwrap_or(open)).ok()?;
             }
             Some(all)
         })

@@ -5,6 +5,7 @@
 //! | here | the columns, and what a row says by them |
 //! | `names` | what the name of a column says of a limit |
 //! | `find` | which columns have the limits: by their names, and by their numbers where a name may mean two things |
+//! | `row` | what a row says by its limits |
 //! | `judged` | limits that come without a callout: what a value is judged by, or why it is not |
 //!
 //! A lower deviation may stand without its minus. That is told, and believed only where every row can be read so. What may be read in two
@@ -13,6 +14,7 @@
 mod find;
 mod judged;
 mod names;
+mod row;
 
 use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
@@ -25,7 +27,6 @@ use super::column::LengthColumn;
 use super::error::ImportWarningKind;
 use super::stated::Stated;
 pub(super) use find::{Beside, Found};
-pub(super) use judged::{Given, NoLimits};
 pub(super) use names::{LimitName, by_name, goes_both_ways};
 
 /// What the numbers of limit columns are.

@@ -35,7 +35,7 @@ impl LimitName {
     }
 
     /// Whether it says a limit and nothing else, or a deviation and nothing else.
-    pub(super) const fn is_sure(self) -> bool {
+    pub(in crate::exchange) const fn is_sure(self) -> bool {
         !matches!(self, Self::Upper | Self::Lower | Self::Largest | Self::Smallest)
     }
 

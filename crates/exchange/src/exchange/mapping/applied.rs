@@ -18,6 +18,9 @@ use crate::exchange::sample::Sample;
 use crate::exchange::stated::{self, Stated};
 use fitcheck_core::text::Within as _;
 
+/// The columns of limits.
+const LIMITS: [Role; 5] = [Role::Upper, Role::Lower, Role::Minus, Role::Maximum, Role::Minimum];
+
 /// What a mapping says of the columns of a file, and what is detected beside it.
 struct Said<'a> {
     mapping: &'a Mapping,
@@ -45,9 +48,12 @@ impl Mapping {
         let said = self.said(&names, width)?;
         sample.given = self.unit.map(ColumnUnit::unit);
         sample.has_place_unit = self.place_unit.is_some();
+        sample.are_limits_said = said.iter().any(|(role, _)| LIMITS.contains(role));
         let of_row = |role: Role| matches!(role, Role::Kind | Role::Status | Role::Units);
         sample.said = said.iter().filter_map(|(role, at)| Some((*role, (*at).filter(|_| of_row(*role))?))).collect();
-        sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at);
+        // A plan is made of a table without measured values, too.
+        let beyond = sample.measured;
+        sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at).or(beyond);
         let samples: Vec<usize> =
             said.iter().filter(|(role, _)| *role == Role::Sample).filter_map(|(_, at)| *at).collect();
         sample.measured = sample.measured.or_else(|| samples.first().copied());
@@ -57,6 +63,7 @@ impl Mapping {
         let measured = match (at_measured, &detected) {
             (Some(Some(at)), _) => at,
             _ if !samples.is_empty() => samples.first().copied().ok_or(ImportErrorKind::NoMeasuredColumn)?,
+            _ if beyond.is_some() => beyond.ok_or(ImportErrorKind::NoMeasuredColumn)?,
             (None, Ok(detected)) if !is_used(detected.measured.at) => detected.measured.at,
             (None, Err(error)) => return Err(error.clone()),
             _ => return Err(ImportErrorKind::NoMeasuredColumn),
@@ -84,7 +91,9 @@ impl Mapping {
 
     /// Finds the header by the names that are said, or above the first row.
     fn place_header(&self, sample: &mut Sample) {
-        let names: Vec<&str> = self.columns.values().flat_map(Column::iter).filter_map(Column::name).collect();
+        let own = self.names.values().flatten().map(String::as_str);
+        let names: Vec<&str> =
+            self.columns.values().flat_map(Column::iter).filter_map(Column::name).chain(own).collect();
         let has = |cells: &csv::StringRecord, name: &str| cells.iter().any(|cell| is_named(cell, name));
         let first = self.first_row.and_then(|first| sample.rows.iter().position(|(line, _)| first <= *line));
         let above = sample.rows.within(..first.unwrap_or(sample.rows.len()));
@@ -124,6 +133,18 @@ impl Mapping {
                     return Err(ImportErrorKind::ColumnTwice { column, first: *first, second: role });
                 }
                 said.push((role, at));
+            }
+        }
+        // A name of the user's own counts where nothing else is said of its column, or of what it holds.
+        for (word, own) in &self.names {
+            let Ok(role) = role_of(word) else { continue };
+            let is_own = |cell: &str| own.iter().any(|name| is_named(cell, name));
+            let found = (0..).zip(names).filter(|(_, cell)| is_own(cell)).map(|(at, _)| at);
+            for at in found.take(role.most()) {
+                let is_open = !said.iter().any(|(known, of)| *of == Some(at) || *known == role && role.most() == 1);
+                if is_open {
+                    said.push((role, Some(at)));
+                }
             }
         }
         Ok(said)
@@ -187,7 +208,7 @@ impl Said<'_> {
 
     /// The columns of the limits: those that are said; otherwise those that are found, but for columns that are said to be something else.
     fn limits(&self, columns: &Columns, sample: &Sample) -> Result<Option<LimitColumns>, ImportErrorKind> {
-        let all = [Role::Upper, Role::Lower, Role::Minus, Role::Maximum, Role::Minimum];
+        let all = LIMITS;
         let said = |role: Role| self.of(role).and_then(|(_, at)| *at);
         if all.into_iter().any(|role| said(role).is_some()) {
             let are = match (said(Role::Maximum).or(said(Role::Minimum)), said(Role::Minus)) {

@@ -1,5 +1,7 @@
 //! What is chosen for each column of a file, as a mapping that leaves nothing open.
 
+use std::collections::BTreeMap;
+
 use super::detected::{Detected, column_of};
 use super::{Column, ColumnUnit, DecimalSign, Mapping, Separator};
 use crate::exchange::role::Role;
@@ -67,6 +69,7 @@ impl Choice {
             place_unit: self.place_unit,
             first_row: self.first_row,
             columns: columns.collect(),
+            names: BTreeMap::new(),
         }
     }
 }

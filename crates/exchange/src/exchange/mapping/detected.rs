@@ -64,6 +64,7 @@ impl Detected {
             decimal: columns.decimal_sign.and_then(DecimalSign::of_sign),
             unit: common(&of_sizes).map(ColumnUnit::of),
             place_unit: common(&of_places).map(ColumnUnit::of),
+            names: BTreeMap::new(),
             first_row: rows.first().map(|(line, _)| *line),
             columns: said(&roles, &names),
         };

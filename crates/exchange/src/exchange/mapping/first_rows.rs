@@ -8,6 +8,7 @@ use jiff::civil::DateTime;
 
 use super::detected::SHOWN;
 use super::{Choice, Detected, Mapping, Separator};
+use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::{Item, Sink};
@@ -137,6 +138,21 @@ impl FirstRows {
         let mut roles: Vec<Option<Role>> = said.iter().map(|role| role.filter(|_| is_one(role))).collect();
         roles.resize(self.width(mapping), None);
         Choice { sheet, separator, roles, ..Choice::default() }
+    }
+
+    /// The columns of a table of characteristics, which may have no measured values, and the separator of its cells.
+    pub(in crate::exchange) fn planned(&self, mapping: &Mapping) -> Result<(Columns, u8), ImportErrorKind> {
+        let mut sample = self.sample(mapping);
+        let columns = match mapping.columns(&mut sample) {
+            Err(ImportErrorKind::NoMeasuredColumn) => {
+                let mut without = self.sample(mapping);
+                // A column that no row has.
+                without.measured = Some(without.rows.iter().map(|(_, cells)| cells.len()).fold(0, usize::max) + 1);
+                mapping.columns(&mut without)
+            }
+            columns => columns,
+        };
+        Ok((columns?, sample.separator))
     }
 
     /// The same where that is refused: what single names say.

@@ -83,6 +83,8 @@ pub struct Mapping {
     /// The line of the first row.
     first_row: Option<usize>,
     columns: BTreeMap<String, Column>,
+    /// More names of columns, by the word of what they hold: they count in any file that has one of them.
+    names: BTreeMap<String, Vec<String>>,
 }
 
 impl Mapping {

@@ -26,6 +26,8 @@ struct Written {
     first_row: Option<usize>,
     #[serde(default)]
     columns: BTreeMap<String, Column>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    names: BTreeMap<String, Vec<String>>,
 }
 
 impl Written {
@@ -48,7 +50,10 @@ impl Written {
                 return Err(MappingError::Twice { word });
             }
         }
+        let named = |(word, names): (String, Vec<String>)| Ok((role_of(&word)?.word().to_owned(), names));
+        let names = self.names.into_iter().map(named).collect::<Result<_, MappingError>>()?;
         Ok(Mapping {
+            names,
             sheet: self.sheet,
             separator: self.separator.as_deref().map(Separator::from_str).transpose()?,
             decimal: self.decimal.as_deref().map(DecimalSign::from_str).transpose()?,
@@ -83,6 +88,7 @@ impl Mapping {
             place_unit: self.place_unit.map(|unit| unit.to_string()),
             first_row: self.first_row,
             columns: self.columns.clone(),
+            names: self.names.clone(),
         };
         toml::to_string(&written).map_err(|error| no_toml(&error.to_string()))
     }

@@ -119,7 +119,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
             self.warn(line, reason);
         }
         if let Some((line, said)) = &self.columns.head.said {
-            self.warn(*line, ImportWarningKind::HeadRead { said: shorten(said) });
+            self.warn(*line, ImportWarningKind::HeadRead { said: said.clone() });
         }
         if self.columns.own.are_corrected() {
             self.warn(line, ImportWarningKind::Corrected);

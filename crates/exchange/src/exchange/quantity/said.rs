@@ -15,26 +15,27 @@ const STRONG: &str = "axis|axes|achse|messachse|assi|asse|quantity|measured quan
 /// Names of columns that may say so.
 const WEAK: &str = "type|typ|tipo|soort|art|kind|as|dim|dimension|dimensione|feature type|element type|elementtyp|elementtype|\
     tipo elemento|tipo di elemento|tolerance type|toleranztyp|toleranzart|tolerantietype|tipo tolleranza|tipo di tolleranza|\
-    property|eigenschaft|eigenschap|proprietà";
+    property|eigenschaft|eigenschap|proprietà|hole shaft|hole or shaft|bohrung welle|boring as|gat as|foro albero|alésage arbre|\
+    agujero eje|genre|nature|clase de medida";
 
 /// Words of a diameter; German, Dutch and Italian ones may end a longer word.
-const DIAMETERS: &str = "diameter|durchmesser|diametro|diam|dia|ø|innendurchmesser|außendurchmesser|aussendurchmesser|binnendiameter|\
+const DIAMETERS: &str = "diameter|durchmesser|diametro|diamètre|diámetro|diam|dia|ø|innendurchmesser|außendurchmesser|aussendurchmesser|binnendiameter|\
     buitendiameter|bohrungsdurchmesser|lochdurchmesser|wellendurchmesser";
 
 /// Words of a distance between two walls, or from a datum.
 const WIDTHS: &str = "width|breite|breedte|larghezza|distance|abstand|distanz|afstand|distanza|length|länge|laenge|lengte|\
-    lunghezza|thickness|dicke|dikte|spessore|slot|nut|sleuf|groef|cava";
+    lunghezza|thickness|dicke|dikte|spessore|slot|nut|sleuf|groef|cava|largeur|longueur|épaisseur|rainure|ancho|anchura|longitud|distancia|espesor|ranura";
 
 /// Words of a size.
-const SIZES: &str = "size|maß|mass|maat|misura|dimension|dimensione|quota|measure";
+const SIZES: &str = "size|maß|mass|maat|misura|dimension|dimensione|quota|measure|cote|dimensión|medida|cota";
 
 /// Words of what has a diameter; beside the name of a feature they say nothing new.
 const ROUND: &str = "bore|hole|bohrung|boring|gat|foro|shaft|welle|albero|circle|kreis|cirkel|cerchio|cylinder|zylinder|cilinder|\
-    cilindro|pin|stift|pen|perno|zapfen|tap";
+    cilindro|pin|stift|pen|perno|zapfen|tap|alésage|trou|arbre|cercle|cylindre|agujero|taladro|eje|círculo|goupille|pasador";
 
 /// Those of them that are holes; the others are shafts, but for circles and cylinders.
-const HOLES: &str = "bore|hole|bohrung|boring|gat|foro";
-const SHAFTS: &str = "shaft|welle|albero|pin|stift|pen|perno|zapfen|tap";
+const HOLES: &str = "bore|hole|bohrung|boring|gat|foro|alésage|trou|agujero|taladro";
+const SHAFTS: &str = "shaft|welle|albero|pin|stift|pen|perno|zapfen|tap|arbre|goupille|eje|pasador";
 
 /// Words that change none of these.
 const NEUTRAL: &str = "inner|outer|inside|outside|innen|außen|aussen|binnen|buiten|interno|esterno|of|a|the|des|der|di|van|nominal|\
@@ -50,7 +51,9 @@ const OTHERS: &str = "radius|radii|radien|radial|raggio|straal|halbmesser|roundn
     error|fehler|fout|errore|thread|gewinde|draad|filett|chamfer|fase|afschuin|smuss|pitch|steigung|spoed|passo|hardness|härte|\
     hardheid|durezz|temperat|coordinate|koordinat|coördinaat|coordinat|taper|kegel|conic|cono|cone|sphere|kugel|bol|sfera|plane|\
     ebene|vlak|piano|line|linie|lijn|linea|edge|kante|bordo|surface|fläche|oppervlak|superficie|area|weight|gewicht|peso|force|\
-    kraft|torque";
+    kraft|torque|planéité|circularité|rectitude|cylindricité|perpendicularité|parallélisme|coaxialité|rayon|profondeur|hauteur|rugosité|\
+    battement|filetage|planitud|redondez|circularidad|rectitud|cilindricidad|perpendicularidad|paralelismo|coaxialidad|concentricidad|\
+    profundidad|altura|rugosidad|alabeo|rosca|ángulo|posición";
 
 /// Words that are another quantity where nothing else is said: a diameter may be one of two points.
 const POINTS: &str = "point|points|punkt|punkte|punt|punten|punto|punti";
@@ -178,7 +181,7 @@ pub(in crate::exchange) fn is_shape(text: &str) -> Option<bool> {
 }
 
 /// Beginnings of words of form, of roughness and of radii: in the name of a feature they hardly say anything else.
-const FORMS: [&str; 30] = [
+const FORMS: [&str; 36] = [
     "roundness",
     "rundheit",
     "rondheid",
@@ -209,6 +212,12 @@ const FORMS: [&str; 30] = [
     "rundlauf",
     "roughness",
     "rauheit",
+    "planéité",
+    "circularité",
+    "rugosité",
+    "planitud",
+    "redondez",
+    "rugosidad",
 ];
 
 /// Whether the name of a feature says that its form was measured, or its radius.

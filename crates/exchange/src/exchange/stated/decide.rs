@@ -84,8 +84,9 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
     if let Some(nominal) = &mut columns.nominal {
         nominal.unit = unit(nominal.at);
     }
+    let open = Some(columns.measured.unit).filter(|unit| *unit == Unit::Inch);
     for limit in columns.limits.iter_mut().flat_map(LimitColumns::iter_mut) {
-        limit.unit = unit(limit.at);
+        limit.unit = own(limit.at).or(stated.file).or(open).unwrap_or(Unit::Millimetre);
     }
     if stated.from.is_some() && !sample.has_place_unit {
         for place in columns.labels.place.iter_mut().flatten() {
@@ -94,6 +95,7 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
     }
     let is_stated = |ignored: &String| stated.columns.iter().any(|at| *ignored == name_of(*at, name(*at)));
     columns.ignored.retain(|ignored| !is_stated(ignored));
+    columns.remarks.retain(|remark| !stated.columns.contains(&remark.at));
     columns.stated = stated;
     let decided = columns.stated.decided(columns.measured);
     for (line, text, (unit, _)) in said.iter().filter(|(.., (_, is_clear))| !is_clear) {
@@ -266,9 +268,8 @@ fn halves<'n>(stated: &Stated, columns: &Columns, name: &impl Fn(usize) -> &'n s
     {
         return Err(half(inch, measured));
     }
-    let sizes = columns.nominal.into_iter().chain(columns.limits.iter().flat_map(LimitColumns::iter));
-    match sizes.map(|column| column.at).find(|at| own(*at).is_none()) {
-        Some(open) if own(measured) == Some(Unit::Inch) => Err(half(measured, open)),
+    match columns.nominal.filter(|nominal| own(nominal.at).is_none()) {
+        Some(nominal) if own(measured) == Some(Unit::Inch) => Err(half(measured, nominal.at)),
         _ => Ok(()),
     }
 }

@@ -1,0 +1,162 @@
+//! Part plans from tables: each row that says what a size should be is a feature. What is missing in a row is missing in its feature, and
+//! is a fault of the plan until somebody fills it in.
+
+use std::sync::Arc;
+
+use csv::StringRecord;
+use fitcheck_core::message::{FilePlace, Located, Say as _};
+use fitcheck_core::part::{Column, Document, DraftCell, DraftFeature, HeadField, PlanRemark};
+use fitcheck_core::tolerance::{Callout, Deviations};
+
+use super::cell::{Cells as _, joined};
+use super::columns::Columns;
+use super::delimited::{Item, Rows, without_separator_line};
+use super::error::ImportErrorKind;
+use super::given::shorten;
+use super::imported::{StatedLimits, WhyUnjudged};
+use super::mapping::{FirstRows, Mapping};
+use super::plans::signed;
+use super::quantity;
+use super::rules::Rules;
+use super::source::{ImportInputs, decode};
+use super::{cells, sheet_rows};
+
+/// The plan of a table; `None` where it does not say what anything should be.
+///
+/// # Errors
+/// Why its columns are not known.
+pub(super) fn document(file: &str, bytes: &[u8], given: ImportInputs<'_>) -> Result<Option<Document>, ImportErrorKind> {
+    let open = Mapping::default();
+    let mapping = given.mapping.unwrap_or(&open);
+    let Some(first) = FirstRows::of_columns(file, bytes) else { return Ok(None) };
+    let (columns, separator) = first.planned(mapping)?;
+    if columns.tolerance.is_none() && columns.limits.is_none() && columns.nominal.is_none() {
+        return Ok(None);
+    }
+    let rows = all_rows(bytes, separator)?;
+    let mut table =
+        Table { columns: &columns, given, file: file.into(), document: Document::default(), part: String::new() };
+    let begins = columns.stated.first().max(columns.header.map_or(0, |header| header + 1));
+    for (line, row) in
+        rows.iter().filter(|(line, row)| begins <= *line && !cells::is_blank(row) && !cells::is_comment(row))
+    {
+        table.row(*line, row);
+    }
+    Ok(Some(table.whole()))
+}
+
+/// The rows of a text or of a workbook, with their lines.
+fn all_rows(bytes: &[u8], separator: u8) -> Result<Vec<(usize, StringRecord)>, ImportErrorKind> {
+    if bytes.starts_with(b"PK") {
+        let rows = sheet_rows(bytes)?;
+        return Ok(rows.into_iter().map(|(line, cells)| (line, cells.into_iter().collect())).collect());
+    }
+    let decoded = decode(bytes);
+    let (text, first_line, _) = without_separator_line(&decoded);
+    let row = |item: Item<'_>| match item {
+        Item::Row { line, cells } | Item::Lines { line, cells, .. } => Some((line, cells)),
+        Item::OpenQuote { .. } | Item::TooLong { .. } => None,
+    };
+    Ok(Rows::new(text, first_line, separator).filter_map(row).collect())
+}
+
+/// A table whose rows become features.
+struct Table<'a> {
+    columns: &'a Columns,
+    given: ImportInputs<'a>,
+    file: Arc<str>,
+    document: Document,
+    /// The part of the first row that names one.
+    part: String,
+}
+
+impl Table<'_> {
+    fn row(&mut self, line: usize, row: &StringRecord) {
+        let columns = self.columns;
+        let has_commas = false;
+        let rules =
+            Rules { columns, has_commas, sources: self.given.sources, lookup: None, has_plan: false, file: &self.file };
+        let text = |at: Option<usize>| row.cell(at).trim();
+        let name = text(columns.id);
+        let number = text(columns.labels.number);
+        if self.part.is_empty() {
+            text(columns.labels.part).clone_into(&mut self.part);
+        }
+        if let Some((_, what, _)) = quantity::of_row(&columns.quantities, row).filter(|(_, _, of)| !of.is_size()) {
+            let why = WhyUnjudged::NotASize { what: shorten(what) }.message();
+            let remark = PlanRemark::Left { name: name.to_owned(), why };
+            return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
+        }
+        let callout = match rules.planned(row) {
+            Ok((Some(callout), _)) => callout.to_string(),
+            Ok((None, said)) => of_limits(&said),
+            // As it is written, so that the plan says what is wrong with it.
+            Err(_) => text(columns.tolerance).to_owned(),
+        };
+        let has_numbers = cells::has_number(row);
+        if callout.is_empty() && (!has_numbers || name.is_empty() && number.is_empty()) {
+            let why = WhyUnjudged::NoCallout.message();
+            let remark = PlanRemark::Left { name: shorten(&joined(row)), why };
+            return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
+        }
+        let has =
+            |feature: &DraftFeature, column: Column, text: &str| feature.text(column).map_or("", |known| known) == text;
+        let is_known = |feature: &DraftFeature| {
+            has(feature, Column::Name, name)
+                && has(feature, Column::Number, number)
+                && has(feature, Column::Callout, &callout)
+        };
+        // Another part, or the same one measured again.
+        if self.document.draft.rows.iter().any(is_known) {
+            return;
+        }
+        let place = FilePlace::line(line);
+        let mut feature = DraftFeature::at(place.clone());
+        let mut set = |column: Column, text: &str| {
+            if !text.is_empty() {
+                feature.put(column, DraftCell::at(text.to_owned(), place.clone()));
+            }
+        };
+        set(Column::Number, number);
+        set(Column::Name, name);
+        set(Column::Callout, &callout);
+        let says_side = callout.parse::<Callout>().is_ok_and(|callout| callout.feature().is_some());
+        if let Some(side) = columns.feature_of(row).filter(|_| !says_side) {
+            set(Column::Feature, side.word());
+        }
+        for (column, at) in [Column::X, Column::Y, Column::Z].into_iter().zip(columns.labels.place) {
+            let Some(at) = at else { continue };
+            let length = cells::length(text(Some(at.at)), columns.stated.of_place(at, row)).ok();
+            set(column, &length.map_or_else(|| text(Some(at.at)).to_owned(), |length| length.to_string()));
+        }
+        self.document.draft.rows.push(feature);
+    }
+
+    /// The plan with what the head of the table says.
+    fn whole(self) -> Document {
+        let Self { columns, mut document, part, .. } = self;
+        let head = &columns.head;
+        let part = if head.part.is_empty() { part } else { head.part.clone() };
+        document.draft.set(HeadField::Part, part);
+        let drawing = [head.drawing.as_str(), head.revision.as_str()].into_iter().filter(|text| !text.is_empty());
+        document.draft.set(HeadField::Drawing, drawing.collect::<Vec<_>>().join(" "));
+        document
+    }
+}
+
+/// The callout of limits in columns: as deviations from the nominal size, or as two sizes; what is missing is left out.
+fn of_limits(said: &StatedLimits) -> String {
+    match (said.nominal, said.minimum, said.maximum) {
+        (Some(nominal), Some(minimum), Some(maximum)) => {
+            let upper = maximum.saturating_sub(nominal);
+            let lower = minimum.saturating_sub(nominal);
+            let callout =
+                Deviations::new(upper, lower).ok().and_then(|both| Callout::with_deviations(nominal, both).ok());
+            callout
+                .map_or_else(|| format!("{nominal} {}/{}", signed(upper), signed(lower)), |callout| callout.to_string())
+        }
+        (None, Some(minimum), Some(maximum)) => format!("{maximum}/{minimum}"),
+        (Some(nominal), ..) => nominal.to_string(),
+        (None, ..) => String::new(),
+    }
+}
