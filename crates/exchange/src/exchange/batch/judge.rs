@@ -12,13 +12,11 @@ use super::limits::bounds_of;
 use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
-use crate::exchange::column::LengthColumn;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
 use crate::exchange::left_out;
-use crate::exchange::limits::LimitColumns;
 use crate::exchange::row::{Part, TextRow};
 use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::stated;
@@ -297,56 +295,6 @@ impl Judge<'_> {
         Some(())
     }
 
-    /// Judges a plain row by limits in columns of their own; `None` as above.
-    #[inline]
-    fn by_limits(
-        &mut self,
-        row: &TextRow<'_>,
-        measured: Length,
-        said: Option<Unit>,
-        tally: &mut Tally,
-        take: &mut impl Take,
-    ) -> Option<()> {
-        let fast = &self.court.fast;
-        let limits = fast.limits?;
-        for at in &fast.aside {
-            if !row.cell(*at)?.is_empty() {
-                return None;
-            }
-        }
-        for column in fast.quantities {
-            if !column.is_known_size(row.cell(column.at)?) {
-                return None;
-            }
-        }
-        let nominal = match fast.nominal {
-            Some((at, unit)) => Some(number(row, (at, said.unwrap_or(unit)))?.0),
-            None => None,
-        };
-        let (nominal, deviations) = bounds_of(row, limits, nominal, said)?;
-        let feature = match fast.side {
-            Some(side) => self.side(row.cell(side.at())?),
-            None => None,
-        };
-        let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
-        self.court.sources.proportionate(&bounds).ok()?;
-        self.give(row, &Judged::new(bounds, measured), None, tally, take);
-        Some(())
-    }
-
-    /// Hole or shaft, as a cell says; a word is read once.
-    fn side(&mut self, cell: &[u8]) -> Option<Feature> {
-        /// So many words are remembered.
-        const MOST: usize = 16;
-        if let Some((_, side)) = self.sides.iter().find(|(known, _)| known == cell) {
-            return *side;
-        }
-        let side = self.court.fast.side.and_then(|column| column.feature(utf8(cell).trim().trim_matches('"')));
-        self.sides.truncate(MOST - 1);
-        self.sides.push((cell.to_vec(), side));
-        side
-    }
-
     /// A row as `import` reads it.
     #[cold]
     fn slow(&mut self, row: &TextRow<'_>, tally: &mut Tally, take: &mut impl Take) {
@@ -462,32 +410,6 @@ const BEGINNING: usize = 200;
 pub(super) fn number(row: &TextRow<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
     let part = row.part(at)?;
     part.number(unit).or_else(|| wrapped_number(part, unit))
-}
-
-/// A number that may have a sign.
-#[inline]
-fn signed(row: &TextRow<'_>, column: LengthColumn, said: Option<Unit>) -> Option<Length> {
-    let unit = said.unwrap_or(column.unit);
-    match row.cell(column.at)? {
-        [sign @ (b'+' | b'-'), ..] => {
-            let (length, _) = row.part(column.at)?.split(1).1.number(unit)?;
-            Some(if *sign == b'-' { length.negated() } else { length })
-        }
-        _ => Some(number(row, (column.at, unit))?.0),
-    }
-}
-
-/// The nominal size and the deviations of a row by its limits.
-#[inline]
-fn bounds_of(
-    row: &TextRow<'_>,
-    limits: &LimitColumns,
-    nominal: Option<Length>,
-    said: Option<Unit>,
-) -> Option<(Length, Deviations)> {
-    let upper = signed(row, limits.upper?, said)?;
-    let lower = signed(row, limits.lower?, said)?;
-    limits.bounds(nominal, [upper, lower])
 }
 
 /// A number in quotation marks or between blanks.

@@ -27,6 +27,7 @@ use super::column::LengthColumn;
 use super::error::ImportWarningKind;
 use super::stated::Stated;
 pub(super) use find::{Beside, Found};
+pub(super) use judged::{Given, NoLimits};
 pub(super) use names::{LimitName, by_name, goes_both_ways};
 
 /// What the numbers of limit columns are.
