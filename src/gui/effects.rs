@@ -342,10 +342,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let result = picture::read(&path).map(Arc::new);
             vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
         }
-        Effect::ReadLogo(path) => {
-            let result = templates::logo(&path);
-            vec![SettingsCommand::LogoRead { path, result }.into()]
-        }
+        Effect::ReadLogo(path) => vec![SettingsCommand::LogoRead { result: templates::logo(&path), path }.into()],
         effect @ (Effect::DrawReport { .. }
         | Effect::ReadTemplates(_)
         | Effect::NewTemplate { .. }

@@ -191,9 +191,7 @@ impl Args {
         let judge = self.by.judge(io)?;
         let sources = self.tables.load(io)?;
         let template = self.look.template()?;
-        if let Some(refused) = rendering.refusal(self.look.paper(&template)) {
-            return Err(CliError::Said(refused.message()));
-        }
+        rendering.refusal(self.look.paper(&template)).map_or(Ok(()), Err).said()?;
         let words = Words::new(self.language.or_else(|| template.language()).unwrap_or_default());
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
@@ -250,11 +248,7 @@ impl Args {
             parts,
             ..Report::new(now, Arc::clone(&checks))
         };
-        let mut report = self.look.dress(report, &template);
-        if let Some(path) = &self.since {
-            let earlier = crate::files::read_file(path).said()?;
-            report.changes = Some(Changes::since(&earlier, &report).about(&name(path))?);
-        }
+        let report = self.compared(self.look.dress(report, &template))?;
         if rendering.is_checks_alone {
             self.warn_of_checks_alone(report.notes.len(), io);
         }
@@ -272,6 +266,14 @@ impl Args {
             recorder.keep_report(reported, io).map_err(unknown)?;
         }
         Ok(outcome)
+    }
+
+    /// The report with what changed since the earlier one, where one is given.
+    fn compared(&self, report: Report) -> Result<Report, CliError> {
+        let Some(path) = &self.since else { return Ok(report) };
+        let earlier = crate::files::read_file(path).said()?;
+        let changes = Changes::since(&earlier, &report).about(&name(path))?;
+        Ok(Report { changes: Some(changes), ..report })
     }
 
     /// Warns of what a file of checks alone has no place for.
