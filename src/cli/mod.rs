@@ -1,7 +1,7 @@
 //! The command line: one file per subcommand, each a short walk through the rooms.
 //!
-//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 13 out of limits, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by
-//! Ctrl+C. `Outcome::worse` ranks them. A closed pipe ends the program quietly. Nothing here needs a display.
+//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 13 out of limits, 14 judged, but look first, 1 bad data, 2 wrong
+//! usage, 130 stopped by Ctrl+C. `Outcome::worse` ranks them. A closed pipe ends the program quietly. Nothing here needs a display.
 //!
 //! To add a subcommand:
 //!
@@ -117,7 +117,8 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "\
-Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 13 out of limits, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C.
+Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 13 out of limits,
+14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C.
 
 14 takes the place of 0, 10 and 12: everything has an answer, but something contradicts it (the file's own status, another value of the \
 same feature, a value that may be another quantity, nobody measured), or something measured is not in it (another sheet, a file with \

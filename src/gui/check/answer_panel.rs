@@ -280,7 +280,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     let removal = size.removal.filter(|_| status == size.status);
     if let Some(removal) = removal {
         lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
-    } else if size.status == Status::Scrap {
+    } else if matches!(size.status, Status::Scrap | Status::OutOfLimits) {
         // How far it is from the other limit says nothing.
         let [to_minimum, to_maximum] = distances(words, record);
         lines.push(if size.above_minimum < Length::ZERO { to_minimum } else { to_maximum });

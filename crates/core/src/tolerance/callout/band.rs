@@ -149,8 +149,9 @@ impl<'a> Reader<'a> {
         if !self.scanner.eat(|c| c == '+') {
             return Sign::None;
         }
+        // `+/-`, and `+-` as keyboards without `±` write it.
         let mut ahead = self.scanner;
-        if ahead.eat(|c| c == '/') && ahead.eat(is_minus) {
+        if (ahead.eat(|c| c == '/') || self.grammar == Grammar::Callout) && ahead.eat(is_minus) {
             self.scanner = ahead;
             return Sign::Both;
         }

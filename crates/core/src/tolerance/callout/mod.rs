@@ -20,7 +20,7 @@
 //! fit        = class ( "/" | "-" ) class                    hole first: H7/g6
 //!            | ( class | deviations ) "/" ( class | deviations ) ;     H7/0 -0.013, ±0.1/+0.008 +0.002
 //! general    = "f" | "m" | "c" | "v" ;                      ISO 2768-1, with no digit behind it
-//! deviations = ( "±" | "+/-" ) value | signed [ [ "/" ] signed ] ;
+//! deviations = ( "±" | "+/-" | "+-" ) value | signed [ [ "/" ] signed ] ;
 //! signed     = ( "+" | "-" ) value | "0" ;                  upper before lower; one alone: the other is 0
 //! value      = number [ "mm" | "µm" | "um" ] ;
 //! number     = digits [ ( "." | "," ) digits ] ;            one kind of decimal sign in a text
