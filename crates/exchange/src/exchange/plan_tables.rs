@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use csv::StringRecord;
+use fitcheck_core::length::Length;
 use fitcheck_core::message::{FilePlace, Located, Say as _};
 use fitcheck_core::part::{Column, Document, DraftCell, DraftFeature, HeadField, PlanRemark};
 use fitcheck_core::tolerance::{Callout, Deviations};
@@ -15,7 +16,6 @@ use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::imported::{StatedLimits, WhyUnjudged};
 use super::mapping::{FirstRows, Mapping};
-use super::plans::signed;
 use super::quantity;
 use super::rules::Rules;
 use super::source::{ImportInputs, decode};
@@ -159,4 +159,9 @@ fn of_limits(said: &StatedLimits) -> String {
         (Some(nominal), ..) => nominal.to_string(),
         (None, ..) => String::new(),
     }
+}
+
+/// A deviation with its sign, as callouts have it.
+pub(super) fn signed(deviation: Length) -> String {
+    if Length::ZERO < deviation { format!("+{deviation}") } else { deviation.to_string() }
 }

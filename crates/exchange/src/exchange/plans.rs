@@ -1,6 +1,6 @@
 //! Part plans from files of other tools: the characteristics that they declare become the features of a plan.
 //!
-//! What is no size of a hole or shaft is left out and said; what a file leaves open, such as hole or shaft, stays open and is a fault of
+//! Lengths that no cycle measures become features as well; what is no length is left out and said. What a file leaves open, such as hole or shaft, stays open and is a fault of
 //! the plan until somebody fills it in.
 
 use std::io::Cursor;
@@ -8,13 +8,14 @@ use std::io::Cursor;
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::{FilePlace, Located, Say as _};
 use fitcheck_core::part::{
-    Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark,
+    Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftCell, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark,
 };
 use fitcheck_core::tolerance::Sources;
 
 use super::characteristic::{Characteristic, CharacteristicKind};
 use super::error::ImportErrorKind;
 use super::imported::WhyUnjudged;
+use super::plan_tables::signed;
 use super::source::{ImportInputs, Source};
 use super::{FORMATS, plan_tables, sheet_rows, words};
 
@@ -111,12 +112,35 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
                 continue;
             }
             CharacteristicKind::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
-            CharacteristicKind::Length(why) => why.clone(),
+            CharacteristicKind::Length(why) => match by_hand(&characteristic) {
+                Some((kind, callout)) => {
+                    let mut row = row(&characteristic, line, sources, &mut remark);
+                    let cell = |text: String| DraftCell::at(text, FilePlace::line(line));
+                    row.put(Column::Kind, cell(kind.to_owned()));
+                    row.put(Column::Callout, cell(callout));
+                    document.draft.rows.push(row);
+                    continue;
+                }
+                None => why.clone(),
+            },
             CharacteristicKind::Other(what) => WhyUnjudged::NotASize { what: what.clone() },
         };
         remark(PlanRemark::Left { name: characteristic.id(), why: left.message() });
     }
     document
+}
+
+/// Kind and callout of what no cycle measures; `None` without the limits that its kind has.
+fn by_hand(characteristic: &Characteristic) -> Option<(&'static str, String)> {
+    let Characteristic { nominal, minimum, maximum, .. } = characteristic;
+    let is_zero = |length: &Option<Length>| length.is_none_or(|length| length == Length::ZERO);
+    let maximum = maximum.filter(|maximum| Length::ZERO < *maximum)?;
+    if is_zero(nominal) && is_zero(minimum) {
+        return Some(("form", maximum.to_string()));
+    }
+    let nominal = nominal.filter(|nominal| Length::ZERO < *nominal)?;
+    let [upper, lower] = [maximum, (*minimum)?].map(|limit| signed(limit.saturating_sub(nominal)));
+    Some(("length", format!("{nominal} {upper}/{lower}")))
 }
 
 /// The feature of a characteristic. A class counts where its limits are those of the file; otherwise the file's limits do.
@@ -127,8 +151,7 @@ fn row(
     remark: &mut dyn FnMut(PlanRemark),
 ) -> DraftFeature {
     let mut row = DraftFeature::at(FilePlace::line(line));
-    let mut set =
-        |column, text: String| row.put(column, fitcheck_core::part::DraftCell::at(text, FilePlace::line(line)));
+    let mut set = |column, text: String| row.put(column, DraftCell::at(text, FilePlace::line(line)));
     set(Column::Number, characteristic.labels.number.clone());
     set(Column::Name, characteristic.id());
     let deviations = characteristic.nominal.zip(characteristic.minimum.zip(characteristic.maximum));
@@ -189,9 +212,4 @@ fn row(
         None => {}
     }
     row
-}
-
-/// A deviation with its sign, as callouts have it.
-pub(super) fn signed(deviation: Length) -> String {
-    if Length::ZERO < deviation { format!("+{deviation}") } else { deviation.to_string() }
 }

@@ -283,3 +283,14 @@ fn merged(top: &StringRecord, bottom: &StringRecord) -> StringRecord {
 fn named(cells: &StringRecord) -> usize {
     cells.iter().filter(|cell| words::role(cell).is_some()).count()
 }
+
+impl Sample {
+    /// The columns with a measured value each, by names that are counted; most of their cells are numbers.
+    pub(super) fn side_by_side(&self, names: &StringRecord) -> Vec<usize> {
+        let found = samples::counted(names);
+        let cells = || found.iter().flat_map(|at| self.cells(*at));
+        let (numbers, all) =
+            cells().fold((0, 0), |(numbers, all), cell| (numbers + usize::from(is_number(cell)), all + 1));
+        if all < numbers * 2 { found } else { Vec::new() }
+    }
+}

@@ -2,10 +2,8 @@
 
 use csv::StringRecord;
 
-use super::cells::is_number;
 use super::claim::letters;
 use super::column::name_of;
-use super::sample::Sample;
 use super::vocabulary::has;
 use crate::exchange::cell::Cells as _;
 
@@ -44,17 +42,6 @@ fn split(name: &str) -> Option<(String, usize)> {
     let number = name.strip_prefix(word)?.parse().ok()?;
     let word = letters(word);
     has(BEFORE, &word).then_some((word, number))
-}
-
-impl Sample {
-    /// The columns with a measured value each, by names that are counted; most of their cells are numbers.
-    pub(super) fn side_by_side(&self, names: &StringRecord) -> Vec<usize> {
-        let found = counted(names);
-        let cells = || found.iter().flat_map(|at| self.cells(*at));
-        let (numbers, all) =
-            cells().fold((0, 0), |(numbers, all), cell| (numbers + usize::from(is_number(cell)), all + 1));
-        if all < numbers * 2 { found } else { Vec::new() }
-    }
 }
 
 /// The first and the last of such columns, as messages name them.

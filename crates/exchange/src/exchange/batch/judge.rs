@@ -3,12 +3,12 @@
 use super::compared::{Compared, told};
 use super::court::StreamJudging;
 use super::cut::Block;
+use super::figures::{bounds_of, number};
 use super::judged::Judged;
 use super::known::{Classes, Figures};
 #[cfg(feature = "parquet")]
 use super::layout::Layout;
 use super::layout::utf8;
-use super::limits::bounds_of;
 use super::tally::{RowNoteKind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
@@ -17,7 +17,7 @@ use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
 use crate::exchange::left_out;
-use crate::exchange::row::{Part, TextRow};
+use crate::exchange::row::TextRow;
 use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::stated;
 use crate::exchange::words;
@@ -403,20 +403,6 @@ impl Judge<'_> {
 
 /// How much of a broken line is kept, in bytes.
 const BEGINNING: usize = 200;
-
-/// A cell that is a plain number, and its decimal sign.
-#[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
-#[inline(always)]
-pub(super) fn number(row: &TextRow<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
-    let part = row.part(at)?;
-    part.number(unit).or_else(|| wrapped_number(part, unit))
-}
-
-/// A number in quotation marks or between blanks.
-#[cold]
-fn wrapped_number(part: Part<'_>, unit: Unit) -> Option<(Length, Option<u8>)> {
-    part.plain()?.number(unit)
-}
 
 /// Whether a row begins like a comment, or with something that may hide the mark of one.
 #[inline]

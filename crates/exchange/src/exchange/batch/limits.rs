@@ -1,14 +1,13 @@
 //! Plain rows judged by limits in columns of their own.
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::tolerance::{Bounds, Deviations, Feature};
+use fitcheck_core::tolerance::{Bounds, Feature};
 
-use super::judge::{Judge, Take, number};
+use super::figures::{bounds_of, number};
+use super::judge::{Judge, Take};
 use super::judged::Judged;
 use super::layout::utf8;
 use super::tally::Tally;
-use crate::exchange::column::LengthColumn;
-use crate::exchange::limits::LimitColumns;
 use crate::exchange::row::TextRow;
 
 impl Judge<'_> {
@@ -61,30 +60,4 @@ impl Judge<'_> {
         self.sides.push((cell.to_vec(), side));
         side
     }
-}
-
-/// A number that may have a sign.
-#[inline]
-fn signed(row: &TextRow<'_>, column: LengthColumn, said: Option<Unit>) -> Option<Length> {
-    let unit = said.unwrap_or(column.unit);
-    match row.cell(column.at)? {
-        [sign @ (b'+' | b'-'), ..] => {
-            let (length, _) = row.part(column.at)?.split(1).1.number(unit)?;
-            Some(if *sign == b'-' { length.negated() } else { length })
-        }
-        _ => Some(number(row, (column.at, unit))?.0),
-    }
-}
-
-/// The nominal size and the deviations of a row by its limits.
-#[inline]
-pub(super) fn bounds_of(
-    row: &TextRow<'_>,
-    limits: &LimitColumns,
-    nominal: Option<Length>,
-    said: Option<Unit>,
-) -> Option<(Length, Deviations)> {
-    let upper = signed(row, limits.upper?, said)?;
-    let lower = signed(row, limits.lower?, said)?;
-    limits.bounds(nominal, [upper, lower])
 }

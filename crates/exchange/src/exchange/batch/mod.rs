@@ -27,6 +27,7 @@ mod compared;
 mod court;
 mod csv;
 mod cut;
+mod figures;
 mod json_lines;
 mod judge;
 mod judged;

@@ -6,7 +6,7 @@ use csv::StringRecord;
 use fitcheck_core::length::Unit;
 
 use super::applied::roles;
-use super::{Choice, Column, ColumnUnit, DecimalSign, Mapping, Separator, is_named};
+use super::{Column, ColumnUnit, DecimalSign, Mapping, Separator, is_named};
 use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::ImportErrorKind;
@@ -77,7 +77,8 @@ impl Detected {
 
     /// What is guessed of a file whose columns are not known.
     pub(super) fn guessed(
-        choice: &Choice,
+        (sheet, separator): (Option<String>, Option<Separator>),
+        roles: Vec<Option<Role>>,
         header: Option<&(usize, StringRecord)>,
         rows: Vec<(usize, Vec<String>)>,
     ) -> Self {
@@ -85,10 +86,8 @@ impl Detected {
             header.iter().flat_map(|(_, cells)| cells.iter()).map(|name| name.trim().to_owned()).collect();
         let line = header.map(|(line, _)| *line);
         let rows = rows.into_iter().filter(|(row, _)| line.is_none_or(|line| line < *row)).collect();
-        let roles = choice.roles.clone();
         let columns = said(&roles, &names);
-        let mapping =
-            Mapping { sheet: choice.sheet.clone(), separator: choice.separator, columns, ..Mapping::default() };
+        let mapping = Mapping { sheet, separator, columns, ..Mapping::default() };
         Self { mapping, names, roles, rows, header: line, skipped: Vec::new(), is_own: false, unit_from: None }
     }
 

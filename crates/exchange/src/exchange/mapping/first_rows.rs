@@ -160,7 +160,7 @@ impl FirstRows {
         let choice = self.guess(mapping);
         let names = self.sample(mapping);
         let header = names.header.and_then(|at| names.rows.get(at));
-        Detected::guessed(&choice, header, self.rows(mapping))
+        Detected::guessed((choice.sheet, choice.separator), choice.roles, header, self.rows(mapping))
     }
 
     /// How many columns the shown rows have.
