@@ -189,10 +189,8 @@ fn a_name_that_means_something_else_is_no_class() {
     assert_eq!(said("25mm PF"), "25 PF");
     assert_eq!(said("25 Pf"), "Pf mixes upper and lower case: write PF for a hole or pf for a shaft (character 4)");
     assert_eq!(said("25 PF-pf"), "25 PF/pf");
-    assert_eq!(
-        said("25 PF -0.1"),
-        "0.1 is not a tolerance class: write letters and a grade, such as H7 or js13 (character 8)"
-    );
+    // A deviation behind a class is compared with it.
+    assert_eq!(said("25 PF -0.1"), "25 PF (0 -0.1)");
 }
 
 #[test]
