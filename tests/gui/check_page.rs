@@ -362,17 +362,17 @@ fn pages_open_by_name_and_by_key() {
 }
 
 #[test]
-fn a_callout_without_letters_asks_hole_or_shaft() {
+fn a_callout_without_letters_is_judged_and_hole_or_shaft_can_be_said_afterwards() {
     let mut window = window();
     type_into(&mut window, "Callout", "12 +0.01 -0.015");
-    window.get_by_label_contains("does not say whether the hole or the shaft is meant");
+    window.get_by_label("from the callout itself");
     type_into(&mut window, "Measured value", "12.02");
     window.key_press(Key::Enter);
     window.run();
-    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
+    assert!(verdict(&window).starts_with("OUT OF LIMITS. 12.020 mm"), "{}", verdict(&window));
+    assert!(verdict(&window).contains("10 µm above maximum"), "{}", verdict(&window));
     window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
     window.run();
-    window.get_by_label("from the callout itself");
     type_into(&mut window, "Measured value", "12.02");
     window.key_press(Key::Enter);
     window.run();
@@ -385,10 +385,11 @@ fn a_callout_without_letters_asks_hole_or_shaft() {
     window.key_press(Key::Enter);
     window.run();
     assert!(verdict(&window).starts_with("SCRAP"), "{}", verdict(&window));
-    // A class says it itself, and the next callout without letters asks again.
+    // A class says it itself, and the next callout without letters is of neither again.
     type_into(&mut window, "Callout", "25 H7");
     type_into(&mut window, "Callout", "10m");
-    window.get_by_label_contains("does not say whether the hole or the shaft is meant");
+    check(&mut window, "10m", "10.25");
+    assert!(verdict(&window).starts_with("OUT OF LIMITS"), "{}", verdict(&window));
 }
 
 #[test]
