@@ -104,13 +104,13 @@ fn the_first_sheet_with_measurements_is_read() {
         [
             "2 B1 25 H7 25.0123 GOOD 2025-01-15T10:21:33",
             "3 B2 25 H7 25.03 SCRAP 2025-01-16T00:00:00",
+            "4 B3 25 H7 24.998 REWORK 2030-01-01T00:00:00",
             "8 B6 30 g6 29.985 GOOD 2025-01-15T10:27:00",
         ]
     );
     assert_eq!(
         errors(&imported),
         [
-            "line 4, column 3: Measurements!C4: measured: 24,998 has a different decimal sign than the other values: \".\"",
             "line 5, column 3: Measurements!C5: the value of the formula =C2+0.001 is not stored: open the workbook in a spreadsheet program and save it",
             "line 6, column 3: Measurements!C6: the cell shows #N/A",
         ]
@@ -466,7 +466,7 @@ fn a_number_that_is_struck_through_is_no_value() {
     assert_eq!(
         errors(&imported),
         [
-            "line 3, column 3: S!C3: measured: 25.01 (struck through) is not a number",
+            "line 3, column 3: S!C3: measured: 25,01 (struck through) is not a number",
             "line 4, column 3: S!C4: measured: 25,01 (struck through) is not a number",
         ]
     );

@@ -3,7 +3,7 @@
 use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
-use super::names::{LimitName, by_name};
+use super::names::{LimitName, by_name, by_sign};
 use super::{LimitColumns, LimitsAre};
 use crate::exchange::cell::Cells as _;
 use crate::exchange::cells;
@@ -45,7 +45,7 @@ impl Sample {
         let all: Vec<(usize, LimitName)> = (0..)
             .zip(beside.names)
             .filter(|(at, _)| is_free(*at) && *at != beside.measured && !self.is_empty(*at))
-            .filter_map(|(at, name)| Some((at, by_name(name)?)))
+            .filter_map(|(at, name)| Some((at, by_name(name).or_else(|| by_sign(name, beside.names))?)))
             .collect();
         let of = |wanted: fn(&LimitName) -> bool| -> Vec<(usize, LimitName)> {
             all.iter().copied().filter(|(_, name)| wanted(name)).collect()

@@ -1,5 +1,7 @@
 //! What the name of a column says of a limit; `vocabulary` has the words.
 
+use csv::StringRecord;
+
 use crate::exchange::claim::letters;
 use crate::exchange::role::Role;
 use crate::exchange::units;
@@ -79,11 +81,23 @@ pub(in crate::exchange) fn by_name(header: &str) -> Option<LimitName> {
     lists.into_iter().find(|(list, _)| has(list, &bare)).map(|(_, name)| name)
 }
 
-/// The sign of a deviation in a name: `+TOL`, `Tol. (-)`, or the sign alone, as below a name for both.
+/// What two columns with a sign alone as their names hold, where there is one of each: a single `-` says that a column has no name.
+pub(super) fn by_sign(header: &str, names: &StringRecord) -> Option<LimitName> {
+    let alone = |name: &str| match name.trim() {
+        "+" => Some('+'),
+        "-" | "\u{2212}" | "\u{2013}" => Some('-'),
+        _ => None,
+    };
+    let has_one = |sign: char| names.iter().filter(|name| alone(name) == Some(sign)).count() == 1;
+    let found = alone(header).filter(|_| has_one('+') && has_one('-'))?;
+    Some(if found == '+' { LimitName::UpperDeviation } else { LimitName::Minus })
+}
+
+/// The sign of a deviation in a name: `+TOL`, `Tol. (-)`.
 fn sign(header: &str) -> Option<char> {
-    let (name, unit) = match header.trim().rsplit_once(['[', '(']) {
-        Some((name, unit)) if units::known(unit.trim_end_matches([']', ')'])).is_some() => (name, true),
-        _ => (header.trim(), false),
+    let name = match header.trim().rsplit_once(['[', '(']) {
+        Some((name, unit)) if units::known(unit.trim_end_matches([']', ')'])).is_some() => name,
+        _ => header.trim(),
     };
     let name = name.replace(['\u{2212}', '\u{2013}'], "-");
     let is_at_end = |c: char| {
@@ -92,9 +106,7 @@ fn sign(header: &str) -> Option<char> {
     };
     let found = ['+', '-'].into_iter().filter(|c| is_at_end(*c)).collect::<Vec<_>>();
     let [found] = found.as_slice() else { return None };
-    let letters = letters(&name);
-    let is_alone = letters.is_empty() && name.trim().chars().count() == 1 && !unit;
-    (is_alone || has(SIGNED, &letters)).then_some(*found)
+    has(SIGNED, &letters(&name)).then_some(*found)
 }
 
 /// Whether the name of a tolerance says that its number goes both ways: `Tol ±`, `+/- Tol`.
@@ -115,7 +127,7 @@ mod tests {
             ("Tol+ [mm]", Some(LimitName::UpperDeviation)),
             ("-TOL", Some(LimitName::Minus)),
             ("Tol\u{2212}", Some(LimitName::Minus)),
-            ("-", Some(LimitName::Minus)),
+            ("-", None),
             ("oberes Abmaß", Some(LimitName::UpperDeviation)),
             ("Unteres Abmass (µm)", Some(LimitName::LowerDeviation)),
             ("Upper limit", Some(LimitName::Maximum)),
@@ -130,6 +142,9 @@ mod tests {
         ] {
             assert_eq!(by_name(name), expected, "{name}");
         }
+        let pair = StringRecord::from(vec!["nominal", "+", "-", "measured"]);
+        assert_eq!(by_sign("-", &pair), Some(LimitName::Minus));
+        assert_eq!(by_sign("-", &StringRecord::from(vec!["nominal", "measured", "-"])), None);
         assert!(goes_both_ways("Tol ±") && goes_both_ways("+ / - Tol") && !goes_both_ways("+Tol"));
     }
 }
