@@ -10,6 +10,7 @@ use fitcheck_nc::control::point_log::PointFault;
 use super::aqdef::AqdefFault;
 use super::calypso::CalypsoFault;
 use super::contacts::ContactsError;
+use super::printed::PrintedFault;
 use super::role::Role;
 
 pub use super::warning::{ImportWarning, ImportWarningKind};
@@ -67,6 +68,24 @@ pub enum ImportErrorKind {
     },
     /// No format recognises the file.
     NotRecognised,
+    /// A model of a part.
+    ModelNotRead {
+        format: &'static str,
+    },
+    DrawingNotRead {
+        format: &'static str,
+    },
+    /// A document for readers.
+    DocumentNotRead {
+        format: &'static str,
+    },
+    ImageNotRead {
+        format: &'static str,
+    },
+    /// A packed file.
+    ArchiveNotRead {
+        format: &'static str,
+    },
     /// Another format than the one that was expected.
     OtherFormat {
         format: Message,
@@ -138,6 +157,9 @@ pub enum ImportErrorKind {
     /// A table of CALYPSO, or a row of one.
     #[say(transparent)]
     Calypso(CalypsoFault),
+    /// A printed report, or a row of one.
+    #[say(transparent)]
+    Printed(PrintedFault),
     /// A measurement of cycle 444 that cannot be used.
     #[say(transparent)]
     Point(PointFault),

@@ -17,6 +17,10 @@
 //! | `point_log` | logs of points as deviations along the normal |
 //! | `aqdef` | AQDEF of Q-DAS: `.dfq`, or `.dfd` and `.dfx` |
 //! | `calypso` | tables of characteristics of CALYPSO |
+//! | `pcdmis` | text reports of PC-DMIS |
+//! | `probed` | what probing macros of a control print |
+//! | `printed` | what reports that were printed have in common |
+//! | `foreign` | files that are known and not read |
 //! | `qif` | QIF 3.0: results and plans of measuring software |
 //! | `xlsx` | workbooks of spreadsheets, read as rows of CSV |
 //! | `gauge` | what a gauge types |
@@ -104,6 +108,7 @@ mod delimited;
 pub mod error;
 mod evidence;
 mod fn16;
+mod foreign;
 pub mod gauge;
 mod given;
 mod guarded;
@@ -121,10 +126,13 @@ pub mod no_place;
 mod own;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+mod pcdmis;
 pub mod pieces;
 mod plan_tables;
 mod plans;
 mod point_log;
+mod printed;
+mod probed;
 mod qif;
 mod quantity;
 mod refused;
@@ -211,6 +219,8 @@ pub const FORMATS: &[Format] = &[
     qif::FORMAT,
     aqdef::FORMAT,
     calypso::FORMAT,
+    pcdmis::FORMAT,
+    probed::FORMAT,
     logs::FORMAT,
     CONTACTS,
     measurements::FORMAT,
@@ -305,7 +315,11 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
             [] => FORMATS.iter().find(|format| (format.recognises)(&source.beginning())),
             _ => Some(&fn16::FORMAT),
         };
-        (format.ok_or(ImportErrorKind::NotRecognised)?.read)(&mut source, &mut sink)
+        let format = format.ok_or(ImportErrorKind::NotRecognised)?;
+        match foreign::known(&source.beginning()).filter(|_| !format.has_marks) {
+            Some(foreign) => Err(foreign),
+            None => (format.read)(&mut source, &mut sink),
+        }
     });
     if let Err(kind) = read {
         sink.fail(kind);

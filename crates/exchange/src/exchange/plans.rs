@@ -54,6 +54,10 @@ pub fn read_plan(file_name: &str, bytes: &[u8], given: ImportInputs<'_>) -> Resu
     let mut body = Cursor::new(bytes);
     let mut source = Source::new(file_name, &mut body, given).map_err(refused)?;
     let format = FORMATS.iter().find(|format| (format.recognises)(&source.beginning()));
+    let foreign = super::foreign::known(&source.beginning());
+    if let Some(foreign) = foreign.filter(|_| format.is_none_or(|format| !format.has_marks)) {
+        return Err(refused(foreign));
+    }
     match format.and_then(|format| format.plan) {
         Some(declares) => Ok(document(declares(&mut source).map_err(refused)?, given.sources)),
         None => or_of_table(Document::read(bytes), file_name, bytes, given),

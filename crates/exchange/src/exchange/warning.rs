@@ -8,6 +8,7 @@ use fitcheck_nc::control::log::LogWarningKind;
 
 use super::aqdef::AqdefWarning;
 use super::calypso::CalypsoWarning;
+use super::printed::PrintedWarning;
 
 /// A warning about a file or row that was still used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,6 +41,9 @@ pub enum ImportWarningKind {
     /// A warning about a table of CALYPSO.
     #[say(transparent)]
     Calypso(CalypsoWarning),
+    /// A warning about a printed report.
+    #[say(transparent)]
+    Printed(PrintedWarning),
     /// Values that a file of Fitcheck says to be at 20 °C already.
     Corrected,
     /// A file of Fitcheck whose verdicts may be by another rule.
@@ -386,6 +390,7 @@ impl ImportWarningKind {
             Self::SheetsLeft { may_hold_rows, .. } => *may_hold_rows,
             Self::Aqdef(warning) => warning.stands_against(),
             Self::Calypso(warning) => warning.stands_against(),
+            Self::Printed(warning) => warning.stands_against(),
             // A nominal size that is rounded, or the middle of the limits: another one is refused.
             Self::PlanDiffersNominal { .. }
             // Lines that are no measurement, what a file lacks and what explains how a row was read.
