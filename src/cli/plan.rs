@@ -22,7 +22,8 @@ Examples:
   fitcheck plan convert plan.csv -o plan.toml
 
 A plan is the list of features of a part, as TOML or CSV; docs/PLANS.md describes all keys. \
-Workbooks with the same columns, AQDEF (.dfq, .dfd), QIF and CALYPSO tables can be read as plans, too. \
+Workbooks with the same columns, AQDEF (.dfq, .dfd), QIF, CALYPSO tables, text reports of PC-DMIS and printouts of \
+probing macros can be read as plans, too. \
 All faults are reported at once, each with its line.
 
 Exit codes: 0 no faults, 1 a fault or a file that cannot be used, 2 wrong usage.";
