@@ -23,8 +23,9 @@ Examples:
   fitcheck plan convert plan.csv -o plan.toml
 
 A plan is the list of features of a part, as TOML or CSV; docs/PLANS.md describes all keys. \
-Workbooks with the same columns, tables of characteristics with nominal sizes, tolerances or limits, AQDEF (.dfq, .dfd), QIF and \
-CALYPSO tables can be read as plans, too. plan convert writes what is known, and reports what is missing as faults. \
+Workbooks with the same columns, tables of characteristics with nominal sizes, tolerances or limits, AQDEF (.dfq, .dfd), QIF, \
+CALYPSO tables, text reports of PC-DMIS and printouts of probing macros can be read as plans, too. \
+plan convert writes what is known, and reports what is missing as faults. \
 All faults are reported at once, each with its line.
 
 Exit codes: 0 no faults, 1 a fault or a file that cannot be used, 2 wrong usage.";

@@ -499,6 +499,12 @@ fn limits_are_those_of_the_file_and_scrap_limits_tell_the_side() {
     );
     declared("K2101/1 25\nK2103/1 H\nK2104/1 7\n", &["D 25.03 SCRAP"]);
     declared("K2101/1 25\nK2151/1 H7\n", &["D 25.03 SCRAP"]);
+    // A tolerance may be a number instead of a class.
+    declared(&format!("{limits}K2151/1 0.0210\nK2152/1 0.021\n"), &[unknown]);
+    declared(
+        &format!("{limits}K2151/1 0.030\n"),
+        &["7? K2151 has a tolerance of 0.03 mm, but the limits give 0.021 mm: the limits apply", unknown],
+    );
     declared("K2101/1 25\nK2112/1 0\nK2113/1 0.021\nK2115/1 25.021\n", &["D 25.03 SCRAP"]);
     declared(
         &format!("{limits}K2112/1 0\nK2113/1 0.022\nK2115/1 25.021\n"),
@@ -780,4 +786,27 @@ fn a_limit_that_is_given_twice_judges_nothing() {
     assert!(said.iter().all(|line| !line.contains("GOOD") && !line.contains("SCRAP")), "{said:?}");
     // The same text twice contradicts nothing, and the words of a name judge nothing.
     check("K2111/1 25.021\nK0001/1 25.01\n", &["13 D 25.01 GOOD"]);
+}
+
+#[test]
+fn a_width_of_the_zone_beside_the_limits_is_told_at_most_once_a_file() {
+    let bytes = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/aqdef/width.dfq")).unwrap();
+    let told = said(&items("width.dfq", &bytes, None));
+    let rows = values(&items("width.dfq", &bytes, None));
+    assert_eq!(rows, ["21 4A Gauss 3.220291 GOOD", "22 4A Gauss 3.260195 OUT OF LIMITS"]);
+    assert!(!told.iter().any(|line| line.contains("class") || line.contains("2152")), "{told:?}");
+}
+
+#[test]
+fn a_unit_may_be_the_centimetre() {
+    let text =
+        "K0100 1\nK2002/1 D\nK2142/1 cm\nK2101/1 2.5\nK2110/1 2.5\nK2111/1 2.5021\nK0001/1 2.50120000000000E+0000\n";
+    let records: Vec<String> = items("a.dfq", text.as_bytes(), None)
+        .iter()
+        .filter_map(|item| match item {
+            Item::Record { record, .. } => Some(format!("{} {}", record.measurement.diameter, record.limits.maximum())),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(records, ["25.012 25.021"]);
 }

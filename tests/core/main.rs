@@ -97,6 +97,7 @@ mod plans;
 mod point_cycles;
 mod point_log;
 mod press_fits;
+mod printed_reports;
 mod probe_blocks;
 mod probe_tables;
 mod programs;

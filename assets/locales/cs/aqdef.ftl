@@ -36,6 +36,7 @@ aqdef-warning-skipped = přeskočené údaje: { $keys }
 aqdef-warning-repeated = { $key } je uvedeno dvakrát s různými texty: použije se tento
 aqdef-warning-late = { $key } nepatří k hodnotě přečtené těsně před ním: je přeskočeno
 aqdef-warning-allowance = z jmenovitého rozměru a úchylky vychází { $limit }, ale mez je jiná: platí mez
+aqdef-warning-tolerance = { $key } má toleranci { $given } mm, ale z mezí vychází { $expected } mm: platí meze
 aqdef-warning-no-limit = { $key } je uvedeno, ale K2120 nebo K2121 říká, že taková mez není: je přeskočeno
 aqdef-warning-kind-of-limit = { $given } není známý druh meze (0, 1 nebo 2): čte se jako mez
 aqdef-warning-scrap-limit = mez zmetku { $limit } se liší od meze: je přeskočena a hodnota za mezí na této straně je zmetek

@@ -10,3 +10,4 @@ printed-warning-deviation = zpráva udává úchylku { $given } mm, ale z jejíc
 printed-warning-beyond = zpráva udává { $given } mm mimo toleranci, ale z jejích čísel vychází { $expected } mm
 printed-warning-no-end = chybí poslední řádek { $end }: zpráva může být oříznutá
 printed-warning-lines = přeskočeno, není to měření: { $text } (řádků tohoto druhu celkem: { $count })
+printed-warning-out-of-place = zpráva říká { $given } a žádná ze zde načtených mezí to neříká: podívejte se do zprávy

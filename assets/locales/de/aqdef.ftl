@@ -33,6 +33,7 @@ aqdef-warning-skipped = übersprungene Felder: { $keys }
 aqdef-warning-repeated = { $key } ist zweimal mit verschiedenen Texten angegeben: dieser wird verwendet
 aqdef-warning-late = { $key } gehört zu keinem kurz davor gelesenen Wert: übersprungen
 aqdef-warning-allowance = Nennmaß und Grenzabmaß ergeben { $limit }, das Grenzmaß ist aber ein anderes: das Grenzmaß gilt
+aqdef-warning-tolerance = { $key } hat eine Toleranz von { $given } mm, die Grenzmaße ergeben aber { $expected } mm: die Grenzmaße gelten
 aqdef-warning-no-limit = { $key } ist angegeben, aber nach K2120 oder K2121 gibt es kein solches Grenzmaß: übersprungen
 aqdef-warning-kind-of-limit = { $given } ist keine bekannte Art von Grenzmaß (0, 1 oder 2): als Grenzmaß gelesen
 aqdef-warning-scrap-limit = die Ausschussgrenze { $limit } weicht vom Grenzmaß ab: sie ist übersprungen, und ein Wert jenseits des Grenzmaßes auf dieser Seite ist Ausschuss

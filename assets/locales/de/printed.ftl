@@ -10,3 +10,4 @@ printed-warning-deviation = der Bericht hat eine Abweichung von { $given } mm, s
 printed-warning-beyond = der Bericht hat { $given } mm außerhalb der Toleranz, seine Zahlen ergeben aber { $expected } mm
 printed-warning-no-end = die letzte Textzeile, { $end }, fehlt: der Bericht ist vielleicht abgeschnitten
 printed-warning-lines = übersprungen, keine Messung: { $text } (Textzeilen dieser Art insgesamt: { $count })
+printed-warning-out-of-place = der Bericht sagt { $given }, und keine der hier gelesenen Grenzen sagt das: im Bericht nachsehen

@@ -33,6 +33,7 @@ aqdef-warning-skipped = entries skipped: { $keys }
 aqdef-warning-repeated = { $key } is given twice with different texts: this one is used
 aqdef-warning-late = { $key } does not belong to a value read just before it: it is skipped
 aqdef-warning-allowance = nominal size and allowance give { $limit }, but the limit is different: the limit applies
+aqdef-warning-tolerance = { $key } has a tolerance of { $given } mm, but the limits give { $expected } mm: the limits apply
 aqdef-warning-no-limit = { $key } is given, but K2120 or K2121 says that there is no such limit: it is skipped
 aqdef-warning-kind-of-limit = { $given } is not a known kind of limit (0, 1 or 2): it is read as a limit
 aqdef-warning-scrap-limit = the scrap limit { $limit } differs from the limit: it is skipped, and a value beyond the limit on this side is scrap

@@ -10,3 +10,4 @@ printed-warning-deviation = the report has a deviation of { $given } mm, but its
 printed-warning-beyond = the report has { $given } mm beyond the tolerance, but its figures give { $expected } mm
 printed-warning-no-end = the last line, { $end }, is missing: the report may be cut off
 printed-warning-lines = skipped, not a measurement: { $text } (lines of this kind in all: { $count })
+printed-warning-out-of-place = the report says { $given }, and none of its limits that are read here says so: look at the report

@@ -33,6 +33,7 @@ aqdef-warning-skipped = datos omitidos: { $keys }
 aqdef-warning-repeated = { $key } se da dos veces con textos distintos: se usa este
 aqdef-warning-late = { $key } no pertenece a un valor leído justo antes: se omite
 aqdef-warning-allowance = la medida nominal y la desviación límite dan { $limit }, pero el límite es otro: vale el límite
+aqdef-warning-tolerance = { $key } tiene una tolerancia de { $given } mm, pero los límites dan { $expected } mm: valen los límites
 aqdef-warning-no-limit = se da { $key }, pero K2120 o K2121 dice que no existe tal límite: se omite
 aqdef-warning-kind-of-limit = { $given } no es un tipo de límite conocido (0, 1 o 2): se lee como límite
 aqdef-warning-scrap-limit = el límite de desecho { $limit } difiere del límite: se omite, y un valor más allá del límite por este lado es desecho

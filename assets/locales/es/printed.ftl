@@ -10,3 +10,4 @@ printed-warning-deviation = el informe tiene una desviación de { $given } mm, p
 printed-warning-beyond = el informe tiene { $given } mm más allá de la tolerancia, pero sus números dan { $expected } mm
 printed-warning-no-end = falta la última línea, { $end }: el informe puede estar cortado
 printed-warning-lines = omitido, no es una medición: { $text } (líneas de este tipo en total: { $count })
+printed-warning-out-of-place = el informe dice { $given }, y ninguno de los límites leídos aquí lo dice: mire el informe

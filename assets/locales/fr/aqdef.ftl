@@ -33,6 +33,7 @@ aqdef-warning-skipped = indications ignorées : { $keys }
 aqdef-warning-repeated = { $key } est donné deux fois avec des textes différents : celui-ci est utilisé
 aqdef-warning-late = { $key } ne se rapporte pas à une valeur lue juste avant : ignoré
 aqdef-warning-allowance = la cote nominale et l'écart admis donnent { $limit }, mais la limite est différente : la limite s'applique
+aqdef-warning-tolerance = { $key } a une tolérance de { $given } mm, mais les limites donnent { $expected } mm : les limites s'appliquent
 aqdef-warning-no-limit = { $key } est donné, mais K2120 ou K2121 dit que cette limite n'existe pas : ignoré
 aqdef-warning-kind-of-limit = { $given } n'est pas un type de limite connu (0, 1 ou 2) : lu comme une limite
 aqdef-warning-scrap-limit = la limite de rebut { $limit } diffère de la limite : elle est ignorée, et une valeur au-delà de la limite de ce côté est un rebut

@@ -10,3 +10,4 @@ printed-warning-deviation = le rapport a un écart de { $given } mm, mais ses no
 printed-warning-beyond = le rapport a { $given } mm hors de la tolérance, mais ses nombres donnent { $expected } mm
 printed-warning-no-end = la dernière ligne, { $end }, manque : le rapport est peut-être tronqué
 printed-warning-lines = ignoré, pas une mesure : { $text } (lignes de ce genre en tout : { $count })
+printed-warning-out-of-place = le rapport dit { $given }, et aucune des limites lues ici ne le dit : regarder le rapport

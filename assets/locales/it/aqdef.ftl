@@ -33,6 +33,7 @@ aqdef-warning-skipped = dati saltati: { $keys }
 aqdef-warning-repeated = { $key } è dato due volte con testi diversi: si usa questo
 aqdef-warning-late = { $key } non appartiene a un valore letto subito prima: viene saltato
 aqdef-warning-allowance = quota nominale e scostamento danno { $limit }, ma il limite è diverso: vale il limite
+aqdef-warning-tolerance = { $key } ha una tolleranza di { $given } mm, ma i limiti danno { $expected } mm: valgono i limiti
 aqdef-warning-no-limit = { $key } è dato, ma K2120 o K2121 dice che quel limite non c'è: viene saltato
 aqdef-warning-kind-of-limit = { $given } non è un tipo di limite noto (0, 1 o 2): viene letto come limite
 aqdef-warning-scrap-limit = il limite di scarto { $limit } differisce dal limite: viene saltato, e un valore oltre il limite da questo lato è scarto

@@ -10,3 +10,4 @@ printed-warning-deviation = il rapporto ha uno scostamento di { $given } mm, ma 
 printed-warning-beyond = il rapporto ha { $given } mm oltre la tolleranza, ma i suoi numeri danno { $expected } mm
 printed-warning-no-end = manca l'ultima linea, { $end }: il rapporto può essere troncato
 printed-warning-lines = saltata, non è una misura: { $text } (linee di questo tipo in tutto: { $count })
+printed-warning-out-of-place = il rapporto dice { $given }, e nessuno dei limiti letti qui lo dice: guardare il rapporto

@@ -33,6 +33,7 @@ aqdef-warning-skipped = overgeslagen velden: { $keys }
 aqdef-warning-repeated = { $key } staat er twee keer met verschillende teksten: deze telt
 aqdef-warning-late = { $key } hoort bij geen waarde die net daarvoor is gelezen: overgeslagen
 aqdef-warning-allowance = nominale maat en grensmaatafwijking geven { $limit }, maar de grensmaat is een andere: de grensmaat telt
+aqdef-warning-tolerance = { $key } heeft een tolerantie van { $given } mm, maar de grensmaten geven { $expected } mm: de grensmaten tellen
 aqdef-warning-no-limit = { $key } is gegeven, maar volgens K2120 of K2121 is er geen grens: overgeslagen
 aqdef-warning-kind-of-limit = { $given } is geen bekende soort grens (0, 1 of 2): genomen als grens
 aqdef-warning-scrap-limit = de afkeurgrens { $limit } is niet de grensmaat zelf: die is overgeslagen, en een waarde voorbij de grensmaat aan deze kant is afkeur

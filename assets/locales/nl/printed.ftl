@@ -10,3 +10,4 @@ printed-warning-deviation = het rapport heeft een afwijking van { $given } mm, m
 printed-warning-beyond = het rapport heeft { $given } mm buiten de tolerantie, maar de getallen geven { $expected } mm
 printed-warning-no-end = de laatste regel, { $end }, ontbreekt: het rapport is misschien afgekapt
 printed-warning-lines = overgeslagen, geen meting: { $text } (regels van deze soort in totaal: { $count })
+printed-warning-out-of-place = het rapport zegt { $given }, en geen van de grenswaarden die hier gelezen zijn zegt dat: kijk in het rapport

@@ -39,6 +39,7 @@ aqdef-warning-skipped = pominięte pozycje: { $keys }
 aqdef-warning-repeated = { $key } podano dwa razy z różnymi tekstami: użyto tego
 aqdef-warning-late = { $key } nie należy do wartości odczytanej tuż przed nim: pominięto
 aqdef-warning-allowance = z wymiaru nominalnego i odchyłki wynika { $limit }, ale granica jest inna: obowiązuje granica
+aqdef-warning-tolerance = { $key } ma tolerancję { $given } mm, a z granic wynika { $expected } mm: obowiązują granice
 aqdef-warning-no-limit = podano { $key }, ale K2120 lub K2121 mówi, że takiej granicy nie ma: pominięto
 aqdef-warning-kind-of-limit = { $given } nie jest znanym rodzajem granicy (0, 1 lub 2): odczytano jako granicę
 aqdef-warning-scrap-limit = granica braku { $limit } różni się od granicy: pominięto ją, a wartość poza granicą po tej stronie to brak

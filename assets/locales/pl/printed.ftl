@@ -10,3 +10,4 @@ printed-warning-deviation = raport ma odchyłkę { $given } mm, a z jego liczb w
 printed-warning-beyond = raport ma { $given } mm poza tolerancją, a z jego liczb wynika { $expected } mm
 printed-warning-no-end = brakuje ostatniej linii, { $end }: raport może być ucięty
 printed-warning-lines = pominięto, to nie pomiar: { $text } (linii tego rodzaju łącznie: { $count })
+printed-warning-out-of-place = raport mówi { $given }, a nie wynika to z żadnej z odczytanych tu granic: sprawdzić w raporcie

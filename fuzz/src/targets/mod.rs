@@ -35,9 +35,11 @@ mod materials;
 mod measurements;
 mod own_texts;
 mod path;
+mod pcdmis;
 mod plan;
 mod point_log;
 mod probe_table;
+mod probed;
 mod program;
 mod qif;
 mod question;
@@ -98,9 +100,11 @@ targets! {
     measurements "csv"
     own_texts "none"
     path "sizes"
+    pcdmis "pcdmis"
     plan "csv"
     point_log "page"
     probe_table "table"
+    probed "probed"
     program "klartext"
     qif "qif"
     question "question"

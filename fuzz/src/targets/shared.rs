@@ -1,14 +1,39 @@
 //! What targets have in common.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, LazyLock};
 
 use fitcheck::control::deviations::read_table;
+use fitcheck::exchange::{FORMATS, Imported, import};
 use fitcheck::message::Say;
 use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
 use fitcheck::nc::program::{Notation, Program};
 use fitcheck::tolerance::Sources;
+use fitcheck::verdict::Status;
 use fitcheck::words::{Dialogue, Language, Words};
 use jiff::civil::DateTime;
+
+/// A report of this format, which says neither hole nor shaft: every row is a record, set aside or an error, with a line of its own, and none is rework or scrap.
+pub fn printed(bytes: &[u8], name: &str) {
+    let file = "a.txt";
+    let format = FORMATS.iter().find(|format| format.recognises(bytes, file));
+    if format.is_none_or(|format| format.name != name) {
+        return;
+    }
+    let Imported { records, lines, unjudged, errors, warnings, rows, .. } = import(file, bytes, &OWN_SOURCES, NOW);
+    assert_eq!(rows, records.len() + unjudged.len() + errors.len());
+    let is_open = |status| matches!(status, Status::Good | Status::OutOfLimits);
+    assert!(records.iter().all(|record| is_open(record.verdict.status())));
+    assert!(0 < rows, "nothing was read, and nothing said");
+    let lines: Vec<usize> = lines.into_iter().chain(unjudged.iter().map(|row| row.line)).collect();
+    assert_eq!(lines.iter().collect::<BTreeSet<_>>().len(), lines.len(), "a line with two values");
+    for error in errors.iter().take(3) {
+        told(bytes, error);
+    }
+    for warning in warnings.iter().take(3) {
+        told(bytes, warning);
+    }
+}
 
 /// A time for everything that is given one.
 pub const NOW: DateTime = DateTime::constant(2026, 3, 7, 8, 5, 9, 0);

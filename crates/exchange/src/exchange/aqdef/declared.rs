@@ -1,21 +1,24 @@
 //! A characteristic as its entries declare it.
 
-use fitcheck_core::length::{Length, LengthError, Unit};
+use fitcheck_core::length::{Length, LengthError};
 use fitcheck_core::tolerance::Feature;
 
 use super::description::CharacteristicEntries;
 use super::error::{AqdefFault, AqdefWarning};
 use super::keys::{Key, number};
+use super::unit::FileUnit;
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::Quantity;
-use crate::exchange::units;
 
 /// K2009 of a roundness, a position and a coordinate: public readers of AQDEF agree on these.
 const LENGTHS: [u32; 3] = [102, 109, 117];
+
+/// The width of the zone, or the class as a text; and the same as it was computed.
+const TOLERANCES: [u16; 2] = [2151, 2152];
 
 /// K2009 of a diameter.
 const DIAMETER: u32 = 202;
@@ -25,7 +28,7 @@ const DIAMETER: u32 = 202;
 pub(super) struct Declared {
     pub(super) characteristic: Characteristic,
     /// The unit of its values, or what is none.
-    pub(super) unit: Result<Unit, String>,
+    pub(super) unit: Result<FileUnit, String>,
     /// Where it begins, if it has no unit.
     pub(super) unit_assumed: Option<usize>,
     /// K2004: 0 is measured, 1 counted, 5 and 6 are error log sheets.
@@ -42,7 +45,7 @@ pub(super) struct Declared {
 /// Reads the entries of a characteristic.
 struct Reading<'a> {
     asked: CharacteristicEntries<'a>,
-    unit: Unit,
+    unit: FileUnit,
     is_unit_assumed: bool,
     fault: Option<usize>,
     errors: Vec<(usize, ImportErrorKind, String)>,
@@ -54,7 +57,7 @@ impl Declared {
     pub(super) fn read(asked: CharacteristicEntries<'_>) -> Self {
         let mut reading = Reading {
             asked,
-            unit: Unit::Millimetre,
+            unit: FileUnit::MILLIMETRE,
             is_unit_assumed: false,
             fault: None,
             errors: Vec::new(),
@@ -79,7 +82,9 @@ impl Declared {
         // Figures in a unit that is not known say nothing.
         let lengths = if let Ok(unit) = unit {
             reading.unit = unit;
-            reading.lengths()
+            let lengths = reading.lengths();
+            reading.compare_tolerance(&lengths);
+            lengths
         } else {
             Lengths::default()
         };
@@ -146,7 +151,7 @@ impl Reading<'_> {
     /// A length in the unit of the characteristic, with its line.
     fn length(&mut self, key: u16) -> Option<(usize, Length)> {
         let (line, text) = self.asked.get(key)?;
-        match Length::parse_rounded(text, self.unit) {
+        match self.unit.parse(text) {
             Ok((length, is_rounded)) => {
                 if is_rounded {
                     let given = shorten(text);
@@ -161,12 +166,12 @@ impl Reading<'_> {
         }
     }
 
-    fn read_unit(&mut self) -> Result<Unit, String> {
+    fn read_unit(&mut self) -> Result<FileUnit, String> {
         let Some((_, text)) = self.asked.get(2142) else {
             self.is_unit_assumed = true;
-            return Ok(Unit::Millimetre);
+            return Ok(FileUnit::MILLIMETRE);
         };
-        units::known(text).ok_or_else(|| shorten(text))
+        FileUnit::named(text).ok_or_else(|| shorten(text))
     }
 
     fn lengths(&mut self) -> Lengths {
@@ -178,6 +183,21 @@ impl Reading<'_> {
             expanded: self.length(2106).map(|(_, expanded)| expanded),
             lower_scrap: self.length(2114),
             upper_scrap: self.length(2115),
+        }
+    }
+
+    /// K2151 and K2152 may have the width of the zone as a number, which is compared with the limits.
+    fn compare_tolerance(&mut self, lengths: &Lengths) {
+        let width = lengths.maximum.zip(lengths.minimum).map(|(maximum, minimum)| maximum.saturating_sub(minimum));
+        for key in TOLERANCES {
+            if !is_figure(self.asked.text(key)) {
+                continue;
+            }
+            let Some(((line, given), expected)) = self.length(key).zip(width) else { continue };
+            // Each of the figures may be rounded to the nanometre.
+            if 2 < given.saturating_sub(expected).nanometres().abs() {
+                self.warn(line, AqdefWarning::Tolerance { key: Key(key).to_string(), given, expected });
+            }
         }
     }
 
@@ -243,7 +263,13 @@ impl Reading<'_> {
 /// The class of letters and grade, else the tolerance as a text.
 fn class(asked: &CharacteristicEntries<'_>) -> String {
     let class = format!("{}{}", asked.text(2103), asked.text(2104));
-    if class.is_empty() { asked.text(2151).to_owned() } else { class }
+    let written = || Some(asked.text(2151)).filter(|text| !is_figure(text)).unwrap_or_default().to_owned();
+    if class.is_empty() { written() } else { class }
+}
+
+/// Whether a text is a figure: no class begins like one.
+fn is_figure(text: &str) -> bool {
+    text.trim_start_matches(['+', '-', '\u{b1}']).starts_with(|sign: char| sign.is_ascii_digit() || ".,".contains(sign))
 }
 
 fn first<'a>(asked: &CharacteristicEntries<'a>, keys: &[u16]) -> Option<&'a str> {

@@ -129,6 +129,14 @@ pub enum AqdefWarning {
         /// What the nominal size and the allowance make.
         limit: Length,
     },
+    /// The width of the zone as a number, and the limits have another one: the limits count.
+    Tolerance {
+        /// The key of the number.
+        key: String,
+        given: Length,
+        /// What the limits make.
+        expected: Length,
+    },
     /// A limit that the file says to be none.
     NoLimit {
         /// The key of the limit.
@@ -199,6 +207,7 @@ impl AqdefWarning {
             | Self::Repeated { .. }
             | Self::Late { .. }
             | Self::Allowance { .. }
+            | Self::Tolerance { .. }
             | Self::NoLimit { .. }
             | Self::ScrapLimit { .. }
             | Self::ScrapFeature { .. }

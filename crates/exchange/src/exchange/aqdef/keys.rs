@@ -49,7 +49,7 @@ impl Key {
     pub(super) const fn is_used(self) -> bool {
         // K1000 and K2000 are the numbers that the file itself counts with.
         matches!(self.0, 1000..=1002 | 1222 | 2000..=2002 | 2004 | 2009 | 2022 | 2101 | 2103 | 2104 | 2106)
-            || matches!(self.0, 2110..=2115 | 2120 | 2121 | 2142 | 2151)
+            || matches!(self.0, 2110..=2115 | 2120 | 2121 | 2142 | 2151 | 2152)
     }
 }
 

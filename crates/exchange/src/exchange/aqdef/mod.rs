@@ -21,6 +21,7 @@ mod keys;
 mod reader;
 mod row;
 mod told;
+mod unit;
 mod values;
 
 use std::io::Cursor;

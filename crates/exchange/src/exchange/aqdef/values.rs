@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::length::{Length, LengthError, Unit};
+use fitcheck_core::length::{Length, LengthError};
 use fitcheck_core::probing::Origin;
 use jiff::civil::DateTime;
 
@@ -12,6 +12,7 @@ use super::error::{AqdefFault, AqdefWarning};
 use super::keys::Key;
 use super::reader::Reader;
 use super::row::Fields;
+use super::unit::FileUnit;
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{CharacteristicKind, Value};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
@@ -88,8 +89,8 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn measured(&mut self, line: usize, text: &str, unit: Unit) -> Result<Length, LengthError> {
-        let (measured, is_rounded) = Length::parse_rounded(text, unit)?;
+    fn measured(&mut self, line: usize, text: &str, unit: FileUnit) -> Result<Length, LengthError> {
+        let (measured, is_rounded) = unit.parse(text)?;
         if is_rounded {
             self.told.rounded(line);
         }

@@ -21,8 +21,17 @@ pub(super) struct Head {
 
 /// What the entries are called. `PARTNO` stands beside the name of the part.
 const KEYS: [&str; 11] = [
-    "DATE", "TIME", "PART NAME", "PARTNO", "PART NUMBER", "REV NUMBER", "SER NUMBER", "SERIAL NUMBER", "STATS COUNT",
-    "OPERATOR", "INSPECTOR",
+    "DATE",
+    "TIME",
+    "PART NAME",
+    "PARTNO",
+    "PART NUMBER",
+    "REV NUMBER",
+    "SER NUMBER",
+    "SERIAL NUMBER",
+    "STATS COUNT",
+    "OPERATOR",
+    "INSPECTOR",
 ];
 
 impl Head {

@@ -138,29 +138,30 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     reader.end(place, left, last)
 }
 
-/// How the minus tolerances of a report are written: a row of it alone does not say.
+/// How the minus tolerances of a report are written: a row of it alone does not say. The column is called `-TOL`, so a report without a
+/// minus has none.
 fn minus_is(source: &mut Source<'_>) -> Result<MinusIs, ImportErrorKind> {
     let mut place = Place::default();
-    let (mut has_plain, mut has_minus, mut is_sure) = (false, false, false);
+    let (mut has_minus, mut is_plain, mut is_signed) = (false, false, false);
     each_line(source, &mut |line| {
         match place.part(line.text) {
             Part::Columns(columns) => place.columns = Some(columns),
             Part::Title | Part::End => place.columns = None,
             Part::Row(Ok(row), columns) => {
-                if let Some((is_negative, is_sign)) = row.minus(columns) {
-                    has_plain |= !is_negative;
+                if let Some((is_negative, is_sure)) = row.minus(columns) {
                     has_minus |= is_negative;
-                    is_sure |= is_sign;
+                    is_plain |= !is_negative && is_sure;
+                    is_signed |= is_negative && is_sure;
                 }
             }
             _ => {}
         }
         true
     })?;
-    Ok(match (has_plain, has_minus, is_sure) {
-        (_, false, _) | (true, true, false) => MinusIs::Unsigned,
-        (false, true, true) => MinusIs::Signed,
-        (true, true, true) | (false, true, false) => MinusIs::Open,
+    Ok(match (has_minus, is_plain, is_signed) {
+        (false, ..) | (true, true, false) => MinusIs::Unsigned,
+        (true, false, true) => MinusIs::Signed,
+        (true, true, true) | (true, false, false) => MinusIs::Open,
     })
 }
 
@@ -347,6 +348,9 @@ fn characteristic(
         name,
         what: match quantity {
             Quantity::Diameter => CharacteristicKind::Size,
+            _ if figures.asked.minimum.is_none() && figures.asked.maximum.is_none() => {
+                CharacteristicKind::Length(WhyUnjudged::NoTolerance)
+            }
             _ => CharacteristicKind::Length(WhyUnjudged::NotASize { what }),
         },
         class: String::new(),

@@ -38,14 +38,14 @@ pub(super) enum MinusIs {
     Unsigned,
     /// With its sign.
     Signed,
-    /// All have a minus, and both readings are possible.
+    /// Both readings are possible.
     Open,
 }
 
 /// Axes of a dimension as PC-DMIS names them.
 const AXES: [&str; 28] = [
-    "X", "Y", "Z", "D", "DF", "PD", "SD", "R", "PR", "PA", "A", "L", "W", "H", "T", "S", "RT", "RS", "V", "M", "TP", "AR",
-    "D1", "D2", "D3", "RN", "PX", "PY",
+    "X", "Y", "Z", "D", "DF", "PD", "SD", "R", "PR", "PA", "A", "L", "W", "H", "T", "S", "RT", "RS", "V", "M", "TP",
+    "AR", "D1", "D2", "D3", "RN", "PX", "PY",
 ];
 
 /// What an axis is the length of; `None` for angles, vectors and areas.
@@ -90,7 +90,8 @@ impl Row {
         }
         let mut cells = vec![String::new(); expected];
         for (word, end) in &words {
-            let Some(cell) = below(columns, *end).and_then(|at| cells.get_mut(at)).filter(|cell| cell.is_empty()) else {
+            let Some(cell) = below(columns, *end).and_then(|at| cells.get_mut(at)).filter(|cell| cell.is_empty())
+            else {
                 return Some(Err(fault()));
             };
             word.clone_into(cell);
@@ -115,16 +116,15 @@ impl Row {
         read.map(Some).map_err(|reason| PrintedFault::Number { column: name().unwrap_or_default(), reason }.into())
     }
 
-    /// What the row says of the sign of minus tolerances: whether it has one with a minus, and whether that can be no other than a
-    /// sign. Nothing where it has none, or zero.
+    /// What the row says of the sign of minus tolerances: whether its own has a minus, and whether that can be read in one way alone.
+    /// Nothing where it has none, or zero.
     pub(super) fn minus(&self, columns: &Columns) -> Option<(bool, bool)> {
         let figure = |column| self.figure(columns, column, Unit::Millimetre).ok().flatten();
         let minus = figure(Column::Minus)?.length;
         let plus = figure(Column::Plus).map(|plus| plus.length);
-        let is_negative = minus < Length::ZERO;
-        // Above the nominal value it would be the larger limit, or both would be one.
-        let is_surely_a_sign = plus.is_some_and(|plus| plus <= minus.negated());
-        (minus != Length::ZERO).then_some((is_negative, is_negative && is_surely_a_sign))
+        // Read the other way it would be the larger limit, or both limits would be one.
+        let is_sure = plus.is_some_and(|plus| plus <= minus.abs());
+        (minus != Length::ZERO).then_some((minus < Length::ZERO, is_sure))
     }
 
     /// The figures of the row.
@@ -146,9 +146,9 @@ impl Row {
         // A form or a place is measured from 0, and has no nominal value in some reports.
         let is_from_zero = self.axis == "TP" || self.axis == "M" && !title.has_nominal();
         let nominal = length(Column::Nominal)?.or_else(|| is_from_zero.then_some(Length::ZERO));
-        // What the program granted beyond the tolerance, as it computed it.
-        let bonus = length(Column::Bonus)?.unwrap_or(Length::ZERO);
-        if minus.is_some_and(|minus| minus < Length::ZERO) && minus_is == MinusIs::Open {
+        // What the program granted a position beyond its tolerance, as it computed it. A diameter shows what it gives, and is granted none.
+        let bonus = length(Column::Bonus)?.filter(|_| self.axis == "TP").unwrap_or(Length::ZERO);
+        if minus.is_some_and(|minus| minus != Length::ZERO) && minus_is == MinusIs::Open {
             return Err(PrintedFault::MinusSign { given: shorten(self.text(columns, Column::Minus)) }.into());
         }
         let lower = minus.map(|minus| if minus_is == MinusIs::Signed { minus } else { minus.negated() });
@@ -159,8 +159,11 @@ impl Row {
                 ImportErrorKind::from(PrintedFault::Number { column: "+TOL".to_owned(), reason })
             }),
         };
-        let asked =
-            StatedLimits { nominal, minimum: sum(lower)?, maximum: sum(plus.and_then(|plus| plus.checked_add(bonus)))? };
+        let asked = StatedLimits {
+            nominal,
+            minimum: sum(lower)?,
+            maximum: sum(plus.and_then(|plus| plus.checked_add(bonus)))?,
+        };
         let computed = Computed { deviation: figure(Column::Deviation)?, beyond: figure(Column::Beyond)? };
         let said = format!("OUTTOL {}", self.text(columns, Column::Beyond));
         Ok(Figures { measured, asked, computed, said })

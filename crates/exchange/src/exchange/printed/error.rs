@@ -78,6 +78,11 @@ pub enum PrintedWarning {
         /// The line.
         end: &'static str,
     },
+    /// The report says that something is out of its limits which has none here.
+    OutOfPlace {
+        /// As the report says it.
+        given: String,
+    },
     /// Lines that are no measurement.
     Lines {
         /// How many.
@@ -91,7 +96,7 @@ impl PrintedWarning {
     /// As [`ImportWarningKind::stands_against`](crate::exchange::ImportWarningKind::stands_against).
     pub const fn stands_against(&self) -> bool {
         match self {
-            Self::Deviation { .. } | Self::Beyond { .. } | Self::NoEnd { .. } => true,
+            Self::Deviation { .. } | Self::Beyond { .. } | Self::NoEnd { .. } | Self::OutOfPlace { .. } => true,
             Self::Lines { .. } => false,
         }
     }

@@ -200,7 +200,7 @@ impl Reader<'_, '_> {
             _ => {
                 let row = self.waiting.last().map(|waiting| waiting.line);
                 let given = shorten(text);
-                self.sink.warn(FilePlace::line(line), row, ImportWarningKind::PartRejected { given });
+                self.sink.warn(FilePlace::line(line), row, PrintedWarning::OutOfPlace { given }.into());
             }
         }
     }
@@ -282,6 +282,7 @@ fn characteristic(row: &Row, name: String, labels: Labels, figures: &row::Figure
         name,
         what: match labels.quantity {
             Some(Quantity::Diameter) => CharacteristicKind::Size,
+            _ if tolerance.is_none() && !row.is_of_position => CharacteristicKind::Length(WhyUnjudged::NoTolerance),
             _ => CharacteristicKind::Length(WhyUnjudged::NotASize { what: row.what() }),
         },
         class: String::new(),
