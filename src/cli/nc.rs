@@ -17,6 +17,7 @@ use crate::words::Dialogue;
 const EXAMPLES: &str = "\
 Examples:
   fitcheck nc \"25 H7\" --x 40 --y 30 --z -8 --control tnc7 -o folder
+  fitcheck nc \"35 +0.2/0\" --feature hole --x 40 --y 30 --z -8 --control tnc640 -o folder
   fitcheck nc plan.csv --control itnc530 --language de -o set.zip
   fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
 
@@ -24,7 +25,8 @@ A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLAN
 describes each column. The columns of a feature, in any order:
   {columns}
 A set uses these of them:
-  callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
+  callout, x, y, z          size such as 25 H7 or 35 +0.2/0; centre and measuring height in mm
+  feature                   hole or shaft, for a diameter or width whose callout has no class
   kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face,
                             pocket or boss (four walls), point (of any surface)
   axis                      of a width: X (default) or Y; of a face: where the probe moves, such as -Z;
@@ -42,10 +44,10 @@ The callout of a point is the band about its nominal place along the normal, suc
 
 The set holds a main program, the program that it calls, the tables 82553 (FIT_HOLE.TAB and
 FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
-the 47 classes of NC-Solution 8255 and an extra column for each other class of the plan. A callout
-without a class, such as 12 ±0.02 or 10m, is refused: the program looks limits up by class. The set
-judges by the limits alone: a rule, an uncertainty or a material of the plan is named in a remark
-and in README.TXT. A plan that names a cycle or parameters is refused.
+the 47 classes of NC-Solution 8255 and an extra column for each other class of the plan. The limits
+of a callout without a class, such as 35 +0.2/0 or 10m, stand in the main program. The set judges by
+the limits alone: a rule, an uncertainty or a material of the plan is named in a remark and in
+README.TXT. A plan that names a cycle or parameters is refused.
 
 A name that ends in .zip becomes one file, any other a folder. Existing files are kept:
 --force overwrites them.
@@ -127,6 +129,9 @@ struct Position {
     /// The side of a pocket or boss along Y [default: as along X]
     #[arg(long, value_name = "CALLOUT")]
     callout2: Option<String>,
+    /// Hole or shaft, for a callout that does not say which: 10m, "12 ±0.02"
+    #[arg(long, value_parser = ["hole", "shaft"])]
+    feature: Option<String>,
     /// Name of the feature [default: F1]
     #[arg(long)]
     name: Option<String>,
@@ -184,7 +189,7 @@ impl Args {
         }
         let document = single(&self.what, &self.position.cells()).or_else(|fault| match fault {
             SingleFault::Callout(error) => Err(error).about(&self.what),
-            SingleFault::Feature(error) => Err(error).said(),
+            SingleFault::NoFeature(error) => Err(CliError::AddFeature { error }),
             // Every coordinate is an option of its column's name.
             SingleFault::NoCoordinate { column } => Err(CliError::OptionMissing { option: column }),
         })?;
@@ -234,7 +239,7 @@ fn named(set: Result<NcSet, SetError>, name: Option<&str>, io: &mut Io<'_>) -> R
 
 impl Position {
     /// Every option with its name, and the column of a plan that it fills.
-    fn all(&self) -> [(&'static str, Column, Option<&String>); 10] {
+    fn all(&self) -> [(&'static str, Column, Option<&String>); 11] {
         [
             ("x", Column::X, self.x.as_ref()),
             ("y", Column::Y, self.y.as_ref()),
@@ -242,6 +247,7 @@ impl Position {
             ("angle", Column::Angle, self.angle.as_ref()),
             ("clearance", Column::Clearance, self.clearance.as_ref()),
             ("clearance-height", Column::ClearanceHeight, self.clearance_height.as_ref()),
+            ("feature", Column::Feature, self.feature.as_ref()),
             ("name", Column::Name, self.name.as_ref()),
             ("kind", Column::Kind, self.kind.as_ref()),
             ("axis", Column::Axis, self.axis.as_ref()),

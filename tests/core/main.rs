@@ -75,6 +75,7 @@ mod measured_contacts;
 mod measurements;
 mod memory;
 mod nc_cli;
+mod nc_given;
 mod nc_paths;
 mod nc_plans;
 mod nc_sets;

@@ -161,10 +161,9 @@ fn refused(args: &[&str], why: &str) {
 fn what_the_program_cannot_do_is_refused() {
     let place = ["--x", "0", "--y", "0", "--z", "0"];
     let at = |callout: &'static str| [&[callout][..], &place].concat();
-    let no_class = "has no tolerance class, such as H7: the programs look up limits by class";
     let no_side = "does not say whether the hole or the shaft is meant";
     refused(&["plan.csv"], &format!("plan.csv: line 3: 12 ±0.02: 12 ±0.02 {no_side}"));
-    refused(&at("10m"), &format!("10m {no_class}"));
+    refused(&at("10m"), &format!("10m {no_side}: add --feature hole or --feature shaft"));
     refused(&at("25 H7/g6"), "25 H7/g6 is a fit: write the hole and the shaft as two features");
     refused(&at("0.8 N9"), "0.8 N9: N9 is not defined at 0.8 mm in ISO 286; it is defined over 1 up to 3150 mm");
     refused(&at("0.01 P9"), "Q276 MINIMUM DIMENSION = -0.021 mm: at least 0 mm, at most 99999.9999 mm");
@@ -208,4 +207,22 @@ fn help_shows_examples_and_the_columns_of_a_plan() {
     }
     let answer = nc(folder.path(), &bore(&["--control", "tnc426", "-o", "set"]));
     assert_eq!(answer.code, Some(2));
+}
+
+#[test]
+fn a_callout_without_a_class_is_measured_by_its_own_limits() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = ["--x", "40", "--y", "30", "--z", "-8", "--control", "tnc640"];
+    for (feature, code, status) in [("hole", 11, "SCRAP"), ("shaft", 10, "REWORK")] {
+        let args = [&["12 ±0.02", "--feature", feature, "-o", feature][..], &place].concat();
+        let answer = nc(folder.path(), &args);
+        assert_eq!(answer.code, Some(0), "{}", answer.err);
+        let part = format!("[part]\nfeature = \"{feature}\"\ncentre = [40, 30]\ndiameter = 12.037\n");
+        std::fs::write(folder.path().join("part.toml"), part).unwrap();
+        let main = format!("{feature}/FIT_MAIN.H");
+        let answer = fitcheck(folder.path(), &["run", &main, "--workpiece", "part.toml"], "");
+        assert_eq!(answer.code, Some(code), "{}{}", answer.out, answer.err);
+        let window = format!("FIT STATUS: {status}\nCHECKED FIT: 12 +0.02/-0.02\n");
+        assert!(answer.out.starts_with(&window), "{}", answer.out);
+    }
 }

@@ -88,10 +88,6 @@ fn what_a_control_cannot_measure_is_told_with_its_line() {
         "line 2: name a b: letters A to Z, digits and _ are allowed, at most 20"
     );
     assert_eq!(
-        refused("callout,feature,x,y,z\n25 H7,,0,0,0\n12 +0.02 -0.02,hole,1,2,3\n"),
-        "line 3: 12 ±0.02 has no tolerance class, such as H7: the programs look up limits by class"
-    );
-    assert_eq!(
         refused("name,callout,x,y,z,parameters\nA,25 H7,1,2,3,Q423=3\n"),
         "line 2: A has its own cycle or parameters, which the called programs do not support"
     );

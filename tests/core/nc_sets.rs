@@ -74,7 +74,7 @@ impl Store for OnControl {
 
 /// The set's main program on these contacts, run to its end.
 #[track_caller]
-fn run(set: &NcSet, control: Control, language: Dialogue, contacts: Contacts) -> Machine {
+pub(crate) fn run(set: &NcSet, control: Control, language: Dialogue, contacts: Contacts) -> Machine {
     let main = &set.files[0];
     let (program, warnings) = Program::read(&main.bytes).unwrap();
     assert_eq!(warnings, []);

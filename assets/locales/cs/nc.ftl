@@ -1,7 +1,6 @@
 # Sets of programs, tables and masks for a control.
 ## Plans
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } nemá toleranční třídu, například H7: programy hledají meze podle třídy
 nc-name = název { $name }: dovolena jsou písmena A až Z, číslice a _, nejvýše { $most }
 nc-not-on-control = { $kind } se měří cyklem { $cycle }, který { $control } nemá
 ## Sets

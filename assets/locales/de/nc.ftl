@@ -1,7 +1,6 @@
 # Dateisätze aus Programmen, Tabellen und Masken für eine Steuerung.
 ## Pläne
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } hat keine Toleranzklasse, wie H7: die Programme suchen Grenzmaße nach der Klasse
 nc-name = Name { $name }: zulässig sind Buchstaben A bis Z, Ziffern und _, höchstens { $most }
 nc-not-on-control = { $kind } wird mit Zyklus { $cycle } gemessen, den eine { $control } nicht hat
 ## Dateisätze

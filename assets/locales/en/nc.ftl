@@ -1,7 +1,6 @@
 # Sets of programs, tables and masks for a control.
 ## Plans
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } has no tolerance class, such as H7: the programs look up limits by class
 nc-name = name { $name }: letters A to Z, digits and _ are allowed, at most { $most }
 nc-not-on-control = a { $kind } is measured by cycle { $cycle }, which an { $control } does not have
 ## Sets

@@ -1,7 +1,6 @@
 # Sets of programs, tables and masks for a control.
 ## Plans
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } no tiene clase de tolerancia, como H7: los programas buscan los límites por clase
 nc-name = nombre { $name }: se admiten letras de la A a la Z, cifras y _, como máximo { $most }
 nc-not-on-control = { $kind }: se mide con el ciclo { $cycle }, que un { $control } no tiene
 ## Sets

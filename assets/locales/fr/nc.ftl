@@ -1,7 +1,6 @@
 # Ensembles de programmes, de tables et de masques pour une commande.
 ## Plans
 nc-value = { $what } : { $error }
-nc-no-class = { $callout } n'a pas de classe de tolérance, par exemple H7 : les programmes cherchent les limites par classe
 nc-name = nom { $name } : lettres A à Z, chiffres et _ admis, au plus { $most }
 nc-not-on-control = { $kind } : se mesure avec le cycle { $cycle }, absent de { $control }
 ## Ensembles

@@ -1,7 +1,6 @@
 # Set di programmi, tabelle e maschere per un controllo numerico.
 ## Piani
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } non ha una classe di tolleranza, come H7: i programmi cercano i limiti per classe
 nc-name = nome { $name }: sono ammesse lettere da A a Z, cifre e _, al massimo { $most }
 nc-not-on-control = { $kind }: si misura con il ciclo { $cycle }, che un { $control } non ha
 ## Set

@@ -1,7 +1,6 @@
 # Sets met programma's, tabellen en maskers voor een besturing.
 ## Plannen
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } heeft geen tolerantieklasse, zoals H7: de programma's zoeken de grensmaten op klasse op
 nc-name = naam { $name }: toegestaan zijn letters A tot Z, cijfers en _, hoogstens { $most }
 nc-not-on-control = { $kind } wordt gemeten met cyclus { $cycle }, en die heeft een { $control } niet
 ## Sets

@@ -1,7 +1,6 @@
 # Sets of programs, tables and masks for a control.
 ## Plans
 nc-value = { $what }: { $error }
-nc-no-class = { $callout } nie ma klasy tolerancji, np. H7: programy szukają granic według klasy
 nc-name = nazwa { $name }: dozwolone są litery A do Z, cyfry i _, najwyżej { $most }
 nc-not-on-control = { $kind }: pomiar cyklem { $cycle }, którego { $control } nie ma
 ## Sets

@@ -2,19 +2,20 @@
 //! cycle of the shape.
 //!
 //! A pocket or boss finds the limits of its two sides one after the other by the same blocks, which become a subprogram
-//! for it. A point has its band from the main program and finds none; its cycle says good, rework or scrap in a parameter
+//! for it. Where a feature has no class, its limits are those of the main program (see `given`). A point has its band from the main program and finds none; its cycle says good, rework or scrap in a parameter
 //! of its own.
 
 use fitcheck_core::tolerance::Feature;
 
 use super::called::{self, Called};
+use super::given;
 use super::names::Names;
 use super::programs::{Blocks, bare, blocks, print, shipped_program, written};
 use crate::control::variables::Parameter;
 use crate::program::{Body, Condition, CycleValue, Operand};
 
 /// The last block that computes a limit: after it both are known.
-const MINIMUM: Parameter = Parameter::q(33);
+pub(super) const MINIMUM: Parameter = Parameter::q(33);
 
 /// The nominal diameter of the cycles.
 const NOMINAL_DIAMETER: Parameter = Parameter::q(262);
@@ -39,12 +40,13 @@ const CHECKED: Parameter = Parameter::qs(2);
 const BLANK: Parameter = Parameter::qs(4);
 const NOMINAL_TEXT: Parameter = Parameter::qs(5);
 
-/// The program that measures a kind of feature.
-pub(super) fn check(names: &Names<'_>, called: Called) -> Vec<u8> {
+/// The program that measures a kind of feature; with `has_given` also those without a class.
+pub(super) fn check(names: &Names<'_>, called: Called, has_given: bool) -> Vec<u8> {
     let made = adapted(names, called);
+    let made = if has_given { given::or_table(made) } else { made };
     let made = match called {
         Called::Diameter | Called::Width | Called::Face => made,
-        Called::Rectangle => two_sides(made, nominal(names)),
+        Called::Rectangle => two_sides(made, nominal(names), if has_given { given::SECOND } else { "" }),
         Called::Point => without_limits(made),
     };
     written(names.check(called), &made)
@@ -90,7 +92,7 @@ fn adapted(names: &Names<'_>, called: Called) -> Blocks {
 }
 
 /// Title, the blocks that find the limits, and those that measure: parted before the headings of the second and third.
-fn parts(made: Blocks) -> [Blocks; 3] {
+pub(super) fn parts(made: Blocks) -> [Blocks; 3] {
     let is_tool = |(body, _): &(Body, String)| matches!(body, Body::ToolCall { .. });
     let is_section = |(body, _): &(Body, String)| matches!(body, Body::Heading { depth: 2, .. });
     let tool = made.iter().position(is_tool).unwrap_or(made.len());
@@ -103,7 +105,7 @@ fn parts(made: Blocks) -> [Blocks; 3] {
 }
 
 /// Finds the limits of the first side, keeps them, and finds those of the second.
-fn two_sides(made: Blocks, nominal: &str) -> Blocks {
+fn two_sides(made: Blocks, nominal: &str, given: &str) -> Blocks {
     let [title, lookup, rest] = parts(made);
     let both = format!(
         "CALL LBL 90
@@ -115,7 +117,7 @@ DECLARE STRING QS4 = \" \"
 QS7 = QS5 || QS4 || QS1
 Q1 = Q71
 QS1 = QS6
-CALL LBL 90
+{given}CALL LBL 90
 FN 9: IF +0 EQU +0 GOTO LBL 91
 LBL 90
 "

@@ -19,11 +19,6 @@ pub type FeatureError = Located<FeatureFault>;
 pub enum FeatureFault {
     /// A coordinate is missing.
     NoPlace { name: String },
-    /// No class: the called program finds limits only by class.
-    NoClass {
-        /// What was given.
-        callout: Callout,
-    },
     /// A cycle or parameters of its own: the called programs have no place for them.
     OwnCycle { name: String },
     /// The control does not have the cycle that measures a kind.

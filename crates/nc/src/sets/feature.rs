@@ -2,7 +2,6 @@
 
 use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::part::{Plan, PlanFeature};
-use fitcheck_core::tolerance::Tolerance;
 use fitcheck_core::verdict::rules::RuleName;
 
 use super::Planned;
@@ -54,13 +53,6 @@ pub(super) fn unknown(feature: &PlanFeature) -> Option<SetRemark> {
 
 fn faults(feature: &PlanFeature, control: Control) -> Vec<FeatureFault> {
     let mut faults = Vec::new();
-    let mut callouts = feature.kind.callouts();
-    callouts.dedup();
-    for callout in callouts {
-        if !matches!(callout.tolerance(), Tolerance::Class(_)) {
-            faults.push(FeatureFault::NoClass { callout });
-        }
-    }
     let name = || feature.name.clone();
     let is_sound = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
     if LONGEST_NAME < feature.name.chars().count() || !feature.name.bytes().all(is_sound) {

@@ -6,6 +6,7 @@
 //! | `called` | the cycle that measures each, and its parameters |
 //! | `names` | names of files and folders, by generation of controls |
 //! | `programs` | the main program |
+//! | `given` | features without a class: their limits stand in the main program |
 //! | `check` | the called programs |
 //! | `masks` | their masks |
 //! | `tables` | the two tables: the 47 classes, and what else the plan needs |
@@ -23,6 +24,7 @@ mod called;
 mod check;
 mod error;
 mod feature;
+mod given;
 mod masks;
 mod names;
 mod programs;
@@ -43,6 +45,7 @@ use called::Called;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Say as _;
 use fitcheck_core::part::{Plan, PlanFeature};
+use fitcheck_core::probing::cycle::Cycle;
 use fitcheck_core::tolerance::{Callout, Feature, FigureWarning, Limits, Sources};
 use fitcheck_core::words::Dialogue;
 use names::Names;
@@ -95,6 +98,11 @@ impl Planned<'_> {
     fn sizes(&self) -> impl Iterator<Item = (Callout, &Limits)> {
         self.feature.kind.callouts().into_iter().zip(self.limits)
     }
+
+    /// The cycle that measures it.
+    fn cycle(&self) -> Option<&'static Cycle> {
+        Called::of(&self.feature.kind)?.cycle(self.limits.first()?.feature?)
+    }
 }
 
 impl NcSet {
@@ -136,7 +144,9 @@ impl NcSet {
             // The program of diameters is in every set.
             let is_wanted = |planned: &Planned<'_>| Called::of(&planned.feature.kind) == Some(called);
             if called == Called::Diameter || planned.iter().any(is_wanted) {
-                files.push(SetFile { name: names.check(called).clone(), bytes: check::check(&names, called) });
+                let has_given = planned.iter().filter(|planned| is_wanted(planned)).any(given::has_given);
+                let bytes = check::check(&names, called, has_given);
+                files.push(SetFile { name: names.check(called).clone(), bytes });
                 files.push(SetFile { name: names.mask(called).clone(), bytes: masks::mask(target, called) });
             }
         }

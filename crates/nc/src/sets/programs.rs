@@ -10,6 +10,7 @@ use fitcheck_shipped as shipped;
 use super::Planned;
 use super::called::Called;
 use super::error::SetRemark;
+use super::given;
 use super::names::{Control, Names};
 use crate::control::variables::Parameter;
 use crate::program::{Body, Expression, Operand, Program, TextExpression, TextOperand, Unit, write};
@@ -64,7 +65,7 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
     let (each, tail) = rest.split_at(behind - first);
     let mut made = head.to_vec();
     for planned in planned {
-        let text = format!("{}: {}", planned.feature.name, planned.feature.kind.asked());
+        let text = format!("{}: {}", planned.feature.name, given::asked(*planned));
         made.push(bare(Body::Heading { depth: 2, text }));
         made.extend(each.iter().flat_map(|block| main_block(block, names, *planned)));
     }
@@ -90,7 +91,10 @@ fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Plan
             51 => one(*to, feature.clearance.to_mm_f64()),
             _ => one(*to, feature.clearance_height.to_mm_f64()),
         },
-        Body::AssignText { .. } => class_blocks(names, &feature.kind, comment),
+        Body::AssignText { .. } => {
+            let class = class_blocks(names, planned, comment);
+            class.into_iter().chain(given::blocks(names, planned)).collect()
+        }
         Body::CallProgram(_) => {
             let result = names.path(&names.result(&feature.name));
             let Some(called) = Called::of(&feature.kind) else { return Blocks::new() };
@@ -104,7 +108,7 @@ fn nominal(callout: Callout) -> f64 {
     callout.nominal().to_mm_f64()
 }
 
-fn number(to: Parameter, value: f64, comment: String) -> (Body, String) {
+pub(super) fn number(to: Parameter, value: f64, comment: String) -> (Body, String) {
     (Body::Assign { to, value: Expression::Value(Operand::Number(value)) }, comment)
 }
 
@@ -112,20 +116,23 @@ fn text(to: Parameter, value: String, comment: String) -> (Body, String) {
     (Body::AssignText { to, value: TextExpression::Value(TextOperand::Text(value)) }, comment)
 }
 
-/// The class; of a pocket or boss also nominal size and class of the second side, of a point the band.
-fn class_blocks(names: &Names<'_>, kind: &FeatureKind, comment: String) -> Blocks {
+/// The class, or deviations; of a pocket or boss also nominal size and class of the second side, of a point the band.
+fn class_blocks(names: &Names<'_>, planned: Planned<'_>, comment: String) -> Blocks {
     let language = names.target.language;
-    let class = |callout: &Callout| callout.class().map_or_else(String::new, |class| class.to_string());
-    match kind {
-        FeatureKind::Diameter(callout) | FeatureKind::Width(callout, _) | FeatureKind::Face(callout, _) => {
-            vec![text(CLASS, class(callout), comment)]
+    let class = |side: usize| {
+        let size = planned.sizes().nth(side);
+        size.map_or_else(String::new, |(callout, limits)| given::tolerance(&callout, limits))
+    };
+    match &planned.feature.kind {
+        FeatureKind::Diameter(_) | FeatureKind::Width(..) | FeatureKind::Face(..) => {
+            vec![text(CLASS, class(0), comment)]
         }
-        FeatureKind::Pocket([first, second]) | FeatureKind::Boss([first, second]) => {
+        FeatureKind::Pocket([_, second]) | FeatureKind::Boss([_, second]) => {
             let name = Called::Rectangle.name_of(&[Meaning::Side(Axis::Second)], language);
             vec![
-                text(CLASS, class(first), comment.clone()),
+                text(CLASS, class(0), comment.clone()),
                 number(Parameter::q(71), nominal(*second), name),
-                text(Parameter::qs(6), class(second), comment),
+                text(Parameter::qs(6), class(1), comment),
             ]
         }
         FeatureKind::Point(band, _) => {

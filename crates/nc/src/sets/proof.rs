@@ -1,7 +1,8 @@
 //! Runs a set before it is handed over: every feature on a workpiece in the middle of its zone.
 //!
-//! Only the set's own files are present, at their paths on the control. Each cycle must get exactly the plan's limits
-//! and find the workpiece good: then the program, the tables, the mask and every path in them fit together.
+//! Only the set's own files are present, at their paths on the control. Each feature must be measured by the cycle of its
+//! hole or shaft with exactly the plan's limits, from a table or from the main program, and be found good: then the
+//! program, the tables, the mask and every path in them fit together.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -42,15 +43,17 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
             Step::Went => return Err(failed(ProofFault::NoEnd)),
         }
     }
-    let measured = machine.cycles().iter().map(|run| &run.result);
-    let found: Vec<_> = measured.map(|result| (result.status, &result.checks)).collect();
+    let measured = machine.cycles().iter();
+    let found: Vec<_> = measured.map(|run| (run.cycle.code, run.result.status, &run.result.checks)).collect();
     if found.len() != planned.len() || machine.windows().len() != planned.len() {
         return Err(failed(ProofFault::Count { found: found.len(), expected: planned.len() }));
     }
-    for (planned, (status, checks)) in planned.iter().zip(found) {
+    for (planned, (cycle, status, checks)) in planned.iter().zip(found) {
         let limits = checks.iter().map(|check| (check.minimum, check.maximum));
         let expected = planned.limits.iter().map(|limits| (limits.minimum(), limits.maximum()));
-        if status != Some(Status::Good) || !limits.eq(expected) {
+        // That of a hole or of a shaft: in the middle of the zone both are good.
+        let is_its_cycle = planned.cycle().is_some_and(|own| own.code == cycle);
+        if status != Some(Status::Good) || !limits.eq(expected) || !is_its_cycle {
             return Err(failed(ProofFault::OtherVerdict { name: planned.feature.name.clone() }));
         }
     }
@@ -98,8 +101,13 @@ mod tests {
     /// Makes a set, changes a text in one of its files, and runs it again.
     #[track_caller]
     fn check(name: &str, from: &str, to: &str, expected: &str) {
+        check_plan("callout,x,y,z\n25 H7,0,0,0\n20 g6,100,0,-5.5\n", (name, from, to), expected);
+    }
+
+    #[track_caller]
+    fn check_plan(plan: &str, (name, from, to): (&str, &str, &str), expected: &str) {
         let target = Target::new(Control::Tnc7, Dialogue::En);
-        let document = Document::read(b"callout,x,y,z\n25 H7,0,0,0\n20 g6,100,0,-5.5\n").unwrap();
+        let document = Document::read(plan.as_bytes()).unwrap();
         let plan = document.plan(&Sources::default()).unwrap();
         let mut set = NcSet::make(&plan, &target, &Sources::default()).unwrap();
         let file = set.files.iter_mut().find(|file| file.name == name).unwrap();
@@ -118,6 +126,16 @@ mod tests {
         check("FIT_MAIN.H", "14 STOP", "14 M30", "1 of 2 features were measured");
         check("FIT_CHECK.H", "Q5 / 1000", "Q5 / 1000 + 0.000001", "F1: the verdict differs from Fitcheck's");
         check("FIT_CHECK.H", "22 LBL 99", "22 LBL 199", &format!("{}LBL 99 does not occur in the program", fault(17)));
+    }
+
+    #[test]
+    fn limits_in_the_main_program_are_proven_as_those_of_the_tables() {
+        let plan = "callout,feature,x,y,z\n25 H7,,0,0,0\n35 +0.2/0,hole,100,0,0\n";
+        let check = |name, from, to| check_plan(plan, (name, from, to), "F2: the verdict differs from Fitcheck's");
+        check("FIT_MAIN.H", "Q23 = 35.2", "Q23 = 35.3");
+        check("FIT_MAIN.H", "Q33 = 35 ", "Q33 = 34.999999 ");
+        // Neither hole nor shaft is left to what was measured before.
+        check("FIT_MAIN.H", "Q2 = - 1", "Q2 = 1");
     }
 
     fn fault(block: u32) -> String {

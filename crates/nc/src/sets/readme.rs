@@ -9,10 +9,14 @@ use fitcheck_shipped as shipped;
 use super::Planned;
 use super::called::Called;
 use super::error::SetRemark;
+use super::given;
 use super::names::Names;
 
 /// What begins a line that is only there where the plan says more of judging than the set knows.
 const OF_UNKNOWN: &str = "{?unknown}";
+
+/// What begins a line that is only there where a feature has no class.
+const OF_GIVEN: &str = "{?given}";
 
 /// The page as a file: Windows-1252, CRLF.
 pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRemark]) -> Vec<u8> {
@@ -34,6 +38,11 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
             trimmed if trimmed.starts_with(OF_UNKNOWN) => {
                 if remarks.iter().any(|remark| unknown(remark).is_some()) {
                     add(&mut page, &filled(line, names).replacen(OF_UNKNOWN, "", 1));
+                }
+            }
+            _ if line.starts_with(OF_GIVEN) => {
+                if planned.iter().any(given::has_given) {
+                    add(&mut page, &filled(line, names).replacen(OF_GIVEN, "", 1));
                 }
             }
             _ => add(&mut page, &filled(line, names)),

@@ -8,6 +8,7 @@ use fitcheck_core::tolerance::{Callout, DeviationTable, Deviations, Feature, Lim
 
 use super::Planned;
 use super::error::{SetError, SetRemark};
+use super::given::is_given;
 use super::names::Names;
 use crate::control::deviations::to_control_table;
 use crate::control::shipped_tables;
@@ -25,7 +26,9 @@ pub(super) fn table(
 ) -> Result<(Vec<u8>, Vec<SetRemark>), SetError> {
     let name = names.table(feature);
     let sizes = planned.iter().flat_map(Planned::sizes);
-    let asked: Vec<(Callout, &Limits)> = sizes.filter(|(_, limits)| limits.feature == Some(feature)).collect();
+    // Limits without a class stand in the main program.
+    let is_asked = |(callout, limits): &(Callout, &Limits)| !is_given(callout) && limits.feature == Some(feature);
+    let asked: Vec<(Callout, &Limits)> = sizes.filter(is_asked).collect();
     let usual = usual_classes(feature);
     let mut own: Vec<ToleranceClass> = Vec::new();
     let mut wanted: Vec<ToleranceClass> = Vec::new();

@@ -212,7 +212,9 @@ impl CheckPage {
             (Column::Angle, CheckField::FirstAngle),
             (Column::Clearance, CheckField::Clearance),
         ];
-        (callout, cells.map(cell).to_vec())
+        let says_it = self.part_callout().is_some_and(|callout| callout.feature().is_some());
+        let chosen = self.feature().filter(|_| !says_it).map(|feature| (Column::Feature, feature.word().to_owned()));
+        (callout, cells.map(cell).into_iter().chain(chosen).collect())
     }
 
     /// How the next part is judged, for the state file.
