@@ -64,7 +64,7 @@ fn a_line_that_is_typed_in_one_go_chooses_neither_hole_nor_shaft_and_loses_no_va
     scan(&mut window, "25 +0.021 0⇥25.012⏎");
     assert_eq!(window.state().session().check().feature(), None);
     assert_eq!((text(&window, CheckField::Measured).as_str(), focused(&window).as_str()), ("25.012", "Measured value"));
-    assert!(verdict(&window).starts_with("No result"), "{}", verdict(&window));
+    assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
     // Enter on the choice is none.
     press(&mut window, Key::Tab);
     assert_eq!(focused(&window), "Hole");
@@ -75,7 +75,7 @@ fn a_line_that_is_typed_in_one_go_chooses_neither_hole_nor_shaft_and_loses_no_va
     assert_eq!(focused(&window), "Measured value");
     press(&mut window, Key::Enter);
     assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
-    // The next one is asked about again.
+    // The next one is of neither again.
     type_into(&mut window, "Callout", "40 0 -0.025");
     assert_eq!(window.state().session().check().feature(), None);
     window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
