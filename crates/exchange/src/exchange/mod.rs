@@ -315,10 +315,11 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
             [] => FORMATS.iter().find(|format| (format.recognises)(&source.beginning())),
             _ => Some(&fn16::FORMAT),
         };
-        let format = format.ok_or(ImportErrorKind::NotRecognised)?;
-        match foreign::known(&source.beginning()).filter(|_| !format.has_marks) {
-            Some(foreign) => Err(foreign),
-            None => (format.read)(&mut source, &mut sink),
+        let foreign = foreign::known(&source.beginning());
+        match (format, foreign.filter(|_| format.is_none_or(|format| !format.has_marks))) {
+            (_, Some(foreign)) => Err(foreign),
+            (Some(format), None) => (format.read)(&mut source, &mut sink),
+            (None, None) => Err(ImportErrorKind::NotRecognised),
         }
     });
     if let Err(kind) = read {

@@ -148,11 +148,10 @@ fn time(text: &str) -> Option<Time> {
     let clock = small.trim_end_matches(['a', 'p', 'm', ' ', '.']);
     let read = date_time(&format!("2000-01-01 {clock}"))?.time();
     let hour = match (half, read.hour()) {
-        (None, hour) => hour,
         (Some(_), 0 | 13..) => return None,
         (Some("am"), 12) => 0,
         (Some("pm"), hour) if hour < 12 => hour + 12,
-        (Some(_), hour) => hour,
+        (_, hour) => hour,
     };
     Time::new(hour, read.minute(), read.second(), 0).ok()
 }

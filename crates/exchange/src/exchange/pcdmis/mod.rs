@@ -264,7 +264,7 @@ impl Reader<'_, '_> {
             Read::Length(read) => read,
             Read::Other { id, labels, what } => {
                 let why = WhyUnjudged::NotASize { what };
-                self.sink.set_aside(set_aside(line, id, labels, time, why, &self.context));
+                self.sink.set_aside(set_aside(line, id, *labels, time, why, &self.context));
                 return Ok(());
             }
         };
@@ -307,7 +307,7 @@ enum Read {
     /// An angle, a vector, an area.
     Other {
         id: String,
-        labels: Labels,
+        labels: Box<Labels>,
         what: String,
     },
 }
@@ -340,7 +340,7 @@ fn characteristic(
     let labels = Labels { part: head.part.clone(), quantity: quantity.clone(), ..Labels::default() };
     let Some(quantity) = quantity else {
         let labels = Labels { quantity: Some(Quantity::Other), serial: head.serial.clone(), ..labels };
-        return Ok(Read::Other { id: name, labels, what });
+        return Ok(Read::Other { id: name, labels: Box::new(labels), what });
     };
     let unit = title.unit()?;
     let figures = row.figures(columns, title, unit.unwrap_or(Unit::Millimetre), minus_is)?;

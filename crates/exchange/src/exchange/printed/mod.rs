@@ -17,6 +17,7 @@ use fitcheck_core::length::{Length, LengthError, Unit};
 use fitcheck_core::message::FilePlace;
 use fitcheck_core::probing::Origin;
 use fitcheck_core::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, plain_lines_from};
+use fitcheck_core::verdict::Status;
 use jiff::civil::DateTime;
 
 use super::Labels;
@@ -130,10 +131,8 @@ impl Computed {
     /// What the report says of the status; `said` is the name of the column with its figure.
     pub(super) fn claim(&self, said: &str) -> Option<Claim> {
         let beyond = self.beyond?;
-        Some(match beyond.length == Length::ZERO {
-            true => Claim::of(said, fitcheck_core::verdict::Status::Good),
-            false => Claim::out(said),
-        })
+        let is_within = beyond.length == Length::ZERO;
+        Some(if is_within { Claim::of(said, Status::Good) } else { Claim::out(said) })
     }
 
     /// What is told where the report computed something else than its figures give. That it calls a value good which is none is told with

@@ -69,15 +69,24 @@ impl Numbers {
     }
 }
 
-/// The figure of a line such as `+++++OUT OF TOL+++++ ERROR 0.8072`; nothing of it for one of a position or an angle.
-fn out_of_tolerance(text: &str) -> Option<Option<Printed>> {
-    let text = text.trim();
-    if !text.starts_with('+') || !text.contains("OUT OF") {
-        return None;
+/// A line such as `+++++OUT OF TOL+++++ ERROR  0.8072`.
+enum OutOf {
+    /// A size, and how far.
+    Size(Printed),
+    /// A position or an angle.
+    Other,
+}
+
+impl OutOf {
+    fn of(text: &str) -> Option<Self> {
+        let text = text.trim();
+        if !text.starts_with('+') || !text.contains("OUT OF") {
+            return None;
+        }
+        let is_size = text.trim_start_matches('+').starts_with("OUT OF TOL");
+        let figure = text.rsplit_once("ERROR").and_then(|(_, text)| Printed::read(text.trim(), Unit::Millimetre).ok());
+        Some(figure.filter(|_| is_size).map_or(Self::Other, Self::Size))
     }
-    let is_size = text.trim_start_matches('+').starts_with("OUT OF TOL");
-    let figure = text.rsplit_once("ERROR").and_then(|(_, text)| Printed::read(text.trim(), Unit::Millimetre).ok());
-    Some(figure.filter(|_| is_size))
 }
 
 /// `TIMESTAMP 250917 100947`: two digits each, and a first zero may be missing in the time alone.
@@ -153,8 +162,8 @@ impl Reader<'_, '_> {
         if let Some(numbers) = Numbers::of(text) {
             self.flush();
             self.numbers = numbers;
-        } else if let Some(beyond) = out_of_tolerance(text) {
-            self.out(number, beyond, trimmed);
+        } else if let Some(out) = OutOf::of(text) {
+            self.out(number, &out, trimmed);
         } else if let Some(row) = Row::of(text) {
             if self.sink.is_full(number) {
                 return false;
@@ -193,10 +202,10 @@ impl Reader<'_, '_> {
     }
 
     /// A line that says that something is out of tolerance: a size of the feature, or else all of it.
-    fn out(&mut self, line: usize, beyond: Option<Printed>, text: &str) {
+    fn out(&mut self, line: usize, out: &OutOf, text: &str) {
         let mut sizes = self.waiting.iter_mut().rev().filter(|waiting| waiting.row.kind == "SIZE");
-        match (beyond, sizes.next()) {
-            (Some(beyond), Some(size)) if size.beyond.is_none() => size.beyond = Some(beyond),
+        match (out, sizes.next()) {
+            (OutOf::Size(beyond), Some(size)) if size.beyond.is_none() => size.beyond = Some(*beyond),
             _ => {
                 let row = self.waiting.last().map(|waiting| waiting.line);
                 let given = shorten(text);

@@ -65,10 +65,10 @@ impl Row {
             }
         }
         let digits = row.nominal.find(|sign: char| !sign.is_ascii_alphabetic()).unwrap_or(row.nominal.len());
-        row.axis = fitcheck_core::text::before(&row.nominal, digits).to_owned();
-        row.nominal = fitcheck_core::text::behind(&row.nominal, digits).to_owned();
-        if let Some(tolerance) = row.tolerance.strip_prefix("TP") {
-            row.tolerance = tolerance.to_owned();
+        let nominal = row.nominal.split_off(digits);
+        row.axis = std::mem::replace(&mut row.nominal, nominal);
+        if row.tolerance.starts_with("TP") {
+            row.tolerance = row.tolerance.split_off(2);
             row.is_of_position = true;
         }
         has_actual.then_some(row)
