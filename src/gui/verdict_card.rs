@@ -51,7 +51,9 @@ impl Card {
 /// The width that a card needs so that no word is set smaller than can be read from two metres.
 pub(super) fn least_width(ui: &Ui, view: &View<'_>) -> f32 {
     let width = |status: Status| word_width(ui, &view.words.told(&status), WORD[0]);
-    Status::ALL.map(width).into_iter().fold(0.0, f32::max) + f32::from(MARGIN) * 2.0 + space(4.0)
+    // The longest one stands on few cards, and there it is set as large as it has room.
+    let usual = Status::ALL.into_iter().filter(|status| *status != Status::OutOfLimits);
+    usual.map(width).fold(0.0, f32::max) + f32::from(MARGIN) * 2.0 + space(4.0)
 }
 
 /// The card of what is asked about a measured value before it is judged; as high as its page wants it.

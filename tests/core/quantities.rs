@@ -449,9 +449,7 @@ fn a_table_of_types_before_limits_gives_no_wrong_verdict() {
     let place = Place::of(&[("p.csv", plan), ("m.csv", text)]);
     let answer = place.say(&["import", "--plan", "p.csv", "m.csv", "--format", "csv"]);
     let said = answer.said();
-    for (line, words) in
-        [(7, "GOOD"), (8, "SCRAP"), (5, "something else was measured"), (6, "Flatness: not a size")]
-    {
+    for (line, words) in [(7, "GOOD"), (8, "SCRAP"), (5, "something else was measured"), (6, "Flatness: not a size")] {
         let row = answer.out.lines().find(|row| row.starts_with(&format!("m.csv,{line},")));
         assert!(row.is_some_and(|row| row.contains(words)), "{line}: {said}");
     }

@@ -67,7 +67,9 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     click(&mut page, Role::Button, "Import");
     assert!(!is_open(&page));
     page.get_by_label("a.csv: 3 imported, 0 not");
-    page.get_by_label("Columns: Stelle → name, Ergebnis in Zoll → measured value, Freigabe → status; unit of sizes: inch");
+    page.get_by_label(
+        "Columns: Stelle → name, Ergebnis in Zoll → measured value, Freigabe → status; unit of sizes: inch",
+    );
     assert_eq!(measured(&page), 3);
     press(&mut page, Key::Escape);
     assert!(verdict(&page).contains("9.009"), "{}", verdict(&page));

@@ -32,6 +32,7 @@ use crate::gui::page::{Group, PageView};
 use crate::message::message;
 use crate::session::FitField;
 use crate::tolerance::Feature;
+use crate::tolerance::fit::FitKind;
 
 pub(super) const PAGE: PageView = PageView::of(Group::Design, Icon::Intersect, fit_ui);
 
@@ -65,8 +66,11 @@ fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.separator();
             parts_panel::temperature_ui(ui, view);
             ui.separator();
-            parts_panel::press_ui(ui, view);
-            ui.separator();
+            // A clearance fit has no joint to press.
+            if view.session.fit().seen().fit.as_ref().is_some_and(|fit| fit.kind() != FitKind::Clearance) {
+                parts_panel::press_ui(ui, view);
+                ui.separator();
+            }
             search_panel::search_ui(ui, view);
         },
         seen: |ui, view| {

@@ -2,20 +2,17 @@
 //! cycle of the shape.
 //!
 //! A pocket or boss finds the limits of its two sides one after the other by the same blocks, which become a subprogram
-//! for it. Where a feature has no class, its limits are those of the main program (see `given`). A point has its band from the main program and finds none; its cycle says good, rework or scrap in a parameter
-//! of its own.
+//! for it. Where a feature has no class, its limits are those of the main program (see `given`). A point has its band from the main
+//! program and finds none; its cycle says good, rework or scrap in a parameter of its own.
 
 use fitcheck_core::tolerance::Feature;
 
+use super::blocks::{Blocks, MINIMUM, bare, blocks, parts, print, shipped_program, written};
 use super::called::{self, Called};
 use super::given;
 use super::names::Names;
-use super::programs::{Blocks, bare, blocks, print, shipped_program, written};
 use crate::control::variables::Parameter;
 use crate::program::{Body, Condition, CycleValue, Operand};
-
-/// The last block that computes a limit: after it both are known.
-pub(super) const MINIMUM: Parameter = Parameter::q(33);
 
 /// The nominal diameter of the cycles.
 const NOMINAL_DIAMETER: Parameter = Parameter::q(262);
@@ -89,19 +86,6 @@ fn adapted(names: &Names<'_>, called: Called) -> Blocks {
         }
     }
     made
-}
-
-/// Title, the blocks that find the limits, and those that measure: parted before the headings of the second and third.
-pub(super) fn parts(made: Blocks) -> [Blocks; 3] {
-    let is_tool = |(body, _): &(Body, String)| matches!(body, Body::ToolCall { .. });
-    let is_section = |(body, _): &(Body, String)| matches!(body, Body::Heading { depth: 2, .. });
-    let tool = made.iter().position(is_tool).unwrap_or(made.len());
-    let measure = made.iter().take(tool).rposition(is_section).unwrap_or(tool);
-    let find = made.iter().take(measure).take_while(|block| !is_section(block)).count();
-    let mut title = made;
-    let rest = title.split_off(measure);
-    let lookup = title.split_off(find);
-    [title, lookup, rest]
 }
 
 /// Finds the limits of the first side, keeps them, and finds those of the second.

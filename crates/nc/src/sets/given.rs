@@ -15,9 +15,8 @@ use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{Callout, Feature, Limits};
 
 use super::Planned;
-use super::check::{MINIMUM, parts};
+use super::blocks::{Blocks, MINIMUM, blocks as read, number, parts, shipped_program};
 use super::names::Names;
-use super::programs::{Blocks, blocks as read, number, shipped_program};
 use crate::control::variables::Parameter;
 use crate::program::Body;
 

@@ -5,6 +5,7 @@
 //! | `feature` | which features of a plan a control can measure |
 //! | `called` | the cycle that measures each, and its parameters |
 //! | `names` | names of files and folders, by generation of controls |
+//! | `blocks` | what the programs share, block by block |
 //! | `programs` | the main program |
 //! | `given` | features without a class: their limits stand in the main program |
 //! | `check` | the called programs |
@@ -20,6 +21,7 @@
 //! `docs/SOURCES.md`, sets for a control.
 
 mod archive;
+mod blocks;
 mod called;
 mod check;
 mod error;

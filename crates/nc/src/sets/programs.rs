@@ -1,58 +1,21 @@
-//! The main program of a set, and what its programs share: all are made from the built-in ones, block by block.
+//! The main program of a set.
 
 use fitcheck_core::length::Length;
 use fitcheck_core::part::{self, FeatureKind};
 use fitcheck_core::probing::cycle::{Axis, Key, Meaning};
 use fitcheck_core::tolerance::Callout;
-use fitcheck_core::words::Dialogue;
-use fitcheck_shipped as shipped;
 
 use super::Planned;
+use super::blocks::{Blocks, bare, number, print, shipped_program, written};
 use super::called::Called;
 use super::error::SetRemark;
 use super::given;
 use super::names::{Control, Names};
 use crate::control::variables::Parameter;
-use crate::program::{Body, Expression, Operand, Program, TextExpression, TextOperand, Unit, write};
-
-/// Blocks with their comments.
-pub(super) type Blocks = Vec<(Body, String)>;
+use crate::program::{Body, TextExpression, TextOperand};
 
 /// The class, or the band of a point.
 const CLASS: Parameter = Parameter::qs(1);
-
-/// The bodies of blocks, without BEGIN and END.
-pub(super) fn blocks(text: &[u8]) -> Blocks {
-    let Ok((program, _warnings)) = Program::read(text) else { return Blocks::new() };
-    let blocks = program.blocks().iter().enumerate();
-    let inner = blocks.filter(|(_, block)| !matches!(block.body, Body::Begin { .. } | Body::End { .. }));
-    let comment = |number| program.comment_of(number).map_or_else(String::new, str::to_owned);
-    inner.map(|(number, block)| (block.body.clone(), comment(number))).collect()
-}
-
-/// A built-in program; these are part of Fitcheck, tests make a set in every language, and no set without blocks passes its proof.
-pub(super) fn shipped_program(name: &str, language: Dialogue) -> Blocks {
-    shipped::file(shipped::NC, &format!("{name}_{language}.h")).map_or_else(Blocks::new, blocks)
-}
-
-/// The file of a program. All of it is ASCII, since names and texts are.
-pub(super) fn written(file: &str, blocks: &[(Body, String)]) -> Vec<u8> {
-    // A program has the name of its file, without the ending.
-    let name = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
-    let begin = [bare(Body::Begin { name: name.clone(), unit: Unit::Mm })];
-    let end = [bare(Body::End { name, unit: Unit::Mm })];
-    let all = begin.iter().chain(blocks).chain(&end);
-    write::program(all.map(|(body, comment)| (body, comment.as_str()))).into_bytes()
-}
-
-/// A block without a comment.
-pub(super) fn bare(body: Body) -> (Body, String) {
-    (body, String::new())
-}
-
-pub(super) fn print(names: &Names<'_>, called: Called, output: String) -> (Body, String) {
-    bare(Body::Print { mask: names.operand(names.mask(called)), output: TextOperand::Text(output) })
-}
 
 /// The main program: for each feature its parameters, the call, a file with its result, and a stop.
 pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
@@ -106,10 +69,6 @@ fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Plan
 
 fn nominal(callout: Callout) -> f64 {
     callout.nominal().to_mm_f64()
-}
-
-pub(super) fn number(to: Parameter, value: f64, comment: String) -> (Body, String) {
-    (Body::Assign { to, value: Expression::Value(Operand::Number(value)) }, comment)
 }
 
 fn text(to: Parameter, value: String, comment: String) -> (Body, String) {
