@@ -214,13 +214,16 @@ fn a_callout_without_a_class_is_measured_by_its_own_limits() {
     let folder = tempfile::tempdir().unwrap();
     let place = ["--x", "40", "--y", "30", "--z", "-8", "--control", "tnc640"];
     for (feature, code, status) in [("hole", 11, "SCRAP"), ("shaft", 10, "REWORK")] {
-        let args = [&["12 ±0.02", "--feature", feature, "-o", feature][..], &place].concat();
+        let part = format!("{feature}.toml");
+        let args = [&["12 ±0.02", "--feature", feature, "-o", feature, "--workpiece-out", &part][..], &place].concat();
         let answer = nc(folder.path(), &args);
         assert_eq!(answer.code, Some(0), "{}", answer.err);
-        let part = format!("[part]\nfeature = \"{feature}\"\ncentre = [40, 30]\ndiameter = 12.037\n");
-        std::fs::write(folder.path().join("part.toml"), part).unwrap();
+        let path = folder.path().join(&part);
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains("diameter = 12.0\n"), "{text}");
+        std::fs::write(&path, text.replace("diameter = 12.0\n", "diameter = 12.037\n")).unwrap();
         let main = format!("{feature}/FIT_MAIN.H");
-        let answer = fitcheck(folder.path(), &["run", &main, "--workpiece", "part.toml"], "");
+        let answer = fitcheck(folder.path(), &["run", &main, "--workpiece", &part], "");
         assert_eq!(answer.code, Some(code), "{}{}", answer.out, answer.err);
         let window = format!("FIT STATUS: {status}\nCHECKED FIT: 12 +0.02/-0.02\n");
         assert!(answer.out.starts_with(&window), "{}", answer.out);

@@ -136,7 +136,7 @@ fn the_main_program_gives_the_limits_and_the_window_shows_the_deviations() {
     assert_eq!(
         &lines[at - 1..at + 5],
         [
-            "* - F1: 35 +0.2/0",
+            "* -   F1: 35 +0.2/0",
             "Q1 = 35 ;NOMINAL SIZE",
             "DECLARE STRING QS1 = \"+0.2/0\" ;TOLERANCE CLASS",
             "Q2 = - 1 ;-1 HOLE, 0 OR +1 SHAFT",
@@ -158,7 +158,7 @@ fn a_program_of_classes_alone_is_as_it_was() {
     for control in Control::ALL {
         let [plain, beside] = [classes, width].map(|text| made(text, control, Dialogue::En));
         for number in 0..plain.files.len() {
-            assert!(!file(&plain, number).contains("Q24") && !file(&plain, number).contains("LBL 92"), "{control:?}");
+            assert!(!file(&plain, number).contains("Q24 =") && !file(&plain, number).contains("LBL 92"), "{control:?}");
         }
         assert_eq!(file(&plain, 1), file(&beside, 1), "{control:?}");
         assert!(file(&beside, 3).contains("LBL 92"), "{control:?}");
