@@ -434,8 +434,7 @@ fn other_quantities_than_a_diameter_are_named() {
         let told = |text: &str| values(&items("a.dfq", format!("{text}K0001/1 0.01\n").as_bytes(), None));
         // What is known to be a length is judged by the limits of the file.
         assert_eq!(told(&text), [if number == "5" { said(12) } else { "12 D 0.01 OUT OF LIMITS".to_owned() }]);
-        let without: String =
-            text.lines().filter(|line| !line.starts_with("K211")).map(|line| format!("{line}\n")).collect();
+        let without = text.lines().filter(|line| !line.starts_with("K211")).collect::<Vec<_>>().join("\n") + "\n";
         assert_eq!(told(&without), [said(without.lines().count() + 1)]);
     }
     for (value, status) in [("0.02", "GOOD"), ("0.021", "OUT OF LIMITS")] {

@@ -310,7 +310,7 @@ proptest! {
                 for part in [Feature::Hole, Feature::Shaft] {
                     let part = callout.of_part(part);
                     prop_assert_eq!(part.to_string().parse::<Callout>(), Ok(part), "{} of {}", part, text);
-                    let _ = Sources::default().limits(&part, None);
+                    let _limits = Sources::default().limits(&part, None);
                 }
             }
             Err(error) => {

@@ -12,7 +12,7 @@ impl Desk {
     }
 
     fn put(&self, name: &str, text: &str) {
-        std::fs::write(self.0.path().join(name), text).unwrap();
+        fitcheck::files::write(&self.0.path().join(name), text.as_bytes()).unwrap();
     }
 
     /// The exit code, and what was printed.

@@ -40,7 +40,7 @@ fn press(nominal: &str, interference: &str, joint: &Joint) -> Press {
     Press::of_interference(mm(nominal), [mm(interference); 2], joint).unwrap()
 }
 
-/// aionlinecalculator.com/press-fit-calculator.html, "Worked example" and its table: 50 in 80 mm, 40 mm long, E 210 GPa, μ 0.12.
+/// aionlinecalculator.com/press-fit-calculator.html, "Worked example" and its table: 50 in 80 mm, 40 mm long, E 210 `GPa`, μ 0.12.
 #[test]
 fn the_example_of_50_in_80_mm_with_its_table() {
     let joint = joint(["40", "80", "0"], "0.12", [steel(), steel()]);
@@ -54,7 +54,7 @@ fn the_example_of_50_in_80_mm_with_its_table() {
     close(found.hub.tangential, 117.0, 0.5);
 }
 
-/// machinecalcs.com/press-fit-interference-calculator, "Worked example": the same sizes, E 200 GPa, μ 0.15.
+/// machinecalcs.com/press-fit-interference-calculator, "Worked example": the same sizes, E 200 `GPa`, μ 0.15.
 #[test]
 fn the_example_of_50_in_80_mm_of_softer_steel() {
     let soft = part(200_000, "0.3", None);
@@ -65,7 +65,7 @@ fn the_example_of_50_in_80_mm_of_softer_steel() {
     close(found.hub.tangential, 111.3, 0.2);
 }
 
-/// novasolver.jp/en/tools/shrink-fit-stress.html, the values of its defaults: 100 in 150 mm, 50 mm long, 0.1 mm, E 210 GPa, μ 0.15.
+/// novasolver.jp/en/tools/shrink-fit-stress.html, the values of its defaults: 100 in 150 mm, 50 mm long, 0.1 mm, E 210 `GPa`, μ 0.15.
 #[test]
 fn the_example_of_100_in_150_mm() {
     let found = press("100", "0.1", &joint(["50", "150", "0"], "0.15", [steel(), steel()]));
@@ -76,7 +76,7 @@ fn the_example_of_100_in_150_mm() {
     close(found.torque.unwrap(), 6_870.0, 5.0);
 }
 
-/// metricmech.com/calculators/press-fit.html, "Worked Press-Fit Example": 25 in 50 mm, 20 mm long, 0.02 mm, E 210 GPa, μ 0.1.
+/// metricmech.com/calculators/press-fit.html, "Worked Press-Fit Example": 25 in 50 mm, 20 mm long, 0.02 mm, E 210 `GPa`, μ 0.1.
 #[test]
 fn the_example_of_25_in_50_mm() {
     let found = press("25", "0.02", &joint(["20", "50", "0"], "0.1", [steel(), steel()]));
@@ -85,7 +85,7 @@ fn the_example_of_25_in_50_mm() {
     close(found.pressing_force.unwrap(), 9_900.0, 20.0);
 }
 
-/// github.com/slehmann1/PressFits, pressfits/tests/test_plane_stress_press_fit_model.py: von Mises stresses of inner and outer part, two
+/// `github.com/slehmann1/PressFits`, `pressfits/tests/test_plane_stress_press_fit_model.py`: von Mises stresses of inner and outer part, two
 /// materials, hollow shafts; radii in metres there, and the last row is of a finite-element program.
 #[test]
 fn the_examples_of_hollow_shafts_of_another_material() {

@@ -278,21 +278,15 @@ fn other_lengths_are_judged_by_their_limits_and_are_no_sizes() {
 
 #[test]
 fn angles_are_set_aside_by_name() {
-    for (kind, words, measured) in [("Angle", "angle", None)] {
-        let imported = read(&LIMITS.replace("DiameterCharacteristic", &format!("{kind}Characteristic")));
-        let [unjudged] = imported.unjudged.as_slice() else { panic!("{imported:?}") };
-        assert_eq!((&unjudged.why, unjudged.measured), (&WhyUnjudged::NotASize { what: words.to_owned() }, measured));
-        assert_eq!(unjudged.id, "BORE1 25 H7");
-        let read = sizes(
-            "a.qif",
-            LIMITS.replace("DiameterCharacteristic", &format!("{kind}Characteristic")).as_bytes(),
-            Feature::Hole,
-        );
-        assert_eq!(
-            read.errors[0].to_string(),
-            format!("line 61: {words}: not a size of a hole or shaft: this is not a size that can be paired")
-        );
-    }
+    let angle = LIMITS.replace("DiameterCharacteristic", "AngleCharacteristic");
+    let imported = read(&angle);
+    let [unjudged] = imported.unjudged.as_slice() else { panic!("{imported:?}") };
+    assert_eq!((&unjudged.why, unjudged.measured), (&WhyUnjudged::NotASize { what: "angle".to_owned() }, None));
+    assert_eq!(unjudged.id, "BORE1 25 H7");
+    assert_eq!(
+        sizes("a.qif", angle.as_bytes(), Feature::Hole).errors[0].to_string(),
+        "line 61: angle: not a size of a hole or shaft: this is not a size that can be paired"
+    );
 }
 
 #[test]

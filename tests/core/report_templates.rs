@@ -135,8 +135,12 @@ fn a_report_says_what_changed_since_an_earlier_one() {
     let run = |checks: &[&str], since: Option<&str>, name: &str| {
         let mut command = cargo_bin_cmd!("fitcheck");
         command.args(["report", "--time", "2026-11-28T10:00", "-o"]).arg(path(name));
-        checks.iter().for_each(|check| _ = command.args(["--check", *check]));
-        since.iter().for_each(|file| _ = command.arg("--since").arg(path(file)));
+        for check in checks {
+            command.args(["--check", *check]);
+        }
+        if let Some(file) = since {
+            command.arg("--since").arg(path(file));
+        }
         let output = command.output().unwrap();
         let page = std::fs::read_to_string(path(name)).unwrap_or_default();
         (page, String::from_utf8_lossy(&output.stderr).into_owned())

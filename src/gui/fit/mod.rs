@@ -66,8 +66,9 @@ fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.separator();
             parts_panel::temperature_ui(ui, view);
             ui.separator();
-            // A clearance fit has no joint to press.
-            if view.session.fit().seen().fit.as_ref().is_some_and(|fit| fit.kind() != FitKind::Clearance) {
+            // A clearance fit has no joint to press; before one is typed everything can be found.
+            let fit = view.session.fit().seen().fit.as_ref().filter(|_| view.session.fit().example().is_none());
+            if fit.is_none_or(|fit| fit.kind() != FitKind::Clearance) {
                 parts_panel::press_ui(ui, view);
                 ui.separator();
             }

@@ -155,7 +155,7 @@ impl Sizes {
                     id: record.id.clone(),
                     measured: record.measurement.diameter,
                     is_simulated: record.measurement.origin.is_simulated(),
-                })
+                });
             }
             Item::Record { line, .. } => self.refuse(line, ImportErrorKind::OtherLog { feature }),
             Item::Unjudged(unjudged) => self.take_unjudged(*unjudged),

@@ -78,13 +78,13 @@ impl Sample {
         };
         let found = Found { upper: one(true)?, lower: one(false)?, are: None };
         if chosen.iter().any(|(_, name)| name.may_be_reading()) && !self.are_limits(found, beside) {
-            return Err(self.asked(found, beside.names, Asked::Readings));
+            return Err(Self::asked(found, beside.names, Asked::Readings));
         }
         let is_sure = chosen.iter().all(|(_, name)| name.is_sure());
         let are = self.kind(found, beside, is_sure.then(|| chosen.iter().any(|(_, name)| name.is_deviation())))?;
         let is_minus = chosen.iter().any(|(_, name)| *name == LimitName::Minus);
         let are = if are == LimitsAre::Deviations { self.signs(found, beside, is_minus)? } else { are };
-        self.columns_of(found, beside.names, are, !is_sure).map(Some)
+        Self::columns_of(found, beside.names, are, !is_sure).map(Some)
     }
 
     /// The columns of the limits that somebody has said.
@@ -92,16 +92,14 @@ impl Sample {
     /// # Errors
     /// A unit that is none, or signs that may mean two things.
     pub(in crate::exchange) fn said_limits(
-        &self,
         found: Found,
         names: &StringRecord,
     ) -> Result<Option<LimitColumns>, ImportErrorKind> {
         let Some(are) = found.are.filter(|_| found.upper.or(found.lower).is_some()) else { return Ok(None) };
-        self.columns_of(found, names, are, false).map(Some)
+        Self::columns_of(found, names, are, false).map(Some)
     }
 
     fn columns_of(
-        &self,
         found: Found,
         names: &StringRecord,
         are: LimitsAre,
@@ -172,10 +170,9 @@ impl Sample {
         }
         match (said, sizes, deviations) {
             (Some(true), 0, _) | (Some(true), 1.., 1..) => Ok(LimitsAre::Deviations),
-            (Some(false), _, 0) | (Some(false), 1.., 1..) => Ok(LimitsAre::Sizes),
-            (None, 1.., 0) => Ok(LimitsAre::Sizes),
+            (Some(false), _, 0) | (Some(false), 1.., 1..) | (None, 1.., 0) => Ok(LimitsAre::Sizes),
             (None, 0, 1..) if beside.nominal.is_some() => Ok(LimitsAre::Deviations),
-            _ => Err(self.asked(found, beside.names, Asked::Deviations)),
+            _ => Err(Self::asked(found, beside.names, Asked::Deviations)),
         }
     }
 
@@ -194,10 +191,10 @@ impl Sample {
         if is_minus || upper.is_some_and(|upper| self.numbers(beside.names, [upper, lower]).any(is_above)) {
             return Ok(LimitsAre::UnsignedDeviations);
         }
-        Err(self.asked(found, beside.names, Asked::Minus))
+        Err(Self::asked(found, beside.names, Asked::Minus))
     }
 
-    fn asked(&self, found: Found, names: &StringRecord, what: Asked) -> ImportErrorKind {
+    fn asked(found: Found, names: &StringRecord, what: Asked) -> ImportErrorKind {
         let asked: Vec<usize> = match what {
             Asked::Minus => found.lower.into_iter().collect(),
             Asked::Deviations | Asked::Readings => [found.upper, found.lower].into_iter().flatten().collect(),

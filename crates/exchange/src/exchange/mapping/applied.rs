@@ -222,7 +222,7 @@ impl Said<'_> {
                     (said(Role::Upper), said(Role::Lower).or(said(Role::Minus)))
                 }
             };
-            return sample.said_limits(Found { upper, lower, are: Some(are) }, &self.names);
+            return Sample::said_limits(Found { upper, lower, are: Some(are) }, &self.names);
         }
         // Somebody says that there are none.
         if all.into_iter().any(|role| self.of(role).is_some()) {

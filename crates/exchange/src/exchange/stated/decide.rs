@@ -24,6 +24,7 @@ use fitcheck_core::text::Within as _;
 ///
 /// # Errors
 /// What contradicts, or is not understood.
+#[expect(clippy::too_many_lines, reason = "each thing that may state a unit, one after the other")]
 pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), ImportErrorKind> {
     let is_header = |line: usize| columns.header == Some(line);
     let header = sample.rows.iter().find(|(line, _)| is_header(*line)).map(|(_, cells)| cells);

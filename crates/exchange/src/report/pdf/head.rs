@@ -255,14 +255,9 @@ pub(super) fn counts_of_parts(parts: &[PartSheet], words: &Words) -> Card {
 }
 
 fn shown(counts: [usize; Status::ALL.len()], words: &Words) -> impl Iterator<Item = Count> {
-    Status::ALL.into_iter().zip(counts).filter_map(|(status, count)| {
-        // A zero of what seldom comes would only raise questions.
-        (!status.is_rare() || 0 < count).then(|| Count {
-            status: Some(status),
-            word: words.told(&status),
-            number: count,
-        })
-    })
+    // A zero of what seldom comes would only raise questions.
+    let told = Status::ALL.into_iter().zip(counts).filter(|(status, count)| !status.is_rare() || 0 < *count);
+    told.map(|(status, count)| Count { status: Some(status), word: words.told(&status), number: count })
 }
 
 /// A heading within the report.
