@@ -95,6 +95,9 @@ pub(super) fn by_sign(header: &str, names: &StringRecord) -> Option<LimitName> {
 
 /// The sign of a deviation in a name: `+TOL`, `Tol. (-)`.
 fn sign(header: &str) -> Option<char> {
+    if goes_both_ways(header) {
+        return None;
+    }
     let name = match header.trim().rsplit_once(['[', '(']) {
         Some((name, unit)) if units::known(unit.trim_end_matches([']', ')'])).is_some() => name,
         _ => header.trim(),
