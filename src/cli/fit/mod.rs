@@ -6,6 +6,7 @@
 //! | `figures` | the same in figures |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
+//! | `line` | a named line of an answer |
 //! | `press` | press fits |
 //! | `reverse` | from a wanted clearance or a function to classes |
 //!
@@ -14,6 +15,7 @@
 mod answer;
 mod figures;
 mod heat;
+mod line;
 mod press;
 mod reverse;
 mod text;

@@ -1,7 +1,7 @@
 //! Press fits: arguments, the answer for people and in figures.
 
 use super::heat::HeatArgs;
-use super::text::line;
+use super::line::line;
 use crate::cli::admitted::Admits;
 use crate::cli::material::materials;
 use crate::cli::{CliError, ErrorSubject, Figure, IntoCliError as _, Io};

@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use super::answer::{Answer, Equivalent, Measured};
 use super::heat::{Heat, Heated};
+use super::line::line;
 use crate::cli::Io;
 use crate::cli::limits::lower_and_upper;
 use crate::cli::material::Part;
@@ -45,10 +46,6 @@ pub(super) fn with_remarks(kind: &dyn Display, classes: Option<(ToleranceClass, 
     let function = function(hole, shaft).map(|function| function.to_string());
     let all = [Some(kind.to_string()), basis, preferred, function];
     all.into_iter().flatten().collect::<Vec<_>>().join(", ")
-}
-
-pub(super) fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
-    writeln!(io.people(), "  {name:<12} {text}");
 }
 
 fn part(name: &str, tolerance: PartTolerance, limits: &Limits, io: &mut Io<'_>) {
