@@ -118,7 +118,11 @@ fn the_first_sheet_with_measurements_is_read() {
     // The callout of merged cells is that of the first one.
     let [unjudged] = imported.unjudged.as_slice() else { panic!() };
     assert_eq!((unjudged.line, unjudged.id.as_str(), &unjudged.why), (9, "B7", &WhyUnjudged::NoCallout));
-    assert_eq!(warnings(&imported), ["line 1: sheet Measurements is read; other sheets are not: Notes, Chart"]);
+    let told = [
+        "line 1: sheet Measurements is read; other sheets are not: Notes, Chart",
+        "line 4: no date and time here: the time of import is used",
+    ];
+    assert_eq!(warnings(&imported), told);
     // Neither of them looks as if something measured were in it.
     assert!(!imported.warnings[0].what.kind.stands_against());
 }
