@@ -7,6 +7,7 @@ use super::layout::Layout;
 use crate::exchange::beside::BesideColumn;
 use crate::exchange::limits::LimitColumns;
 use crate::exchange::quantity::QuantityColumn;
+use crate::exchange::row::TextRow;
 use fitcheck_core::length::Unit;
 use fitcheck_core::tolerance::Sources;
 
@@ -99,5 +100,23 @@ impl<'a> StreamJudging<'a> {
     /// Where limits come from.
     pub const fn sources(&self) -> &Sources {
         self.sources
+    }
+}
+
+impl Fast<'_> {
+    /// Whether nothing beside the value of a row has to be read, and its value is a size; `None` where cells are missing.
+    #[inline]
+    pub(super) fn is_plain_size(&self, row: &TextRow<'_>) -> Option<bool> {
+        for at in &self.aside {
+            if !row.cell(*at)?.is_empty() {
+                return Some(false);
+            }
+        }
+        for column in self.quantities {
+            if !column.is_known_size(row.cell(column.at)?) {
+                return Some(false);
+            }
+        }
+        Some(true)
     }
 }

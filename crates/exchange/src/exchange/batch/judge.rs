@@ -270,15 +270,8 @@ impl Judge<'_> {
         if nominal <= Length::ZERO {
             return None;
         }
-        for at in &fast.aside {
-            if !row.cell(*at)?.is_empty() {
-                return None;
-            }
-        }
-        for column in fast.quantities {
-            if !column.is_known_size(row.cell(column.at)?) {
-                return None;
-            }
+        if !fast.is_plain_size(row)? {
+            return None;
         }
         let number = self.classes.number(class)?;
         let (class, feature, deviations) = self.classes.deviations(number, nominal)?;

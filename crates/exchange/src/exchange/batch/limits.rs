@@ -23,15 +23,8 @@ impl Judge<'_> {
     ) -> Option<()> {
         let fast = &self.court.fast;
         let limits = fast.limits?;
-        for at in &fast.aside {
-            if !row.cell(*at)?.is_empty() {
-                return None;
-            }
-        }
-        for column in fast.quantities {
-            if !column.is_known_size(row.cell(column.at)?) {
-                return None;
-            }
+        if !fast.is_plain_size(row)? {
+            return None;
         }
         let nominal = match fast.nominal {
             Some((at, unit)) => Some(number(row, (at, said.unwrap_or(unit)))?.0),
