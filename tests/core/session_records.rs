@@ -14,7 +14,7 @@ use fitcheck::session::{
     CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, ListCommand, MeasureBy, OpenJournal, Page,
     ProgramCommand, RESTORED, RecordRow, Recorded, RecordsCommand, RecordsField, Saved, Session, Step,
 };
-use fitcheck::tolerance::Sources;
+use fitcheck::tolerance::{Feature, Sources};
 use fitcheck::words::Language;
 use jiff::civil::{DateTime, date};
 use jiff::tz::{TimeZone, offset};
@@ -781,4 +781,41 @@ fn undo_of_a_long_import_withdraws_its_records_as_one_batch() {
     );
     send(&mut session, RecordsCommand::Kept { run, result: Ok(heads(602)) });
     assert_eq!(told(&session), "600 checks taken back; records 2 … 601 are withdrawn");
+}
+
+#[test]
+fn hole_or_shaft_said_of_a_whole_file_judges_its_open_rows_again_and_withdraws_what_they_were() {
+    let table = b"id,nominal,lower_limit,upper_limit,measured\nA,8,7.9,8.1,8.0\nB,8,7.9,8.1,8.2\nC,8,7.9,8.1,7.8\n";
+    let mut session = recording();
+    let imported = fitcheck::exchange::import("lengths.csv", table, session.sources(), now());
+    let read = CheckCommand::Imported { name: "lengths.csv".to_owned(), result: Ok(Box::new(imported)) };
+    let (run, entries) = kept(&send(&mut session, read));
+    assert_eq!(entries.len(), 3);
+    send(&mut session, RecordsCommand::Kept { run, result: Ok((2..5).map(head).collect()) });
+    let counts = |session: &Session| session.check().lot.as_ref().unwrap().counts().map(|(_, n)| n).collect::<Vec<_>>();
+    let statuses =
+        |session: &Session| session.history().iter().map(|record| record.verdict.status().word()).collect::<Vec<_>>();
+    assert_eq!(statuses(&session), ["GOOD", "OUT OF LIMITS", "OUT OF LIMITS"]);
+    assert!(session.check().is_open());
+    let effects = send(&mut session, CheckCommand::ChooseFeature(Some(Feature::Shaft)));
+    assert_eq!(statuses(&session), ["GOOD", "REWORK", "SCRAP"]);
+    assert_eq!(counts(&session), [1, 1, 0, 0, 1]);
+    let names: Vec<_> = session.history().iter().map(|record| record.limits.feature).collect();
+    assert_eq!(names, [None, Some(Feature::Shaft), Some(Feature::Shaft)], "what was good stays as it was");
+    let sent: Vec<Vec<Entry>> = effects
+        .into_iter()
+        .filter_map(|effect| match effect {
+            Effect::Keep { entries, .. } => Some(entries),
+            _ => None,
+        })
+        .collect();
+    let [withdrawn, again] = sent.as_slice() else { panic!("{sent:#?}") };
+    let targets = withdrawn.iter().filter_map(Entry::corrects).map(|old| old.target.number);
+    assert_eq!(targets.collect::<Vec<_>>(), [2, 3, 4]);
+    assert_eq!(
+        again.iter().map(|entry| (entry.about.part.as_str(), size(entry).verdict.status().word())).collect::<Vec<_>>(),
+        [("A", "GOOD"), ("B", "REWORK"), ("C", "SCRAP")]
+    );
+    assert!(!session.check().is_open());
+    assert!(session.notices().iter().any(|notice| notice.message.to_string().starts_with("2 values outside")));
 }

@@ -365,9 +365,17 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } odmítnutých řádků
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Jedna hodnota mimo meze byla znovu posouzena: { $as }
+    [few] { $count } hodnoty mimo meze byly znovu posouzeny: { $as }
+   *[other] { $count } hodnot mimo meze bylo znovu posouzeno: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Zobrazit
 notice-open-in = Otevřít: { $page }

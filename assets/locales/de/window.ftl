@@ -349,9 +349,16 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } Zeilen abgewiesen
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Ein Wert außerhalb seiner Grenzmaße wurde neu beurteilt: { $as }
+   *[other] { $count } Werte außerhalb ihrer Grenzmaße wurden neu beurteilt: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Anzeigen
 notice-open-in = Öffnen auf Seite { $page }

@@ -349,9 +349,16 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rows refused
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] One value outside its limits was judged again: { $as }
+   *[other] { $count } values outside their limits were judged again: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Show
 notice-open-in = Open in { $page }

@@ -349,9 +349,16 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } filas no admitidas
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Un valor fuera de sus límites se ha juzgado de nuevo: { $as }
+   *[other] { $count } valores fuera de sus límites se han juzgado de nuevo: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Mostrar
 notice-open-in = Abrir en la página { $page }

@@ -349,9 +349,16 @@ import-notice = { $name } : { $good ->
    *[other] { $bad } rangées refusées
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Une valeur hors de ses limites a été jugée à nouveau : { $as }
+   *[other] { $count } valeurs hors de leurs limites ont été jugées à nouveau : { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Afficher
 notice-open-in = Ouvrir dans { $page }

@@ -349,9 +349,16 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } righe rifiutate
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Un valore fuori dai limiti è stato rigiudicato: { $as }
+   *[other] { $count } valori fuori dai limiti sono stati rigiudicati: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Mostrare
 notice-open-in = Aprire nella pagina { $page }

@@ -349,9 +349,16 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rijen geweigerd
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Eén waarde buiten zijn grenzen is opnieuw beoordeeld: { $as }
+   *[other] { $count } waarden buiten hun grenzen zijn opnieuw beoordeeld: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Tonen
 notice-open-in = Openen op de pagina { $page }

@@ -381,9 +381,17 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } wierszy odrzuconych
 }
 import-counted = { $file }. { $counts }
+check-judged-again = { $count ->
+    [one] Jedną wartość poza granicami oceniono ponownie: { $as }
+    [few] { $count } wartości poza granicami oceniono ponownie: { $as }
+   *[other] { $count } wartości poza granicami oceniono ponownie: { $as }
+}
 import-counts = { $is-good } { $good }, { $is-rework } { $rework }{ $again ->
     [0] { "" }
    *[other] , { $is-again } { $again }
+}{ $out ->
+    [0] { "" }
+   *[other] , { $is-out } { $out }
 }, { $is-scrap } { $scrap }
 notice-show = Pokaż
 notice-open-in = Otwórz na stronie { $page }

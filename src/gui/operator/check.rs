@@ -77,9 +77,12 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>) {
     if !ui.memory(|memory| memory.has_focus(field::id(CheckField::Callout))) {
         error_ui(ui, view, CheckField::Callout);
     }
-    if let Some(limits) = &view.session.check().asked.limits {
+    let limits = view.session.check().asked.limits.as_ref();
+    if let Some(limits) = limits {
         limits_ui(ui, view, limits);
-    } else if view.session.check().asked.callout.is_some() {
+    }
+    let is_asked = limits.is_none() && view.session.check().asked.callout.is_some();
+    if is_asked || view.session.check().is_open() {
         quiet(ui, view.text("operator-hole-or-shaft"));
         ui.horizontal(|ui| {
             for feature in [Feature::Hole, Feature::Shaft] {

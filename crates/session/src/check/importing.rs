@@ -124,12 +124,17 @@ impl CheckPage {
 /// How many rows have which verdict; nothing for one row, whose verdict is shown.
 fn counts(records: &[Record]) -> Option<Message> {
     let count = |status| records.iter().filter(|record| record.verdict.status() == status).count();
-    let [good, rework, again, scrap] = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].map(count);
-    let counts = message!("import-counts").count("good", good).count("rework", rework).count("again", again);
-    let words = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].map(|status| status.message());
-    let [is_good, is_rework, is_again, is_scrap] = words;
-    let counts = counts.count("scrap", scrap).message("is-good", is_good).message("is-rework", is_rework);
-    (1 < records.len()).then(|| counts.message("is-again", is_again).message("is-scrap", is_scrap))
+    let told = [
+        ("good", "is-good", Status::Good),
+        ("rework", "is-rework", Status::Rework),
+        ("again", "is-again", Status::ReMeasure),
+        ("out", "is-out", Status::OutOfLimits),
+        ("scrap", "is-scrap", Status::Scrap),
+    ];
+    let counts = told.into_iter().fold(message!("import-counts"), |said, (number, word, status)| {
+        said.count(number, count(status)).message(word, status.message())
+    });
+    (1 < records.len()).then_some(counts)
 }
 
 /// The notice about an imported file: how many checks, and every row that could not be used.

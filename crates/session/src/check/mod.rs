@@ -9,6 +9,7 @@
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
 //! | `doubted` | texts that may not mean what they say, and those that do |
 //! | `measuring` | from the fields to a measurement |
+//! | `afterwards` | hole or shaft, said after the verdict |
 //! | `operating` | what is other for an operator |
 //! | `importing` | from a file to checks and the notice about it |
 //! | `scanned` | a code in the field of the value |
@@ -17,6 +18,7 @@
 //! | `lot` | the rows of an imported file: how many are what, worst first |
 
 mod actions;
+mod afterwards;
 mod apply;
 mod asked;
 mod choices;

@@ -103,12 +103,12 @@ impl Recording {
         let mut known = Vec::new();
         let mut refused = Vec::new();
         for (id, ToKeep { record, named, files }) in (first.0..).map(RecordId).zip(checks) {
-            let check = Check { what: Checked::Size(record), files, corrects: None };
+            let check = Check { what: Checked::Size(record), files: files.clone(), corrects: None };
             let entry = self.entry(&named, Content::Check(Box::new(check)));
             match body::write(&entry) {
                 Ok(_) => {
                     // Somebody else may measure when it is withdrawn.
-                    known.push((id, Named { who: entry.about.who.clone(), ..named }));
+                    known.push((id, Named { who: entry.about.who.clone(), ..named }, files));
                     entries.push(entry);
                 }
                 Err(error) => refused.push((id, named, error.message())),
@@ -117,15 +117,25 @@ impl Recording {
         let run = self.send(entries);
         if let Some(run) = run {
             let of_run = (0..).map(|at| (run, at)).zip(known);
-            self.checks.extend(of_run.map(|(slip, (id, named))| (id, Known { slip, named })));
+            self.checks.extend(of_run.map(|(slip, (id, named, files))| (id, Known { slip, named, files })));
         }
         let told = refused.first().map(|(_, _, why)| (refused.len(), why.clone()));
         let sent = Sent { run, refused: told };
         for (id, named, why) in refused {
             let slip = (self.refuse(why), 0);
-            self.checks.insert(id, Known { slip, named });
+            self.checks.insert(id, Known { slip, named, files: Vec::new() });
         }
         sent
+    }
+
+    /// What was sent of checks of the history, with other records in their places; of those that were not sent, nothing is known.
+    pub(crate) fn sent_of(&self, ids: &[RecordId], records: &[Arc<Record>]) -> Vec<ToKeep> {
+        let to_keep = |(id, record): (&RecordId, &Arc<Record>)| {
+            let Known { named, files, .. } = self.checks.get(id)?;
+            Some(ToKeep { record: Arc::clone(record), named: named.clone(), files: files.clone() })
+        };
+        let sent: Option<Vec<ToKeep>> = ids.iter().zip(records).map(to_keep).collect();
+        sent.unwrap_or_default()
     }
 
     /// Sends what cycles say, named as the next check is; returns the number of the batch.

@@ -23,7 +23,7 @@ use std::path::PathBuf;
 
 use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
-use fitcheck_exchange::journal::entry::Entry;
+use fitcheck_exchange::journal::entry::{Entry, UsedFile};
 use fitcheck_exchange::journal::query::RecordId;
 pub use making::Named;
 pub(super) use making::{Sent, ToKeep, correcting, used};
@@ -72,6 +72,8 @@ pub(super) type Slip = (u64, u64);
 struct Known {
     slip: Slip,
     named: Named,
+    /// The files that it was made with.
+    files: Vec<UsedFile>,
 }
 
 /// Entries that were sent together, and what came of it.
@@ -314,7 +316,7 @@ impl Recording {
 
     /// A correction put a check into the history: the entry of this batch.
     pub(super) fn know_correction(&mut self, id: RecordId, run: u64, named: Named) {
-        self.checks.insert(id, Known { slip: (run, 0), named });
+        self.checks.insert(id, Known { slip: (run, 0), named, files: Vec::new() });
     }
 
     /// What has become of a check of the history; `None` where it was not sent.
