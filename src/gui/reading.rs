@@ -21,13 +21,15 @@ use crate::message::{Message, OwnTexts, Say as _, message};
 use crate::nc::program::ProgramWarning;
 use crate::part;
 use crate::probing::simulated::{Part, Simulation};
+use crate::proof;
+use crate::report::changes::EarlierReport;
 use crate::report::pairing::PairingParts;
 use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
 use crate::session::{
     BothSizes, BudgetCommand, CheckCommand, ColumnsCommand, Command, CycleFile, CyclesCommand, ImportInto,
-    PairingCommand, PartsCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
-    usable,
+    PairingCommand, PartsCommand, ProgramCommand, Purpose, ReportsCommand, RowsCommand, TablesCommand, ToolsCommand,
+    WorkpieceCommand, usable,
 };
 use crate::text::decode;
 use crate::tolerance::fit::thermal::Temperature;
@@ -60,6 +62,7 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Parts(PartsCommand::Walk(WalkCommand::Imported { result, .. })) => result.is_ok(),
         Command::Parts(PartsCommand::Walk(WalkCommand::Watch { is_folder, .. })) => *is_folder,
         Command::Pairing(PairingCommand::Read { result, .. }) => result.is_ok(),
+        Command::Reports(ReportsCommand::Earlier { result, .. }) => result.is_ok(),
         _ => false,
     }
 }
@@ -91,6 +94,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileConte
         Purpose::OpenBudget => BudgetCommand::Read { result: read_text(&path, &mut seen), path }.into(),
         Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path, &mut seen), path }.into(),
         Purpose::OpenPlan => PartsCommand::Plan(PlanCommand::Read { result: read_plan(&path, &mut seen), path }).into(),
+        Purpose::CompareReport => ReportsCommand::Earlier { result: read_earlier(&path), name }.into(),
         Purpose::OpenPicture => PartsCommand::Plan(PlanCommand::ChoosePicture(path)).into(),
         Purpose::WatchFolder => WalkCommand::Watch { is_folder: path.is_dir(), folder: path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
@@ -118,6 +122,11 @@ fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
     Ok((Box::new(mask), warnings.iter().map(crate::message::Say::message).collect()))
+}
+
+fn read_earlier(path: &Path) -> Result<Arc<EarlierReport>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    proof::earlier_report(&bytes).map(Arc::new)
 }
 
 fn read_texts(path: &Path) -> Result<Arc<OwnTexts>, Message> {

@@ -162,7 +162,11 @@ fn a_report_says_what_changed_since_an_earlier_one() {
         run(&["A: 25 H7=24.998", "B: 10 g6=9.991", "C: 40 H7=40.01", "D: 8 H9=8.01"], Some("before.json"), "same.html");
     assert!(page.contains("<li>no result and no limit</li>"), "{page}");
     let (page, said) = run(&now, Some("now.md"), "other.md");
-    assert!(page.is_empty() && said.contains("now.md: not a report of Fitcheck as JSON"), "{said}");
+    assert!(page.is_empty() && said.contains("now.md: not a report of Fitcheck with its data"), "{said}");
+    // The PDF that somebody signed has the same data.
+    run(&["A: 25 H7=24.998"], None, "signed.pdf");
+    let (page, said) = run(&["A: 25 H7=25.012"], Some("signed.pdf"), "since.md");
+    assert!(page.contains("- A: REWORK → GOOD"), "{said}{page}");
 }
 
 #[test]

@@ -47,11 +47,11 @@ fn a_template_is_chosen_by_its_name_and_the_pages_follow() {
     let mut window = page();
     click(&mut window, Role::RadioButton, "Certificate, Values and statement of conformity");
     let certificate = heard(&window);
-    assert!(certificate.contains("Statement of conformity: all 1 values"), "{certificate}");
+    assert!(certificate.contains("Statement of conformity: the value"), "{certificate}");
     type_into(&mut window, "Customer", "Northgate");
     assert!(heard(&window).contains("Northgate"), "{}", heard(&window));
     click(&mut window, Role::CheckBox, "Statement of conformity");
-    assert!(!heard(&window).contains("Statement of conformity: all"), "{}", heard(&window));
+    assert!(!heard(&window).contains("Statement of conformity"), "{}", heard(&window));
 }
 
 #[test]
@@ -122,4 +122,34 @@ fn a_label_is_saved_as_a_picture_and_a_page_is_not() {
     send(&mut window, ReportsCommand::Template("report-template-label".to_owned()));
     assert!(window.query_by_role_and_label(Role::Button, "PNG…").is_some());
     assert!(window.query_by_role_and_label(Role::Button, "New template").is_some());
+}
+
+#[test]
+fn an_earlier_report_is_chosen_and_what_changed_stands_on_the_first_page() {
+    let mut window = page();
+    let folder = tempfile::tempdir().unwrap();
+    let [earlier, text] = ["earlier.pdf", "notes.json"].map(|name| folder.path().join(name));
+    click(&mut window, Role::Button, "Save PDF…");
+    type_into(&mut window, "File", &earlier.display().to_string());
+    press(&mut window, Key::Enter);
+    send(&mut window, Command::OpenPage(Page::Check));
+    send(&mut window, Field::from(CheckField::Measured).typed("24.998".to_owned()));
+    send(&mut window, Command::Enter(CheckField::Measured.into()));
+    send(&mut window, Command::OpenPage(Page::Reports));
+    send(&mut window, ReportsCommand::Of(ReportOf::Check));
+    let compare = |window: &mut Harness<'_, App>, file: &std::path::Path| {
+        click(window, Role::Button, "Compare with a report…");
+        type_into(window, "File", &file.display().to_string());
+        press(window, Key::Enter);
+    };
+    compare(&mut window, &earlier);
+    assert!(heard(&window).contains("25 H7: GOOD → REWORK"), "{}", heard(&window));
+    assert!(window.query_by_label_contains("Says what changed since earlier.pdf of").is_some());
+    std::fs::write(&text, "{}").unwrap();
+    compare(&mut window, &text);
+    assert!(window.get_all_by_label_contains("notes.json is no report to compare with").next().is_some());
+    press(&mut window, Key::Escape);
+    assert!(heard(&window).contains("25 H7: GOOD → REWORK"), "a refused file changes nothing");
+    click(&mut window, Role::Button, "Do not compare");
+    assert!(!heard(&window).contains("GOOD → REWORK"), "{}", heard(&window));
 }

@@ -78,7 +78,6 @@ report-title = Zpráva o kontrole
 report-part = Díl
 report-order = Zakázka
 report-inspector = Kontroloval
-report-created = Vytvořeno
 report-program = Program
 report-notes = Přeskočené řádky a varování
 report-no-checks = Tato zpráva neobsahuje žádné kontroly.
@@ -219,10 +218,22 @@ report-pdf-not-attached = Nejsou připojena všechna data: soubor větší než 
 report-pdf-contacts = Body dotyku jsou v připojených datech.
 report-pdf-cut = Text, který končí …, je zde zkrácen; v připojených datech je celý.
 report-pdf-substituted = □ zastupuje znak, který písma těchto stránek nemají, například znaky psané zprava doleva; zkopírovaný text a připojená data tento znak obsahují.
-report-statement-conforms = Prohlášení o shodě: všechny hodnoty ({ $count }) leží v mezích podle uvedeného rozhodovacího pravidla.
-report-statement-not = Bez shody: { $bad } z { $count } hodnot nevyhovuje podle uvedeného rozhodovacího pravidla.
+report-statement-conforms = { $count ->
+    [one] Prohlášení o shodě: hodnota leží v mezích podle uvedeného rozhodovacího pravidla.
+    [few] Prohlášení o shodě: všechny hodnoty ({ $count }) leží v mezích podle uvedeného rozhodovacího pravidla.
+   *[other] Prohlášení o shodě: všechny hodnoty ({ $count }) leží v mezích podle uvedeného rozhodovacího pravidla.
+}
+report-statement-not = { $count ->
+    [one] Bez shody: hodnota nevyhovuje podle uvedeného rozhodovacího pravidla.
+    [few] Bez shody: { $bad } z { $count } hodnot nevyhovuje podle uvedeného rozhodovacího pravidla.
+   *[other] Bez shody: { $bad } z { $count } hodnot nevyhovuje podle uvedeného rozhodovacího pravidla.
+}
 report-statement-partial = Bez prohlášení o shodě: některé řádky byly odmítnuty, neposouzeny nebo nepřečteny. Zpráva je uvádí.
-report-statement-simulated = Bez prohlášení o shodě: { $count } hodnot je simulovaných a nikdo je neměřil.
+report-statement-simulated = { $count ->
+    [one] Bez prohlášení o shodě: jedna hodnota je simulovaná a nikdo ji neměřil.
+    [few] Bez prohlášení o shodě: { $count } hodnot je simulovaných a nikdo je neměřil.
+   *[other] Bez prohlášení o shodě: { $count } hodnot je simulovaných a nikdo je neměřil.
+}
 report-statement-open = Bez prohlášení o shodě: chybějí hodnoty, celkem { $count }.
 report-code-said = Kód záznamu { $number }, jeho otisk { $hash }
 report-lot-order = Nejhorší díl je první.
@@ -245,5 +256,4 @@ report-changed-limits = { $name }: meze { $low } až { $high } → { $lower } a�
 report-changed-added = { $name }: nové
 report-changed-removed = { $name }: ve zprávě již není
 report-changed-several = { $name }: neporovnáno, protože je více hodnot
-report-since-no-report = není zpráva programu Fitcheck ve formátu JSON: zapište dřívější zprávu s -o FILE.json, nebo vezměte report.json z PDF
-report-since-unread = kontroly nelze porovnat: { $reason }
+report-since-no-report = není zpráva programu Fitcheck s daty: zadejte její PDF nebo JSON

@@ -74,7 +74,6 @@ report-title = Prüfbericht
 report-part = Teil
 report-order = Auftrag
 report-inspector = Prüfer
-report-created = Erstellt
 report-program = Programm
 report-notes = Übersprungene Zeilen und Warnungen
 report-no-checks = Dieser Prüfbericht enthält keine Prüfungen.
@@ -211,10 +210,19 @@ report-pdf-not-attached = Nicht alle Daten sind angehängt: eine Datei von mehr 
 report-pdf-contacts = Die Antastpunkte stehen in den angehängten Daten.
 report-pdf-cut = Ein Text, der mit … endet, ist hier gekürzt; in den angehängten Daten steht er ganz.
 report-pdf-substituted = Ein □ steht für ein Zeichen, das die Schriften dieser Seiten nicht haben, etwa von rechts nach links geschriebene; kopierter Text und die angehängten Daten haben das Zeichen.
-report-statement-conforms = Konformitätsaussage: Alle { $count } Werte liegen nach der hier genannten Entscheidungsregel innerhalb ihrer Grenzen.
-report-statement-not = Keine Konformität: { $bad } von { $count } Werten sind nach der hier genannten Entscheidungsregel nicht konform.
+report-statement-conforms = { $count ->
+    [one] Konformitätsaussage: Der Wert liegt nach der hier genannten Entscheidungsregel innerhalb seiner Grenzen.
+   *[other] Konformitätsaussage: Alle { $count } Werte liegen nach der hier genannten Entscheidungsregel innerhalb ihrer Grenzen.
+}
+report-statement-not = { $count ->
+    [one] Keine Konformität: Der Wert ist nach der hier genannten Entscheidungsregel nicht konform.
+   *[other] Keine Konformität: { $bad } von { $count } Werten sind nach der hier genannten Entscheidungsregel nicht konform.
+}
 report-statement-partial = Keine Konformitätsaussage: Einige Zeilen wurden zurückgewiesen, nicht beurteilt oder nicht gelesen. Der Bericht führt sie auf.
-report-statement-simulated = Keine Konformitätsaussage: { $count } Werte sind simuliert und wurden von niemandem gemessen.
+report-statement-simulated = { $count ->
+    [one] Keine Konformitätsaussage: Ein Wert ist simuliert und wurde von niemandem gemessen.
+   *[other] Keine Konformitätsaussage: { $count } Werte sind simuliert und wurden von niemandem gemessen.
+}
 report-statement-open = Keine Konformitätsaussage: Werte fehlen, insgesamt { $count }.
 report-code-said = Code des Eintrags { $number }, sein Hash { $hash }
 report-lot-order = Das schlechteste Teil steht zuerst.
@@ -236,5 +244,4 @@ report-changed-limits = { $name }: Grenzen { $low } bis { $high } → { $lower }
 report-changed-added = { $name }: neu
 report-changed-removed = { $name }: nicht mehr im Bericht
 report-changed-several = { $name }: nicht verglichen, weil mehrere Werte vorliegen
-report-since-no-report = kein Bericht von Fitcheck als JSON: schreiben Sie den früheren Bericht mit -o FILE.json oder nehmen Sie report.json aus dem PDF
-report-since-unread = die Prüfungen lassen sich nicht vergleichen: { $reason }
+report-since-no-report = kein Bericht von Fitcheck mit seinen Daten: geben Sie sein PDF oder sein JSON an

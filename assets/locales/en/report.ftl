@@ -74,7 +74,6 @@ report-title = Inspection report
 report-part = Part
 report-order = Order
 report-inspector = Inspector
-report-created = Created
 report-program = Program
 report-notes = Skipped rows and warnings
 report-no-checks = This report has no checks.
@@ -211,10 +210,19 @@ report-pdf-not-attached = Not all data are attached: a file of more than { $most
 report-pdf-contacts = The contacts are in the attached data.
 report-pdf-cut = A text that ends in … is cut here; it is whole in the attached data.
 report-pdf-substituted = A □ stands for a character that the fonts of these pages lack, such as those written from right to left; copied text and the attached data have the character.
-report-statement-conforms = Statement of conformity: all { $count } values lie within their limits by the decision rule stated here.
-report-statement-not = No conformity: { $bad } of { $count } values do not conform by the decision rule stated here.
+report-statement-conforms = { $count ->
+    [one] Statement of conformity: the value lies within its limits by the decision rule stated here.
+   *[other] Statement of conformity: all { $count } values lie within their limits by the decision rule stated here.
+}
+report-statement-not = { $count ->
+    [one] No conformity: the value does not conform by the decision rule stated here.
+   *[other] No conformity: { $bad } of { $count } values do not conform by the decision rule stated here.
+}
 report-statement-partial = No statement of conformity: some rows were refused, not judged or not read. The report lists them.
-report-statement-simulated = No statement of conformity: { $count } values are simulated and were measured by nobody.
+report-statement-simulated = { $count ->
+    [one] No statement of conformity: one value is simulated and was measured by nobody.
+   *[other] No statement of conformity: { $count } values are simulated and were measured by nobody.
+}
 report-statement-open = No statement of conformity: values are missing, { $count } in all.
 report-code-said = Code of record { $number }, its hash { $hash }
 report-lot-order = Parts are listed with the worst first.
@@ -236,5 +244,4 @@ report-changed-limits = { $name }: limits { $low } to { $high } → { $lower } t
 report-changed-added = { $name }: new
 report-changed-removed = { $name }: no longer in the report
 report-changed-several = { $name }: not compared, because it has several values
-report-since-no-report = not a report of Fitcheck as JSON: write the earlier report with -o FILE.json, or take report.json from its PDF
-report-since-unread = the checks cannot be compared: { $reason }
+report-since-no-report = not a report of Fitcheck with its data: give its PDF or its JSON

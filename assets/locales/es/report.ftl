@@ -74,7 +74,6 @@ report-title = Informe de inspección
 report-part = Pieza
 report-order = Orden
 report-inspector = Inspector
-report-created = Creado
 report-program = Programa
 report-notes = Filas omitidas y advertencias
 report-no-checks = Este informe no tiene comprobaciones.
@@ -211,10 +210,19 @@ report-pdf-not-attached = No están adjuntos todos los datos: un archivo de más
 report-pdf-contacts = Los puntos de palpación están en los datos adjuntos.
 report-pdf-cut = Un texto que termina en … está cortado aquí; en los datos adjuntos está entero.
 report-pdf-substituted = Un □ representa un carácter que falta en las fuentes de estas páginas, como los que se escriben de derecha a izquierda; el texto copiado y los datos adjuntos contienen el carácter.
-report-statement-conforms = Declaración de conformidad: los { $count } valores están dentro de sus límites según la regla de decisión indicada.
-report-statement-not = Sin conformidad: { $bad } de { $count } valores no son conformes según la regla de decisión indicada.
+report-statement-conforms = { $count ->
+    [one] Declaración de conformidad: el valor está dentro de sus límites según la regla de decisión indicada.
+   *[other] Declaración de conformidad: los { $count } valores están dentro de sus límites según la regla de decisión indicada.
+}
+report-statement-not = { $count ->
+    [one] Sin conformidad: el valor no es conforme según la regla de decisión indicada.
+   *[other] Sin conformidad: { $bad } de { $count } valores no son conformes según la regla de decisión indicada.
+}
 report-statement-partial = Sin declaración de conformidad: algunas filas se rechazaron, no se evaluaron o no se leyeron. El informe las indica.
-report-statement-simulated = Sin declaración de conformidad: { $count } valores son simulados y nadie los ha medido.
+report-statement-simulated = { $count ->
+    [one] Sin declaración de conformidad: un valor es simulado y nadie lo ha medido.
+   *[other] Sin declaración de conformidad: { $count } valores son simulados y nadie los ha medido.
+}
 report-statement-open = Sin declaración de conformidad: faltan valores, { $count } en total.
 report-code-said = Código del registro { $number }, su hash { $hash }
 report-lot-order = La peor pieza va primero.
@@ -236,5 +244,4 @@ report-changed-limits = { $name }: límites de { $low } a { $high } → de { $lo
 report-changed-added = { $name }: nuevo
 report-changed-removed = { $name }: ya no está en el informe
 report-changed-several = { $name }: no comparado, porque hay varios valores
-report-since-no-report = no es un informe de Fitcheck en JSON: escriba el informe anterior con -o FILE.json, o tome report.json de su PDF
-report-since-unread = las comprobaciones no se pueden comparar: { $reason }
+report-since-no-report = no es un informe de Fitcheck con sus datos: indique su PDF o su JSON

@@ -74,7 +74,6 @@ report-title = Rapport de contrôle
 report-part = Pièce
 report-order = Ordre de fabrication
 report-inspector = Contrôleur
-report-created = Établi le
 report-program = Programme
 report-notes = Rangées ignorées et avertissements
 report-no-checks = Ce rapport n'a aucun contrôle.
@@ -211,10 +210,19 @@ report-pdf-not-attached = Toutes les données ne sont pas jointes : un fichier 
 report-pdf-contacts = Les points de palpage sont dans les données jointes.
 report-pdf-cut = Un texte qui finit par … est coupé ici ; il est entier dans les données jointes.
 report-pdf-substituted = Un □ remplace un caractère que les polices de ces pages n'ont pas, comme ceux qui s'écrivent de droite à gauche ; le texte copié et les données jointes contiennent ce caractère.
-report-statement-conforms = Déclaration de conformité : les { $count } valeurs sont toutes dans leurs limites selon la règle de décision indiquée.
-report-statement-not = Pas de conformité : { $bad } valeurs sur { $count } ne sont pas conformes selon la règle de décision indiquée.
+report-statement-conforms = { $count ->
+    [one] Déclaration de conformité : la valeur est dans ses limites selon la règle de décision indiquée.
+   *[other] Déclaration de conformité : les { $count } valeurs sont toutes dans leurs limites selon la règle de décision indiquée.
+}
+report-statement-not = { $count ->
+    [one] Pas de conformité : la valeur n’est pas conforme selon la règle de décision indiquée.
+   *[other] Pas de conformité : { $bad } valeurs sur { $count } ne sont pas conformes selon la règle de décision indiquée.
+}
 report-statement-partial = Pas de déclaration de conformité : certaines rangées ont été refusées, n’ont pas été évaluées ou n’ont pas été lues. Le rapport les indique.
-report-statement-simulated = Pas de déclaration de conformité : { $count } valeurs sont simulées et n’ont été mesurées par personne.
+report-statement-simulated = { $count ->
+    [one] Pas de déclaration de conformité : une valeur est simulée et n’a été mesurée par personne.
+   *[other] Pas de déclaration de conformité : { $count } valeurs sont simulées et n’ont été mesurées par personne.
+}
 report-statement-open = Pas de déclaration de conformité : il manque des valeurs, { $count } en tout.
 report-code-said = Code du relevé { $number }, son empreinte { $hash }
 report-lot-order = La pire pièce vient en premier.
@@ -236,5 +244,4 @@ report-changed-limits = { $name } : limites de { $low } à { $high } → de { $l
 report-changed-added = { $name } : nouveau
 report-changed-removed = { $name } : ne figure plus dans le rapport
 report-changed-several = { $name } : non comparé, car il y a plusieurs valeurs
-report-since-no-report = n’est pas un rapport de Fitcheck en JSON : écrivez le rapport précédent avec -o FILE.json, ou prenez report.json dans son PDF
-report-since-unread = les contrôles ne peuvent pas être comparés : { $reason }
+report-since-no-report = n’est pas un rapport de Fitcheck avec ses données : indiquez son PDF ou son JSON

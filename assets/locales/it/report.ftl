@@ -74,7 +74,6 @@ report-title = Rapporto di controllo
 report-part = Pezzo
 report-order = Commessa
 report-inspector = Controllore
-report-created = Creato
 report-program = Programma
 report-notes = Righe saltate e avvisi
 report-no-checks = Questo rapporto non ha controlli.
@@ -211,10 +210,19 @@ report-pdf-not-attached = Non tutti i dati sono allegati: un file di più di { $
 report-pdf-contacts = I punti di contatto sono nei dati allegati.
 report-pdf-cut = Un testo che finisce con … qui è tagliato; nei dati allegati è intero.
 report-pdf-substituted = Un □ sta per un carattere che manca nei font di queste pagine, come quelli scritti da destra a sinistra; il testo copiato e i dati allegati contengono il carattere.
-report-statement-conforms = Dichiarazione di conformità: tutti i { $count } valori sono entro i limiti secondo la regola di decisione indicata.
-report-statement-not = Nessuna conformità: { $bad } valori su { $count } non sono conformi secondo la regola di decisione indicata.
+report-statement-conforms = { $count ->
+    [one] Dichiarazione di conformità: il valore è entro i limiti secondo la regola di decisione indicata.
+   *[other] Dichiarazione di conformità: tutti i { $count } valori sono entro i limiti secondo la regola di decisione indicata.
+}
+report-statement-not = { $count ->
+    [one] Nessuna conformità: il valore non è conforme secondo la regola di decisione indicata.
+   *[other] Nessuna conformità: { $bad } valori su { $count } non sono conformi secondo la regola di decisione indicata.
+}
 report-statement-partial = Nessuna dichiarazione di conformità: alcune righe sono state rifiutate, non valutate o non lette. Il rapporto le elenca.
-report-statement-simulated = Nessuna dichiarazione di conformità: { $count } valori sono simulati e nessuno li ha misurati.
+report-statement-simulated = { $count ->
+    [one] Nessuna dichiarazione di conformità: un valore è simulato e nessuno lo ha misurato.
+   *[other] Nessuna dichiarazione di conformità: { $count } valori sono simulati e nessuno li ha misurati.
+}
 report-statement-open = Nessuna dichiarazione di conformità: mancano valori, { $count } in tutto.
 report-code-said = Codice della registrazione { $number }, il suo hash { $hash }
 report-lot-order = Il pezzo peggiore è il primo.
@@ -236,5 +244,4 @@ report-changed-limits = { $name }: limiti da { $low } a { $high } → da { $lowe
 report-changed-added = { $name }: nuovo
 report-changed-removed = { $name }: non è più nel rapporto
 report-changed-several = { $name }: non confrontato, perché ci sono più valori
-report-since-no-report = non è un rapporto di Fitcheck in JSON: scrivere il rapporto precedente con -o FILE.json, oppure prendere report.json dal PDF
-report-since-unread = i controlli non si possono confrontare: { $reason }
+report-since-no-report = non è un rapporto di Fitcheck con i suoi dati: indicare il PDF o il JSON

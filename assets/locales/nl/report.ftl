@@ -74,7 +74,6 @@ report-title = Meetrapport
 report-part = Onderdeel
 report-order = Order
 report-inspector = Controleur
-report-created = Opgesteld
 report-program = Programma
 report-notes = Overgeslagen rijen en waarschuwingen
 report-no-checks = Dit rapport bevat geen controles.
@@ -211,10 +210,19 @@ report-pdf-not-attached = Niet alle gegevens zijn bijgevoegd: een bestand van me
 report-pdf-contacts = De meetpunten staan in de bijgevoegde gegevens.
 report-pdf-cut = Een tekst die op … eindigt, is hier ingekort; in de bijgevoegde gegevens staat hij volledig.
 report-pdf-substituted = Een □ staat voor een teken dat de lettertypen van deze pagina's missen, zoals tekens die van rechts naar links worden geschreven; gekopieerde tekst en de bijgevoegde gegevens hebben het teken wel.
-report-statement-conforms = Conformiteitsverklaring: alle { $count } waarden liggen binnen hun grenzen volgens de hier genoemde beslisregel.
-report-statement-not = Geen conformiteit: { $bad } van { $count } waarden voldoen niet volgens de hier genoemde beslisregel.
+report-statement-conforms = { $count ->
+    [one] Conformiteitsverklaring: de waarde ligt binnen haar grenzen volgens de hier genoemde beslisregel.
+   *[other] Conformiteitsverklaring: alle { $count } waarden liggen binnen hun grenzen volgens de hier genoemde beslisregel.
+}
+report-statement-not = { $count ->
+    [one] Geen conformiteit: de waarde voldoet niet volgens de hier genoemde beslisregel.
+   *[other] Geen conformiteit: { $bad } van { $count } waarden voldoen niet volgens de hier genoemde beslisregel.
+}
 report-statement-partial = Geen conformiteitsverklaring: sommige rijen zijn geweigerd, niet beoordeeld of niet gelezen. Het rapport vermeldt ze.
-report-statement-simulated = Geen conformiteitsverklaring: { $count } waarden zijn gesimuleerd en door niemand gemeten.
+report-statement-simulated = { $count ->
+    [one] Geen conformiteitsverklaring: één waarde is gesimuleerd en door niemand gemeten.
+   *[other] Geen conformiteitsverklaring: { $count } waarden zijn gesimuleerd en door niemand gemeten.
+}
 report-statement-open = Geen conformiteitsverklaring: er ontbreken waarden, { $count } in totaal.
 report-code-said = Code van regel { $number }, de hash { $hash }
 report-lot-order = Onderdelen staan met het slechtste eerst.
@@ -236,5 +244,4 @@ report-changed-limits = { $name }: grenzen { $low } tot { $high } → { $lower }
 report-changed-added = { $name }: nieuw
 report-changed-removed = { $name }: niet meer in het rapport
 report-changed-several = { $name }: niet vergeleken, omdat er meer dan één waarde is
-report-since-no-report = geen rapport van Fitcheck als JSON: schrijf het eerdere rapport met -o FILE.json, of neem report.json uit de PDF
-report-since-unread = de controles kunnen niet worden vergeleken: { $reason }
+report-since-no-report = geen rapport van Fitcheck met zijn gegevens: geef de PDF of de JSON ervan

@@ -78,7 +78,6 @@ report-title = Raport z kontroli
 report-part = Część
 report-order = Zlecenie
 report-inspector = Kontroler
-report-created = Utworzono
 report-program = Program
 report-notes = Pominięte wiersze i ostrzeżenia
 report-no-checks = Ten raport nie ma kontroli.
@@ -223,10 +222,22 @@ report-pdf-not-attached = Nie wszystkie dane są dołączone: plik większy niż
 report-pdf-contacts = Punkty pomiarowe są w dołączonych danych.
 report-pdf-cut = Tekst, który kończy się znakiem …, jest tu skrócony; w dołączonych danych jest cały.
 report-pdf-substituted = Znak □ zastępuje znak, którego nie mają czcionki tych stron, na przykład pisany od prawej do lewej; skopiowany tekst i dołączone dane zawierają ten znak.
-report-statement-conforms = Stwierdzenie zgodności: wszystkie wartości ({ $count }) mieszczą się w granicach według podanej reguły decyzyjnej.
-report-statement-not = Brak zgodności: { $bad } z { $count } wartości nie spełnia wymagań według podanej reguły decyzyjnej.
+report-statement-conforms = { $count ->
+    [one] Stwierdzenie zgodności: wartość mieści się w granicach według podanej reguły decyzyjnej.
+    [few] Stwierdzenie zgodności: wszystkie wartości ({ $count }) mieszczą się w granicach według podanej reguły decyzyjnej.
+   *[other] Stwierdzenie zgodności: wszystkie wartości ({ $count }) mieszczą się w granicach według podanej reguły decyzyjnej.
+}
+report-statement-not = { $count ->
+    [one] Brak zgodności: wartość nie spełnia wymagań według podanej reguły decyzyjnej.
+    [few] Brak zgodności: { $bad } z { $count } wartości nie spełnia wymagań według podanej reguły decyzyjnej.
+   *[other] Brak zgodności: { $bad } z { $count } wartości nie spełnia wymagań według podanej reguły decyzyjnej.
+}
 report-statement-partial = Brak stwierdzenia zgodności: niektóre wiersze odrzucono, nie oceniono ich lub nie odczytano. Raport je wymienia.
-report-statement-simulated = Brak stwierdzenia zgodności: { $count } wartości jest symulowanych i nikt ich nie zmierzył.
+report-statement-simulated = { $count ->
+    [one] Brak stwierdzenia zgodności: jedna wartość jest symulowana i nikt jej nie zmierzył.
+    [few] Brak stwierdzenia zgodności: { $count } wartości jest symulowanych i nikt ich nie zmierzył.
+   *[other] Brak stwierdzenia zgodności: { $count } wartości jest symulowanych i nikt ich nie zmierzył.
+}
 report-statement-open = Brak stwierdzenia zgodności: brakuje wartości, łącznie { $count }.
 report-code-said = Kod zapisu { $number }, jego skrót { $hash }
 report-lot-order = Najgorsza część jest pierwsza.
@@ -250,5 +261,4 @@ report-changed-limits = { $name }: granice od { $low } do { $high } → od { $lo
 report-changed-added = { $name }: nowe
 report-changed-removed = { $name }: nie ma już w raporcie
 report-changed-several = { $name }: nie porównano, ponieważ jest kilka wartości
-report-since-no-report = nie jest raportem programu Fitcheck w JSON: zapisz wcześniejszy raport z -o FILE.json albo weź report.json z pliku PDF
-report-since-unread = nie można porównać kontroli: { $reason }
+report-since-no-report = nie jest raportem programu Fitcheck z danymi: podaj jego plik PDF lub JSON

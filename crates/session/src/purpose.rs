@@ -78,6 +78,8 @@ pub enum Purpose {
     SavePlan(usize),
     /// Choosing the picture of a plan.
     OpenPicture,
+    /// Reading an earlier report, to say what changed since.
+    CompareReport,
     /// Reading readings of a calibrated piece.
     OpenReadings,
     /// Reading measured holes or shafts for the pairing page.
@@ -255,6 +257,9 @@ impl Purpose {
             Self::SavePlan(_) => writes("plan", "parts-page-dialog-save", Listed(&["csv"])),
             Self::OpenPicture => {
                 reads("picture", "parts-page-dialog-picture", Listed(&["png", "jpg", "jpeg", "svg"]), &[Page::Parts])
+            }
+            Self::CompareReport => {
+                reads("report", "reports-page-dialog-earlier", Listed(&["pdf", "json"]), &[Page::Reports])
             }
             Self::OpenReadings => reads("readings", "budget-page-dialog-readings", Measurements, &[Page::Budget]),
             Self::OpenParts(Feature::Hole) => {

@@ -26,8 +26,7 @@ use crate::journal::entry::Shown;
 use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
-use crate::proof::{Seen, SeenFile};
-use crate::report::changes::Changes;
+use crate::proof::{self, Seen, SeenFile};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -72,8 +71,8 @@ pub(super) struct Args {
     #[arg(long, value_parser = one_of(Language::all(), |language| language.code()))]
     language: Option<Language>,
 
-    /// An earlier report of the part as JSON: HTML, PDF and Markdown say which results and limits changed since
-    #[arg(long, value_name = "FILE.json")]
+    /// An earlier report of the part, as PDF or JSON: HTML, PDF, Markdown and XLSX say which results and limits changed since
+    #[arg(long, value_name = "FILE")]
     since: Option<PathBuf>,
 
     #[command(flatten)]
@@ -268,12 +267,12 @@ impl Args {
         Ok(outcome)
     }
 
-    /// The report with what changed since the earlier one, where one is given.
+    /// The report with the earlier one that it is compared with, where one is given.
     fn compared(&self, report: Report) -> Result<Report, CliError> {
         let Some(path) = &self.since else { return Ok(report) };
-        let earlier = crate::files::read_file(path).said()?;
-        let changes = Changes::since(&earlier, &report).about(&name(path))?;
-        Ok(Report { changes: Some(changes), ..report })
+        let file = crate::files::read_file(path).said()?;
+        let earlier = proof::earlier_report(&file).about(&name(path))?;
+        Ok(Report { earlier: Some(Arc::new(earlier)), ..report })
     }
 
     /// Warns of what a file of checks alone has no place for.

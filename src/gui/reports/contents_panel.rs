@@ -5,6 +5,7 @@ use eframe::egui::{Ui, vec2};
 use crate::gui::field::{FieldStyle, field_ui};
 use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, one_of_ui, quiet};
+use crate::message::message;
 use crate::report::RENDERINGS;
 use crate::report::paper::Paper;
 use crate::report::template::Section;
@@ -39,6 +40,7 @@ pub(super) fn contents_ui(ui: &mut Ui, view: &mut View<'_>) {
             view.send(ReportsCommand::Show(section, is_on));
         }
     }
+    compared_ui(ui, view);
     ui.separator();
     heading(ui, view.text("report-section-head"));
     for field in ReportsField::all() {
@@ -46,6 +48,15 @@ pub(super) fn contents_ui(ui: &mut Ui, view: &mut View<'_>) {
         field_ui(ui, view, *field, name.id, FieldStyle::text(ui.available_width()));
     }
     ui.add_space(space(2.0));
+}
+
+/// The earlier report that this one says the changes since.
+fn compared_ui(ui: &mut Ui, view: &mut View<'_>) {
+    view.button(ui, ReportsAction::Compare);
+    let Some((name, earlier)) = view.session.reports().earlier() else { return };
+    let said = message!("reports-page-compared").text("name", name).text("since", &earlier.created);
+    quiet(ui, view.words.say(&said));
+    view.button(ui, ReportsAction::CompareNot);
 }
 
 fn language_ui(ui: &mut Ui, view: &mut View<'_>) {

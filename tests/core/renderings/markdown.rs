@@ -23,7 +23,7 @@ fn a_check_is_a_row() {
 
 **SIMULATED**: One value is simulated: nobody measured it, so it cannot make the part good.
 
-- **Created**: 2026-11-21 11:00:00
+- **Date**: 2026-11-21 11:00:00
 - **Program**: Fitcheck 0.0.0
 
 ## Checks

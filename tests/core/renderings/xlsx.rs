@@ -1,8 +1,10 @@
 //! The workbook, read by another program's reader: kinds of cells, results of formulas, names of sheets.
 
 use std::io::{Cursor, Read as _};
+use std::sync::Arc;
 
 use calamine::{Data, Reader as _, Xlsx};
+use fitcheck::report::template::{HeadField, Template};
 use fitcheck::report::xlsx::{MOST_CHECKS, MOST_PART_SHEETS};
 
 use super::dfq::{read_back, values, warnings};
@@ -54,6 +56,40 @@ fn numbers_are_numbers_dates_are_dates_and_formulas_have_results() {
     let count = |word: &str| rows.iter().find(|row| row[0] == word).unwrap_or_else(|| panic!("{rows:#?}"))[1].clone();
     let found = ["\u{2713} GOOD", "\u{21bb} REWORK", "? RE-MEASURE", "\u{2717} SCRAP", "\u{2013} SIMULATED", "Total"];
     assert_eq!(found.map(count), ["1", "1", "0", "0", "1", "3"]);
+}
+
+#[test]
+fn company_head_rule_and_statement_of_a_template_stand_on_every_page_for_people() {
+    let text = "version = 1\nname = \"own\"\nsections = [\"head\", \"statement\"]\nhead = [\"customer\", \"revision\"]\n\
+                rule-text = \"Our rule QA-7 applies.\"\n[company]\nname = \"Northgate Precision\"\naddress = [\"Mill shop 2\"]\n";
+    let template = Arc::new(Template::read(text).unwrap());
+    let mut report = report(vec![good()]).by(&template);
+    report.order = Some("4711".to_owned());
+    report.tell(HeadField::Revision, "C");
+    report.tell(HeadField::Customer, "Aster");
+    let rows = rows(&mut book(&report, Language::En), "Inspection report");
+    let said: Vec<_> =
+        rows.iter().map(|row| (row[0].as_str(), row[1].as_str())).filter(|row| *row != ("", "")).collect();
+    let head = [
+        ("Inspection report", ""),
+        ("", "Northgate Precision"),
+        ("", "Mill shop 2"),
+        ("Customer", "Aster"),
+        ("Revision", "C"),
+    ];
+    assert_eq!(said[..5], head);
+    assert_eq!(said[5].0, "Date");
+    // What the template does not show stands nowhere.
+    assert!(!said.iter().any(|(_, value)| *value == "4711"), "{said:#?}");
+    let statement = "Statement of conformity: the value lies within its limits";
+    assert!(said.contains(&("", "Our rule QA-7 applies.")), "{said:#?}");
+    assert!(said.iter().any(|(_, said)| said.starts_with(statement)), "{said:#?}");
+    for rendering in ["markdown", "html"] {
+        let page = String::from_utf8(bytes(rendering, &report, Language::En)).unwrap();
+        assert!(["Aster", "Our rule QA", statement].iter().all(|text| page.contains(text)), "{page}");
+        assert!(page.find("Customer") < page.find("Revision"), "{page}");
+        assert!(!page.contains("4711"), "{page}");
+    }
 }
 
 #[test]

@@ -16,3 +16,16 @@ mod seen;
 pub use agreement::{Difference, Disagreement, JournalCheck, compare};
 pub use attachment::{AttachmentError, LARGEST, attached_json, json_of};
 pub use seen::{Seen, SeenFile};
+
+use fitcheck_core::message::{Message, Say as _, message};
+
+use crate::report::changes::EarlierReport;
+
+/// The earlier report in a file: a PDF with its data, or JSON.
+///
+/// # Errors
+/// It is none, or what a PDF has attached cannot be read.
+pub fn earlier_report(file: &[u8]) -> Result<EarlierReport, Message> {
+    let data = json_of(file).ok_or_else(|| message!("report-since-no-report"))?;
+    EarlierReport::read(&data.map_err(|error| error.message())?)
+}

@@ -15,6 +15,28 @@ use serde_json::Value;
 use super::Report;
 use super::part::PartSheet;
 
+/// An earlier report, as far as a later one is compared with it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct EarlierReport {
+    /// When it was made, as it says it.
+    pub created: String,
+    features: Features,
+}
+
+impl EarlierReport {
+    /// Reads a report as JSON.
+    ///
+    /// # Errors
+    /// The bytes are none.
+    pub fn read(json: &[u8]) -> Result<Self, Message> {
+        let refused = || message!("report-since-no-report");
+        let file: Value = serde_json::from_slice(json).map_err(|_not_json| refused())?;
+        let created = file.get("created").and_then(Value::as_str).ok_or_else(refused)?.replace('T', " ");
+        let features = Features::read(&file).ok_or_else(refused)?;
+        Ok(Self { created, features })
+    }
+}
+
 /// What changed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Changes {
@@ -35,7 +57,7 @@ struct Said {
 }
 
 /// The features of a report by their names, in its order.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct Features {
     order: Vec<String>,
     all: BTreeMap<String, Said>,
@@ -93,16 +115,13 @@ fn name(id: &str, callout: impl FnOnce() -> Option<String>) -> String {
 }
 
 impl Changes {
-    /// What changed since the report with this JSON.
+    /// What changed since an earlier report.
     ///
     /// # Errors
-    /// The bytes are no report as JSON, or the checks of the report cannot be read.
-    pub fn since(earlier: &[u8], report: &Report) -> Result<Self, Message> {
-        let refused = || message!("report-since-no-report");
-        let file: Value = serde_json::from_slice(earlier).map_err(|_not_json| refused())?;
-        let since = file.get("created").and_then(Value::as_str).ok_or_else(refused)?.replace('T', " ");
-        let before = Features::read(&file).ok_or_else(refused)?;
-        let now = Features::of(report).map_err(|error| message!("report-since-unread").text("reason", error))?;
+    /// The checks of the report cannot be read.
+    pub(super) fn since(earlier: &EarlierReport, report: &Report) -> io::Result<Self> {
+        let EarlierReport { created, features: before } = earlier;
+        let now = Features::of(report)?;
         let mut lines = Vec::new();
         for name in &now.order {
             match (before.all.get(name), now.all.get(name)) {
@@ -116,7 +135,7 @@ impl Changes {
         if lines.is_empty() {
             lines.push(message!("report-changed-none"));
         }
-        Ok(Self { since, lines })
+        Ok(Self { since: created.clone(), lines })
     }
 
     /// The sentence above them.

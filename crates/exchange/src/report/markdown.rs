@@ -10,8 +10,9 @@ use fitcheck_core::message::message;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
+use super::head;
 use super::html::part::{SizeView, size_view};
-use super::html::{MOST_CHECKS, closing, entries};
+use super::html::{MOST_CHECKS, closing};
 use super::part::PartSheet;
 use super::said::{decimals_of, heading, lacks, title};
 use super::seen::ReportSurvey;
@@ -69,10 +70,10 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         let said = words.say(&message!("walk-page-simulated").count("count", simulated));
         writeln!(out, "**{}**: {}\n", escaped(&words.get("simulated")), escaped(&said))?;
     }
-    for entry in entries(report, &seen, words) {
+    for entry in head::whole(report, &seen, words) {
         writeln!(out, "- **{}**: {}", escaped(&entry.label), escaped(&entry.value))?;
     }
-    if let Some(changes) = &report.changes {
+    if let Some(changes) = &seen.changes {
         writeln!(out, "\n## {}\n", escaped(&words.say(&changes.heading())))?;
         changes.lines.iter().try_for_each(|line| writeln!(out, "- {}", escaped(&words.say(line))))?;
     }

@@ -22,7 +22,7 @@
 //! | `template` | what a report for people shows, and in which order |
 //! | `told` | a check and a part in words, for the cells of tables |
 //! | `text` | sentences about status, source of the limits, size and position |
-//! | `said`, `origins`, `seen`, `shared` | what pages for people say of a part, of a check and of all checks |
+//! | `head`, `said`, `origins`, `seen`, `shared` | what pages for people say of the report, of a part, of a check and of all checks |
 //!
 //! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
 //! bytes. Templates are in `assets/report`.
@@ -44,6 +44,7 @@ pub mod csv;
 pub mod dfq;
 pub mod figure;
 mod given;
+mod head;
 pub mod html;
 pub mod image;
 pub mod json;
@@ -71,7 +72,7 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-use changes::Changes;
+use changes::EarlierReport;
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
@@ -104,8 +105,8 @@ pub struct Report {
     pub notes: Vec<Message>,
     /// Whether rows of the input are no checks: refused, not judged, or not read. The notes say which; such a report states no conformity.
     pub is_partial: bool,
-    /// What changed since an earlier report; `None` where there is none to compare it with.
-    pub changes: Option<Changes>,
+    /// The earlier report that it is compared with.
+    pub earlier: Option<Arc<EarlierReport>>,
     /// The whole parts whose values the checks are.
     pub parts: Vec<PartSheet>,
     /// What renderings with pages of their own are printed on.
@@ -194,7 +195,7 @@ impl Report {
             checks: Arc::new(checks),
             notes: Vec::new(),
             is_partial: false,
-            changes: None,
+            earlier: None,
             parts: Vec::new(),
             paper: Paper::default(),
             template: Template::usual(),

@@ -7,6 +7,7 @@ use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
 use super::Report;
+use super::changes::Changes;
 use super::said::decimals_of;
 use super::shared::Shared;
 use crate::journal::Record;
@@ -38,6 +39,8 @@ pub(super) struct ReportSurvey {
     all_wanted: usize,
     /// What all checks have in common.
     pub shared: Shared,
+    /// What changed since an earlier report.
+    pub changes: Option<Changes>,
 }
 
 impl ReportSurvey {
@@ -48,6 +51,7 @@ impl ReportSurvey {
             seen.see(record);
             Ok(())
         })?;
+        seen.changes = report.earlier.as_ref().map(|earlier| Changes::since(earlier, report)).transpose()?;
         Ok(seen)
     }
 

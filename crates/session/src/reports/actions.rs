@@ -30,6 +30,10 @@ actions! {
     WholePage;
     /// Draws the pages no further.
     StopPages;
+    /// Chooses an earlier report, to say what changed since.
+    Compare;
+    /// Compares with none.
+    CompareNot;
     /// Begins a template of the user's own.
     NewTemplate;
     /// Goes to the records, to choose others.
@@ -62,6 +66,11 @@ impl Actions for ReportsAction {
             Self::OpenRecords => on(Page::Reports, "reports-page-open-records", Command::OpenPage(Page::Records)),
             Self::StopPages => on(Page::Reports, "working-stop", ReportsCommand::Stop)
                 .when(|session| session.reports().at_work().is_some()),
+            Self::Compare => {
+                on(Page::Reports, "reports-page-compare", Command::OpenDialog(Purpose::CompareReport)).when(has_report)
+            }
+            Self::CompareNot => on(Page::Reports, "reports-page-compare-not", ReportsCommand::CompareNot)
+                .when(|session| session.reports().earlier().is_some()),
             Self::NewTemplate => on(Page::Reports, "reports-page-new-template", ReportsCommand::NewTemplate)
                 .when(|session| session.settings_page().state_file.is_some()),
             Self::WholePage => {

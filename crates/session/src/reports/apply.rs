@@ -42,6 +42,12 @@ impl PageState for ReportsPage {
             }
             ReportsCommand::Language(language) => self.language = language,
             ReportsCommand::Paper(paper) => self.paper = paper,
+            ReportsCommand::Earlier { name, result } => {
+                let refused = |why| message!("reports-page-no-earlier").text("file", &name).message("reason", why);
+                let Some(earlier) = shared.file_answered(result.map_err(refused)) else { return Vec::new() };
+                self.earlier = Some((name, earlier));
+            }
+            ReportsCommand::CompareNot => self.earlier = None,
             ReportsCommand::Show(section, true) => _ = self.hidden.remove(&section),
             ReportsCommand::Show(section, false) => _ = self.hidden.insert(section),
             ReportsCommand::Move(step) => {

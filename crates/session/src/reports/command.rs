@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::words::Language;
+use fitcheck_exchange::report::changes::EarlierReport;
 use fitcheck_exchange::report::paper::Paper;
 use fitcheck_exchange::report::pdf::Pages;
 use fitcheck_exchange::report::template::{Section, Template};
@@ -25,6 +26,14 @@ pub enum ReportsCommand {
     Language(Option<Language>),
     /// Chooses the paper; `None` is that of the template.
     Paper(Option<Paper>),
+    /// A file was read as an earlier report to compare with, or refused.
+    Earlier {
+        /// Its file's name.
+        name: String,
+        result: Result<Arc<EarlierReport>, Message>,
+    },
+    /// Compares with no earlier report.
+    CompareNot,
     /// Leaves a section out, or takes it in again.
     Show(Section, bool),
     /// Goes to another page.

@@ -120,6 +120,7 @@ impl Session {
         let report = &mut composed.report;
         report.paper = template.paper;
         report.template = template;
+        report.earlier = self.reports.earlier.as_ref().map(|(_, earlier)| Arc::clone(earlier));
         report.tell(HeadField::Inspector, self.shared.recording.who());
         for field in ReportsField::all() {
             let text = self.reports.text(*field);

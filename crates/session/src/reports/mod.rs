@@ -24,6 +24,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::Message;
 use fitcheck_core::words::Language;
+use fitcheck_exchange::report::changes::EarlierReport;
 use fitcheck_exchange::report::paper::Paper;
 use fitcheck_exchange::report::pdf::Pages;
 use fitcheck_exchange::report::template::{Section, Template};
@@ -113,6 +114,8 @@ pub struct ReportsPage {
     language: Option<Language>,
     /// Another paper than the template's.
     paper: Option<Paper>,
+    /// The name of an earlier report's file, and what it says: the report says what changed since.
+    earlier: Option<(String, Arc<EarlierReport>)>,
     /// Sections of the template that are left out.
     hidden: BTreeSet<Section>,
     pages: Option<Result<Arc<Pages>, Message>>,
@@ -161,6 +164,11 @@ impl ReportsPage {
     /// Its language, where it is another one than the window's.
     pub fn language(&self) -> Option<Language> {
         self.language.or_else(|| self.template().language())
+    }
+
+    /// The earlier report that it is compared with, by its file's name.
+    pub fn earlier(&self) -> Option<(&str, &EarlierReport)> {
+        self.earlier.as_ref().map(|(name, earlier)| (name.as_str(), &**earlier))
     }
 
     /// Its pages as they will print, or why there are none; `None` while they are made.

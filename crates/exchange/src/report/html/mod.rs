@@ -20,6 +20,7 @@ use fitcheck_core::verdict::{Removal, Status};
 use fitcheck_core::words::Words;
 
 use super::changes::Changes;
+use super::head::{self, DATE};
 use super::origins::{self, Entry};
 use super::part::PartSheet;
 use super::picture;
@@ -46,9 +47,6 @@ pub const MOST_CHECKS: usize = 2_000;
 
 /// A longer list of contacts goes to the end of the report, so that a check fits on a page and is never split.
 const CONTACTS_IN_CHECK: usize = 16;
-
-/// How dates are written: the same in every language, so that nobody mistakes the day for the month.
-const DATE: &str = "%Y-%m-%d %H:%M:%S";
 
 /// The parts of the page.
 trait Part: Template {
@@ -223,7 +221,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         words,
         title: title(report, words),
         company: company(report, words),
-        entries: entries(report, &seen, words),
+        entries: head::whole(report, &seen, words),
         has_guards: 0 < seen.guarded,
         has_parts: !report.parts.is_empty(),
         has_pictures: part::have_pictures(&report.parts) || has_logo(report),
@@ -238,7 +236,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         |changes: &Changes| (words.say(&changes.heading()), changes.lines.iter().map(|line| words.say(line)).collect());
     let notes = Notes {
         words,
-        changes: report.changes.as_ref().map(said),
+        changes: seen.changes.as_ref().map(said),
         told: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
         summary: (1 < seen.total).then(|| summary(&seen, &report.parts, words)),
     };
@@ -285,22 +283,6 @@ pub(super) fn closing(report: &Report, seen: &ReportSurvey, words: &Words) -> Ve
     let rule = Some(report.template.rule_text.clone()).filter(|text| !text.is_empty());
     let statement = report.template.has(Shown::Statement).then(|| words.say(&seen.statement(report)));
     rule.into_iter().chain(statement).collect()
-}
-
-/// The head: what the report is about, and what all checks have in common.
-pub(super) fn entries(report: &Report, seen: &ReportSurvey, words: &Words) -> Vec<Entry> {
-    let created = report.created.strftime(DATE).to_string();
-    [
-        ("report-part", report.part.as_ref()),
-        ("report-order", report.order.as_ref()),
-        ("report-inspector", report.inspector.as_ref()),
-        ("report-created", Some(&created)),
-        ("report-program", Some(&report.program)),
-    ]
-    .into_iter()
-    .filter_map(|(id, value)| Some(Entry { label: words.get(id), value: value?.clone() }))
-    .chain(seen.shared.entries(words))
-    .collect()
 }
 
 fn summary(seen: &ReportSurvey, parts: &[PartSheet], words: &Words) -> Summary {

@@ -6,11 +6,12 @@ use fitcheck_core::words::Words;
 use super::attach::{Attachments, MOST};
 use super::code::{CODE, Code};
 use super::flow::{Flow, base};
-use super::head::{DATE, MOST_NOTES, write_heading};
+use super::head::{MOST_NOTES, write_heading};
 use super::look::{BODY, FOOT, GAP, LABEL, NOTE, SIDE, STRONG, Style, TEXT, TOP};
 use super::sheet::{Area, Edge, Piece, Place, Shape, Sheet};
 use super::tags::{Kind, Tags};
 use crate::report::Report;
+use crate::report::head::DATE;
 use crate::report::seen::ReportSurvey;
 use crate::report::template::Section;
 

@@ -1,7 +1,5 @@
 //! The head of the first page: what the report is about, the answer, and what a reader must know before anything else.
 
-use std::collections::BTreeSet;
-
 use fitcheck_core::message::message;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
@@ -16,10 +14,6 @@ use crate::report::Report;
 use crate::report::origins::Entry;
 use crate::report::part::PartSheet;
 use crate::report::seen::ReportSurvey;
-use crate::report::template::HeadField;
-
-/// How dates are written: the same in every language, so that nobody mistakes the day for the month.
-pub(super) const DATE: &str = "%Y-%m-%d %H:%M:%S";
 
 /// The share of the width that the card has.
 const CARD: f32 = 0.43;
@@ -156,52 +150,6 @@ pub(super) fn write_sentences(flow: &mut Flow<'_>, section: TagId, entries: &[En
     }
     if !entries.is_empty() {
         flow.y += GAP / 2.0;
-    }
-}
-
-/// What the report itself says in short, as far as its template shows it and there is something to say.
-pub(super) fn entries(report: &Report, words: &Words) -> Vec<Entry> {
-    let shown = report.template.head.iter().filter_map(|field| {
-        let value = value(report, *field, words).filter(|value| !value.is_empty())?;
-        Some(Entry { label: words.get(field.text()), value })
-    });
-    shown.collect()
-}
-
-fn value(report: &Report, field: HeadField, words: &Words) -> Option<String> {
-    // Of several parts each has its own.
-    let only = if let [only] = report.parts.as_slice() { Some(only) } else { None };
-    let plan = report.parts.first().map(|part| &part.plan.head);
-    if let Some(given) = report.given.get(&field) {
-        return Some(given.clone());
-    }
-    match field {
-        HeadField::Part => report.part.clone().or_else(|| plan.map(|head| head.part.clone())),
-        HeadField::Drawing => plan.map(|head| head.drawing.clone()),
-        HeadField::Serial => only.map(|part| part.serial().to_owned()),
-        HeadField::Order => report.order.clone(),
-        HeadField::Inspector => report.inspector.clone(),
-        HeadField::Date => Some(report.created.strftime(DATE).to_string()),
-        HeadField::Records => report.journal.as_ref().map(|journal| journal.numbers.clone()),
-        HeadField::Material => {
-            let materials = report.parts.first().into_iter().flat_map(|part| part.plan.features());
-            let names: BTreeSet<&str> =
-                materials.filter_map(|f| f.material.as_ref()).map(|m| m.name.as_str()).collect();
-            Some(names.into_iter().collect::<Vec<_>>().join(", "))
-        }
-        HeadField::Temperature => {
-            let warm =
-                only?.records().filter_map(|record| record.correction.as_ref()).map(|correction| correction.part);
-            let all: BTreeSet<String> = warm.map(|warm| words.number(&warm.temperature.to_string())).collect();
-            Some(all.into_iter().map(|one| format!("{one} °C")).collect::<Vec<_>>().join(", "))
-        }
-        HeadField::Revision
-        | HeadField::Batch
-        | HeadField::Customer
-        | HeadField::Station
-        | HeadField::Instrument
-        | HeadField::Calibrated
-        | HeadField::Plan => None,
     }
 }
 

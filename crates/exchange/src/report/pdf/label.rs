@@ -6,12 +6,12 @@ use super::card::Card;
 use super::code::Code;
 use super::flow::{Flow, base};
 use super::fonts::ELLIPSIS;
-use super::head::DATE;
 use super::look::{Style, TEXT, VALUE, WORD};
 use super::sheet::{Area, Edge, Shape};
 use super::signs::Sign;
 use super::tags::{Kind, Tags};
 use crate::report::Report;
+use crate::report::head;
 use crate::report::template::Section;
 
 /// From the edge of the label.
@@ -55,10 +55,10 @@ pub(super) fn write(
     // What must be known comes before what the label is of.
     lines.extend(first);
     let known = lines.len();
-    let entries = super::head::entries(report, words);
+    let entries = head::entries(report, words);
     lines.extend(entries.into_iter().map(|entry| entry.value).filter(|value| !value.is_empty()));
     if entries_lack_date(report) {
-        lines.push(report.created.strftime(DATE).to_string());
+        lines.push(report.created.strftime(head::DATE).to_string());
     }
     let size =
         ((height - 2.0 * SIDE - tall) / 1.3 / super::cells::count(lines.len().max(1))).clamp(4.5, VALUE.size + 1.0);

@@ -190,13 +190,13 @@ fn write(
     let section = flow.tags.add(Tags::ROOT, Kind::Section);
     let card = answer(report, seen, words)?;
     let shows = |section| report.template.has(section);
-    let entries = if shows(Section::Head) { head::entries(report, words) } else { Vec::new() };
+    let entries = if shows(Section::Head) { super::head::entries(report, words) } else { Vec::new() };
     head::write_card(flow, section, shows(Section::Verdict).then_some(&card), &entries);
     // A sheet that is filled in by hand lacks every value.
     if !report.template.is_blank() {
         write_first(flow, section, report, seen, words);
     }
-    if let Some(changes) = &report.changes {
+    if let Some(changes) = &seen.changes {
         let lines = std::iter::once(changes.heading()).chain(changes.lines.iter().cloned());
         head::write_signals(flow, section, &lines.map(|line| words.say(&line)).collect::<Vec<_>>());
     }

@@ -7,7 +7,8 @@ use rust_xlsxwriter::Worksheet;
 
 use super::cells::{Look, Paper};
 use super::{Book, Counted};
-use crate::report::html::entries;
+use crate::report::head;
+use crate::report::html::closing;
 use crate::report::told::mark;
 
 /// The verdicts in the order of the counts, with none at the end.
@@ -26,21 +27,38 @@ pub(super) fn fill(book: &mut Book<'_>, sheet: &mut Worksheet, counted: &Counted
     let title = book.title();
     book.text(&mut paper, (0, 0), &title, Look::Title)?;
     book.simulated(&mut paper, (1, 0))?;
+    let report = book.report;
+    let words = book.words;
     let mut row = 2;
-    for entry in entries(book.report, &book.seen, book.words) {
+    let company = &report.template.company;
+    let name = std::iter::once(&company.name).filter(|name| !name.is_empty());
+    for (text, look) in
+        name.map(|name| (name, Look::Strong)).chain(company.address.iter().map(|line| (line, Look::Plain)))
+    {
+        row += 1;
+        book.text(&mut paper, (row, 1), text, look)?;
+    }
+    for entry in head::whole(report, &book.seen, words) {
         row += 1;
         book.text(&mut paper, (row, 0), &entry.label, Look::Label)?;
-        if entry.label == book.words.get("report-created") {
+        if entry.label == words.get("report-date") {
             paper.time((row, 1), book.report.created, &book.looks)?;
             paper.beside((row, 1), true, &book.looks)?;
         } else {
             book.text(&mut paper, (row, 1), &entry.value, Look::Plain)?;
         }
     }
+    if let Some(changes) = book.seen.changes.clone() {
+        row += 2;
+        book.text(&mut paper, (row, 0), &words.say(&changes.heading()), Look::Head)?;
+        for line in &changes.lines {
+            row += 1;
+            book.text(&mut paper, (row, 1), &words.say(line), Look::Plain)?;
+        }
+    }
     row += 2;
     if book.seen.total == 0 {
-        let none = book.words.get("report-no-checks");
-        book.text(&mut paper, (row, 0), &none, Look::Label)?;
+        book.text(&mut paper, (row, 0), &words.get("report-no-checks"), Look::Label)?;
         row += 2;
     }
     if let Some(range) = counted.checks.clone() {
@@ -49,8 +67,11 @@ pub(super) fn fill(book: &mut Book<'_>, sheet: &mut Worksheet, counted: &Counted
     if let Some(range) = counted.parts.clone() {
         row = parts(book, &mut paper, row, &range)?;
     }
-    let foot = book.words.get("report-footer");
-    book.text(&mut paper, (row, 1), &foot, Look::Plain)?;
+    for said in closing(report, &book.seen, words) {
+        book.text(&mut paper, (row, 1), &said, Look::Strong)?;
+        row += 1;
+    }
+    book.text(&mut paper, (row, 1), &words.get("report-footer"), Look::Plain)?;
     paper.print_all((row, 2))
 }
 
