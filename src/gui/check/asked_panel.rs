@@ -115,7 +115,8 @@ fn callout_field_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The room for hole and shaft, where the callout does not say which.
 fn room_of_feature(ui: &mut Ui, view: &View<'_>) -> Option<Rect> {
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
-    let is_asked = view.session.check().asked.needs_feature();
+    let check = view.session.check();
+    let is_asked = check.asked.needs_feature() || check.is_open();
     is_asked.then(|| ui.allocate_exact_size(row, Sense::hover()).0)
 }
 

@@ -59,7 +59,7 @@ impl PageState for CheckPage {
                 self.take_callout(&format!("{nominal} {class}"), &shared.sources);
             }
             CheckCommand::ChooseFeature(feature) => {
-                if feature.is_some_and(|feature| self.judge_as(feature, shared)) || self.asked.callout.is_none() {
+                if feature.is_some_and(|feature| self.judge_as(feature, shared)) {
                     return Vec::new();
                 }
                 // A value that was typed or judged already stays: it can be judged by these limits.

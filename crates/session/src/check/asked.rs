@@ -161,10 +161,7 @@ impl CheckInputs {
 
     /// Whether the callout does not say hole or shaft, so that it can be chosen; of a fit it has to be.
     pub fn needs_feature(&self) -> bool {
-        match self.callout {
-            Some(callout) => callout.feature().is_none(),
-            None => self.limits.as_ref().is_some_and(|limits| limits.feature.is_none()),
-        }
+        self.callout.is_some_and(|callout| callout.feature().is_none())
     }
 
     /// The length in a field, mm, when it can be read.
