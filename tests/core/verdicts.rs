@@ -1,8 +1,8 @@
 //! Verdicts of one value, by hand: every border, what to remove, the position, and values that look like another quantity.
 
 use fitcheck::length::Length;
-use fitcheck::tolerance::{Feature, Limits, Sources};
-use fitcheck::verdict::{AxisPosition, Doubt, PositionVerdict, Status, classify, doubt, judge, judge_size};
+use fitcheck::tolerance::{Bounds, Deviations, Feature, Limits, Sources};
+use fitcheck::verdict::{AxisPosition, Doubt, PositionVerdict, Status, classify, doubt, doubt_of, judge, judge_size};
 use proptest::prelude::*;
 
 fn mm(text: &str) -> Length {
@@ -126,6 +126,26 @@ fn a_value_that_looks_like_another_quantity_is_named_with_what_it_may_have_been(
         };
         assert_eq!(found.and_then(Doubt::meant), meant, "{callout} {measured}");
     }
+}
+
+#[test]
+fn a_length_between_limits_that_are_far_apart_is_no_other_quantity() {
+    let between = |feature: Option<Feature>, low: &str, width: &str| {
+        Bounds::new(feature, mm(low), Deviations::new(mm(width), Length::ZERO).unwrap()).unwrap()
+    };
+    let chamfer = between(None, "0.5", "2");
+    for measured in ["0.5", "1", "0.25", "2.5"] {
+        let doubt = doubt_of(&chamfer, mm(measured));
+        assert_eq!(doubt.is_some(), measured == "0.25", "{measured}: {doubt:?}");
+    }
+    assert!(doubt_of(&chamfer, mm("5")).is_some(), "outside, ten times the lower limit");
+    assert!(doubt_of(&between(Some(Feature::Hole), "0.5", "2"), mm("1")).is_some(), "a hole has a size");
+    let coordinate = between(None, "-0.1", "0.2");
+    assert!(
+        ["-0.05", "-0.2", "-1"]
+            .iter()
+            .all(|at| !matches!(doubt_of(&coordinate, mm(at)), Some(Doubt::Half { .. } | Doubt::Double { .. })))
+    );
 }
 
 proptest! {

@@ -374,10 +374,16 @@ pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
     let value = measured.nanometres();
     // The nearest other quantity is 98 % away. Lengths are at most 1e15 nm, so nothing here reaches 1e18.
     let is_near = (value - nominal).abs() * 64 < nominal;
-    if !is_near && let Some(doubt) = other_quantity(bounds.nominal, measured) {
+    let is_good = classify(bounds.feature, bounds.minimum(), bounds.maximum(), measured) == Status::Good;
+    // A length between two limits that are far apart, as of a chamfer, may be twice the lower one, and a coordinate may be anything.
+    let is_plain = nominal <= 0 || is_good && bounds.feature.is_none();
+    if !is_near
+        && !is_plain
+        && let Some(doubt) = other_quantity(bounds.nominal, measured)
+    {
         return Some(doubt);
     }
-    if classify(bounds.feature, bounds.minimum(), bounds.maximum(), measured) == Status::Good {
+    if is_good {
         return None;
     }
     // Beyond the nearest limit.
