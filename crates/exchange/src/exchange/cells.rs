@@ -61,8 +61,8 @@ fn split_inch(text: &str) -> (&str, Option<Unit>) {
     }
 }
 
-/// A number without the signs between its thousands: `1.025,012`, `1 025.012`, `1'025`. A point or a comma is one only where the other
-/// one follows.
+/// A number without the signs between its thousands: `1.025,012`, `1 025.012`, `1'025.0`. Without a decimal sign behind them nothing says
+/// that they are thousands: `25 012` may be 25.012.
 fn ungrouped(text: &str) -> Cow<'_, str> {
     let digits = text.trim_start_matches(['+', '-', '\u{2212}']);
     let Some(separator) = digits.chars().find(|c| !c.is_ascii_digit()) else { return Cow::Borrowed(text) };
@@ -71,17 +71,9 @@ fn ungrouped(text: &str) -> Cow<'_, str> {
     if !is_blank && !is_sign {
         return Cow::Borrowed(text);
     }
-    let other = digits.chars().find(|c| matches!(c, '.' | ',') && *c != separator);
-    let (whole, rest) = match other {
-        Some(sign) => {
-            digits.split_once(sign).map_or((digits, ""), |(whole, _)| (whole, digits.get(whole.len()..).unwrap_or("")))
-        }
-        None if is_sign => return Cow::Borrowed(text),
-        None => {
-            let end = digits.find(|c: char| !c.is_ascii_digit() && c != separator).unwrap_or(digits.len());
-            let (whole, rest) = digits.split_at_checked(end).unwrap_or((digits, ""));
-            (whole.trim_end(), rest)
-        }
+    let is_decimal = |c: char| matches!(c, '.' | ',') && c != separator;
+    let Some((whole, rest)) = digits.find(is_decimal).and_then(|at| digits.split_at_checked(at)) else {
+        return Cow::Borrowed(text);
     };
     let mut groups = whole.split(separator);
     let first = groups.next().unwrap_or("");
@@ -196,7 +188,7 @@ mod tests {
             ("1\u{202f}025,012", Some("1025.012")),
             ("1\u{a0}025.5 mm", Some("1025.5")),
             ("1'025.012", Some("1025.012")),
-            ("-1\u{2019}025", Some("-1025")),
+            ("-1\u{2019}025.5", Some("-1025.5")),
             ("12 345 678,9 µm", Some("12345.6789")),
             ("1.025", Some("1.025")),
             ("0,98472 in", Some("25.011888")),
@@ -208,6 +200,9 @@ mod tests {
             ("1.02,012", None),
             ("0.025,012", None),
             ("1 02", None),
+            ("25 012", None),
+            ("25'012", None),
+            ("25 012 µm", None),
             ("25 012 7", None),
             ("25,012;", None),
             ("25 in H7", None),
