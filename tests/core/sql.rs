@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use fitcheck::exchange::sql::{DIALECTS, Dialect, ERRORS, Model, write};
+use fitcheck::exchange::sql::{DIALECTS, Dialect, ERRORS, LIMIT_ERRORS, Model, write};
 use fitcheck::length::Length;
 use fitcheck::tolerance::iso286::{Edition, JsHalves, Options, classes, deviations, step_ends};
 use fitcheck::tolerance::table::Column;
@@ -131,7 +131,7 @@ fn the_same_names_and_errors_are_in_every_dialect() {
         made.map(|rest| rest.split([' ', '(']).next().unwrap().to_owned()).collect()
     };
     let first = names(&sql(&model, &DIALECTS[0]));
-    assert_eq!(first.len(), 10, "{first:?}");
+    assert_eq!(first.len(), 12, "{first:?}");
     for dialect in DIALECTS {
         let text = sql(&model, dialect);
         assert_eq!(names(&text), first, "{}", dialect.name);
@@ -151,7 +151,13 @@ fn the_same_names_and_errors_are_in_every_dialect() {
                 rest = rest.split_once(&quoted).unwrap_or_else(|| panic!("{}: {code}", dialect.name)).1;
             }
         }
-        for word in ["'GOOD'", "'REWORK'", "'SCRAP'"] {
+        let mut rest = body.split("create view fitcheck_verdict_limits").nth(1).unwrap();
+        for (code, meaning) in LIMIT_ERRORS.iter().chain(&ERRORS[4..5]) {
+            assert!(head.contains(&format!("{code:<22} {meaning}")), "{} does not explain {code}", dialect.name);
+            let quoted = format!("'{code}'");
+            rest = rest.split_once(&quoted).unwrap_or_else(|| panic!("{}: {code}", dialect.name)).1;
+        }
+        for word in ["'OUT OF LIMITS'", "'GOOD'", "'REWORK'", "'SCRAP'"] {
             assert!(body.contains(word), "{} lacks {word}", dialect.name);
         }
         assert!(!text.contains('\\') && text.is_ascii(), "{}", dialect.name);

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 ANSWER = "min_mm, max_mm, deviation_um, status, remove_um, error"
+OF_LIMITS = "status, beyond_um, remove_um, error"
 
 
 def timed(what, run):
@@ -71,6 +72,15 @@ def sqlite(sql, texts, typed, narrow, folder):
     timed("text", lambda: judge("rows_text", "fitcheck_verdict_text", "fitcheck_input_text", "id, callout, measured"))
     timed("typed", lambda: judge("rows_typed", "fitcheck_verdict", "fitcheck_input", "id, nominal_nm, class, measured_nm"))
     judge("rows_narrow", "fitcheck_verdict_text", "fitcheck_input_text", "id, callout, measured")
+    db.execute("create table rows_limits (id integer primary key, minimum_nm integer, maximum_nm integer, feature text, measured_nm integer)")
+    with Path(folder, "limits.csv").open(encoding="utf-8", newline="") as file:
+        number = lambda text: nm(text) if text else None  # noqa: E731
+        given = ((at, number(low), number(high), feature, number(value)) for at, low, high, feature, value in csv.reader(file))
+        db.executemany("insert into rows_limits values (?, ?, ?, ?, ?)", given)
+    db.execute("drop view fitcheck_input_limits")
+    db.execute("create view fitcheck_input_limits as select * from rows_limits")
+    with Path(folder, "sqlite_rows_limits.csv").open("w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows(db.execute(f"select id, {OF_LIMITS} from fitcheck_verdict_limits order by id"))
     db.execute("create table cases (id, callout text collate nocase, class text collate nocase)")
     db.executemany("insert into cases values (?, ?, ?)", CASES)
     db.execute("drop view fitcheck_input_text")
@@ -113,6 +123,11 @@ def duckdb(sql, texts, typed, narrow, folder):
     db.executemany("insert into narrow values (?, ?, ?)", [(str(at), c, m) for at, (c, m, _) in enumerate(narrow)])
     db.execute("create or replace view fitcheck_input_text as select id, callout, measured from narrow")
     judge("rows_narrow", "fitcheck_verdict_text")
+    number = csv_of([Path(folder, "limits.csv")], "{'id': 'VARCHAR', 'minimum': 'DECIMAL(18,6)', 'maximum': 'DECIMAL(18,6)', "
+                    "'feature': 'VARCHAR', 'measured': 'DECIMAL(18,6)'}")
+    db.execute(f"create or replace view fitcheck_input_limits as select * from {number}")
+    out = Path(folder, "duckdb_rows_limits.csv")
+    db.execute(f"copy (select cast(id as bigint) as id, {OF_LIMITS} from fitcheck_verdict_limits order by 1) to '{out}' (header false)")
     macros(db)
     db.execute("create table cases (id varchar, callout varchar collate nocase, class varchar collate nocase)")
     db.executemany("insert into cases values (?, ?, ?)", CASES)
@@ -175,6 +190,11 @@ def postgres(sql, texts, typed, narrow, folder):
     timed("text", lambda: judge("rows_text", "fitcheck_verdict_text", "fitcheck_input_text", text))
     timed("typed", lambda: judge("rows_typed", "fitcheck_verdict", "fitcheck_input", "id::text as id, nominal, class, measured"))
     judge("rows_narrow", "fitcheck_verdict_text", "fitcheck_input_text", text)
+    limits, out = Path(folder, "limits.csv"), Path(folder, "postgres_rows_limits.csv")
+    psql(path, "create table rows_limits (id bigint, minimum numeric, maximum numeric, feature text, measured numeric)",
+         f"\\copy rows_limits from '{limits}' (format csv)",
+         "create or replace view fitcheck_input_limits as select id::text as id, minimum, maximum, feature, measured from rows_limits")
+    psql(path, f"\\copy (select id::bigint as id, {OF_LIMITS} from fitcheck_verdict_limits order by 1) to '{out}' (format csv)")
     functions(path)
     cases = ", ".join(f"('{at}', '{callout}', '{cls}')" for at, callout, cls in CASES)
     psql(path, f"create table cases as select * from (values {cases}) v (id, callout, class)",
@@ -223,13 +243,13 @@ def spark(sql, texts, typed, narrow, folder):
         odd = [(str(at), c, m) for at, (c, m, _) in enumerate(narrow)]
         session.createDataFrame(odd, "id string, callout string, measured string").createOrReplaceTempView("rows_narrow")
 
-        def judge(name, view, source, columns):
+        def judge(name, view, source, columns, answer=ANSWER):
             # A temporary view hides the stored one of this name only within its session, so the views are asked by their text.
             session.sql(f"select {columns} from {name}").createOrReplaceTempView("given")
             query = session.sql(f"show create table {view}").collect()[0][0]
             body = query[query.index(" AS ") + 4:] if " AS " in query else query[query.index("\nAS ") + 4:]
             answers = session.sql(body.replace(source + " g", "given g"))
-            chosen = answers.selectExpr("cast(id as bigint) as id", *[column.strip() for column in ANSWER.split(",")]).orderBy("id")
+            chosen = answers.selectExpr("cast(id as bigint) as id", *[column.strip() for column in answer.split(",")]).orderBy("id")
             with Path(folder, f"spark_{name}.csv").open("w", newline="", encoding="utf-8") as file:
                 writer = csv.writer(file, lineterminator="\n")
                 writer.writerows(chosen.toLocalIterator(prefetchPartitions=True))
@@ -237,6 +257,9 @@ def spark(sql, texts, typed, narrow, folder):
         timed("text", lambda: judge("rows_text", "fitcheck_verdict_text", "fitcheck_input_text", "id, callout, measured"))
         timed("typed", lambda: judge("rows_typed", "fitcheck_verdict", "fitcheck_input", "id, nominal, class, measured"))
         judge("rows_narrow", "fitcheck_verdict_text", "fitcheck_input_text", "id, callout, measured")
+        schema = "id string, minimum decimal(18,6), maximum decimal(18,6), feature string, measured decimal(18,6)"
+        session.read.csv(str(Path(folder, "limits.csv")), schema=schema).createOrReplaceTempView("rows_limits")
+        judge("rows_limits", "fitcheck_verdict_limits", "fitcheck_input_limits", "*", OF_LIMITS)
         return session.version
     finally:
         session.stop()

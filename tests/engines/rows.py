@@ -108,6 +108,30 @@ def refusals():
             yield callout, measured, nominal, cls, value
 
 
+def stated(count, seed):
+    """Rows with their limits beside them: (minimum, maximum, feature, measured, answer) with the answer by the rule, reckoned here."""
+    rand = random.Random(seed)
+    for minimum, maximum, feature, measured, error in STATED_REFUSALS:
+        yield minimum, maximum, feature, measured, f",,,{error}"
+    for _ in range(count):
+        low = rand.randrange(-5 * NM, 500 * NM)
+        high = low + rand.choice([0, 1, rand.randrange(1, 200_000), rand.randrange(1, 20 * NM)])
+        value = rand.choice([low - 1, low, low + 1, high - 1, high, high + 1, (low + high) // 2, rand.randrange(2 * low - high - 9, 2 * high - low + 9)])
+        feature = rand.choice(["", "hole", "shaft"])
+        beyond = value - low if value < low else value - high if high < value else 0
+        status = "GOOD" if not beyond else "OUT OF LIMITS" if not feature else "REWORK" if (beyond < 0) == (feature == "hole") else "SCRAP"
+        um = lambda nm: f"{'-' if nm < 0 else ''}{abs(nm) // 1000}.{abs(nm) % 1000:03d}"  # noqa: E731
+        remove = um(abs(beyond)) if status == "REWORK" else ""
+        yield mm(low), mm(high), feature, mm(value), f"{status},{um(beyond) if beyond else ''},{remove},"
+
+
+STATED_REFUSALS = [
+    ("", "8.1", "", "8", "limits-not-read"), ("7.9", "", "hole", "8", "limits-not-read"), ("", "", "", "", "limits-not-read"),
+    ("8.1", "7.9", "", "8", "limits-reversed"), ("8.000001", "8", "hole", "", "limits-reversed"),
+    ("7.9", "8.1", "Hole", "8", "feature-unknown"), ("7.9", "8.1", "x", "", "feature-unknown"), ("7.9", "8.1", "", "", "measured-not-read"),
+]
+
+
 def randoms(program, options, count, seed):
     """Seeded random rows: a third of the sizes at borders, a third of the values on a limit, some of them refused."""
     rand = random.Random(seed)

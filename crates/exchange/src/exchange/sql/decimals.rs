@@ -102,8 +102,47 @@ from (
     )
 }
 
-/// The four views over both forms of input; `text` and `typed` read them.
-pub(super) fn views(text: &str, typed: &str, fence: &str) -> String {
+/// The verdict by limits that the input has: `status`, `beyond_um`, `remove_um`, `error`. `read` gives `minimum_mm`, `maximum_mm`,
+/// `measured_mm`, and as `side` hole, shaft or nothing.
+fn by_limits(read: &str, fence: &str) -> String {
+    let um = |less: &str, more: &str| format!("cast(({more} - {less}) * 1000 as decimal(18, 3))");
+    format!(
+        "select id, minimum, maximum, feature, measured,
+  case when error is not null then null
+    when minimum_mm <= measured_mm and measured_mm <= maximum_mm then 'GOOD'
+    when side is null then 'OUT OF LIMITS'
+    when measured_mm < minimum_mm then case side when 'hole' then 'REWORK' else 'SCRAP' end
+    else case side when 'hole' then 'SCRAP' else 'REWORK' end
+  end as status,
+  case when error is not null then null
+    when measured_mm < minimum_mm then {}
+    when maximum_mm < measured_mm then {}
+  end as beyond_um,
+  case when error is not null then null
+    when side = 'hole' and measured_mm < minimum_mm then {}
+    when side = 'shaft' and maximum_mm < measured_mm then {}
+  end as remove_um,
+  error
+from (
+  select r.*,
+    case when minimum_mm is null or maximum_mm is null then 'limits-not-read'
+      when maximum_mm < minimum_mm then 'limits-reversed'
+      when side not in ('hole', 'shaft') then 'feature-unknown'
+      when measured_mm is null then 'measured-not-read'
+    end as error
+  from (
+  {read}
+  ) r{fence}
+) y",
+        um("minimum_mm", "measured_mm"),
+        um("maximum_mm", "measured_mm"),
+        um("measured_mm", "minimum_mm"),
+        um("maximum_mm", "measured_mm"),
+    )
+}
+
+/// The views over every form of input; `text`, `typed` and `stated` read them.
+pub(super) fn views(text: &str, typed: &str, stated: &str, fence: &str) -> String {
     format!(
         "
 create view fitcheck_size_limits as
@@ -117,10 +156,14 @@ create view fitcheck_verdict as
 
 create view fitcheck_verdict_text as
 {};
+
+create view fitcheck_verdict_limits as
+{};
 ",
         limits(InputColumns::Typed, typed, fence),
         limits(InputColumns::Text, text, fence),
         verdict(InputColumns::Typed, typed, fence),
-        verdict(InputColumns::Text, text, fence)
+        verdict(InputColumns::Text, text, fence),
+        by_limits(stated, fence)
     )
 }

@@ -34,6 +34,12 @@ Many rows, where they are: say which they are, then read the verdicts. Three equ
     from 'parts/*.parquet';
   from fitcheck_verdict;                                      -- id, nominal, class, measured and the verdict
   from fitcheck_size_limits;                                  -- id, nominal, class, min_mm, max_mm, source, error
+Sizes that have their limits beside them; feature is 'hole', 'shaft' or null:
+  create or replace view fitcheck_input_limits as
+    select part::varchar as id, lsl::decimal(18, 6) as minimum, usl::decimal(18, 6) as maximum, null::varchar as feature,
+      measured::decimal(18, 6) as measured
+    from 'parts/*.parquet';
+  from fitcheck_verdict_limits;                               -- GOOD or OUT OF LIMITS, beyond_um
 
 The order of the rows is not kept: order by id. A cast to decimal(18, 6) rounds: a value that is finer than a nanometre
 is refused only as text. Numbers of type float or double are refused; cast them on purpose. Tried with DuckDB 1.1 and
@@ -58,6 +64,11 @@ select null::varchar as id, null::varchar as callout, null::varchar as measured 
 create view fitcheck_input as
 select null::varchar as id, null::decimal(18, 6) as nominal, null::varchar as class, null::decimal(18, 6) as measured
 where false;
+
+create view fitcheck_input_limits as
+select null::varchar as id, null::decimal(18, 6) as minimum, null::decimal(18, 6) as maximum, null::varchar as feature,
+  null::decimal(18, 6) as measured
+where false;
 ";
 
 fn text(from: &str) -> String {
@@ -70,14 +81,27 @@ fn text(from: &str) -> String {
     )
 }
 
-/// A cast that changed the value has rounded it; a float has been rounded before.
-fn typed(from: &str) -> String {
-    let exact = |column: &str| {
-        format!(
-            "case when (typeof(g.{column}) like 'DECIMAL%' or typeof(g.{column}) like '%INT%')
+/// A number of whole nanometres, or null: a cast that changed the value has rounded it, and a float has been rounded before.
+fn exact(column: &str) -> String {
+    format!(
+        "case when (typeof(g.{column}) like 'DECIMAL%' or typeof(g.{column}) like '%INT%')
         and try_cast(g.{column} as decimal(15, 6)) = g.{column} then try_cast(g.{column} as decimal(15, 6)) end"
-        )
-    };
+    )
+}
+
+fn stated() -> String {
+    let [minimum, maximum, measured] = ["minimum", "maximum", "measured"].map(exact);
+    format!(
+        "select g.id, g.minimum, g.maximum, g.feature, g.measured,
+      {minimum} as minimum_mm,
+      {maximum} as maximum_mm,
+      nullif(g.feature, '') collate \"C\" as side,
+      {measured} as measured_mm
+    from fitcheck_input_limits g"
+    )
+}
+
+fn typed(from: &str) -> String {
     format!(
         "select g.id, g.nominal, g.class, g.measured,
       {} as nominal_mm,
@@ -107,7 +131,7 @@ create macro fitcheck_verdict_of(given_callout, given_measured) as table
 create macro fitcheck_verdict_of_typed(given_nominal, given_class, given_measured) as table
 {};
 ",
-        views(&text("fitcheck_input_text"), &typed("fitcheck_input"), ""),
+        views(&text("fitcheck_input_text"), &typed("fitcheck_input"), &stated(), ""),
         limits(InputColumns::Arguments, &of_typed("null::decimal(15, 6)"), ""),
         verdict(InputColumns::Arguments, &of_text, ""),
         verdict(InputColumns::Arguments, &of_typed("given_measured"), "")

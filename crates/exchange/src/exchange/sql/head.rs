@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use fitcheck_core::tolerance::iso286::{Edition, JsHalves};
 
-use super::{Dialect, ERRORS, Model};
+use super::{Dialect, ERRORS, LIMIT_ERRORS, Model};
 
 const RULE: &str = "
 Decision rule: the control's own, without a guard band, and limits belong to the zone: min_mm <= measured <= max_mm is
@@ -13,6 +13,11 @@ too small is SCRAP. Everything is computed in exact decimals or whole numbers, n
 
 Columns of a verdict: min_mm, max_mm, deviation_um (measured minus nominal size), status, remove_um, error. A row that
 cannot be judged keeps its place: error has its code, and the other five are null. Of several codes the first holds:
+";
+
+const STATED: &str = "
+A size with its limits beside it is judged by them: outside them it is OUT OF LIMITS, with beyond_um (below the lower limit
+it is negative), where feature does not say hole or shaft. measured-not-read, or before it:
 ";
 
 const GRAMMAR: &str = "
@@ -53,6 +58,8 @@ pub(super) fn write(model: &Model, dialect: &Dialect, out: &mut dyn Write) -> io
     );
     text.push_str(RULE);
     text.extend(ERRORS.map(|(code, meaning)| format!("  {code:<22} {meaning}\n")));
+    text.push_str(STATED);
+    text.extend(LIMIT_ERRORS.map(|(code, meaning)| format!("  {code:<22} {meaning}\n")));
     text.push_str(GRAMMAR);
     text.push_str(dialect.usage);
     for line in text.lines() {

@@ -74,6 +74,13 @@ pub const ERRORS: [(&str, &str); 6] = [
     ("measured-not-positive", "a measured value of 0 or less"),
 ];
 
+/// The codes of a row that has its limits beside it, in the order in which they are tested; the measured value comes last.
+pub const LIMIT_ERRORS: [(&str, &str); 3] = [
+    ("limits-not-read", "a limit is missing, or finer than a nanometre"),
+    ("limits-reversed", "the lower limit is above the upper one"),
+    ("feature-unknown", "feature is not hole, shaft or null"),
+];
+
 /// What a callout is, as a regular expression without a backslash: the size is its first group, the class its second.
 ///
 /// At most nine figures before the point and six after it, besides zeros: exact nanometres in 15 figures, which every

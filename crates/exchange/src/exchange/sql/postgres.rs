@@ -32,6 +32,11 @@ Many rows, where they are: say which they are, then read the verdicts. Three equ
     select part::text as id, nominal::numeric, class::text, measured::numeric from parts;
   select * from fitcheck_verdict;                             -- id, nominal, class, measured and the verdict
   select * from fitcheck_size_limits;                         -- id, nominal, class, min_mm, max_mm, source, error
+Sizes that have their limits beside them; feature is 'hole', 'shaft' or null:
+  create or replace view fitcheck_input_limits as
+    select part::text as id, lsl::numeric as minimum, usl::numeric as maximum, null::text as feature,
+      measured::numeric from parts;
+  select * from fitcheck_verdict_limits;                      -- GOOD or OUT OF LIMITS, beyond_um
 
 A numeric that is finer than a nanometre is refused, as are NaN and infinity. A cast of double precision to numeric
 rounds to 15 figures: keep measured values as numeric or text. Tried with PostgreSQL 15.
@@ -54,6 +59,11 @@ select null::text as id, null::text as callout, null::text as measured where fal
 
 create view fitcheck_input as
 select null::text as id, null::numeric as nominal, null::text as class, null::numeric as measured where false;
+
+create view fitcheck_input_limits as
+select null::text as id, null::numeric as minimum, null::numeric as maximum, null::text as feature,
+  null::numeric as measured
+where false;
 ";
 
 /// Keeps the planner from pasting an expression into every place that uses it.
@@ -75,13 +85,27 @@ fn text(from: &str) -> String {
     )
 }
 
+/// A number of whole nanometres, or null.
+fn exact(column: &str) -> String {
+    format!(
+        "case when abs(g.{column}) < 1000000000 and round(g.{column}, 6) = g.{column} \
+         then cast(g.{column} as numeric(15, 6)) end"
+    )
+}
+
+fn stated() -> String {
+    let [minimum, maximum, measured] = ["minimum", "maximum", "measured"].map(exact);
+    format!(
+        "select g.id, g.minimum, g.maximum, g.feature, g.measured,
+      {minimum} as minimum_mm,
+      {maximum} as maximum_mm,
+      nullif(g.feature, '') collate \"C\" as side,
+      {measured} as measured_mm
+    from fitcheck_input_limits g{FENCE}"
+    )
+}
+
 fn typed(from: &str) -> String {
-    let exact = |column: &str| {
-        format!(
-            "case when abs(g.{column}) < 1000000000 and round(g.{column}, 6) = g.{column} \
-             then cast(g.{column} as numeric(15, 6)) end"
-        )
-    };
     format!(
         "select g.id, g.nominal, g.class, g.measured,
       {} as nominal_mm,
@@ -121,7 +145,7 @@ create function fitcheck_verdict_of(given_nominal numeric, given_class text, giv
 {}
 $$;
 ",
-        views(&text("fitcheck_input_text"), &typed("fitcheck_input"), FENCE),
+        views(&text("fitcheck_input_text"), &typed("fitcheck_input"), &stated(), FENCE),
         limits(InputColumns::Arguments, &of_typed("null::numeric"), FENCE),
         verdict(InputColumns::Arguments, &of_text, FENCE),
         verdict(InputColumns::Arguments, &of_typed("given_measured"), FENCE)

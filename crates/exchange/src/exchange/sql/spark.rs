@@ -15,7 +15,7 @@ pub(super) const DIALECT: Dialect = Dialect {
     text: literal,
     deviation: millimetres,
     rows: 8000,
-    views: || format!("{INPUTS}{}", views(&text(), &typed(), "")),
+    views: || format!("{INPUTS}{}", views(&text(), &typed(), &stated(), "")),
     end: "",
 };
 
@@ -32,6 +32,11 @@ Spark broadcasts; nothing is copied.
       cast(measured as decimal(18, 6)) as measured from lake.parts;
   select * from fitcheck_verdict;                             -- id, nominal, class, measured and the verdict
   select * from fitcheck_size_limits;                         -- id, nominal, class, min_mm, max_mm, source, error
+Sizes that have their limits beside them; feature is 'hole', 'shaft' or null:
+  create or replace view fitcheck_input_limits as
+    select cast(part as string) as id, cast(lsl as decimal(18, 6)) as minimum, cast(usl as decimal(18, 6)) as maximum,
+      cast(null as string) as feature, cast(measured as decimal(18, 6)) as measured from lake.parts;
+  select * from fitcheck_verdict_limits;                      -- GOOD or OUT OF LIMITS, beyond_um
 One value is an input of one row:
   create or replace view fitcheck_input_text as select '1' as id, '25 H7' as callout, '24.998' as measured;
   select * from fitcheck_verdict_text;                        -- REWORK, deviation_um -2.000, remove_um 2.000
@@ -56,6 +61,11 @@ select cast(null as string) as id, cast(null as string) as callout, cast(null as
 create view fitcheck_input as
 select cast(null as string) as id, cast(null as decimal(18, 6)) as nominal, cast(null as string) as class,
   cast(null as decimal(18, 6)) as measured
+where false;
+
+create view fitcheck_input_limits as
+select cast(null as string) as id, cast(null as decimal(18, 6)) as minimum, cast(null as decimal(18, 6)) as maximum,
+  cast(null as string) as feature, cast(null as decimal(18, 6)) as measured
 where false;
 ";
 
@@ -90,13 +100,26 @@ fn text() -> String {
     )
 }
 
+/// A number of whole nanometres, or null.
+fn exact(column: &str) -> String {
+    format!(
+        "case when try_cast(g.{column} as decimal(15, 6)) = g.{column} then try_cast(g.{column} as decimal(15, 6)) end"
+    )
+}
+
+fn stated() -> String {
+    let [minimum, maximum, measured] = ["minimum", "maximum", "measured"].map(exact);
+    format!(
+        "select g.id, g.minimum, g.maximum, g.feature, g.measured,
+      {minimum} as minimum_mm,
+      {maximum} as maximum_mm,
+      nullif(g.feature, '') as side,
+      {measured} as measured_mm
+    from fitcheck_input_limits g"
+    )
+}
+
 fn typed() -> String {
-    let exact = |column: &str| {
-        format!(
-            "case when try_cast(g.{column} as decimal(15, 6)) = g.{column} \
-             then try_cast(g.{column} as decimal(15, 6)) end"
-        )
-    };
     format!(
         "select g.id, g.nominal, g.class, g.measured,
       {} as nominal_mm,

@@ -34,6 +34,11 @@ Say which rows are to be judged, where they are, then read the verdicts. Three e
   create view fitcheck_input as select part as id, nominal_nm, class, measured_nm from parts;   -- integers, text
   select * from fitcheck_verdict;                             -- id, nominal_nm, class, measured_nm and the verdict
   select * from fitcheck_size_limits;                         -- id, nominal_nm, class, min_mm, max_mm, source, error
+Sizes that have their limits beside them; feature is 'hole', 'shaft' or null:
+  drop view fitcheck_input_limits;
+  create view fitcheck_input_limits as
+    select part as id, lsl_nm as minimum_nm, usl_nm as maximum_nm, null as feature, measured_nm from parts;   -- integers
+  select * from fitcheck_verdict_limits;                      -- GOOD or OUT OF LIMITS, beyond_um
 One value is an input of one row:
   drop view fitcheck_input_text;
   create view fitcheck_input_text as select 1 as id, '25 H7' as callout, '24.998' as measured;
@@ -58,6 +63,9 @@ const INPUTS: &str = "
 create view fitcheck_input_text (id, callout, measured) as select null, null, null where false;
 
 create view fitcheck_input (id, nominal_nm, class, measured_nm) as select null, null, null, null where false;
+
+create view fitcheck_input_limits (id, minimum_nm, maximum_nm, feature, measured_nm) as
+select null, null, null, null, null where false;
 ";
 
 fn nanometres(length: Length) -> String {
@@ -137,14 +145,65 @@ fn text() -> String {
     )
 }
 
+/// An integer of the range, or null.
+fn whole(column: &str) -> String {
+    format!(
+        "case when typeof({column}) = 'integer' and {column} between -999999999999999 and 999999999999999 \
+         then {column} end"
+    )
+}
+
+/// The verdict by limits that the input has.
+fn by_limits() -> String {
+    format!(
+        "
+create view fitcheck_verdict_limits as
+with read as materialized (
+    select id, minimum_nm, maximum_nm, feature, measured_nm,
+      {} as low, {} as high, nullif(feature, '') as side, {} as value
+    from fitcheck_input_limits
+  ), checked as materialized (
+    select r.*,
+      case when low is null or high is null then 'limits-not-read'
+        when high < low then 'limits-reversed'
+        when side not in ('hole', 'shaft') then 'feature-unknown'
+        when value is null then 'measured-not-read'
+      end as refused
+    from read r
+  ), judged as materialized (
+    select c.*,
+      case when refused is not null then null
+        when value between low and high then 'GOOD'
+        when side is null then 'OUT OF LIMITS'
+        when value < low then case side when 'hole' then 'REWORK' else 'SCRAP' end
+        else case side when 'hole' then 'SCRAP' else 'REWORK' end
+      end as status,
+      case when refused is not null then null
+        when value < low then value - low
+        when high < value then value - high
+      end as beyond_nm,
+      case when refused is not null then null
+        when side = 'hole' and value < low then low - value
+        when side = 'shaft' and high < value then value - high
+      end as remove_nm
+    from checked c
+  )
+select id, minimum_nm, maximum_nm, feature, measured_nm, status,
+  {} as beyond_um,
+  {} as remove_um,
+  refused as error, beyond_nm, remove_nm
+from judged;
+",
+        whole("minimum_nm"),
+        whole("maximum_nm"),
+        whole("measured_nm"),
+        decimal("beyond_nm", 3),
+        decimal("remove_nm", 3)
+    )
+}
+
 /// `read`: the typed input, read.
 fn typed() -> String {
-    let whole = |column: &str| {
-        format!(
-            "case when typeof({column}) = 'integer' and {column} between -999999999999999 and 999999999999999 \
-             then {column} end"
-        )
-    };
     format!(
         "given as materialized (
     select id, nominal_nm, class as given_class, measured_nm,
@@ -260,6 +319,7 @@ fn all_views() -> String {
         limits("fitcheck_size_limits_text", "id, callout", &text),
         verdict("fitcheck_verdict", "id, nominal_nm, given_class as class, measured_nm", &typed),
         verdict("fitcheck_verdict_text", "id, callout, measured", &text),
+        by_limits(),
     ]
     .concat()
 }
