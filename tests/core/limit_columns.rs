@@ -57,6 +57,20 @@ fn refused(text: &str, words: &str) {
 }
 
 #[test]
+fn two_limits_alone_may_be_as_far_apart_as_those_of_a_chamfer() {
+    let chamfer = "name;lower limit;upper limit;measured\nC1;0.5;2.5;1\nC2;0.5;2.5;2.6\n";
+    both(chamfer, &["C1 0.500 2.500 GOOD", "C2 0.500 2.500 OUT OF LIMITS"]);
+    // A hole is not that wide, and deviations may have been written in micrometres.
+    for row in [
+        "name;kind;lower limit;upper limit;measured\nA;hole;0.5;2.5;1\n",
+        "name;nominal;upper deviation;lower deviation;measured\nA;25;21;0;30\n",
+    ] {
+        let said = of(row, &["import", "a.csv"]);
+        assert!(said.code == 1 && said.err.contains("out of all proportion"), "{row}{}{}", said.out, said.err);
+    }
+}
+
+#[test]
 fn deviations_beside_a_nominal_size_are_limits() {
     both(
         "Merkmal;Art;Nennmaß;oberes Abmaß;unteres Abmaß;Istwert\nA1;Bohrung;25;0,021;0;25,012\nA2;Bohrung;25;0,021;0;25,030\n\

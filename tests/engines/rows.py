@@ -115,9 +115,12 @@ def stated(count, seed):
         yield minimum, maximum, feature, measured, f",,,{error}"
     for _ in range(count):
         low = rand.randrange(-5 * NM, 500 * NM)
-        high = low + rand.choice([0, 1, rand.randrange(1, 200_000), rand.randrange(1, 20 * NM)])
+        high = low + rand.choice([0, 1, rand.randrange(1, 200_000), rand.randrange(1, 9 * NM)])
         value = rand.choice([low - 1, low, low + 1, high - 1, high, high + 1, (low + high) // 2, rand.randrange(2 * low - high - 9, 2 * high - low + 9)])
-        feature = rand.choice(["", "hole", "shaft"])
+        # A size of 0 or less is refused by the program.
+        value = max(value, 1) if 0 < low else value
+        # Wider than IT 18 of its size, and for a hole or a shaft the program asks first; the SQL does not.
+        feature = rand.choice(["", "hole", "shaft"]) if 3 * NM < low and high - low < NM else ""
         beyond = value - low if value < low else value - high if high < value else 0
         status = "GOOD" if not beyond else "OUT OF LIMITS" if not feature else "REWORK" if (beyond < 0) == (feature == "hole") else "SCRAP"
         um = lambda nm: f"{'-' if nm < 0 else ''}{abs(nm) // 1000}.{abs(nm) % 1000:03d}"  # noqa: E731

@@ -45,19 +45,20 @@ impl StatedLimits {
         let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
         let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
         let deviations = Deviations::new(upper, lower).map_err(|_swapped| swapped())?;
-        judged(given, nominal, deviations)
+        judged(given, (nominal, self.nominal.is_some()), deviations)
     }
 }
 
 /// Limits by which a value is judged. Where neither hole nor shaft is said, it stays open what a value beyond them is.
-fn judged(given: Given<'_>, nominal: Length, deviations: Deviations) -> Result<Limits, NoLimits> {
+fn judged(given: Given<'_>, (nominal, is_stated): (Length, bool), deviations: Deviations) -> Result<Limits, NoLimits> {
     let Given { feature, is_size, file, sources } = given;
     let refused = |error: LimitsError| NoLimits::Refused(Box::new(error));
     let feature = feature.filter(|_| is_size);
     let limits = Limits::new(feature, nominal, deviations, Source::File(Arc::clone(file)));
     let limits = limits.ok_or_else(|| refused(LimitsError::TooLarge { nominal }))?;
-    // What lies at zero or below is a coordinate or a deviation, where nobody says otherwise.
-    if is_size && (feature.is_some() || Length::ZERO < nominal) {
+    // What lies at zero or below is a coordinate or a deviation, where nobody says otherwise. Two limits alone, as of a chamfer, were never
+    // deviations in micrometres.
+    if is_size && (feature.is_some() || is_stated && Length::ZERO < nominal) {
         sources.proportionate(&limits.bounds()).map_err(refused)?;
     } else {
         sources.proportionate_coordinate(nominal, deviations).map_err(refused)?;
