@@ -363,7 +363,14 @@ proptest! {
         prop_assert_eq!(write(&found).unwrap(), &bytes[..]);
         let json: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
         prop_assert!(has_whole_numbers(&json), "{}", json);
-        let version = if found.report().is_some() { '2' } else { '1' };
+        let is_plain = |record: &Record| {
+            record.limits.feature.is_some() && record.callout.is_none_or(|callout| callout.notes().is_empty())
+        };
+        let version = match &found.content {
+            Content::Report(_) => '2',
+            Content::Check(check) if matches!(&check.what, Checked::Size(record) if !is_plain(record)) => '3',
+            _ => '1',
+        };
         let begins = format!("{{\"v\":{version},\"kind\":\"");
         prop_assert!(bytes.starts_with(begins.as_bytes()), "{}", String::from_utf8_lossy(&bytes));
         // What this version wrote, it decides the same.
@@ -499,12 +506,12 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Json { .. }));
-    assert_eq!(changed("{\"v\":1,", "{\"v\":3,\"colour\":{},"), BodyError::Newer { version: 3 });
+    assert_eq!(changed("{\"v\":1,", "{\"v\":4,\"colour\":{},"), BodyError::Newer { version: 4 });
     // An entry has one body: what version 1 can hold is of version 1.
     assert_eq!(changed("{\"v\":1,", "{\"v\":2,"), BodyError::Contradiction { field: "v" });
     assert_eq!(
         refused("{\"v\":7}").to_string(),
-        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 2"
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 3"
     );
     assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
     for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]
@@ -539,6 +546,19 @@ fn changed_report(from: &str, to: &str) -> BodyError {
     let body = written(&of_report(report()));
     assert!(body.contains(from), "{body}");
     refused(&body.replacen(from, to, 1))
+}
+
+#[test]
+fn a_size_that_is_neither_hole_nor_shaft_is_of_the_third_version_and_its_first_entries_are_read() {
+    let hole = bore("25.03");
+    let mut limits = hole.limits.clone();
+    limits.feature = None;
+    let body = written(&of_record(hole.asked_again(None, limits)));
+    assert!(body.starts_with("{\"v\":3,\"kind\":\"check\"") && body.contains("OUT OF LIMITS"), "{body}");
+    let first = body.replacen("{\"v\":3", "{\"v\":1", 1);
+    assert_eq!(read(first.as_bytes()).unwrap(), read(body.as_bytes()).unwrap());
+    let second = body.replacen("{\"v\":3", "{\"v\":2", 1);
+    assert_eq!(read(second.as_bytes()).unwrap_err(), BodyError::Contradiction { field: "v" });
 }
 
 #[test]

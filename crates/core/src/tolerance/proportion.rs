@@ -103,6 +103,9 @@ impl ZoneDoubt {
 /// What a coordinate counts as where it is smaller: its zero is wherever somebody put it, so it says nothing of the zone.
 const COORDINATE: Length = Length::from_micrometres(500_000);
 
+/// IT 18 of the smallest size: [`widest`] is never less.
+const LEAST_WIDEST: Length = Length::from_micrometres(1_400);
+
 /// What is doubtful about the zone of a size; nothing where it is inside IT 18 and above zero.
 pub fn doubt(bounds: &Bounds) -> Option<ZoneDoubt> {
     let Bounds { nominal, .. } = *bounds;
@@ -115,6 +118,10 @@ pub fn doubt(bounds: &Bounds) -> Option<ZoneDoubt> {
             Some(offer) => ZoneDoubt::MicrometresToZero { minimum, offer },
             None => ZoneDoubt::ToZero { minimum },
         });
+    }
+    // Most zones are that narrow, and millions of rows are asked about.
+    if width <= LEAST_WIDEST {
+        return None;
     }
     let widest = widest(nominal);
     (widest < width).then(|| match as_micrometres(nominal, deviations) {

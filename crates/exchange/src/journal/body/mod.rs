@@ -24,10 +24,10 @@ pub use brief::found;
 use fitcheck_core::message::{Say, printed, shortened};
 use serde::Deserialize;
 
-use super::entry::{Content, Entry};
+use super::entry::{Checked, Content, Entry};
 
 /// The newest version of the format: every version up to it is read.
-pub const VERSION: u64 = 2;
+pub const VERSION: u64 = 3;
 
 /// The longest body, bytes.
 pub const LONGEST: usize = 16 << 20;
@@ -110,11 +110,18 @@ struct Head {
 }
 
 /// The version that an entry is written as: the smallest that can hold it, so that older versions of Fitcheck read all that they know.
-const fn version_of(content: &Content) -> u64 {
+fn version_of(content: &Content) -> u64 {
     match content {
+        Content::Check(check) if is_of_third(&check.what) => 3,
         Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => 1,
         Content::Report(_) => 2,
     }
+}
+
+/// Whether a size is neither a hole nor a shaft, or its callout says more than size and tolerance.
+fn is_of_third(what: &Checked) -> bool {
+    let Checked::Size(record) = what else { return false };
+    record.limits.feature.is_none() || record.callout.is_some_and(|callout| !callout.notes().is_empty())
 }
 
 /// The bytes of an entry.
