@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::args::dialogue;
 use super::budget;
-use super::judging::JudgeArgs;
+use super::judging::{FeatureArg, JudgeArgs};
 use super::material::Part;
 use super::record::RecordArgs;
 use super::said::decided;
@@ -25,7 +25,7 @@ use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::Correction;
-use crate::tolerance::{Callout, Feature, FigureWarning, Limits, LimitsError, Sources};
+use crate::tolerance::{Callout, FigureWarning, Limits, LimitsError, Sources};
 use crate::verdict::{Rule, Status};
 use crate::words::Dialogue;
 
@@ -71,24 +71,6 @@ pub(super) struct Args {
     record: RecordArgs,
     #[command(flatten)]
     tables: TableArgs,
-}
-
-/// Hole or shaft.
-#[derive(Debug, Clone, Copy, clap::ValueEnum)]
-enum FeatureArg {
-    /// An inner size.
-    Hole,
-    /// An outer size.
-    Shaft,
-}
-
-impl FeatureArg {
-    const fn feature(self) -> Feature {
-        match self {
-            Self::Hole => Feature::Hole,
-            Self::Shaft => Feature::Shaft,
-        }
-    }
 }
 
 /// Where the diameter comes from: exactly one.

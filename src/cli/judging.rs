@@ -14,6 +14,7 @@ use crate::journal::planned::{self, JudgingOptions, Planned, PlannedError, Plann
 use crate::message::{IntoArg as _, Say as _};
 use crate::part::{Plan, Size};
 use crate::report::csv::More;
+use crate::tolerance::Feature;
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::{Correction, Temperature};
 use crate::verdict::Rule;
@@ -30,6 +31,33 @@ pub(super) struct JudgeArgs {
     /// Uncertainty budget (TOML, see fitcheck budget) that gives uncertainty and coverage factor for the measured value
     #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["u", "expanded", "k"], help_heading = "Decision rule")]
     pub(super) budget: Option<PathBuf>,
+}
+
+/// Hole or shaft.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+pub(super) enum FeatureArg {
+    /// An inner size.
+    Hole,
+    /// An outer size.
+    Shaft,
+}
+
+impl FeatureArg {
+    pub(super) const fn feature(self) -> Feature {
+        match self {
+            Self::Hole => Feature::Hole,
+            Self::Shaft => Feature::Shaft,
+        }
+    }
+}
+
+/// Hole or shaft, where files do not say it.
+#[derive(Debug, Clone, clap::Args)]
+#[group(skip)]
+pub(super) struct SaidArgs {
+    /// Hole or shaft, for sizes that do not say it; what reaches down to zero, such as a flatness, stays neither
+    #[arg(long, value_enum, conflicts_with = "plan")]
+    feature: Option<FeatureArg>,
 }
 
 /// The sizes of a plan by the names of records; none without a plan.
@@ -57,6 +85,8 @@ pub(super) struct Judge {
     /// The rule where they name it, and what they give it; a plan may have another one.
     named: Option<RuleName>,
     given: RuleInputs,
+    /// What sizes are that do not say it.
+    feature: Option<Feature>,
     warmth: Option<Warmth>,
     /// A budget, which gives each record an uncertainty of its own, and its file.
     budget: Option<(String, Budget)>,
@@ -76,11 +106,16 @@ impl JudgeArgs {
                 (options.rule_with(Some(Uncertainty::standard("1").said()?))?, Some(super::budget::read(path, io)?))
             }
         };
-        Ok(Judge { rule, options, named, given, warmth, budget })
+        Ok(Judge { rule, options, named, given, feature: None, warmth, budget })
     }
 }
 
 impl Judge {
+    /// The same with hole or shaft for sizes that do not say it.
+    pub(super) fn with(self, said: &SaidArgs) -> Self {
+        Self { feature: said.feature.map(FeatureArg::feature), ..self }
+    }
+
     /// Which columns its records have besides those of every file. What contacts leave undecided is not among them: no file of
     /// measurements has the contacts of a check.
     pub(super) fn more(&self) -> More {
@@ -140,6 +175,10 @@ impl Judge {
     /// # Errors
     /// Where the budget gives no uncertainty for it.
     pub(super) fn judged(&self, record: Record) -> Result<Record, CliError> {
+        let record = match self.feature {
+            Some(feature) if record.lacks_feature() => record.of_feature(Some(feature)),
+            _ => record,
+        };
         let record = match &self.warmth {
             // A file of Fitcheck says how its values were corrected.
             Some(_) if record.correction.is_some() => return Err(CliError::AlreadyCorrected),

@@ -40,6 +40,8 @@ pub(super) enum CliRemark {
         /// Which limit: `above` or `below`.
         side: &'static str,
     },
+    /// Of so many values hole or shaft decides between rework and scrap.
+    Open { count: usize },
     /// Nobody measured.
     Simulated,
     /// A measured value that was brought to 20 °C.

@@ -1,6 +1,6 @@
 //! What the session records, and the records page: without a window, a file or a thread.
 
-use fitcheck::session::{RecordsAction, WindowAction};
+use fitcheck::session::{CheckAction, RecordsAction, WindowAction};
 use std::sync::Arc;
 
 use fitcheck::journal::Record;
@@ -784,7 +784,7 @@ fn undo_of_a_long_import_withdraws_its_records_as_one_batch() {
 }
 
 #[test]
-fn hole_or_shaft_said_of_a_whole_file_judges_its_open_rows_again_and_withdraws_what_they_were() {
+fn hole_or_shaft_is_said_of_one_value_or_of_a_whole_file_and_the_journal_has_corrections() {
     let table = b"id,nominal,lower_limit,upper_limit,measured\nA,8,7.9,8.1,8.0\nB,8,7.9,8.1,8.2\nC,8,7.9,8.1,7.8\n";
     let mut session = recording();
     let imported = fitcheck::exchange::import("lengths.csv", table, session.sources(), now());
@@ -797,25 +797,55 @@ fn hole_or_shaft_said_of_a_whole_file_judges_its_open_rows_again_and_withdraws_w
         |session: &Session| session.history().iter().map(|record| record.verdict.status().word()).collect::<Vec<_>>();
     assert_eq!(statuses(&session), ["GOOD", "OUT OF LIMITS", "OUT OF LIMITS"]);
     assert!(session.check().is_open());
-    let effects = send(&mut session, CheckCommand::ChooseFeature(Some(Feature::Shaft)));
+    // One choice is for the value on screen, the worst of the file.
+    let effects = send(&mut session, CheckCommand::ChooseFeature(Some(Feature::Hole)));
+    assert_eq!(statuses(&session), ["GOOD", "SCRAP", "OUT OF LIMITS"]);
+    assert_eq!(counts(&session), [1, 0, 0, 1, 1]);
+    let (run, corrections) = kept(&effects);
+    assert_eq!(corrections.iter().filter_map(Entry::corrects).map(|old| old.target.number).collect::<Vec<_>>(), [3]);
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(5)]) });
+    // It can be said otherwise, and undone.
+    let (run, _) = kept(&send(&mut session, CheckCommand::ChooseFeature(Some(Feature::Shaft))));
+    assert_eq!(statuses(&session), ["GOOD", "REWORK", "OUT OF LIMITS"]);
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(6)]) });
+    for number in [7, 8] {
+        let undo = WindowAction::Undo.command(&session).unwrap();
+        let (run, _) = kept(&send(&mut session, undo));
+        send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number)]) });
+    }
+    assert_eq!(statuses(&session), ["GOOD", "OUT OF LIMITS", "OUT OF LIMITS"]);
+    // The other one is for all.
+    assert!(session.can(CheckAction::JudgeAllAs(Feature::Shaft)));
+    let effects = send(&mut session, CheckCommand::JudgeAllAs(Feature::Shaft));
     assert_eq!(statuses(&session), ["GOOD", "REWORK", "SCRAP"]);
     assert_eq!(counts(&session), [1, 1, 0, 0, 1]);
+    assert!(!session.can(CheckAction::JudgeAllAs(Feature::Shaft)));
     let names: Vec<_> = session.history().iter().map(|record| record.limits.feature).collect();
     assert_eq!(names, [None, Some(Feature::Shaft), Some(Feature::Shaft)], "what was good stays as it was");
-    let sent: Vec<Vec<Entry>> = effects
-        .into_iter()
-        .filter_map(|effect| match effect {
-            Effect::Keep { entries, .. } => Some(entries),
-            _ => None,
-        })
-        .collect();
-    let [withdrawn, again] = sent.as_slice() else { panic!("{sent:#?}") };
-    let targets = withdrawn.iter().filter_map(Entry::corrects).map(|old| old.target.number);
-    assert_eq!(targets.collect::<Vec<_>>(), [2, 3, 4]);
+    let (_, corrections) = kept(&effects);
+    let said = |entry: &Entry| {
+        let corrects = entry.corrects().unwrap();
+        (entry.about.part.clone(), corrects.target.number, corrects.reason.clone(), size(entry).verdict.status().word())
+    };
+    let reason = "said after the verdict: shaft".to_owned();
     assert_eq!(
-        again.iter().map(|entry| (entry.about.part.as_str(), size(entry).verdict.status().word())).collect::<Vec<_>>(),
-        [("A", "GOOD"), ("B", "REWORK"), ("C", "SCRAP")]
+        corrections.iter().map(said).collect::<Vec<_>>(),
+        [("B".to_owned(), 8, reason.clone(), "REWORK"), ("C".to_owned(), 4, reason, "SCRAP")]
     );
     assert!(!session.check().is_open());
     assert!(session.notices().iter().any(|notice| notice.message.to_string().starts_with("2 values outside")));
+}
+
+#[test]
+fn a_flatness_is_never_a_hole() {
+    let table = b"id,nominal,lower_limit,upper_limit,measured\nF,0,0,0.02,0.03\nB,8,7.9,8.1,8.2\n";
+    let mut session = recording();
+    let imported = fitcheck::exchange::import("lengths.csv", table, session.sources(), now());
+    let read = CheckCommand::Imported { name: "lengths.csv".to_owned(), result: Ok(Box::new(imported)) };
+    let (run, _) = kept(&send(&mut session, read));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok((2..4).map(head).collect()) });
+    let features = |session: &Session| session.history().iter().map(|record| record.limits.feature).collect::<Vec<_>>();
+    assert_eq!(features(&session), [None, None]);
+    send(&mut session, CheckCommand::JudgeAllAs(Feature::Hole));
+    assert_eq!(features(&session), [None, Some(Feature::Hole)]);
 }

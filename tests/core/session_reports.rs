@@ -11,7 +11,7 @@ use fitcheck::proof::SeenFile;
 use fitcheck::report::pdf::Pages;
 use fitcheck::session::records::LeftOut;
 use fitcheck::session::{
-    CheckCommand, Command, Content, Drawing, Effect, Page, Purpose, RecordRow, RecordsAction, RecordsCommand,
+    CheckCommand, Command, Content, Drawing, Effect, Page, Purpose, RecordRow, RecordsAction, RecordsCommand, ReportOf,
     ReportsCommand, Session,
 };
 
@@ -198,4 +198,32 @@ fn pages_that_are_stopped_say_so_and_those_of_another_choice_are_drawn_anew() {
     send(&mut session, ReportsCommand::Drawn { run: next, result: Ok(Arc::new(pages)) });
     assert_eq!(session.reports().pages().unwrap().unwrap().count(), 1);
     assert!(session.reports().at_work().is_none());
+}
+
+#[test]
+fn a_report_of_the_list_says_which_rows_of_a_file_are_no_checks() {
+    let mut session = recording();
+    let table = b"id,callout,measured\nA,25 H7,25.012\nB,25 H7,NG\nC,,25\nD,25 H7,25.03\n";
+    let imported = fitcheck::exchange::import(
+        "lot.csv",
+        table,
+        session.sources(),
+        jiff::civil::DateTime::constant(2026, 11, 29, 7, 0, 0, 0),
+    );
+    send(&mut session, CheckCommand::Imported { name: "lot.csv".to_owned(), result: Ok(Box::new(imported)) });
+    send(&mut session, Command::OpenPage(Page::Reports));
+    assert_eq!(session.report_of(), Some(ReportOf::List), "the whole file, and not its worst row");
+    send(&mut session, Command::OpenDialog(Purpose::Report(0)));
+    let content = written(&mut session, "lot.html");
+    let said = notes(&content);
+    assert!(said.iter().any(|note| note.contains("lot.csv") && note.contains("NG")), "{said:?}");
+    assert!(said.iter().any(|note| note == "lot.csv, line 4: not judged: no callout given"), "{said:?}");
+    let Content::Report { report, .. } = &content else { panic!("{content:?}") };
+    assert!(report.is_partial, "no certificate says that all conform");
+    // What is undone is no gap any more.
+    send(&mut session, Command::OpenPage(Page::Check));
+    send(&mut session, CheckCommand::Undo);
+    recorded(&mut session, "25.01", 9);
+    send(&mut session, Command::OpenDialog(Purpose::Export(0)));
+    assert!(notes(&written(&mut session, "one.html")).iter().all(|note| !note.contains("lot.csv")));
 }

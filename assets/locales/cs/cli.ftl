@@ -48,6 +48,11 @@ cli-not-a-table = { $name } není tabulka úchylek
 cli-add-feature = { $error }: doplňte --feature hole nebo --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; je-li toto toleranční pole záměr, doplňte --wide-zone
 cli-add-far-temperature = { $what }: { $error }; je-li tato teplota záměr, doplňte --far-temperature
+cli-remark-open = { $count ->
+    [one] jedna hodnota je mimo meze; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft, sloupec kind s těmito slovy, nebo plán
+    [few] hodnoty mimo meze: { $count }; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft, sloupec kind s těmito slovy, nebo plán
+   *[other] hodnoty mimo meze: { $count }; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft, sloupec kind s těmito slovy, nebo plán
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm nad maximem; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft
    *[below] { $asked }: { $um } µm pod minimem; zda je to oprava, nebo zmetek, závisí na tom, zda jde o díru, nebo hřídel: doplňte --feature hole nebo --feature shaft

@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] přidání { $count } kontrol
 }
 undo-correct = korekce
+undo-feature = díra nebo hřídel
 undo-clear = vymazání historie
 undone = Vráceno zpět: { $what }
 clear-history = Vymazat historii
@@ -365,6 +366,14 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } odmítnutých řádků
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = uvedeno po posouzení: { $as }
+lot-open = { $count ->
+    [one] U jedné hodnoty chybí díra nebo hřídel:
+    [few] U { $count } hodnot chybí díra nebo hřídel:
+   *[other] U { $count } hodnot chybí díra nebo hřídel:
+}
+check-all-holes = Všechny jsou díry
+check-all-shafts = Všechny jsou hřídele
 check-judged-again = { $count ->
     [one] Jedna hodnota mimo meze byla znovu posouzena: { $as }
     [few] { $count } hodnoty mimo meze byly znovu posouzeny: { $as }

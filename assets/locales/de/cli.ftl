@@ -48,6 +48,10 @@ cli-not-a-table = { $name } ist keine Tabelle mit Grenzabmaßen
 cli-add-feature = { $error }: --feature hole oder --feature shaft hinzufügen
 cli-add-wide-zone = { $asked }: { $error }; ist dieses Toleranzfeld so gewollt, --wide-zone hinzufügen
 cli-add-far-temperature = { $what }: { $error }; ist diese Temperatur so gewollt, --far-temperature hinzufügen
+cli-remark-open = { $count ->
+    [one] ein Wert ist außerhalb der Grenzen; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen, eine Spalte kind mit diesen Wörtern oder einen Plan
+   *[other] { $count } Werte sind außerhalb der Grenzen; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen, eine Spalte kind mit diesen Wörtern oder einen Plan
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm über dem Höchstmaß; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen
    *[below] { $asked }: { $um } µm unter dem Mindestmaß; ob das Nacharbeit oder Ausschuss ist, hängt von Bohrung oder Welle ab: --feature hole oder --feature shaft hinzufügen

@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] { $count } Prüfungen hinzufügen
 }
 undo-correct = Berichtigung
+undo-feature = Bohrung oder Welle
 undo-clear = Verlauf leeren
 undone = Rückgängig gemacht: { $what }
 clear-history = Verlauf leeren
@@ -349,6 +350,13 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } Zeilen abgewiesen
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = nach dem Urteil angegeben: { $as }
+lot-open = { $count ->
+    [one] Bei einem Wert fehlt Bohrung oder Welle:
+   *[other] Bei { $count } Werten fehlt Bohrung oder Welle:
+}
+check-all-holes = Alle sind Bohrungen
+check-all-shafts = Alle sind Wellen
 check-judged-again = { $count ->
     [one] Ein Wert außerhalb seiner Grenzmaße wurde neu beurteilt: { $as }
    *[other] { $count } Werte außerhalb ihrer Grenzmaße wurden neu beurteilt: { $as }

@@ -48,6 +48,10 @@ cli-not-a-table = { $name } is not a table of deviations
 cli-add-feature = { $error }: add --feature hole or --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; if this zone is intended, add --wide-zone
 cli-add-far-temperature = { $what }: { $error }; if this temperature is intended, add --far-temperature
+cli-remark-open = { $count ->
+    [one] one value is out of limits; whether it is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft, a column kind with these words, or a plan
+   *[other] { $count } values are out of limits; whether they are rework or scrap depends on hole or shaft: add --feature hole or --feature shaft, a column kind with these words, or a plan
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm above maximum; whether it is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft
    *[below] { $asked }: { $um } µm below minimum; whether it is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft

@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] add { $count } checks
 }
 undo-correct = correction
+undo-feature = hole or shaft
 undo-clear = clear history
 undone = Undone: { $what }
 clear-history = Clear history
@@ -349,6 +350,13 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rows refused
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = said after the verdict: { $as }
+lot-open = { $count ->
+    [one] One value waits for hole or shaft:
+   *[other] { $count } values wait for hole or shaft:
+}
+check-all-holes = All are holes
+check-all-shafts = All are shafts
 check-judged-again = { $count ->
     [one] One value outside its limits was judged again: { $as }
    *[other] { $count } values outside their limits were judged again: { $as }

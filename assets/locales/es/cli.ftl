@@ -48,6 +48,10 @@ cli-not-a-table = { $name } no es una tabla de desviaciones
 cli-add-feature = { $error }: añada --feature hole o --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; si esta zona es intencionada, añada --wide-zone
 cli-add-far-temperature = { $what }: { $error }; si esta temperatura es intencionada, añada --far-temperature
+cli-remark-open = { $count ->
+    [one] un valor está fuera de límites; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft, una columna kind con estas palabras, o un plan
+   *[other] { $count } valores están fuera de límites; que sean retrabajo o desecho depende de si son agujeros o ejes: añada --feature hole o --feature shaft, una columna kind con estas palabras, o un plan
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm por encima del máximo; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft
    *[below] { $asked }: { $um } µm por debajo del mínimo; que sea retrabajo o desecho depende de si es agujero o eje: añada --feature hole o --feature shaft

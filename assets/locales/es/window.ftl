@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] añadir { $count } comprobaciones
 }
 undo-correct = corrección
+undo-feature = agujero o eje
 undo-clear = vaciar el historial
 undone = Deshecho: { $what }
 clear-history = Vaciar el historial
@@ -349,6 +350,13 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } filas no admitidas
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = indicado después del veredicto: { $as }
+lot-open = { $count ->
+    [one] A un valor le falta agujero o eje:
+   *[other] A { $count } valores les falta agujero o eje:
+}
+check-all-holes = Todos son agujeros
+check-all-shafts = Todos son ejes
 check-judged-again = { $count ->
     [one] Un valor fuera de sus límites se ha juzgado de nuevo: { $as }
    *[other] { $count } valores fuera de sus límites se han juzgado de nuevo: { $as }

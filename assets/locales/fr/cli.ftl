@@ -48,6 +48,10 @@ cli-not-a-table = { $name } n'est pas une table d'écarts
 cli-add-feature = { $error } : ajouter --feature hole ou --feature shaft
 cli-add-wide-zone = { $asked } : { $error } ; si cet intervalle est voulu, ajouter --wide-zone
 cli-add-far-temperature = { $what } : { $error } ; si cette température est voulue, ajouter --far-temperature
+cli-remark-open = { $count ->
+    [one] une valeur est hors limites ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft, une colonne kind avec ces mots, ou un plan
+   *[other] { $count } valeurs sont hors limites ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft, une colonne kind avec ces mots, ou un plan
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked } : { $um } µm au-dessus du maximum ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft
    *[below] { $asked } : { $um } µm au-dessous du minimum ; retouche ou rebut dépend d'alésage ou arbre : ajouter --feature hole ou --feature shaft

@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] ajout de { $count } contrôles
 }
 undo-correct = correction
+undo-feature = alésage ou arbre
 undo-clear = effacement de l'historique
 undone = Annulé : { $what }
 clear-history = Effacer l'historique
@@ -349,6 +350,13 @@ import-notice = { $name } : { $good ->
    *[other] { $bad } rangées refusées
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = indiqué après le verdict : { $as }
+lot-open = { $count ->
+    [one] Pour une valeur, alésage ou arbre reste à dire :
+   *[other] Pour { $count } valeurs, alésage ou arbre reste à dire :
+}
+check-all-holes = Tous des alésages
+check-all-shafts = Tous des arbres
 check-judged-again = { $count ->
     [one] Une valeur hors de ses limites a été jugée à nouveau : { $as }
    *[other] { $count } valeurs hors de leurs limites ont été jugées à nouveau : { $as }

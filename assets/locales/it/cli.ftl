@@ -48,6 +48,10 @@ cli-not-a-table = { $name } non è una tabella di scostamenti
 cli-add-feature = { $error }: aggiungere --feature hole o --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; se questa zona di tolleranza è voluta, aggiungere --wide-zone
 cli-add-far-temperature = { $what }: { $error }; se questa temperatura è voluta, aggiungere --far-temperature
+cli-remark-open = { $count ->
+    [one] un valore è fuori dai limiti; se sia ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft, una colonna kind con queste parole, o un piano
+   *[other] { $count } valori sono fuori dai limiti; se siano ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft, una colonna kind con queste parole, o un piano
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm sopra il massimo; se sia ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft
    *[below] { $asked }: { $um } µm sotto il minimo; se sia ripresa o scarto dipende da foro o albero: aggiungere --feature hole o --feature shaft

@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] aggiunta di { $count } controlli
 }
 undo-correct = correzione
+undo-feature = foro o albero
 undo-clear = svuotamento della cronologia
 undone = Annullato: { $what }
 clear-history = Svuotare la cronologia
@@ -349,6 +350,13 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } righe rifiutate
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = indicato dopo il giudizio: { $as }
+lot-open = { $count ->
+    [one] Per un valore manca foro o albero:
+   *[other] Per { $count } valori manca foro o albero:
+}
+check-all-holes = Tutti fori
+check-all-shafts = Tutti alberi
 check-judged-again = { $count ->
     [one] Un valore fuori dai limiti è stato rigiudicato: { $as }
    *[other] { $count } valori fuori dai limiti sono stati rigiudicati: { $as }

@@ -48,6 +48,10 @@ cli-not-a-table = { $name } is geen tabel met afwijkingen
 cli-add-feature = { $error }: geef --feature hole of --feature shaft op
 cli-add-wide-zone = { $asked }: { $error }; geef --wide-zone op als dit tolerantieveld zo bedoeld is
 cli-add-far-temperature = { $what }: { $error }; geef --far-temperature op als deze temperatuur zo bedoeld is
+cli-remark-open = { $count ->
+    [one] één waarde is buiten de grenzen; of dat nabewerken of afkeur is, hangt af van boring of as: voeg --feature hole of --feature shaft toe, een kolom kind met deze woorden, of een plan
+   *[other] { $count } waarden zijn buiten de grenzen; of dat nabewerken of afkeur is, hangt af van boring of as: voeg --feature hole of --feature shaft toe, een kolom kind met deze woorden, of een plan
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm boven de bovengrens; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op
    *[below] { $asked }: { $um } µm onder de ondergrens; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op

@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] { $count } controles toevoegen
 }
 undo-correct = correctie
+undo-feature = boring of as
 undo-clear = geschiedenis wissen
 undone = Ongedaan gemaakt: { $what }
 clear-history = Geschiedenis wissen
@@ -349,6 +350,13 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } rijen geweigerd
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = na het oordeel gezegd: { $as }
+lot-open = { $count ->
+    [one] Eén waarde wacht op boring of as:
+   *[other] { $count } waarden wachten op boring of as:
+}
+check-all-holes = Alle zijn boringen
+check-all-shafts = Alle zijn assen
 check-judged-again = { $count ->
     [one] Eén waarde buiten zijn grenzen is opnieuw beoordeeld: { $as }
    *[other] { $count } waarden buiten hun grenzen zijn opnieuw beoordeeld: { $as }

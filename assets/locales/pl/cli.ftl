@@ -53,6 +53,11 @@ cli-not-a-table = { $name } nie jest tabelą odchyłek
 cli-add-feature = { $error }: dodać --feature hole lub --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; jeśli takie pole tolerancji jest zamierzone, dodać --wide-zone
 cli-add-far-temperature = { $what }: { $error }; jeśli ta temperatura jest zamierzona, dodać --far-temperature
+cli-remark-open = { $count ->
+    [one] jedna wartość jest poza granicami; poprawka czy brak zależy od otworu lub wałka: dodaj --feature hole lub --feature shaft, kolumnę kind z tymi słowami albo plan
+    [few] wartości poza granicami: { $count }; poprawka czy brak zależy od otworu lub wałka: dodaj --feature hole lub --feature shaft, kolumnę kind z tymi słowami albo plan
+   *[other] wartości poza granicami: { $count }; poprawka czy brak zależy od otworu lub wałka: dodaj --feature hole lub --feature shaft, kolumnę kind z tymi słowami albo plan
+}
 cli-remark-rework-or-scrap = { $side ->
     [above] { $asked }: { $um } µm powyżej maksimum; czy to poprawka, czy brak, zależy od otworu lub wałka: dodać --feature hole lub --feature shaft
    *[below] { $asked }: { $um } µm poniżej minimum; czy to poprawka, czy brak, zależy od otworu lub wałka: dodać --feature hole lub --feature shaft

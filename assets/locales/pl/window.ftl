@@ -35,6 +35,7 @@ undo-add = { $count ->
    *[other] dodanie { $count } kontroli
 }
 undo-correct = korekta
+undo-feature = otwór lub wałek
 undo-clear = wyczyszczenie historii
 undone = Cofnięto: { $what }
 clear-history = Wyczyść historię
@@ -381,6 +382,14 @@ import-notice = { $name }: { $good ->
    *[other] { $bad } wierszy odrzuconych
 }
 import-counted = { $file }. { $counts }
+check-said-afterwards = podano po ocenie: { $as }
+lot-open = { $count ->
+    [one] Przy jednej wartości brakuje otworu lub wałka:
+    [few] Przy { $count } wartościach brakuje otworu lub wałka:
+   *[other] Przy { $count } wartościach brakuje otworu lub wałka:
+}
+check-all-holes = Wszystkie to otwory
+check-all-shafts = Wszystkie to wałki
 check-judged-again = { $count ->
     [one] Jedną wartość poza granicami oceniono ponownie: { $as }
     [few] { $count } wartości poza granicami oceniono ponownie: { $as }

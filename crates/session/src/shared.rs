@@ -416,6 +416,16 @@ impl Shared {
         self.notices.push(Notice { details, ..Notice::of(message, false) });
     }
 
+    /// Puts checks of the history in their places that were judged again, here and as corrections in the journal. `false` where one of them
+    /// cannot be corrected now.
+    pub fn judge_again(&mut self, again: Vec<(RecordId, Arc<Record>)>, reason: &str) -> bool {
+        let is_sent = self.recording.judge_again(&again, reason);
+        if is_sent {
+            self.history.judge_again(again);
+        }
+        is_sent
+    }
+
     /// Undo took checks back: the records of those that stand are withdrawn. Returns whether there are any.
     pub fn withdraw(&mut self, taken: BTreeSet<RecordId>, standing: &[RecordId]) -> bool {
         let number = |id: &RecordId| match self.recording.of_check(*id) {

@@ -12,13 +12,13 @@ use keeping::Keeping;
 use print::Printed;
 
 use super::admitted::Admits as _;
-use super::judging::{Judge, JudgeArgs};
+use super::judging::{Judge, JudgeArgs, SaidArgs};
 use super::measured::{Hashing, Measured, unreadable};
 use super::parts::{PlanParts, RepeatArgs};
 use super::progress::{Watched, Work};
 use super::record::RecordArgs;
 use super::rows::names;
-use super::said::CliWarning;
+use super::said::{CliRemark, CliWarning};
 use super::{CliError, Format, IntoCliError as _, Io, Outcome, TableArgs, said};
 use crate::control::mask::Mask;
 use crate::exchange::{Body, ByPlan, FORMATS, ImportInputs, Item, MOST_ROWS, Role, WHOLE, import_from};
@@ -64,6 +64,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     tables: TableArgs,
+
+    #[command(flatten)]
+    said: SaidArgs,
 
     #[command(flatten)]
     by: JudgeArgs,
@@ -129,6 +132,8 @@ With --record, up to {MOST_ROWS} rows of a file are read.",
 struct Tally {
     worst: Option<Status>,
     bad: bool,
+    /// How many values wait for hole or shaft.
+    open: usize,
     /// The parts of the plan, where there is one: the last value of a size counts.
     parts: Option<PlanParts>,
 }
@@ -144,7 +149,7 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let recorder = self.record.recorder(io)?;
         let plan = self.plan.as_ref().map(|path| super::plan::read_plan(path, &sources, io)).transpose()?;
-        let judge = self.by.judge(io)?;
+        let judge = self.by.judge(io)?.with(&self.said);
         judge.tell(io);
         judge.tell_rule(io);
         let mut import = Import {
@@ -309,6 +314,9 @@ impl Import<'_> {
         if self.printed.is_ok() {
             self.printer.end(io);
         }
+        if 0 < self.tally.open {
+            io.remark(&CliRemark::Open { count: self.tally.open });
+        }
         if self.is_stopped {
             self.printed?;
             if self.keeping.is_some() {
@@ -367,6 +375,7 @@ pub(super) fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
 impl Tally {
     fn count(&mut self, row: &ImportRow) {
         self.bad |= row.error.is_some();
+        self.open += usize::from(row.judged.as_ref().is_some_and(|record| record.is_open()));
         match (&mut self.parts, &row.judged) {
             (Some(parts), Some(record)) => parts.see(record, &row.labels, row.line),
             _ => self.worst = self.worst.max(row.part_status()),

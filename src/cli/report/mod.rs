@@ -16,11 +16,11 @@ use recording::ReportRecordArgs;
 use template::TemplateArgs;
 
 use super::args::one_of;
-use super::judging::JudgeArgs;
+use super::judging::{JudgeArgs, SaidArgs};
 use super::measured::Measured;
 use super::parts::RepeatArgs;
 use super::progress::Work;
-use super::{CliError, CliWarning, IntoCliError as _, Io, Outcome, TableArgs};
+use super::{CliError, CliRemark, CliWarning, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::journal::Record;
 use crate::journal::entry::Shown;
 use crate::length::{Length, LengthError};
@@ -88,6 +88,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     tables: TableArgs,
+
+    #[command(flatten)]
+    said: SaidArgs,
 
     #[command(flatten)]
     by: JudgeArgs,
@@ -187,7 +190,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
         let recorder = self.record.recorder(matches!(self.output, Output::File(..)))?;
-        let judge = self.by.judge(io)?;
+        let judge = self.by.judge(io)?.with(&self.said);
         let sources = self.tables.load(io)?;
         let template = self.look.template()?;
         rendering.refusal(self.look.paper(&template)).map_or(Ok(()), Err).said()?;
@@ -237,6 +240,9 @@ impl Args {
         let is_form = template.is_blank() && !parts.is_empty();
         let outcome = collected.outcome().or(is_form.then_some(Outcome::Done)).ok_or(CliError::ReportEmpty)?;
         let count = collected.checks;
+        if 0 < collected.open {
+            io.remark(&CliRemark::Open { count: collected.open });
+        }
         let report = Report {
             title: self.title.as_ref().map_or_else(String::new, Clone::clone),
             part: self.part.clone().or(of_plan),

@@ -32,7 +32,9 @@ pub(super) struct ReportParts {
     all: PlanParts,
     /// The place of each size, by its name.
     places: BTreeMap<String, usize>,
-    sheets: Vec<(Key, PartSheet)>,
+    sheets: Vec<PartSheet>,
+    /// The place of each part among them.
+    known: BTreeMap<Key, usize>,
     /// Those that are not shown as a whole.
     others: BTreeSet<Key>,
 }
@@ -45,7 +47,16 @@ impl ReportParts {
         let picture = name.map(|name| image(path, name));
         let places = plan.sizes().map(|size| size.name()).zip(0..).collect();
         let all = PlanParts::of(&plan, repeats);
-        Ok(Self { plan, repeats, picture, all, places, sheets: Vec::new(), others: BTreeSet::new() })
+        Ok(Self {
+            plan,
+            repeats,
+            picture,
+            all,
+            places,
+            sheets: Vec::new(),
+            known: BTreeMap::new(),
+            others: BTreeSet::new(),
+        })
     }
 
     /// A value of a part.
@@ -53,7 +64,7 @@ impl ReportParts {
         self.all.see(record, labels, Some(line));
         let Some(at) = self.places.get(&record.id).copied() else { return };
         let key = (labels.part.clone(), labels.serial.clone());
-        if let Some((_, sheet)) = self.sheets.iter_mut().find(|(known, _)| *known == key) {
+        if let Some(sheet) = self.known.get(&key).and_then(|known| self.sheets.get_mut(*known)) {
             return sheet.take(at, Arc::new(record.clone()), labels.time);
         }
         if MOST <= self.sheets.len() {
@@ -63,7 +74,8 @@ impl ReportParts {
         let mut sheet = PartSheet::new(&self.plan, &labels.serial).by(self.repeats);
         sheet.picture.clone_from(&self.picture);
         sheet.take(at, Arc::new(record.clone()), labels.time);
-        self.sheets.push((key, sheet));
+        self.known.insert(key, self.sheets.len());
+        self.sheets.push(sheet);
     }
 
     /// Whether no value was of a part.
@@ -107,7 +119,7 @@ impl ReportParts {
         }
         let more = self.others.len();
         let note = (0 < more).then(|| message!("report-more-parts").count("count", more).count("most", MOST));
-        (self.sheets.into_iter().map(|(_, sheet)| sheet).collect(), note)
+        (self.sheets, note)
     }
 }
 

@@ -126,6 +126,8 @@ pub(super) struct Collected {
     outcome: Option<Outcome>,
     pub(super) notes: Vec<Message>,
     more_notes: usize,
+    /// How many values wait for hole or shaft.
+    pub(super) open: usize,
     pub(super) bad: bool,
     /// Whether parts are not shown as a whole.
     has_more_parts: bool,
@@ -205,6 +207,7 @@ impl Collected {
             io.look_first();
         }
         self.are_corrected |= record.correction.is_some();
+        self.open += usize::from(record.is_open());
         self.worst = self.worst.max(Some(record.verdict.status()));
         self.checks = self.checks.saturating_add(1);
     }

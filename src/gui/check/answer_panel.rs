@@ -19,7 +19,7 @@ use crate::message::{Message, Say, message};
 use crate::session::help::Sample;
 use crate::session::{Action, CheckAction, WindowAction};
 use crate::session::{DoubtedText, Lot, Question, Recorded, Step};
-use crate::tolerance::Source;
+use crate::tolerance::{Feature, Source};
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
 
@@ -239,6 +239,15 @@ pub(super) fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
         if 0 < count {
             ui.label(said(id, count));
         }
+    }
+    let open = view.session.check().open_of_lot(view.session.history()).len();
+    if 0 < open {
+        ui.label(said("lot-open", open));
+        ui.horizontal_wrapped(|ui| {
+            for feature in [Feature::Hole, Feature::Shaft] {
+                view.field_button(ui, CheckAction::JudgeAllAs(feature));
+            }
+        });
     }
     let Some((place, line)) = lot.shown() else { return };
     let part = view.session.check().shown.as_ref().map(|shown| &shown.record.id).filter(|part| !part.is_empty());

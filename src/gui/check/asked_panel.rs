@@ -116,7 +116,7 @@ fn callout_field_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn room_of_feature(ui: &mut Ui, view: &View<'_>) -> Option<Rect> {
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let check = view.session.check();
-    let is_asked = check.asked.needs_feature() || check.is_open();
+    let is_asked = check.asked.needs_feature() || check.can_be_said(view.session.history());
     is_asked.then(|| ui.allocate_exact_size(row, Sense::hover()).0)
 }
 
@@ -130,7 +130,11 @@ fn feature_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     let is_fit = view.session.check().asked.is_fit();
     let choices = [Some(Feature::Hole), Some(Feature::Shaft), None];
     for feature in choices.into_iter().filter(|feature| feature.is_some() || !is_fit) {
-        let chosen = view.session.check().feature() == feature && (feature.is_some() || !is_fit);
+        let asked = &view.session.check().asked;
+        // Without a callout the limits on screen say it.
+        let meant = asked.limits.as_ref().filter(|_| asked.callout.is_none()).map(|limits| limits.feature);
+        let chosen =
+            meant.unwrap_or_else(|| view.session.check().feature()) == feature && (feature.is_some() || !is_fit);
         let is_chosen = ui.radio(chosen, view.text(feature_id(feature))).clicked();
         if is_chosen && !ui.input(|input| input.key_pressed(Key::Enter)) {
             view.send(CheckCommand::ChooseFeature(feature));

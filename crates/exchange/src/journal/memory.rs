@@ -91,6 +91,19 @@ impl Memory {
         if self.query.only_bad { self.arrange() } else { self.count_statuses() }
     }
 
+    /// Puts other records in the places of some; returns what stood there.
+    pub fn put(&mut self, records: Vec<(RecordId, Arc<Record>)>) -> Vec<(RecordId, Arc<Record>)> {
+        let mut before = Vec::new();
+        for (id, record) in records {
+            let Ok(place) = self.rows.binary_search_by_key(&id, |row| row.id) else { continue };
+            let Some(row) = self.rows.get_mut(place) else { continue };
+            row.texts = Searched::of(&record);
+            before.push((id, std::mem::replace(&mut row.record, record)));
+        }
+        self.arrange();
+        before
+    }
+
     pub fn add(&mut self, records: Vec<Arc<Record>>) {
         let first = self.rows.len();
         let few = records.len() <= FEW;

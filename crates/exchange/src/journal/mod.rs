@@ -55,8 +55,8 @@ use fitcheck_core::budget::Provenance;
 use fitcheck_core::length::Length;
 use fitcheck_core::probing::{Caveat, Measurement, Origin, noted};
 use fitcheck_core::tolerance::fit::thermal::Correction;
-use fitcheck_core::tolerance::{Callout, Limits};
-use fitcheck_core::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
+use fitcheck_core::tolerance::{Callout, Feature, Limits};
+use fitcheck_core::verdict::{Doubt, PositionVerdict, Rule, Status, Verdict, doubt, judge, judge_by};
 use jiff::civil::DateTime;
 pub use window::{status_variables, status_window};
 
@@ -153,6 +153,24 @@ impl Record {
     #[must_use]
     pub fn asked_again(&self, callout: Option<Callout>, limits: Limits) -> Self {
         self.again((callout, limits), self.measurement.clone(), self.measured())
+    }
+
+    /// Whether it is a size of which nobody has said hole or shaft. What reaches down to zero is a form or a coordinate.
+    pub fn lacks_feature(&self) -> bool {
+        self.limits.feature.is_none() && Length::ZERO < self.limits.minimum()
+    }
+
+    /// Whether hole or shaft decides between rework and scrap.
+    pub fn is_open(&self) -> bool {
+        self.lacks_feature() && self.verdict.status() == Status::OutOfLimits
+    }
+
+    /// The same as that of a hole, of a shaft or of neither.
+    #[must_use]
+    pub fn of_feature(&self, feature: Option<Feature>) -> Self {
+        let mut limits = self.limits.clone();
+        limits.feature = feature;
+        self.asked_again(self.callout.map(|callout| callout.of_part(feature)), limits)
     }
 
     /// The diameter as it was measured: at the temperature of the part.

@@ -2,6 +2,7 @@
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, message};
+use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Words;
 use fitcheck_exchange::batch::FORMS;
 use fitcheck_exchange::exchange::batch::RowFate;
@@ -44,6 +45,8 @@ actions! {
     KeepText;
     /// Shows another row of the imported file, worst first.
     ShowInLot(Step): Step::PATH;
+    /// Says hole or shaft of every value of the imported file that waits for it.
+    JudgeAllAs(Feature): [Feature::Hole, Feature::Shaft];
     ClearResult;
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
@@ -107,6 +110,14 @@ impl Actions for CheckAction {
                 .when(|session| session.check().doubted().is_some_and(|doubted| doubted.meant.is_some())),
             Self::KeepText => on(Page::Check, "keep-text", CheckCommand::KeepText)
                 .when(|session| session.check().doubted().is_some_and(|doubted| doubted.can_stay)),
+            Self::JudgeAllAs(feature) => {
+                let text = match feature {
+                    Feature::Hole => "check-all-holes",
+                    Feature::Shaft => "check-all-shafts",
+                };
+                on(Page::Check, text, CheckCommand::JudgeAllAs(feature))
+                    .when(|session| !session.check().open_of_lot(session.history()).is_empty())
+            }
             Self::ShowInLot(step) => {
                 let (text, possible): (_, fn(&Session) -> bool) = match step {
                     Step::First => ("lot-worst", is_after_worst),

@@ -1,73 +1,86 @@
-//! Hole or shaft, said after a value was found outside its limits: it is judged again by them at once, and what it was before is undone.
+//! Hole or shaft, said after a value was found outside its limits: the value is judged again by that at once. One choice is for the value on
+//! screen; another one, which says so, is for every such value of a file.
 
 use std::sync::Arc;
 
 use fitcheck_core::message::message;
 use fitcheck_core::tolerance::Feature;
-use fitcheck_core::verdict::Status;
-use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
+use fitcheck_exchange::report::text;
 
 use super::CheckPage;
+use crate::history::History;
 use crate::shared::Shared;
-
-/// Whether nobody has said hole or shaft of a value outside its limits.
-fn is_open(record: &Record) -> bool {
-    record.limits.feature.is_none() && record.verdict.status() == Status::OutOfLimits
-}
 
 impl CheckPage {
     /// Whether the verdict on screen waits for hole or shaft.
     pub fn is_open(&self) -> bool {
-        self.shown.as_ref().is_some_and(|shown| is_open(&shown.record))
+        self.shown.as_ref().is_some_and(|shown| shown.record.is_open())
     }
 
-    /// Judges the check on screen again as a hole or a shaft, and with it every such row of its file. `false` where the last thing that was
-    /// done was not this check: an older one is corrected on the page of records.
-    pub(super) fn judge_as(&mut self, feature: Feature, shared: &mut Shared) -> bool {
-        let Some(id) = self.shown.as_ref().and_then(|shown| shown.id).filter(|_| self.is_open()) else { return false };
-        let taken = shared.history.taken_by_undo();
-        let standing: Vec<RecordId> = taken.iter().filter_map(|id| shared.history.standing(*id)).collect();
-        if !taken.contains(&id) || !taken.iter().eq(&standing) {
+    /// Whether hole or shaft can be said of the value on screen, though its callout may be none.
+    pub fn can_be_said(&self, history: &History) -> bool {
+        self.is_open() || self.shown.as_ref().and_then(|shown| shown.id).is_some_and(|id| history.is_said(id))
+    }
+
+    /// The values of the file that wait for hole or shaft, the worst first.
+    pub fn open_of_lot(&self, history: &History) -> Vec<RecordId> {
+        let ids = self.lot.iter().flat_map(super::Lot::records);
+        ids.filter(|id| history.replaced_by(*id).is_none() && history.get(*id).is_some_and(|record| record.is_open()))
+            .collect()
+    }
+
+    /// Judges the value on screen again as a hole or a shaft, or as neither. `false` where it does not wait for that.
+    pub(super) fn judge_as(&mut self, feature: Option<Feature>, shared: &mut Shared) -> bool {
+        let id = self.shown.as_ref().and_then(|shown| shown.id).filter(|_| self.can_be_said(&shared.history));
+        let Some(id) = id else { return false };
+        if !say(&[id], feature, shared) {
             return false;
         }
-        let before: Vec<Arc<Record>> = standing.iter().filter_map(|id| shared.history.get(*id)).collect();
-        let count = before.iter().filter(|record| is_open(record)).count();
-        let again: Vec<Arc<Record>> = before.iter().map(|record| judged_as(record, feature)).collect();
-        let sent = shared.recording.sent_of(&standing, &again);
-        let typed = self.inputs.typed(Some(id)).map(str::to_owned);
-        let lot = self.lot.take();
-        shared.history.take_back();
-        shared.withdraw(taken, &standing);
-        let first = shared.history.next();
-        shared.history.add(again.clone());
-        if let Some((count, why)) = shared.recording.keep_named(first, sent).refused {
-            shared.tell(message!("records-page-refused").count("count", count).message("why", why));
-        }
+        let lot = self.lot.take().map(|lot| lot.counted_again(&shared.history));
         self.clear(&shared.sources);
-        self.lot = lot.map(|lot| lot.judged_again(&again, first));
-        match &self.lot {
-            Some(_) => {
-                let word = fitcheck_exchange::report::text::feature(Some(feature));
-                shared.note(message!("check-judged-again").count("count", count).message("as", word), Vec::new());
-                self.show_of_lot(shared);
-            }
-            None => {
-                typed.into_iter().for_each(|text| self.inputs.keep_typed(first, &text));
-                self.show(first, shared);
-            }
+        self.lot = lot;
+        self.show(id, shared);
+        true
+    }
+
+    /// Judges every value of the file that waits for it as a hole or a shaft.
+    pub(super) fn judge_all_as(&mut self, feature: Feature, shared: &mut Shared) {
+        let ids = self.open_of_lot(&shared.history);
+        if ids.is_empty() || !say(&ids, Some(feature), shared) {
+            return;
+        }
+        let word = text::feature(Some(feature));
+        shared.note(message!("check-judged-again").count("count", ids.len()).message("as", word), Vec::new());
+        shared.note_change();
+        let lot = self.lot.take().map(|lot| lot.counted_again(&shared.history));
+        self.clear(&shared.sources);
+        self.lot = lot;
+        self.show_of_lot(shared);
+    }
+
+    /// Undo takes back that hole or shaft was said: `false` where it would take something else back.
+    pub(super) fn undo_judging(&mut self, shared: &mut Shared) -> bool {
+        let Some(before) = shared.history.undoes_judging().map(<[_]>::to_vec) else { return false };
+        let reason = shared.recorded_words().get("records-page-undone-reason");
+        if shared.recording.judge_again(&before, &reason) {
+            shared.history.take_back();
+        }
+        let shown = self.shown.as_ref().and_then(|shown| shown.id);
+        let lot = self.lot.take().map(|lot| lot.counted_again(&shared.history));
+        self.clear(&shared.sources);
+        self.lot = lot;
+        if let Some(id) = shown.or_else(|| before.first().map(|(id, _)| *id)) {
+            self.show(id, shared);
         }
         true
     }
 }
 
-/// The same value as that of a hole or a shaft, where it waits for that.
-fn judged_as(record: &Arc<Record>, feature: Feature) -> Arc<Record> {
-    if !is_open(record) {
-        return Arc::clone(record);
-    }
-    let callout = record.callout.map(|callout| callout.of_part(Some(feature)));
-    let mut limits = record.limits.clone();
-    limits.feature = Some(feature);
-    Arc::new(record.asked_again(callout, limits))
+/// Judges checks again as holes, shafts or neither. `false` where one of them cannot be corrected now.
+fn say(ids: &[RecordId], feature: Option<Feature>, shared: &mut Shared) -> bool {
+    let judged = |id: &RecordId| Some((*id, Arc::new(shared.history.get(*id)?.of_feature(feature))));
+    let again = ids.iter().filter_map(judged).collect();
+    let reason = shared.recorded_words().say(&message!("check-said-afterwards").message("as", text::feature(feature)));
+    shared.judge_again(again, &reason)
 }

@@ -59,13 +59,14 @@ impl PageState for CheckPage {
                 self.take_callout(&format!("{nominal} {class}"), &shared.sources);
             }
             CheckCommand::ChooseFeature(feature) => {
-                if feature.is_some_and(|feature| self.judge_as(feature, shared)) {
+                if self.judge_as(feature, shared) {
                     return Vec::new();
                 }
                 // A value that was typed or judged already stays: it can be judged by these limits.
                 self.mean(feature);
                 self.clear(&shared.sources);
             }
+            CheckCommand::JudgeAllAs(feature) => self.judge_all_as(feature, shared),
             CheckCommand::MeasureBy(by) if by == self.by => {}
             CheckCommand::MeasureBy(by) => {
                 self.by = by;
@@ -228,6 +229,9 @@ impl CheckPage {
     /// Undoes the last change of the history, and closes the notice that tells of it. Where the list is not in sight, a
     /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
+        if self.undo_judging(shared) {
+            return;
+        }
         if let Some(new) = shared.history.undoes_correction() {
             let undone = shared.history.take_back();
             if let Some(undone) = undone.filter(|_| shared.page != Page::Check) {

@@ -17,8 +17,10 @@ pub enum CheckCommand {
     Type(CheckField, String),
     /// Takes a class from the chooser; the nominal size stays.
     ChooseClass(ToleranceClass),
-    /// Says whether a hole or a shaft is meant, for a callout that does not say it.
+    /// Says whether a hole or a shaft is meant, for a callout that does not say it; a value that waits for it is judged again.
     ChooseFeature(Option<Feature>),
+    /// Judges every value of the file that is out of limits and waits for it as a hole or a shaft.
+    JudgeAllAs(Feature),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
     /// Chooses the decision rule.

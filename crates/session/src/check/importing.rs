@@ -91,6 +91,7 @@ impl CheckPage {
         }
         shared.notices.push(notice);
         let records: Vec<_> = std::mem::take(&mut imported.records).into_iter().map(Arc::new).collect();
+        shared.history.leave_out(left_out(name, &imported));
         let is_lot = 1 < imported.rows && !(records.is_empty() && imported.unjudged.is_empty());
         if !is_lot && records.is_empty() {
             return;
@@ -119,6 +120,25 @@ impl CheckPage {
             self.show(id, shared);
         }
     }
+}
+
+/// So many rows without a verdict are named on a report.
+const MOST_LEFT_OUT: usize = 100;
+
+/// Why rows have no verdict: a report of the list says it.
+fn left_out(name: &str, imported: &Imported) -> Vec<Message> {
+    let refused = imported
+        .errors
+        .iter()
+        .map(|error| message!("report-note").text("place", name).message("what", error.message()));
+    let unjudged = imported.unjudged.iter().map(|unjudged| {
+        let place = message!("report-note-line").text("place", name).text("line", unjudged.line);
+        place.message("what", unjudged.why.message())
+    });
+    let count = imported.errors.len() + imported.unjudged.len();
+    let more = count.saturating_sub(MOST_LEFT_OUT);
+    let more = (0 < more).then(|| message!("report-note-more").count("count", more));
+    refused.chain(unjudged).take(MOST_LEFT_OUT).chain(more).collect()
 }
 
 /// How many rows have which verdict; nothing for one row, whose verdict is shown.

@@ -8,6 +8,7 @@ use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
 
 use crate::Step;
+use crate::history::History;
 
 /// A file of measurements that was imported.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,38 +33,38 @@ pub struct Lot {
 impl Lot {
     /// The lot of a file whose records are in the history from `first` on.
     pub(super) fn new(name: &str, imported: &Imported, records: &[Arc<Record>], first: RecordId) -> Self {
-        let lot = Self {
-            name: name.to_owned(),
-            rows: imported.rows,
-            counts: Default::default(),
-            unjudged: imported.unjudged.len(),
-            refused: imported.errors.len(),
-            doubted: records.iter().filter(|record| record.doubt.is_some()).count(),
-            order: Vec::new(),
-            at: 0,
-        };
-        lot.counted(records, &imported.lines, first)
-    }
-
-    /// The same rows, judged in another way: their records are in the history from `first` on.
-    pub(super) fn judged_again(mut self, records: &[Arc<Record>], first: RecordId) -> Self {
-        self.order.sort_unstable();
-        let lines: Vec<usize> = self.order.iter().map(|(_, line)| *line).collect();
-        self.counted(records, &lines, first)
-    }
-
-    fn counted(self, records: &[Arc<Record>], lines: &[usize], first: RecordId) -> Self {
         let status = |record: &Record| record.verdict.status();
         let count = |wanted: Status| records.iter().filter(|record| status(record) == wanted).count();
-        let mut order: Vec<_> = records.iter().zip(lines).zip((first.0..).map(RecordId)).collect();
+        let mut order: Vec<_> = records.iter().zip(&imported.lines).zip((first.0..).map(RecordId)).collect();
         // Worst first: by the word, then by how far the value is beyond a limit or from the nearer one; as in the file
         // where both are the same.
         order.sort_by_key(|((record, _), _)| {
             let size = &record.verdict.size;
             (std::cmp::Reverse(status(record)), size.above_minimum.min(size.below_maximum))
         });
-        let order = order.into_iter().map(|((_, line), id)| (id, *line)).collect();
-        Self { counts: Status::ALL.map(count), order, at: 0, ..self }
+        Self {
+            name: name.to_owned(),
+            rows: imported.rows,
+            counts: Status::ALL.map(count),
+            unjudged: imported.unjudged.len(),
+            refused: imported.errors.len(),
+            doubted: records.iter().filter(|record| record.doubt.is_some()).count(),
+            order: order.into_iter().map(|((_, line), id)| (id, *line)).collect(),
+            at: 0,
+        }
+    }
+
+    /// The same after some of its records were judged again: the order stays, for somebody is looking at it.
+    pub(super) fn counted_again(self, history: &History) -> Self {
+        let statuses: Vec<Status> =
+            self.records().filter_map(|id| history.get(id)).map(|record| record.verdict.status()).collect();
+        let count = |wanted: Status| statuses.iter().filter(|status| **status == wanted).count();
+        Self { counts: Status::ALL.map(count), ..self }
+    }
+
+    /// Its records in the history, the worst at first.
+    pub(super) fn records(&self) -> impl Iterator<Item = RecordId> {
+        self.order.iter().map(|(id, _)| *id)
     }
 
     /// How many rows have each status, best first.

@@ -107,7 +107,9 @@ impl Session {
         let numbers = history.ids_for_report().map(|id| recording.number_of(id));
         let heads = history.ids_for_report().filter_map(|id| recording.head_of(id));
         let newest = heads.max_by_key(|head| head.number);
-        Ok((Report::new(now, records), recording.shown(numbers, None), newest))
+        let notes: Vec<Message> = history.left_out().cloned().collect();
+        let report = Report { is_partial: !notes.is_empty(), notes, ..Report::new(now, records) };
+        Ok((report, recording.shown(numbers, None), newest))
     }
 
     /// Where the records of a report stand, as its pages say it.

@@ -41,6 +41,10 @@ pub struct History {
     undo: VecDeque<(ChangeId, Change)>,
     /// What stands in the place of checks that were corrected here.
     successors: BTreeMap<RecordId, RecordId>,
+    /// Why rows of imported files are no checks, by the number that their first check has or would have.
+    left_out: BTreeMap<RecordId, Vec<Message>>,
+    /// Checks of which hole or shaft was said after they were judged.
+    said: BTreeSet<RecordId>,
     /// How many changes there were.
     changes: u64,
 }
@@ -56,6 +60,8 @@ enum Change {
     Added { first: RecordId, count: usize },
     /// A record was corrected: another one stands in its place.
     Corrected { new: RecordId },
+    /// Hole or shaft was said, and records were judged again by that.
+    JudgedAgain { before: Vec<(RecordId, Arc<Record>)> },
     /// Records were removed; some of them were chosen.
     Cleared { removed: Removed, chosen: BTreeSet<RecordId>, cursor: Option<RecordId> },
 }
@@ -66,6 +72,7 @@ impl Change {
         match self {
             Self::Added { count, .. } => message!("undo-add").count("count", *count),
             Self::Corrected { .. } => message!("undo-correct"),
+            Self::JudgedAgain { .. } => message!("undo-feature"),
             Self::Cleared { .. } => message!("undo-clear"),
         }
     }
@@ -212,6 +219,38 @@ impl History {
         }
     }
 
+    /// Rows of a file that is added next are no checks, and why.
+    pub(super) fn leave_out(&mut self, why: Vec<Message>) {
+        if !why.is_empty() {
+            self.left_out.entry(self.records.next()).or_default().extend(why);
+        }
+    }
+
+    /// Why rows of imported files are no checks of the list. Of chosen checks nobody says that they are all.
+    pub(super) fn left_out(&self) -> impl Iterator<Item = &Message> {
+        self.left_out.values().flatten().filter(|_| self.chosen.is_empty())
+    }
+
+    /// Puts records that were judged again in their places.
+    pub(super) fn judge_again(&mut self, again: Vec<(RecordId, Arc<Record>)>) {
+        let before = self.records.put(again);
+        self.said.extend(before.iter().map(|(id, _)| *id));
+        self.remember(Change::JudgedAgain { before });
+    }
+
+    /// Whether hole or shaft was said of a check after it was judged.
+    pub fn is_said(&self, id: RecordId) -> bool {
+        self.said.contains(&id)
+    }
+
+    /// The records as they were before hole or shaft was said, where undo would take that back.
+    pub(super) fn undoes_judging(&self) -> Option<&[(RecordId, Arc<Record>)]> {
+        match self.undo.back() {
+            Some((_, Change::JudgedAgain { before })) => Some(before),
+            _ => None,
+        }
+    }
+
     /// The numbers of the checks that undo would take away.
     pub(super) fn taken_by_undo(&self) -> BTreeSet<RecordId> {
         match self.undo.back() {
@@ -283,6 +322,7 @@ impl History {
     pub(super) fn clear(&mut self) -> usize {
         let removed = self.records.remove(RecordId::default()..self.records.next());
         let count = removed.len();
+        self.left_out.clear();
         if 0 < count {
             let chosen = std::mem::take(&mut self.chosen);
             let cursor = self.cursor.take();
@@ -306,6 +346,7 @@ impl History {
                         later.insert(*new);
                     }
                 }
+                self.left_out.remove(&first);
                 self.records.remove(added.clone());
                 for id in &later {
                     self.records.remove(*id..RecordId(id.0.saturating_add(1)));
@@ -316,6 +357,7 @@ impl History {
             }
             // The journal answers first.
             Change::Corrected { .. } => {}
+            Change::JudgedAgain { before } => _ = self.records.put(before),
             Change::Cleared { removed, chosen, cursor } => {
                 self.records.put_back(removed);
                 self.chosen = chosen;

@@ -128,14 +128,36 @@ impl Recording {
         sent
     }
 
-    /// What was sent of checks of the history, with other records in their places; of those that were not sent, nothing is known.
-    pub(crate) fn sent_of(&self, ids: &[RecordId], records: &[Arc<Record>]) -> Vec<ToKeep> {
-        let to_keep = |(id, record): (&RecordId, &Arc<Record>)| {
-            let Known { named, files, .. } = self.checks.get(id)?;
-            Some(ToKeep { record: Arc::clone(record), named: named.clone(), files: files.clone() })
-        };
-        let sent: Option<Vec<ToKeep>> = ids.iter().zip(records).map(to_keep).collect();
-        sent.unwrap_or_default()
+    /// Sends corrections of checks of the history that were judged again. `false`, and nothing is sent, where one of them is not on disk yet
+    /// or was read from the journal.
+    pub(crate) fn judge_again(&mut self, again: &[(RecordId, Arc<Record>)], reason: &str) -> bool {
+        if !self.is_on() {
+            return true;
+        }
+        let mut ids = Vec::new();
+        let mut entries = Vec::new();
+        for (id, record) in again {
+            let Some(Known { slip, named, files }) = self.checks.get(id) else {
+                // An example is not recorded.
+                if self.numbers.contains_key(id) {
+                    return false;
+                }
+                continue;
+            };
+            let Some(target) = self.head_of_slip(*slip) else { return false };
+            let corrects = Some(self.by_whom(correcting(target, reason)));
+            let check = Check { what: Checked::Size(Arc::clone(record)), files: files.clone(), corrects };
+            entries.push(self.entry(named, Content::Check(Box::new(check))));
+            ids.push(*id);
+        }
+        if let Some(run) = self.send(entries) {
+            for (at, id) in (0..).zip(ids) {
+                if let Some(known) = self.checks.get_mut(&id) {
+                    known.slip = (run, at);
+                }
+            }
+        }
+        true
     }
 
     /// Sends what cycles say, named as the next check is; returns the number of the batch.

@@ -71,7 +71,10 @@ impl Session {
     /// What the reports page is about: what was chosen, as long as there is something of it.
     pub fn report_of(&self) -> Option<ReportOf> {
         let chosen = self.reports.of.filter(|of| self.can_report(*of));
-        chosen.or_else(|| ReportOf::ALL.into_iter().find(|of| self.can_report(*of)))
+        // Behind the worst row of a file stands the whole file.
+        let list = self.check.lot.is_some().then_some(ReportOf::List).filter(|of| self.can_report(*of));
+        let whole = list.filter(|_| !self.can_report(ReportOf::Part));
+        chosen.or(whole).or_else(|| ReportOf::ALL.into_iter().find(|of| self.can_report(*of)))
     }
 
     /// Asks for the pages that the open reports page does not have yet.
