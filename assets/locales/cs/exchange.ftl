@@ -245,7 +245,7 @@ exchange-unjudged-kind = neměřeno: { $kind ->
 exchange-unjudged-attribute = neposouzeno: označeno { $given } (K0002); platnou hodnotu označuje jen 0
 exchange-unjudged-not-valid = neposouzeno: soubor udává { $said }, platná hodnota tedy být nemusí
 exchange-unjudged-declaration = neposouzeno: řádek { $declaration } jeho deklarace nelze použít
-exchange-format-qif = QIF 3.0: výsledky měřicího softwaru a plány
+exchange-format-qif = QIF 2.0, 2.1, 3.0: výsledky měřicího softwaru a plány
 exchange-xml = chybné XML: { $reason }
 exchange-xml-doctype = DOCTYPE není podporován: odstraňte jej, nebo soubor exportujte bez něj
 exchange-xml-entity = entita { $name } není známa: podporovány jsou jen &lt; &gt; &amp; &quot; a &apos;
@@ -276,7 +276,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } řádků je v sešitu skrytých nebo odfiltrovaných, ale čtou se jako ostatní: { $rows }
 }
 exchange-warning-columns-hidden = skryté sloupce se čtou jako ostatní: { $columns }
-exchange-warning-qif-version = QIF verze { $version }: tento program je určen pro verzi 3.0
+exchange-warning-qif-version = QIF verze { $version }: tento program je určen pro verze 2.0, 2.1 a 3.0
 exchange-warning-qif-count = { $list } udává n={ $said }, ale obsahuje { $found }: něco může chybět nebo přebývat
 exchange-warning-qif-twice = id { $id } se vyskytuje dvakrát: použije se první element
 exchange-format-xlsx = měření v sešitu tabulkového procesoru: sloupce jako v CSV

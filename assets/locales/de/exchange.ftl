@@ -242,7 +242,7 @@ exchange-unjudged-kind = nicht gemessen: { $kind ->
 exchange-unjudged-attribute = nicht beurteilt: gekennzeichnet mit { $given } (K0002); nur von 0 ist bekannt, dass der Wert gültig ist
 exchange-unjudged-not-valid = nicht beurteilt: die Datei sagt { $said }, daher gibt es vielleicht keinen gültigen Wert
 exchange-unjudged-declaration = nicht beurteilt: Textzeile { $declaration } der Beschreibung ist nicht verwendbar
-exchange-format-qif = QIF 3.0: Ergebnisse von Messsoftware, und Pläne
+exchange-format-qif = QIF 2.0, 2.1, 3.0: Ergebnisse von Messsoftware, und Pläne
 exchange-xml = kein wohlgeformtes XML: { $reason }
 exchange-xml-doctype = ein DOCTYPE wird nicht unterstützt: entfernen, oder die Datei ohne ihn exportieren
 exchange-xml-entity = Entität { $name } ist nicht bekannt: nur &lt; &gt; &amp; &quot; und &apos; werden unterstützt
@@ -272,7 +272,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } Zeilen sind in der Arbeitsmappe ausgeblendet oder ausgefiltert, werden aber wie die anderen gelesen: { $rows }
 }
 exchange-warning-columns-hidden = ausgeblendete Spalten werden wie die anderen gelesen: { $columns }
-exchange-warning-qif-version = QIF-Version { $version }: dieses Programm ist für Version 3.0 gemacht
+exchange-warning-qif-version = QIF-Version { $version }: dieses Programm ist für die Versionen 2.0, 2.1 und 3.0 gemacht
 exchange-warning-qif-count = { $list } sagt n={ $said }, hat aber { $found }: vielleicht fehlt etwas oder kam etwas hinzu
 exchange-warning-qif-twice = id { $id } kommt zweimal vor: das erste Element wird verwendet
 exchange-format-xlsx = Messungen in einer Arbeitsmappe einer Tabellenkalkulation: Spalten wie in CSV

@@ -242,7 +242,7 @@ exchange-unjudged-kind = not measured: { $kind ->
 exchange-unjudged-attribute = not judged: marked with { $given } (K0002); only 0 is known to mark a valid value
 exchange-unjudged-not-valid = not judged: the file says { $said }, so there may be no valid value
 exchange-unjudged-declaration = not judged: line { $declaration } of its declaration cannot be used
-exchange-format-qif = QIF 3.0: results of measuring software, and plans
+exchange-format-qif = QIF 2.0, 2.1, 3.0: results of measuring software, and plans
 exchange-xml = not well-formed XML: { $reason }
 exchange-xml-doctype = a DOCTYPE is not supported: remove it, or export the file without it
 exchange-xml-entity = entity { $name } is not known: only &lt; &gt; &amp; &quot; and &apos; are supported
@@ -272,7 +272,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } rows are hidden or filtered out in the workbook, but are read like the others: { $rows }
 }
 exchange-warning-columns-hidden = hidden columns are read like the others: { $columns }
-exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
+exchange-warning-qif-version = QIF version { $version }: this program is made for versions 2.0, 2.1 and 3.0
 exchange-warning-qif-count = { $list } says n={ $said }, but has { $found }: something may be missing or added
 exchange-warning-qif-twice = id { $id } occurs twice: the first element is used
 exchange-format-xlsx = measurements in a spreadsheet workbook: columns as in CSV

@@ -242,7 +242,7 @@ exchange-unjudged-kind = no medido: { $kind ->
 exchange-unjudged-attribute = no evaluado: marcado con { $given } (K0002); solo se sabe que 0 marca un valor válido
 exchange-unjudged-not-valid = no evaluado: el archivo dice { $said }, así que puede no haber valor válido
 exchange-unjudged-declaration = no evaluado: la línea { $declaration } de su declaración no se puede usar
-exchange-format-qif = QIF 3.0: resultados de software de medición, y planes
+exchange-format-qif = QIF 2.0, 2.1, 3.0: resultados de software de medición, y planes
 exchange-xml = no es XML bien formado: { $reason }
 exchange-xml-doctype = no se admite un DOCTYPE: quítelo, o exporte el archivo sin él
 exchange-xml-entity = la entidad { $name } no es conocida: solo se admiten &lt; &gt; &amp; &quot; y &apos;
@@ -272,7 +272,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } filas están ocultas o filtradas en el libro, pero se leen como las demás: { $rows }
 }
 exchange-warning-columns-hidden = las columnas ocultas se leen como las demás: { $columns }
-exchange-warning-qif-version = versión de QIF { $version }: este programa está hecho para la versión 3.0
+exchange-warning-qif-version = versión de QIF { $version }: este programa está hecho para las versiones 2.0, 2.1 y 3.0
 exchange-warning-qif-count = { $list } dice n={ $said }, pero tiene { $found }: puede faltar o sobrar algo
 exchange-warning-qif-twice = el id { $id } aparece dos veces: se usa el primer elemento
 exchange-format-xlsx = mediciones en un libro de hojas de cálculo: columnas como en CSV

@@ -242,7 +242,7 @@ exchange-unjudged-kind = non mesuré : { $kind ->
 exchange-unjudged-attribute = non jugé : marqué par { $given } (K0002) ; seul 0 est connu pour marquer une valeur valable
 exchange-unjudged-not-valid = non jugé : le fichier dit { $said }, il n'y a donc peut-être pas de valeur valable
 exchange-unjudged-declaration = non jugé : la ligne { $declaration } de sa déclaration est inutilisable
-exchange-format-qif = QIF 3.0 : résultats de logiciels de mesure, et plans
+exchange-format-qif = QIF 2.0, 2.1, 3.0 : résultats de logiciels de mesure, et plans
 exchange-xml = XML mal formé : { $reason }
 exchange-xml-doctype = un DOCTYPE n'est pas pris en charge : le supprimer, ou exporter le fichier sans lui
 exchange-xml-entity = l'entité { $name } est inconnue : seules &lt; &gt; &amp; &quot; et &apos; sont prises en charge
@@ -272,7 +272,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } rangées sont masquées ou filtrées dans le classeur, mais sont lues comme les autres : { $rows }
 }
 exchange-warning-columns-hidden = les colonnes masquées sont lues comme les autres : { $columns }
-exchange-warning-qif-version = QIF version { $version } : ce programme est fait pour la version 3.0
+exchange-warning-qif-version = QIF version { $version } : ce programme est fait pour les versions 2.0, 2.1 et 3.0
 exchange-warning-qif-count = { $list } annonce n={ $said }, mais en a { $found } : quelque chose peut manquer ou avoir été ajouté
 exchange-warning-qif-twice = l'id { $id } est présent deux fois : le premier élément est utilisé
 exchange-format-xlsx = mesures dans un classeur de tableur : colonnes comme en CSV

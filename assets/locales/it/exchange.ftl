@@ -242,7 +242,7 @@ exchange-unjudged-kind = non misurato: { $kind ->
 exchange-unjudged-attribute = non valutato: contrassegnato con { $given } (K0002); solo 0 contrassegna di certo un valore valido
 exchange-unjudged-not-valid = non valutato: il file dice { $said }, quindi può non esserci un valore valido
 exchange-unjudged-declaration = non valutato: la linea { $declaration } della sua dichiarazione non è utilizzabile
-exchange-format-qif = QIF 3.0: risultati di software di misura, e piani
+exchange-format-qif = QIF 2.0, 2.1, 3.0: risultati di software di misura, e piani
 exchange-xml = non è XML ben formato: { $reason }
 exchange-xml-doctype = un DOCTYPE non è supportato: rimuoverlo, o esportare il file senza
 exchange-xml-entity = l'entità { $name } non è nota: sono supportate solo &lt; &gt; &amp; &quot; e &apos;
@@ -272,7 +272,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } righe sono nascoste o filtrate nella cartella di lavoro, ma vengono lette come le altre: { $rows }
 }
 exchange-warning-columns-hidden = le colonne nascoste vengono lette come le altre: { $columns }
-exchange-warning-qif-version = versione QIF { $version }: questo programma è fatto per la versione 3.0
+exchange-warning-qif-version = versione QIF { $version }: questo programma è fatto per le versioni 2.0, 2.1 e 3.0
 exchange-warning-qif-count = { $list } dice n={ $said }, ma ne ha { $found }: può mancare o essere di troppo qualcosa
 exchange-warning-qif-twice = l'id { $id } compare due volte: si usa il primo elemento
 exchange-format-xlsx = misure in una cartella di lavoro: colonne come in CSV

@@ -242,7 +242,7 @@ exchange-unjudged-kind = niet gemeten: { $kind ->
 exchange-unjudged-attribute = niet beoordeeld: gemerkt met { $given } (K0002); alleen van 0 is bekend dat de waarde geldig is
 exchange-unjudged-not-valid = niet beoordeeld: het bestand zegt { $said }, dus er is misschien geen geldige waarde
 exchange-unjudged-declaration = niet beoordeeld: regel { $declaration } van de beschrijving is niet te gebruiken
-exchange-format-qif = QIF 3.0: resultaten van meetsoftware, en meetplannen
+exchange-format-qif = QIF 2.0, 2.1, 3.0: resultaten van meetsoftware, en meetplannen
 exchange-xml = geen welgevormde XML: { $reason }
 exchange-xml-doctype = een DOCTYPE wordt niet ondersteund: verwijder die, of exporteer het bestand zonder
 exchange-xml-entity = entiteit { $name } is onbekend: alleen &lt; &gt; &amp; &quot; en &apos; worden gelezen
@@ -272,7 +272,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } rijen zijn in de werkmap verborgen of weggefilterd, maar worden gelezen als de andere: { $rows }
 }
 exchange-warning-columns-hidden = verborgen kolommen worden gelezen als de andere: { $columns }
-exchange-warning-qif-version = QIF-versie { $version }: dit programma is gemaakt voor versie 3.0
+exchange-warning-qif-version = QIF-versie { $version }: dit programma is gemaakt voor de versies 2.0, 2.1 en 3.0
 exchange-warning-qif-count = { $list } zegt n={ $said }, maar heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
 exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element telt
 exchange-format-xlsx = metingen in een werkmap van een spreadsheetprogramma: kolommen zoals in CSV

@@ -253,7 +253,7 @@ exchange-unjudged-kind = nie zmierzono: { $kind ->
 exchange-unjudged-attribute = nie oceniono: oznaczono { $given } (K0002); wiadomo tylko, że 0 oznacza wartość ważną
 exchange-unjudged-not-valid = nie oceniono: plik podaje { $said }, więc może nie być ważnej wartości
 exchange-unjudged-declaration = nie oceniono: linii { $declaration } jego deklaracji nie można użyć
-exchange-format-qif = QIF 3.0: wyniki oprogramowania pomiarowego oraz plany
+exchange-format-qif = QIF 2.0, 2.1, 3.0: wyniki oprogramowania pomiarowego oraz plany
 exchange-xml = niepoprawny składniowo XML: { $reason }
 exchange-xml-doctype = DOCTYPE nie jest obsługiwane: usunąć je lub wyeksportować plik bez niego
 exchange-xml-entity = encja { $name } jest nieznana: obsługiwane są tylko &lt; &gt; &amp; &quot; i &apos;
@@ -290,7 +290,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } wierszy jest ukrytych lub odfiltrowanych w skoroszycie, ale są czytane jak pozostałe: { $rows }
 }
 exchange-warning-columns-hidden = ukryte kolumny są czytane jak pozostałe: { $columns }
-exchange-warning-qif-version = QIF w wersji { $version }: ten program jest przeznaczony do wersji 3.0
+exchange-warning-qif-version = QIF w wersji { $version }: ten program jest przeznaczony do wersji 2.0, 2.1 i 3.0
 exchange-warning-qif-count = { $list } podaje n={ $said }, a ma { $found }: czegoś może brakować lub coś dodano
 exchange-warning-qif-twice = id { $id } występuje dwa razy: użyto pierwszego elementu
 exchange-format-xlsx = pomiary w skoroszycie: kolumny jak w CSV

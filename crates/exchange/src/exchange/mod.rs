@@ -21,7 +21,7 @@
 //! | `probed` | what probing macros of a control print |
 //! | `printed` | what reports that were printed have in common |
 //! | `foreign` | files that are known and not read |
-//! | `qif` | QIF 3.0: results and plans of measuring software |
+//! | `qif` | QIF 2.0, 2.1 and 3.0: results and plans of measuring software |
 //! | `xlsx` | workbooks of spreadsheets, read as rows of CSV |
 //! | `gauge` | what a gauge types |
 //! | `guarded` | a panic of a decoder as an error |
