@@ -220,6 +220,9 @@ exchange-warning-found-by-number = přiřazeno podle čísla k { $name } v plán
 exchange-warning-found-by-place = přiřazeno podle polohy k { $name } v plánu
 exchange-format-aqdef = Q-DAS AQDEF, v jednom souboru nebo jako .dfd a .dfx
 exchange-format-calypso = tabulky charakteristik CALYPSO, například NAME_chr.txt
+exchange-format-calypso-text = tištěné protokoly CALYPSO uložené jako text
+exchange-format-geopak = tolerance MCOSMOS (GEOPAK) v souboru bez názvů sloupců
+exchange-format-gauge = řádky měřidel uložené v souboru, např. 01A+025.012
 exchange-format-pcdmis = textové zprávy PC-DMIS
 exchange-format-probed = výpisy snímacích maker, jak je zapisují Renishaw a systémy CAM
 exchange-warning-unit-assumed = jednotka není uvedena: délky bez jednotky se čtou jako mm
@@ -318,6 +321,7 @@ planned-error-already-corrected = soubor udává, že hodnota už platí pro 20 
 
 ## Gauges
 gauge-no-unit = { $given } neuvádí jednotku: zvolte v nastavení měřidla, zda posílá milimetry, nebo palce
+exchange-gauge-unit = řádek { $line } z těchto řádků měřidla, { $given }, neuvádí mm ani palce: zadejte jednotku pomocí import --columns unit=mm nebo --columns unit=inch
 gauge-other-form = { $given } se od řádku, kterým bylo měřidlo naučeno, { $example }, liší nejen číslicemi
 gauge-other-decimals = { $given } má { $decimals ->
         [one] 1 desetinné místo

@@ -218,6 +218,9 @@ exchange-warning-found-by-number = nach Nummer zugeordnet: { $name } des Plans
 exchange-warning-found-by-place = nach Lage zugeordnet: { $name } des Plans
 exchange-format-aqdef = AQDEF von Q-DAS, in einer Datei oder als .dfd und .dfx
 exchange-format-calypso = CALYPSO-Tabellen mit Merkmalen, wie NAME_chr.txt
+exchange-format-calypso-text = Protokolle von CALYPSO, als Text gespeichert
+exchange-format-geopak = Toleranzen von MCOSMOS (GEOPAK) in einer Datei ohne Spaltennamen
+exchange-format-gauge = Zeilen von Messmitteln in einer Datei, etwa 01A+025.012
 exchange-format-pcdmis = Textberichte von PC-DMIS
 exchange-format-probed = Ausdrucke von Antastmakros, wie Renishaw und CAM-Systeme sie schreiben
 exchange-warning-unit-assumed = keine Einheit angegeben: Längen ohne Einheit werden als mm gelesen
@@ -314,6 +317,7 @@ planned-error-already-corrected = die Datei sagt, dass der Wert schon bei 20 °C
 
 ## Gauges
 gauge-no-unit = { $given } nennt keine Einheit: in den Einstellungen des Messmittels angeben, ob es Millimeter oder Inch sendet
+exchange-gauge-unit = Zeile { $line } dieser Messmittelzeilen, { $given }, nennt weder mm noch Inch: die Einheit mit import --columns unit=mm oder --columns unit=inch angeben
 gauge-other-form = { $given } unterscheidet sich in mehr als den Ziffern von der Textzeile, mit der das Messmittel angelernt wurde, { $example }
 gauge-other-decimals = { $given } hat { $decimals ->
         [one] 1 Nachkommastelle

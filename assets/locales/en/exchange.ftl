@@ -218,6 +218,9 @@ exchange-warning-found-by-number = matched by number to { $name } of the plan
 exchange-warning-found-by-place = matched by location to { $name } of the plan
 exchange-format-aqdef = Q-DAS AQDEF, in one file or as .dfd and .dfx
 exchange-format-calypso = CALYPSO tables of characteristics such as NAME_chr.txt
+exchange-format-calypso-text = CALYPSO printed reports saved as text
+exchange-format-geopak = MCOSMOS (GEOPAK) tolerances in a file without column names
+exchange-format-gauge = lines of gauges saved in a file, such as 01A+025.012
 exchange-format-pcdmis = PC-DMIS text reports
 exchange-format-probed = printouts of probing macros, as Renishaw and CAM systems write them
 exchange-warning-unit-assumed = no unit given: lengths without a unit are read as mm
@@ -298,6 +301,7 @@ gauge-inches = { $given } inches
 gauge-error-text = { $given } may be an error number of the gauge: if it is a size, write it with its unit, { $given } mm
 gauge-opinion = the gauge says { $sign }; the plan's limits decide
 gauge-no-unit = { $given } names no unit: say in the settings of the gauge whether it sends millimetres or inches
+exchange-gauge-unit = line { $line } of these gauge lines, { $given }, says neither mm nor inch: give the unit with import --columns unit=mm or --columns unit=inch
 gauge-other-form = { $given } differs from the line that the gauge was taught with, { $example }, in more than its digits
 gauge-other-decimals = { $given } has { $decimals ->
         [one] 1 decimal

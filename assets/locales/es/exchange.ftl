@@ -218,6 +218,9 @@ exchange-warning-found-by-number = asignado por número a { $name } del plan
 exchange-warning-found-by-place = asignado por ubicación a { $name } del plan
 exchange-format-aqdef = Q-DAS AQDEF, en un archivo o como .dfd y .dfx
 exchange-format-calypso = tablas de características de CALYPSO como NAME_chr.txt
+exchange-format-calypso-text = informes impresos de CALYPSO guardados como texto
+exchange-format-geopak = tolerancias de MCOSMOS (GEOPAK) en un archivo sin nombres de columnas
+exchange-format-gauge = líneas de aparatos guardadas en un archivo, como 01A+025.012
 exchange-format-pcdmis = informes de texto de PC-DMIS
 exchange-format-probed = impresiones de macros de palpación, como las escriben Renishaw y los sistemas CAM
 exchange-warning-unit-assumed = no se da ninguna unidad: las longitudes sin unidad se leen como mm
@@ -314,6 +317,7 @@ planned-error-already-corrected = el archivo dice que el valor ya está a 20 °C
 
 ## Gauges
 gauge-no-unit = { $given } no indica ninguna unidad: diga en la configuración del aparato si envía milímetros o pulgadas
+exchange-gauge-unit = la línea { $line } de estas líneas de aparato, { $given }, no indica ni mm ni pulgadas: indique la unidad con import --columns unit=mm o --columns unit=inch
 gauge-other-form = { $given } difiere de la línea que se enseñó para el aparato, { $example }, en algo más que las cifras
 gauge-other-decimals = { $given } tiene { $decimals ->
         [one] 1 decimal

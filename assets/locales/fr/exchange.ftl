@@ -218,6 +218,9 @@ exchange-warning-found-by-number = rattaché par le numéro à { $name } du plan
 exchange-warning-found-by-place = rattaché par la position à { $name } du plan
 exchange-format-aqdef = Q-DAS AQDEF, en un fichier ou en .dfd et .dfx
 exchange-format-calypso = tables de caractéristiques CALYPSO telles que NAME_chr.txt
+exchange-format-calypso-text = rapports imprimés de CALYPSO enregistrés en texte
+exchange-format-geopak = tolérances de MCOSMOS (GEOPAK) dans un fichier sans noms de colonnes
+exchange-format-gauge = lignes d'instruments enregistrées dans un fichier, comme 01A+025.012
 exchange-format-pcdmis = rapports texte de PC-DMIS
 exchange-format-probed = impressions de macros de palpage, telles que Renishaw et les systèmes de FAO les écrivent
 exchange-warning-unit-assumed = aucune unité donnée : les longueurs sans unité sont lues en mm
@@ -314,6 +317,7 @@ planned-error-already-corrected = le fichier dit que la valeur est déjà à 20 
 
 ## Gauges
 gauge-no-unit = { $given } n'indique aucune unité : dire dans les réglages de l'instrument s'il envoie des millimètres ou des pouces
+exchange-gauge-unit = la ligne { $line } de ces lignes d'instrument, { $given }, n'indique ni mm ni pouces : donnez l'unité avec import --columns unit=mm ou --columns unit=inch
 gauge-other-form = { $given } diffère de la ligne apprise pour l'instrument, { $example }, par plus que ses chiffres
 gauge-other-decimals = { $given } a { $decimals ->
         [one] { $decimals } décimale

@@ -218,6 +218,9 @@ exchange-warning-found-by-number = attribuito per numero a { $name } del piano
 exchange-warning-found-by-place = attribuito per posizione a { $name } del piano
 exchange-format-aqdef = Q-DAS AQDEF, in un solo file o come .dfd e .dfx
 exchange-format-calypso = tabelle di caratteristiche di CALYPSO come NAME_chr.txt
+exchange-format-calypso-text = rapporti stampati di CALYPSO salvati come testo
+exchange-format-geopak = tolleranze di MCOSMOS (GEOPAK) in un file senza nomi di colonne
+exchange-format-gauge = righe di strumenti di misura salvate in un file, come 01A+025.012
 exchange-format-pcdmis = rapporti di testo di PC-DMIS
 exchange-format-probed = stampe di macro di tastatura, come le scrivono Renishaw e i sistemi CAM
 exchange-warning-unit-assumed = nessuna unità indicata: le lunghezze senza unità vengono lette come mm
@@ -314,6 +317,7 @@ planned-error-already-corrected = il file dice che il valore è già a 20 °C: v
 
 ## Gauges
 gauge-no-unit = { $given } non indica l'unità: dire nelle impostazioni dello strumento se invia millimetri o pollici
+exchange-gauge-unit = la riga { $line } di queste righe di strumento, { $given }, non indica né mm né pollici: indicare l'unità con import --columns unit=mm o --columns unit=inch
 gauge-other-form = { $given } differisce non solo nelle cifre dalla linea con cui lo strumento è stato istruito, { $example }
 gauge-other-decimals = { $given } ha { $decimals ->
         [one] 1 decimale

@@ -218,6 +218,9 @@ exchange-warning-found-by-number = op nummer gevonden: { $name } van het plan
 exchange-warning-found-by-place = op plaats gevonden: { $name } van het plan
 exchange-format-aqdef = AQDEF van Q-DAS, in één bestand of als .dfd en .dfx
 exchange-format-calypso = tabellen met kenmerken van CALYPSO, zoals NAAM_chr.txt
+exchange-format-calypso-text = CALYPSO-rapporten, opgeslagen als tekst
+exchange-format-geopak = toleranties van MCOSMOS (GEOPAK) in een bestand zonder kolomnamen
+exchange-format-gauge = regels van meetmiddelen in een bestand, zoals 01A+025.012
 exchange-format-pcdmis = tekstrapporten van PC-DMIS
 exchange-format-probed = afdrukken van tastmacro's, zoals Renishaw en CAM-systemen ze schrijven
 exchange-warning-unit-assumed = geen eenheid gegeven: lengten zonder eenheid zijn gelezen als mm
@@ -298,6 +301,7 @@ gauge-inches = { $given } inch
 gauge-error-text = { $given } kan een foutnummer van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
 gauge-opinion = het meetmiddel zegt { $sign }; de grenzen van het plan beslissen
 gauge-no-unit = { $given } noemt geen eenheid: geef in de instellingen van het meetmiddel op of het millimeters of inch stuurt
+exchange-gauge-unit = regel { $line } van deze meetmiddelregels, { $given }, noemt mm noch inch: geef de eenheid met import --columns unit=mm of --columns unit=inch
 gauge-other-form = { $given } verschilt in meer dan de cijfers van de regel waarmee het meetmiddel is aangeleerd, { $example }
 gauge-other-decimals = { $given } heeft { $decimals ->
         [one] 1 decimaal

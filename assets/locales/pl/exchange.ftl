@@ -227,6 +227,9 @@ exchange-warning-found-by-number = według numeru dopasowano do { $name } w plan
 exchange-warning-found-by-place = według położenia dopasowano do { $name } w planie
 exchange-format-aqdef = Q-DAS AQDEF, w jednym pliku lub jako .dfd i .dfx
 exchange-format-calypso = tabele charakterystyk CALYPSO, np. NAME_chr.txt
+exchange-format-calypso-text = drukowane raporty CALYPSO zapisane jako tekst
+exchange-format-geopak = tolerancje MCOSMOS (GEOPAK) w pliku bez nazw kolumn
+exchange-format-gauge = wiersze przyrządów zapisane w pliku, np. 01A+025.012
 exchange-format-pcdmis = raporty tekstowe PC-DMIS
 exchange-format-probed = wydruki makr sondy, jakie zapisują Renishaw i systemy CAM
 exchange-warning-unit-assumed = nie podano jednostki: długości bez jednostki są czytane w mm
@@ -342,6 +345,7 @@ planned-error-already-corrected = plik mówi, że wartość już dotyczy 20 °C:
 
 ## Gauges
 gauge-no-unit = { $given } nie podaje jednostki: wybrać w ustawieniach przyrządu, czy wysyła milimetry, czy cale
+exchange-gauge-unit = wiersz { $line } tych danych z przyrządu, { $given }, nie podaje ani mm, ani cali: podaj jednostkę przez import --columns unit=mm lub --columns unit=inch
 gauge-other-form = { $given } różni się nie tylko cyframi od linii, której nauczono przyrząd, { $example }
 gauge-other-decimals = { $given } ma { $decimals ->
         [one] 1 miejsce po przecinku
