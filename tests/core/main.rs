@@ -69,6 +69,7 @@ mod log_writing;
 mod logs;
 mod long_work;
 mod machine;
+mod machine_reports;
 mod masks;
 mod materials;
 mod measured_contacts;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use fitcheck::exchange::{FORMATS, ImportInputs, Item, import_each, read_plan};
 use fitcheck::tolerance::Sources;
 
-fn folder() -> PathBuf {
+pub(super) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data")
 }
 
@@ -19,7 +19,7 @@ fn items(name: &str, bytes: &[u8]) -> Vec<Item> {
 }
 
 /// `9 CIR5 25.012 GOOD`, `14: error`, `9? warning`. The head, the unit and skipped lines are left out where `is_short`.
-fn said(name: &str, bytes: &[u8], is_short: bool) -> Vec<String> {
+pub(super) fn said(name: &str, bytes: &[u8], is_short: bool) -> Vec<String> {
     let line = |item: &Item| match item {
         Item::Record { line, record, .. } => {
             let limits = &record.limits;
@@ -37,7 +37,7 @@ fn said(name: &str, bytes: &[u8], is_short: bool) -> Vec<String> {
 }
 
 #[track_caller]
-fn check(file: &str, expected: &[&str]) {
+pub(super) fn check(file: &str, expected: &[&str]) {
     let bytes = std::fs::read(folder().join(file)).unwrap();
     assert_eq!(said(file.rsplit('/').next().unwrap(), &bytes, true), expected, "{file}");
 }
@@ -176,7 +176,8 @@ fn a_report_cut_in_the_middle_says_so() {
 
 #[test]
 fn a_report_cut_at_any_byte_gives_no_other_value() {
-    for file in ["pcdmis/housing.txt", "probed/two_features.txt"] {
+    let files = ["pcdmis/housing.txt", "probed/two_features.txt", "protocol/housing.txt", "geopak/tolerances.txt"];
+    for file in files.into_iter().chain(["qif/bore_2_0.qif"]) {
         let whole = std::fs::read(folder().join(file)).unwrap();
         let rows = said("a.txt", &whole, true);
         for cut in 1..whole.len() {
@@ -279,8 +280,12 @@ fn other_texts_are_no_printed_reports() {
         "AX\tNOMINAL\t+TOL\t-TOL\tMEAS\nD\t25\t0.021\t0\t25.012\n",
         "SIZE,ACTUAL\n25,25.012\n",
         "COMPONENT NO 1 FEATURE NO 1\n",
+        "25.012\n25.013\n",
+        "25.012 mm\n25.013 mm\n",
+        "1;2;3;25.000;0.021;0.000;25.012;0.013;;\n1;2;3;25.000;0.021;0.000;25.012;0.020;;\n",
+        "Name  Measured value  Nominal value  +Tol\nA  25.012 mm  25.000  0.021\n",
     ] {
-        assert!(!["pcdmis", "probed"].contains(&named(text)), "{text}");
+        assert!(!["pcdmis", "probed", "calypso-text", "geopak", "gauge"].contains(&named(text)), "{text}");
     }
 }
 

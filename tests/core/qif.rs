@@ -329,8 +329,8 @@ fn lists_that_have_another_number_of_things_and_numbers_that_stand_twice_are_tol
     );
     assert_eq!(said(&twice), ["line 45, column 7: id 9 occurs twice: the first element is used"]);
     assert_eq!(
-        said(&with("versionQIF=\"3.0.0\"", "versionQIF=\"2.1.0\"")),
-        ["line 2, column 1: QIF version 2.1.0: this program is made for version 3.0"]
+        said(&with("versionQIF=\"3.0.0\"", "versionQIF=\"1.0.0\"")),
+        ["line 2, column 1: QIF version 1.0.0: this program is made for versions 2.0, 2.1 and 3.0"]
     );
     let timeless = with("<TimeStamp>2025-01-15T10:21:33</TimeStamp>", "");
     let imported = read(&timeless);

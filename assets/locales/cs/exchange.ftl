@@ -220,6 +220,9 @@ exchange-warning-found-by-number = přiřazeno podle čísla k { $name } v plán
 exchange-warning-found-by-place = přiřazeno podle polohy k { $name } v plánu
 exchange-format-aqdef = Q-DAS AQDEF, v jednom souboru nebo jako .dfd a .dfx
 exchange-format-calypso = tabulky charakteristik CALYPSO, například NAME_chr.txt
+exchange-format-calypso-text = tištěné protokoly CALYPSO uložené jako text
+exchange-format-geopak = tolerance MCOSMOS (GEOPAK) v souboru bez názvů sloupců
+exchange-format-gauge = řádky měřidel uložené v souboru, např. 01A+025.012
 exchange-format-pcdmis = textové zprávy PC-DMIS
 exchange-format-probed = výpisy snímacích maker, jak je zapisují Renishaw a systémy CAM
 exchange-warning-unit-assumed = jednotka není uvedena: délky bez jednotky se čtou jako mm
@@ -245,7 +248,7 @@ exchange-unjudged-kind = neměřeno: { $kind ->
 exchange-unjudged-attribute = neposouzeno: označeno { $given } (K0002); platnou hodnotu označuje jen 0
 exchange-unjudged-not-valid = neposouzeno: soubor udává { $said }, platná hodnota tedy být nemusí
 exchange-unjudged-declaration = neposouzeno: řádek { $declaration } jeho deklarace nelze použít
-exchange-format-qif = QIF 3.0: výsledky měřicího softwaru a plány
+exchange-format-qif = QIF 2.0, 2.1, 3.0: výsledky měřicího softwaru a plány
 exchange-xml = chybné XML: { $reason }
 exchange-xml-doctype = DOCTYPE není podporován: odstraňte jej, nebo soubor exportujte bez něj
 exchange-xml-entity = entita { $name } není známa: podporovány jsou jen &lt; &gt; &amp; &quot; a &apos;
@@ -276,7 +279,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } řádků je v sešitu skrytých nebo odfiltrovaných, ale čtou se jako ostatní: { $rows }
 }
 exchange-warning-columns-hidden = skryté sloupce se čtou jako ostatní: { $columns }
-exchange-warning-qif-version = QIF verze { $version }: tento program je určen pro verzi 3.0
+exchange-warning-qif-version = QIF verze { $version }: tento program je určen pro verze 2.0, 2.1 a 3.0
 exchange-warning-qif-count = { $list } udává n={ $said }, ale obsahuje { $found }: něco může chybět nebo přebývat
 exchange-warning-qif-twice = id { $id } se vyskytuje dvakrát: použije se první element
 exchange-format-xlsx = měření v sešitu tabulkového procesoru: sloupce jako v CSV
@@ -318,6 +321,7 @@ planned-error-already-corrected = soubor udává, že hodnota už platí pro 20 
 
 ## Gauges
 gauge-no-unit = { $given } neuvádí jednotku: zvolte v nastavení měřidla, zda posílá milimetry, nebo palce
+exchange-gauge-unit = řádek { $line } z těchto řádků měřidla, { $given }, neuvádí mm ani palce: zadejte jednotku pomocí import --columns unit=mm nebo --columns unit=inch
 gauge-other-form = { $given } se od řádku, kterým bylo měřidlo naučeno, { $example }, liší nejen číslicemi
 gauge-other-decimals = { $given } má { $decimals ->
         [one] 1 desetinné místo

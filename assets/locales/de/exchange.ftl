@@ -218,6 +218,9 @@ exchange-warning-found-by-number = nach Nummer zugeordnet: { $name } des Plans
 exchange-warning-found-by-place = nach Lage zugeordnet: { $name } des Plans
 exchange-format-aqdef = AQDEF von Q-DAS, in einer Datei oder als .dfd und .dfx
 exchange-format-calypso = CALYPSO-Tabellen mit Merkmalen, wie NAME_chr.txt
+exchange-format-calypso-text = Protokolle von CALYPSO, als Text gespeichert
+exchange-format-geopak = Toleranzen von MCOSMOS (GEOPAK) in einer Datei ohne Spaltennamen
+exchange-format-gauge = Zeilen von Messmitteln in einer Datei, etwa 01A+025.012
 exchange-format-pcdmis = Textberichte von PC-DMIS
 exchange-format-probed = Ausdrucke von Antastmakros, wie Renishaw und CAM-Systeme sie schreiben
 exchange-warning-unit-assumed = keine Einheit angegeben: Längen ohne Einheit werden als mm gelesen
@@ -242,7 +245,7 @@ exchange-unjudged-kind = nicht gemessen: { $kind ->
 exchange-unjudged-attribute = nicht beurteilt: gekennzeichnet mit { $given } (K0002); nur von 0 ist bekannt, dass der Wert gültig ist
 exchange-unjudged-not-valid = nicht beurteilt: die Datei sagt { $said }, daher gibt es vielleicht keinen gültigen Wert
 exchange-unjudged-declaration = nicht beurteilt: Textzeile { $declaration } der Beschreibung ist nicht verwendbar
-exchange-format-qif = QIF 3.0: Ergebnisse von Messsoftware, und Pläne
+exchange-format-qif = QIF 2.0, 2.1, 3.0: Ergebnisse von Messsoftware, und Pläne
 exchange-xml = kein wohlgeformtes XML: { $reason }
 exchange-xml-doctype = ein DOCTYPE wird nicht unterstützt: entfernen, oder die Datei ohne ihn exportieren
 exchange-xml-entity = Entität { $name } ist nicht bekannt: nur &lt; &gt; &amp; &quot; und &apos; werden unterstützt
@@ -272,7 +275,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } Zeilen sind in der Arbeitsmappe ausgeblendet oder ausgefiltert, werden aber wie die anderen gelesen: { $rows }
 }
 exchange-warning-columns-hidden = ausgeblendete Spalten werden wie die anderen gelesen: { $columns }
-exchange-warning-qif-version = QIF-Version { $version }: dieses Programm ist für Version 3.0 gemacht
+exchange-warning-qif-version = QIF-Version { $version }: dieses Programm ist für die Versionen 2.0, 2.1 und 3.0 gemacht
 exchange-warning-qif-count = { $list } sagt n={ $said }, hat aber { $found }: vielleicht fehlt etwas oder kam etwas hinzu
 exchange-warning-qif-twice = id { $id } kommt zweimal vor: das erste Element wird verwendet
 exchange-format-xlsx = Messungen in einer Arbeitsmappe einer Tabellenkalkulation: Spalten wie in CSV
@@ -314,6 +317,7 @@ planned-error-already-corrected = die Datei sagt, dass der Wert schon bei 20 °C
 
 ## Gauges
 gauge-no-unit = { $given } nennt keine Einheit: in den Einstellungen des Messmittels angeben, ob es Millimeter oder Inch sendet
+exchange-gauge-unit = Zeile { $line } dieser Messmittelzeilen, { $given }, nennt weder mm noch Inch: die Einheit mit import --columns unit=mm oder --columns unit=inch angeben
 gauge-other-form = { $given } unterscheidet sich in mehr als den Ziffern von der Textzeile, mit der das Messmittel angelernt wurde, { $example }
 gauge-other-decimals = { $given } hat { $decimals ->
         [one] 1 Nachkommastelle

@@ -218,6 +218,9 @@ exchange-warning-found-by-number = matched by number to { $name } of the plan
 exchange-warning-found-by-place = matched by location to { $name } of the plan
 exchange-format-aqdef = Q-DAS AQDEF, in one file or as .dfd and .dfx
 exchange-format-calypso = CALYPSO tables of characteristics such as NAME_chr.txt
+exchange-format-calypso-text = CALYPSO printed reports saved as text
+exchange-format-geopak = MCOSMOS (GEOPAK) tolerances in a file without column names
+exchange-format-gauge = lines of gauges saved in a file, such as 01A+025.012
 exchange-format-pcdmis = PC-DMIS text reports
 exchange-format-probed = printouts of probing macros, as Renishaw and CAM systems write them
 exchange-warning-unit-assumed = no unit given: lengths without a unit are read as mm
@@ -242,7 +245,7 @@ exchange-unjudged-kind = not measured: { $kind ->
 exchange-unjudged-attribute = not judged: marked with { $given } (K0002); only 0 is known to mark a valid value
 exchange-unjudged-not-valid = not judged: the file says { $said }, so there may be no valid value
 exchange-unjudged-declaration = not judged: line { $declaration } of its declaration cannot be used
-exchange-format-qif = QIF 3.0: results of measuring software, and plans
+exchange-format-qif = QIF 2.0, 2.1, 3.0: results of measuring software, and plans
 exchange-xml = not well-formed XML: { $reason }
 exchange-xml-doctype = a DOCTYPE is not supported: remove it, or export the file without it
 exchange-xml-entity = entity { $name } is not known: only &lt; &gt; &amp; &quot; and &apos; are supported
@@ -272,7 +275,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } rows are hidden or filtered out in the workbook, but are read like the others: { $rows }
 }
 exchange-warning-columns-hidden = hidden columns are read like the others: { $columns }
-exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
+exchange-warning-qif-version = QIF version { $version }: this program is made for versions 2.0, 2.1 and 3.0
 exchange-warning-qif-count = { $list } says n={ $said }, but has { $found }: something may be missing or added
 exchange-warning-qif-twice = id { $id } occurs twice: the first element is used
 exchange-format-xlsx = measurements in a spreadsheet workbook: columns as in CSV
@@ -298,6 +301,7 @@ gauge-inches = { $given } inches
 gauge-error-text = { $given } may be an error number of the gauge: if it is a size, write it with its unit, { $given } mm
 gauge-opinion = the gauge says { $sign }; the plan's limits decide
 gauge-no-unit = { $given } names no unit: say in the settings of the gauge whether it sends millimetres or inches
+exchange-gauge-unit = line { $line } of these gauge lines, { $given }, says neither mm nor inch: give the unit with import --columns unit=mm or --columns unit=inch
 gauge-other-form = { $given } differs from the line that the gauge was taught with, { $example }, in more than its digits
 gauge-other-decimals = { $given } has { $decimals ->
         [one] 1 decimal

@@ -218,6 +218,9 @@ exchange-warning-found-by-number = asignado por número a { $name } del plan
 exchange-warning-found-by-place = asignado por ubicación a { $name } del plan
 exchange-format-aqdef = Q-DAS AQDEF, en un archivo o como .dfd y .dfx
 exchange-format-calypso = tablas de características de CALYPSO como NAME_chr.txt
+exchange-format-calypso-text = informes impresos de CALYPSO guardados como texto
+exchange-format-geopak = tolerancias de MCOSMOS (GEOPAK) en un archivo sin nombres de columnas
+exchange-format-gauge = líneas de aparatos guardadas en un archivo, como 01A+025.012
 exchange-format-pcdmis = informes de texto de PC-DMIS
 exchange-format-probed = impresiones de macros de palpación, como las escriben Renishaw y los sistemas CAM
 exchange-warning-unit-assumed = no se da ninguna unidad: las longitudes sin unidad se leen como mm
@@ -242,7 +245,7 @@ exchange-unjudged-kind = no medido: { $kind ->
 exchange-unjudged-attribute = no evaluado: marcado con { $given } (K0002); solo se sabe que 0 marca un valor válido
 exchange-unjudged-not-valid = no evaluado: el archivo dice { $said }, así que puede no haber valor válido
 exchange-unjudged-declaration = no evaluado: la línea { $declaration } de su declaración no se puede usar
-exchange-format-qif = QIF 3.0: resultados de software de medición, y planes
+exchange-format-qif = QIF 2.0, 2.1, 3.0: resultados de software de medición, y planes
 exchange-xml = no es XML bien formado: { $reason }
 exchange-xml-doctype = no se admite un DOCTYPE: quítelo, o exporte el archivo sin él
 exchange-xml-entity = la entidad { $name } no es conocida: solo se admiten &lt; &gt; &amp; &quot; y &apos;
@@ -272,7 +275,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } filas están ocultas o filtradas en el libro, pero se leen como las demás: { $rows }
 }
 exchange-warning-columns-hidden = las columnas ocultas se leen como las demás: { $columns }
-exchange-warning-qif-version = versión de QIF { $version }: este programa está hecho para la versión 3.0
+exchange-warning-qif-version = versión de QIF { $version }: este programa está hecho para las versiones 2.0, 2.1 y 3.0
 exchange-warning-qif-count = { $list } dice n={ $said }, pero tiene { $found }: puede faltar o sobrar algo
 exchange-warning-qif-twice = el id { $id } aparece dos veces: se usa el primer elemento
 exchange-format-xlsx = mediciones en un libro de hojas de cálculo: columnas como en CSV
@@ -314,6 +317,7 @@ planned-error-already-corrected = el archivo dice que el valor ya está a 20 °C
 
 ## Gauges
 gauge-no-unit = { $given } no indica ninguna unidad: diga en la configuración del aparato si envía milímetros o pulgadas
+exchange-gauge-unit = la línea { $line } de estas líneas de aparato, { $given }, no indica ni mm ni pulgadas: indique la unidad con import --columns unit=mm o --columns unit=inch
 gauge-other-form = { $given } difiere de la línea que se enseñó para el aparato, { $example }, en algo más que las cifras
 gauge-other-decimals = { $given } tiene { $decimals ->
         [one] 1 decimal

@@ -218,6 +218,9 @@ exchange-warning-found-by-number = rattaché par le numéro à { $name } du plan
 exchange-warning-found-by-place = rattaché par la position à { $name } du plan
 exchange-format-aqdef = Q-DAS AQDEF, en un fichier ou en .dfd et .dfx
 exchange-format-calypso = tables de caractéristiques CALYPSO telles que NAME_chr.txt
+exchange-format-calypso-text = rapports imprimés de CALYPSO enregistrés en texte
+exchange-format-geopak = tolérances de MCOSMOS (GEOPAK) dans un fichier sans noms de colonnes
+exchange-format-gauge = lignes d'instruments enregistrées dans un fichier, comme 01A+025.012
 exchange-format-pcdmis = rapports texte de PC-DMIS
 exchange-format-probed = impressions de macros de palpage, telles que Renishaw et les systèmes de FAO les écrivent
 exchange-warning-unit-assumed = aucune unité donnée : les longueurs sans unité sont lues en mm
@@ -242,7 +245,7 @@ exchange-unjudged-kind = non mesuré : { $kind ->
 exchange-unjudged-attribute = non jugé : marqué par { $given } (K0002) ; seul 0 est connu pour marquer une valeur valable
 exchange-unjudged-not-valid = non jugé : le fichier dit { $said }, il n'y a donc peut-être pas de valeur valable
 exchange-unjudged-declaration = non jugé : la ligne { $declaration } de sa déclaration est inutilisable
-exchange-format-qif = QIF 3.0 : résultats de logiciels de mesure, et plans
+exchange-format-qif = QIF 2.0, 2.1, 3.0 : résultats de logiciels de mesure, et plans
 exchange-xml = XML mal formé : { $reason }
 exchange-xml-doctype = un DOCTYPE n'est pas pris en charge : le supprimer, ou exporter le fichier sans lui
 exchange-xml-entity = l'entité { $name } est inconnue : seules &lt; &gt; &amp; &quot; et &apos; sont prises en charge
@@ -272,7 +275,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } rangées sont masquées ou filtrées dans le classeur, mais sont lues comme les autres : { $rows }
 }
 exchange-warning-columns-hidden = les colonnes masquées sont lues comme les autres : { $columns }
-exchange-warning-qif-version = QIF version { $version } : ce programme est fait pour la version 3.0
+exchange-warning-qif-version = QIF version { $version } : ce programme est fait pour les versions 2.0, 2.1 et 3.0
 exchange-warning-qif-count = { $list } annonce n={ $said }, mais en a { $found } : quelque chose peut manquer ou avoir été ajouté
 exchange-warning-qif-twice = l'id { $id } est présent deux fois : le premier élément est utilisé
 exchange-format-xlsx = mesures dans un classeur de tableur : colonnes comme en CSV
@@ -314,6 +317,7 @@ planned-error-already-corrected = le fichier dit que la valeur est déjà à 20 
 
 ## Gauges
 gauge-no-unit = { $given } n'indique aucune unité : dire dans les réglages de l'instrument s'il envoie des millimètres ou des pouces
+exchange-gauge-unit = la ligne { $line } de ces lignes d'instrument, { $given }, n'indique ni mm ni pouces : donnez l'unité avec import --columns unit=mm ou --columns unit=inch
 gauge-other-form = { $given } diffère de la ligne apprise pour l'instrument, { $example }, par plus que ses chiffres
 gauge-other-decimals = { $given } a { $decimals ->
         [one] { $decimals } décimale

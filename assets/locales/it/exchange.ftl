@@ -218,6 +218,9 @@ exchange-warning-found-by-number = attribuito per numero a { $name } del piano
 exchange-warning-found-by-place = attribuito per posizione a { $name } del piano
 exchange-format-aqdef = Q-DAS AQDEF, in un solo file o come .dfd e .dfx
 exchange-format-calypso = tabelle di caratteristiche di CALYPSO come NAME_chr.txt
+exchange-format-calypso-text = rapporti stampati di CALYPSO salvati come testo
+exchange-format-geopak = tolleranze di MCOSMOS (GEOPAK) in un file senza nomi di colonne
+exchange-format-gauge = righe di strumenti di misura salvate in un file, come 01A+025.012
 exchange-format-pcdmis = rapporti di testo di PC-DMIS
 exchange-format-probed = stampe di macro di tastatura, come le scrivono Renishaw e i sistemi CAM
 exchange-warning-unit-assumed = nessuna unità indicata: le lunghezze senza unità vengono lette come mm
@@ -242,7 +245,7 @@ exchange-unjudged-kind = non misurato: { $kind ->
 exchange-unjudged-attribute = non valutato: contrassegnato con { $given } (K0002); solo 0 contrassegna di certo un valore valido
 exchange-unjudged-not-valid = non valutato: il file dice { $said }, quindi può non esserci un valore valido
 exchange-unjudged-declaration = non valutato: la linea { $declaration } della sua dichiarazione non è utilizzabile
-exchange-format-qif = QIF 3.0: risultati di software di misura, e piani
+exchange-format-qif = QIF 2.0, 2.1, 3.0: risultati di software di misura, e piani
 exchange-xml = non è XML ben formato: { $reason }
 exchange-xml-doctype = un DOCTYPE non è supportato: rimuoverlo, o esportare il file senza
 exchange-xml-entity = l'entità { $name } non è nota: sono supportate solo &lt; &gt; &amp; &quot; e &apos;
@@ -272,7 +275,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } righe sono nascoste o filtrate nella cartella di lavoro, ma vengono lette come le altre: { $rows }
 }
 exchange-warning-columns-hidden = le colonne nascoste vengono lette come le altre: { $columns }
-exchange-warning-qif-version = versione QIF { $version }: questo programma è fatto per la versione 3.0
+exchange-warning-qif-version = versione QIF { $version }: questo programma è fatto per le versioni 2.0, 2.1 e 3.0
 exchange-warning-qif-count = { $list } dice n={ $said }, ma ne ha { $found }: può mancare o essere di troppo qualcosa
 exchange-warning-qif-twice = l'id { $id } compare due volte: si usa il primo elemento
 exchange-format-xlsx = misure in una cartella di lavoro: colonne come in CSV
@@ -314,6 +317,7 @@ planned-error-already-corrected = il file dice che il valore è già a 20 °C: v
 
 ## Gauges
 gauge-no-unit = { $given } non indica l'unità: dire nelle impostazioni dello strumento se invia millimetri o pollici
+exchange-gauge-unit = la riga { $line } di queste righe di strumento, { $given }, non indica né mm né pollici: indicare l'unità con import --columns unit=mm o --columns unit=inch
 gauge-other-form = { $given } differisce non solo nelle cifre dalla linea con cui lo strumento è stato istruito, { $example }
 gauge-other-decimals = { $given } ha { $decimals ->
         [one] 1 decimale

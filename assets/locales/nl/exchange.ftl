@@ -218,6 +218,9 @@ exchange-warning-found-by-number = op nummer gevonden: { $name } van het plan
 exchange-warning-found-by-place = op plaats gevonden: { $name } van het plan
 exchange-format-aqdef = AQDEF van Q-DAS, in één bestand of als .dfd en .dfx
 exchange-format-calypso = tabellen met kenmerken van CALYPSO, zoals NAAM_chr.txt
+exchange-format-calypso-text = CALYPSO-rapporten, opgeslagen als tekst
+exchange-format-geopak = toleranties van MCOSMOS (GEOPAK) in een bestand zonder kolomnamen
+exchange-format-gauge = regels van meetmiddelen in een bestand, zoals 01A+025.012
 exchange-format-pcdmis = tekstrapporten van PC-DMIS
 exchange-format-probed = afdrukken van tastmacro's, zoals Renishaw en CAM-systemen ze schrijven
 exchange-warning-unit-assumed = geen eenheid gegeven: lengten zonder eenheid zijn gelezen als mm
@@ -242,7 +245,7 @@ exchange-unjudged-kind = niet gemeten: { $kind ->
 exchange-unjudged-attribute = niet beoordeeld: gemerkt met { $given } (K0002); alleen van 0 is bekend dat de waarde geldig is
 exchange-unjudged-not-valid = niet beoordeeld: het bestand zegt { $said }, dus er is misschien geen geldige waarde
 exchange-unjudged-declaration = niet beoordeeld: regel { $declaration } van de beschrijving is niet te gebruiken
-exchange-format-qif = QIF 3.0: resultaten van meetsoftware, en meetplannen
+exchange-format-qif = QIF 2.0, 2.1, 3.0: resultaten van meetsoftware, en meetplannen
 exchange-xml = geen welgevormde XML: { $reason }
 exchange-xml-doctype = een DOCTYPE wordt niet ondersteund: verwijder die, of exporteer het bestand zonder
 exchange-xml-entity = entiteit { $name } is onbekend: alleen &lt; &gt; &amp; &quot; en &apos; worden gelezen
@@ -272,7 +275,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } rijen zijn in de werkmap verborgen of weggefilterd, maar worden gelezen als de andere: { $rows }
 }
 exchange-warning-columns-hidden = verborgen kolommen worden gelezen als de andere: { $columns }
-exchange-warning-qif-version = QIF-versie { $version }: dit programma is gemaakt voor versie 3.0
+exchange-warning-qif-version = QIF-versie { $version }: dit programma is gemaakt voor de versies 2.0, 2.1 en 3.0
 exchange-warning-qif-count = { $list } zegt n={ $said }, maar heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
 exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element telt
 exchange-format-xlsx = metingen in een werkmap van een spreadsheetprogramma: kolommen zoals in CSV
@@ -298,6 +301,7 @@ gauge-inches = { $given } inch
 gauge-error-text = { $given } kan een foutnummer van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
 gauge-opinion = het meetmiddel zegt { $sign }; de grenzen van het plan beslissen
 gauge-no-unit = { $given } noemt geen eenheid: geef in de instellingen van het meetmiddel op of het millimeters of inch stuurt
+exchange-gauge-unit = regel { $line } van deze meetmiddelregels, { $given }, noemt mm noch inch: geef de eenheid met import --columns unit=mm of --columns unit=inch
 gauge-other-form = { $given } verschilt in meer dan de cijfers van de regel waarmee het meetmiddel is aangeleerd, { $example }
 gauge-other-decimals = { $given } heeft { $decimals ->
         [one] 1 decimaal

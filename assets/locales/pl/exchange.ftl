@@ -227,6 +227,9 @@ exchange-warning-found-by-number = według numeru dopasowano do { $name } w plan
 exchange-warning-found-by-place = według położenia dopasowano do { $name } w planie
 exchange-format-aqdef = Q-DAS AQDEF, w jednym pliku lub jako .dfd i .dfx
 exchange-format-calypso = tabele charakterystyk CALYPSO, np. NAME_chr.txt
+exchange-format-calypso-text = drukowane raporty CALYPSO zapisane jako tekst
+exchange-format-geopak = tolerancje MCOSMOS (GEOPAK) w pliku bez nazw kolumn
+exchange-format-gauge = wiersze przyrządów zapisane w pliku, np. 01A+025.012
 exchange-format-pcdmis = raporty tekstowe PC-DMIS
 exchange-format-probed = wydruki makr sondy, jakie zapisują Renishaw i systemy CAM
 exchange-warning-unit-assumed = nie podano jednostki: długości bez jednostki są czytane w mm
@@ -253,7 +256,7 @@ exchange-unjudged-kind = nie zmierzono: { $kind ->
 exchange-unjudged-attribute = nie oceniono: oznaczono { $given } (K0002); wiadomo tylko, że 0 oznacza wartość ważną
 exchange-unjudged-not-valid = nie oceniono: plik podaje { $said }, więc może nie być ważnej wartości
 exchange-unjudged-declaration = nie oceniono: linii { $declaration } jego deklaracji nie można użyć
-exchange-format-qif = QIF 3.0: wyniki oprogramowania pomiarowego oraz plany
+exchange-format-qif = QIF 2.0, 2.1, 3.0: wyniki oprogramowania pomiarowego oraz plany
 exchange-xml = niepoprawny składniowo XML: { $reason }
 exchange-xml-doctype = DOCTYPE nie jest obsługiwane: usunąć je lub wyeksportować plik bez niego
 exchange-xml-entity = encja { $name } jest nieznana: obsługiwane są tylko &lt; &gt; &amp; &quot; i &apos;
@@ -290,7 +293,7 @@ exchange-warning-rows-hidden = { $count ->
    *[other] { $count } wierszy jest ukrytych lub odfiltrowanych w skoroszycie, ale są czytane jak pozostałe: { $rows }
 }
 exchange-warning-columns-hidden = ukryte kolumny są czytane jak pozostałe: { $columns }
-exchange-warning-qif-version = QIF w wersji { $version }: ten program jest przeznaczony do wersji 3.0
+exchange-warning-qif-version = QIF w wersji { $version }: ten program jest przeznaczony do wersji 2.0, 2.1 i 3.0
 exchange-warning-qif-count = { $list } podaje n={ $said }, a ma { $found }: czegoś może brakować lub coś dodano
 exchange-warning-qif-twice = id { $id } występuje dwa razy: użyto pierwszego elementu
 exchange-format-xlsx = pomiary w skoroszycie: kolumny jak w CSV
@@ -342,6 +345,7 @@ planned-error-already-corrected = plik mówi, że wartość już dotyczy 20 °C:
 
 ## Gauges
 gauge-no-unit = { $given } nie podaje jednostki: wybrać w ustawieniach przyrządu, czy wysyła milimetry, czy cale
+exchange-gauge-unit = wiersz { $line } tych danych z przyrządu, { $given }, nie podaje ani mm, ani cali: podaj jednostkę przez import --columns unit=mm lub --columns unit=inch
 gauge-other-form = { $given } różni się nie tylko cyframi od linii, której nauczono przyrząd, { $example }
 gauge-other-decimals = { $given } ma { $decimals ->
         [one] 1 miejsce po przecinku

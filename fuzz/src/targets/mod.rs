@@ -23,6 +23,8 @@ mod deviations;
 mod exact;
 mod fn16;
 mod format;
+mod gauge_lines;
+mod geopak;
 mod iso;
 mod journal_body;
 mod lathe;
@@ -41,6 +43,7 @@ mod point_log;
 mod probe_table;
 mod probed;
 mod program;
+mod protocol;
 mod qif;
 mod question;
 mod report_data;
@@ -88,6 +91,8 @@ targets! {
     deviations "table"
     fn16 "mask"
     format "none"
+    gauge_lines "none"
+    geopak "csv"
     iso "iso"
     journal_body "journal"
     lathe "din_plus"
@@ -106,6 +111,7 @@ targets! {
     probe_table "table"
     probed "probed"
     program "klartext"
+    protocol "none"
     qif "qif"
     question "question"
     report_data "none"

@@ -10,6 +10,7 @@ use fitcheck_nc::control::point_log::PointFault;
 use super::aqdef::AqdefFault;
 use super::calypso::CalypsoFault;
 use super::contacts::ContactsError;
+use super::gauge::GaugeError;
 use super::printed::PrintedFault;
 use super::role::Role;
 
@@ -160,6 +161,16 @@ pub enum ImportErrorKind {
     /// A printed report, or a row of one.
     #[say(transparent)]
     Printed(PrintedFault),
+    /// A line of a gauge that is no value.
+    #[say(transparent)]
+    Gauge(GaugeError),
+    /// Lines of gauges in a file, of which one names no unit.
+    GaugeUnit {
+        /// The first such line.
+        line: usize,
+        /// What it says.
+        given: String,
+    },
     /// A measurement of cycle 444 that cannot be used.
     #[say(transparent)]
     Point(PointFault),

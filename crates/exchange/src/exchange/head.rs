@@ -76,6 +76,33 @@ impl Head {
     }
 }
 
+impl Head {
+    /// Takes what lines further down say, which counts from there; `false` where nothing of it is new.
+    pub(super) fn go_on(&mut self, other: Self) -> bool {
+        let Self { part, serial, who, machine, batch, time, drawing, revision, said } = other;
+        let texts = [
+            (&mut self.part, part),
+            (&mut self.serial, serial),
+            (&mut self.who, who),
+            (&mut self.machine, machine),
+            (&mut self.batch, batch),
+            (&mut self.drawing, drawing),
+            (&mut self.revision, revision),
+        ];
+        let mut is_new = false;
+        for (own, new) in texts.into_iter().filter(|(own, new)| !new.is_empty() && **own != *new) {
+            *own = new;
+            is_new = true;
+        }
+        if time.is_some() && time != self.time {
+            self.time = time;
+            is_new = true;
+        }
+        self.said = said;
+        is_new
+    }
+}
+
 /// The keys of a line with their values: in cells beside each other, or in one cell with a colon.
 fn pairs(cells: &StringRecord) -> Vec<(&str, &str)> {
     let cells: Vec<&str> = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect();

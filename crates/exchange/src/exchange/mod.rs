@@ -17,13 +17,15 @@
 //! | `point_log` | logs of points as deviations along the normal |
 //! | `aqdef` | AQDEF of Q-DAS: `.dfq`, or `.dfd` and `.dfx` |
 //! | `calypso` | tables of characteristics of CALYPSO |
+//! | `protocol` | printed reports of CALYPSO |
+//! | `geopak` | tolerances of GEOPAK (MCOSMOS) without names of columns |
 //! | `pcdmis` | text reports of PC-DMIS |
 //! | `probed` | what probing macros of a control print |
 //! | `printed` | what reports that were printed have in common |
 //! | `foreign` | files that are known and not read |
-//! | `qif` | QIF 3.0: results and plans of measuring software |
+//! | `qif` | QIF 2.0, 2.1 and 3.0: results and plans of measuring software |
 //! | `xlsx` | workbooks of spreadsheets, read as rows of CSV |
-//! | `gauge` | what a gauge types |
+//! | `gauge` | what a gauge types, and its lines in a file |
 //! | `guarded` | a panic of a decoder as an error |
 //! | `xml` | XML piece by piece, with lines and columns |
 //! | `fn16` | what a control printed, read back through the mask that printed it |
@@ -110,6 +112,7 @@ mod evidence;
 mod fn16;
 mod foreign;
 pub mod gauge;
+mod geopak;
 mod given;
 mod guarded;
 mod head;
@@ -133,6 +136,7 @@ mod plans;
 mod point_log;
 mod printed;
 mod probed;
+mod protocol;
 mod qif;
 mod quantity;
 mod refused;
@@ -219,9 +223,12 @@ pub const FORMATS: &[Format] = &[
     qif::FORMAT,
     aqdef::FORMAT,
     calypso::FORMAT,
+    protocol::FORMAT,
     pcdmis::FORMAT,
     probed::FORMAT,
     logs::FORMAT,
+    geopak::FORMAT,
+    gauge::FORMAT,
     CONTACTS,
     measurements::FORMAT,
 ];
@@ -308,9 +315,10 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
             return Err(ImportErrorKind::Empty);
         }
         let format = match given.masks {
-            [] if given.mapping.is_some() => {
-                let of_columns = [&xlsx::FORMAT, &measurements::FORMAT];
-                of_columns.into_iter().find(|format| (format.recognises)(&source.beginning()))
+            [] if let Some(mapping) = given.mapping => {
+                let of_lines = Some(&gauge::FORMAT).filter(|_| mapping.says_unit_alone());
+                let of_columns = [Some(&xlsx::FORMAT), of_lines, Some(&measurements::FORMAT)];
+                of_columns.into_iter().flatten().find(|format| (format.recognises)(&source.beginning()))
             }
             [] => FORMATS.iter().find(|format| (format.recognises)(&source.beginning())),
             _ => Some(&fn16::FORMAT),

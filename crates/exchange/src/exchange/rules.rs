@@ -17,7 +17,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence;
 use super::given::{shorten, shorten_cell};
 use super::imported::{StatedLimits, WhyUnjudged};
-use super::limits::LimitColumns;
+use super::limits::{LimitColumns, LimitsAre};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
 use super::refused::{Cell, Refused};
@@ -26,6 +26,8 @@ use crate::exchange::cell::Cells as _;
 /// What a row says.
 pub(super) struct RowMeasurement {
     pub(super) measured: Length,
+    /// Whether there is one: an angle is none.
+    pub(super) is_length: bool,
     /// The limits, with the callout where they are of one; otherwise why the row is not judged.
     pub(super) asked: Result<(Option<Callout>, Limits), WhyUnjudged>,
     /// What a row without a callout says that its value should be.
@@ -66,7 +68,8 @@ impl Rules<'_> {
             self.columns.own.decided_by_size(cells)?;
             let said = self.said(cells)?;
             let asked = self.by_limits(cells, &said, measured, true)?;
-            return Ok(RowMeasurement { measured, asked, said, is_simulated: self.is_simulated(cells)?, quantity });
+            let is_simulated = self.is_simulated(cells)?;
+            return Ok(RowMeasurement { measured, is_length: true, asked, said, is_simulated, quantity });
         };
         let limits = match self.lookup {
             Some(lookup) if callout.class().is_some() => lookup.limits(&callout, self.sources),
@@ -84,7 +87,7 @@ impl Rules<'_> {
         let is_simulated = self.is_simulated(cells)?;
         self.columns.own.decided_by_size(cells)?;
         let asked = Ok((Some(callout), limits));
-        Ok(RowMeasurement { measured, asked, said: StatedLimits::default(), is_simulated, quantity })
+        Ok(RowMeasurement { measured, is_length: true, asked, said: StatedLimits::default(), is_simulated, quantity })
     }
 
     /// What a row says was measured.
@@ -121,8 +124,14 @@ impl Rules<'_> {
         quantity: Option<Quantity>,
     ) -> Result<RowMeasurement, Refused<'c>> {
         self.right_length(cells, None)?;
-        let measured = self.any_measured(cells)?;
+        let is_no_length = self.other_than_size(cells).is_some_and(|cell| quantity::is_no_length(cell.text));
+        let measured = match self.any_measured(cells) {
+            // `65.0018°`
+            Err(_) if is_no_length => None,
+            measured => Some(measured?),
+        };
         let said = match self.said(cells) {
+            _ if is_no_length => StatedLimits::default(),
             Ok(said) => self.or_of_form(cells, said),
             // Without limits nothing is judged by it, so what cannot be read refuses nothing.
             Err(refused) if self.columns.limits.is_some() && !self.has_plan => return Err(refused),
@@ -133,11 +142,13 @@ impl Rules<'_> {
             let what = self.other_than_size(cells).map_or_else(name, |cell| cell.text);
             WhyUnjudged::NotASize { what: shorten(what) }
         };
-        let asked = match self.by_limits(cells, &said, measured, false)? {
-            Err(WhyUnjudged::NoCallout) => Err(other()),
-            asked => asked,
+        let asked = match measured.map(|measured| self.by_limits(cells, &said, measured, false)).transpose()? {
+            None | Some(Err(WhyUnjudged::NoCallout)) => Err(other()),
+            Some(asked) => asked,
         };
-        Ok(RowMeasurement { measured, asked, said, is_simulated: self.is_simulated(cells)?, quantity })
+        let is_length = measured.is_some();
+        let measured = measured.unwrap_or(Length::ZERO);
+        Ok(RowMeasurement { measured, is_length, asked, said, is_simulated: self.is_simulated(cells)?, quantity })
     }
 
     /// What a row without a callout says that its value should be.
@@ -146,7 +157,12 @@ impl Rules<'_> {
         let nominal = nominal.map(|column| self.length(cells, column, ImportErrorKind::Nominal)).transpose()?;
         let nominal = nominal.map(|(_, nominal)| nominal);
         let [minimum, maximum] = match &self.columns.limits {
-            Some(columns) if !self.has_plan => self.column_limits(cells, columns, nominal)?,
+            Some(columns) if !self.has_plan => {
+                // Nothing is rounder than round: a form deviates from zero.
+                let is_form = || self.other_than_size(cells).is_some_and(|cell| quantity::is_of_ideal_form(cell.text));
+                let of_form = || (columns.are != LimitsAre::Sizes && is_form()).then_some(Length::ZERO);
+                self.column_limits(cells, columns, nominal.or_else(of_form))?
+            }
             _ => self.columns.own.limits(cells),
         };
         Ok(StatedLimits { nominal, minimum, maximum })
@@ -199,7 +215,7 @@ impl Rules<'_> {
         let is_simulated = self.is_simulated(cells)?;
         let quantity = None;
         let asked = Err(WhyUnjudged::NoCallout);
-        Ok(RowMeasurement { measured, asked, said: StatedLimits::default(), is_simulated, quantity })
+        Ok(RowMeasurement { measured, is_length: true, asked, said: StatedLimits::default(), is_simulated, quantity })
     }
 
     /// Whether a comment would be a row with a size, were it none.

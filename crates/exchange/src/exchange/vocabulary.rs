@@ -24,7 +24,7 @@ pub(super) enum Rank {
 }
 
 const ID: &str = "id|nr|no|number|nummer|num|numero|part|part no|part number|part id|teil|teilenummer|deel|onderdeel|\
-    workpiece|werkstuk|werkstück|pezzo|stuk|name|naam|nome|bezeichnung|benaming|feature|feature id|merkmal|kenmerk|\
+    workpiece|werkstuk|werkstück|pezzo|stuk|name|naam|nome|bezeichnung|benaming|feature|feature id|feature name|feat name|merkmal|kenmerk|\
     caratteristica|characteristic|characteristics|characteristic name|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|serial|serial number|\
     seriennummer|serienummer|matricola|pos|item|code|codice|what|was|wat|\
     numéro|désignation|designation|repère|pièce|caractéristique|élément|alésage|arbre|code pièce|nombre|número|pieza|\
@@ -49,7 +49,7 @@ const MEASURED: &str = "measured|meas|act|mis|measured value|measured size|measu
 const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|grootte|value|wert|waarde|valore|misura|\
     dimension|dimensione|mm|\
     diamètre|valeur|cote|diámetro|valor|cota|medida";
-const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|date|tijd|tijdstip|datum|datum tijd|\
+const TIME: &str = "time|timestamp|time stamp|datetime|date time|time date|date and time|date|tijd|tijdstip|datum|datum tijd|\
     datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on|\
     date et heure|date de mesure|heure|horodatage|fecha|fecha y hora|hora";
 
@@ -60,7 +60,7 @@ const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|f
     minimaal|maximaal|minimo|massimo|lower|upper|onder|boven|unten|oben|inferiore|superiore|limit|limits|grens|grenze|\
     limite|by|door|von|at|on|op|am|gauge|tool|device|unit|eenheid|einheit|unità|height|hoogte|höhe|altezza|temp|\
     temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
-    risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo|\
+    risultato|count|anzahl|aantal|bar|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo|\
     maxi|mini|supérieur|supérieure|inférieur|inférieure|superior|inferior|écart|desviación|écarts|limites|límite|máximo|mínimo|par|por|unité|unidad|\
     résultat|résultats|resultado|estado|état|statut|quantité|cantidad|observation|observaciones|température|temperatura|appareil";
 

@@ -35,12 +35,13 @@ const LABELS: [(Role, &str); 6] = [
     ),
     (
         Role::Serial,
-        "serial|serial no|serial number|sn|seriennummer|serien nr|serienummer|serienr|matricola|numero di serie|numero seriale|numéro de série|número de serie|ser number",
+        "serial|serial no|serial number|sn|seriennummer|serien nr|serienummer|serienr|matricola|numero di serie|numero seriale|numéro de série|número de serie|ser number|\
+        part ident",
     ),
     (
         Role::Number,
         "number|no|nr|nummer|num|numero|characteristic no|characteristic number|merkmalsnummer|merkmal nr|kenmerknummer|balloon|\
-        balloon no|pos|position no|positie nr|positionsnummer|repère|numéro|número|print no|char no|bubble|bubble no|ballon",
+        balloon no|elem no|element no|pos|position no|positie nr|positionsnummer|repère|numéro|número|print no|char no|bubble|bubble no|ballon",
     ),
     (
         Role::Who,
@@ -198,10 +199,16 @@ const STATUS: &str = "status|result|verdict|decision|judgement|judgment|pass fai
 const SUMMARY: &str = "summary|total|totals|zusammenfassung|gesamtergebnis|gesamt|samenvatting|totaal|riepilogo|totale|résumé|synthèse|resumen|end of report|\
     ende|end";
 
+/// What a line of two cells says of the rows above it, besides a status.
+const SUMMED: &str = "characteristics total|total characteristics|characteristics in tolerance|characteristics out of tolerance|in tolerance|in tol|\
+    out of tolerance|out of tol|disposition";
+
 /// Whether a line that is no measurement sums up the rows above it.
 pub(super) fn is_summary(cells: &csv::StringRecord) -> bool {
-    let first = cells.iter().map(str::trim).find(|cell| !cell.is_empty()).map(bare);
-    first.is_some_and(|first| SUMMARY.split('|').any(|known| known == first))
+    let mut filled = cells.iter().map(str::trim).filter(|cell| !cell.is_empty());
+    let Some(first) = filled.next() else { return false };
+    let has = |list: &str| list.split('|').any(|known| known == bare(first));
+    has(SUMMARY) || filled.count() == 1 && (has(SUMMED) || is_status(first))
 }
 
 /// Names of a column of results: measured values, or what somebody decided.

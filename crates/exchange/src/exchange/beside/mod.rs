@@ -78,7 +78,7 @@ const ACCEPTED: &str = "ok|pass|passed|accept|accepted|approved|conform|conformi
 
 /// The same for rejected ones, or for how far they are out.
 const REJECTED: &str = "nok|ng|notok|fail|failed|reject|rejected|scrap|scrapped|defect|defective|invalid|deleted|void|voided|superseded|outlier|\
-    outtol|outoftol|outoftolerance|outoflimits|oot|exceed|exceedance|exceeded|nonconforming|nonconformity|nio|ausschuss|ungültig|gelöscht|\
+    outtol|outoftol|outoftolerance|outoflimits|outofspec|out|oot|exceed|exceedance|exceeded|nonconforming|nonconformity|nio|ausschuss|ungültig|gelöscht|\
     ausreißer|überschreitung|toleranzüberschreitung|defekt|afkeur|afgekeurd|ongeldig|verwijderd|vervallen|uitschieter|overschrijding|\
     tolerantieoverschrijding|scarto|scartato|annullato|nonvalido|fuoritolleranza";
 
@@ -105,7 +105,7 @@ fn by_name(header: &str, with_unit: &str) -> Option<Says> {
         name if has(REJECTED, name) => Says::Rejected,
         _ if limit.is_some_and(LimitName::is_upper) => Says::Upper,
         _ if limit.is_some() => Says::Lower,
-        _ if has(DEVIATION, &bare) => Says::Deviation,
+        _ if is_deviation(header) => Says::Deviation,
         _ => match warmth::of_column(with_unit) {
             Some(column) => Says::Temperature(column),
             None if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
@@ -113,6 +113,11 @@ fn by_name(header: &str, with_unit: &str) -> Option<Says> {
         },
     };
     Some(says)
+}
+
+/// Whether a column of this name has deviations from the nominal value.
+pub(super) fn is_deviation(header: &str) -> bool {
+    has(DEVIATION, &words::bare(header))
 }
 
 /// What a name says that is not the size of one part: another quantity, or a figure of several parts.

@@ -8,13 +8,15 @@
 //! | `25,012` `+0025.012` | millimetres, with comma or point, sign and leading zeros |
 //! | `01A+0000.123` | a channel and its value, millimetres |
 //! | `01A+00.12345` | the same in inches: two digits before the point and five after it |
+//! | `+  2.1380, MM` | millimetres, or inches with `IN` |
 //! | `25.012 mm =` `25.012<` | a unit, and the gauge's own opinion of its limits, which is told and decides nothing |
 //! | STX, ETX, CR, LF | left out at the ends; within a text they are between two numbers |
 //! | `911` to `919` | an error of a Mitutoyo gauge or its box, and no value, unless the size asked for is near it |
 //!
 //! What is typed without a unit is in millimetres; of a line from a port [`LineUnit`] says so. Lines of no form above are learnt from an
-//! example: `taught`.
+//! example: `taught`. Lines that were saved in a file are read by `saved`.
 
+mod saved;
 mod shape;
 mod taught;
 
@@ -22,6 +24,7 @@ use fitcheck_core::length::{Length, LengthError, Unit};
 use fitcheck_core::message::Say;
 use serde::{Deserialize, Serialize};
 
+pub(super) use saved::FORMAT;
 pub use taught::{Taught, TaughtBy, TeachError};
 
 /// What was taken from a text.
@@ -159,6 +162,13 @@ fn number(text: &str, unit: LineUnit) -> Result<Gauged, GaugeError> {
         number = number.strip_suffix(sign).unwrap_or(number).trim_end();
     }
     let lower = number.to_ascii_lowercase();
+    // A comma between the number and its unit, and the unit in capitals.
+    let with_comma =
+        number.rsplit_once(',').map(|(figure, unit)| (figure.trim_end(), unit.trim().to_ascii_lowercase()));
+    let with_blank = with_comma.filter(|(_, unit)| matches!(unit.as_str(), "mm" | "in" | "inch"));
+    let with_blank = with_blank.map(|(figure, unit)| format!("{figure} {unit}"));
+    let lower = with_blank.clone().unwrap_or(lower);
+    let number = with_blank.as_deref().unwrap_or(number);
     let inches = ["inch", "in", "\"", "''"].into_iter().find(|unit| lower.ends_with(unit));
     let given = inches.and_then(|unit| number.get(..number.len() - unit.len())).map(str::trim_end);
     // A box that sends a channel tells the unit by its digits alone.

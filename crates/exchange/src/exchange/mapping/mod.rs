@@ -103,6 +103,11 @@ impl Mapping {
         self.unit
     }
 
+    /// Whether it says the unit of values and nothing else.
+    pub(super) fn says_unit_alone(&self) -> bool {
+        self.unit.is_some() && *self == Self { unit: self.unit, ..Self::default() }
+    }
+
     /// The decimal sign, where it is said.
     pub(super) const fn decimal(&self) -> Option<DecimalSign> {
         self.decimal

@@ -276,7 +276,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
     pub(super) fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let RowMeasurement { measured, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
+        let RowMeasurement { measured, is_length, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
         let id = cells.cell(self.columns.id).trim().to_owned();
         self.tell_cut_off(line, cells);
         let time = self.time(line, cells);
@@ -292,7 +292,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
             Err(why) => {
                 let labels = Labels { quantity, ..self.labels(line, cells) };
                 let asked = said;
-                let measured = Some(measured);
+                let measured = is_length.then_some(measured);
                 let position = None;
                 let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
                 self.sink.set_aside(unjudged);

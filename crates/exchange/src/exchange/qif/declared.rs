@@ -3,7 +3,7 @@
 use super::axis::Placed;
 use super::units::Number;
 use crate::exchange::given::shorten;
-use crate::exchange::xml::Element;
+use crate::exchange::xml::{Element, Start};
 use fitcheck_core::message::shortened;
 use fitcheck_core::tolerance::Feature;
 
@@ -120,6 +120,11 @@ impl Definition {
     pub(super) fn name(&self) -> &str {
         &self.name
     }
+}
+
+/// Whether an element has the results; QIF 2 calls it otherwise.
+pub(super) fn is_results(start: &Start) -> bool {
+    matches!(start.name.as_str(), "Results" | "MeasurementsResults")
 }
 
 /// The longest name that is kept, in characters.

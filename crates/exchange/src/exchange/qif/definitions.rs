@@ -5,7 +5,8 @@
 
 use super::axis::{is_common, placed};
 use super::declared::{
-    Definition, FeatureDefinition, FeatureItem, FeatureNominal, Item, Nominal, Trace, id, key, name, only_id,
+    Definition, FeatureDefinition, FeatureItem, FeatureNominal, Item, Nominal, Trace, id, is_results, key, name,
+    only_id,
 };
 use super::units::{Number, Units};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
@@ -33,8 +34,15 @@ const OF_DEFINITION: &[&str] = &[
     "NonTolerance",
 ];
 const OF_NOMINAL: &[&str] = &["Name", "CharacteristicDefinitionId", "FeatureNominalIds", "Id", "TargetValue"];
-const OF_ITEM: &[&str] =
-    &["Name", "CharacteristicDesignator", "Designator", "FeatureItemIds", "Id", "CharacteristicNominalId"];
+const OF_ITEM: &[&str] = &[
+    "Name",
+    "CharacteristicDesignator",
+    "KeyCharacteristic",
+    "Designator",
+    "FeatureItemIds",
+    "Id",
+    "CharacteristicNominalId",
+];
 const OF_FEATURE: &[&str] = &[
     "InternalExternal",
     "Diameter",
@@ -120,7 +128,7 @@ impl Definitions {
     fn document(&mut self, xml: &mut Xml<'_>) -> Result<(), Fault> {
         let root = xml.root()?;
         root.attribute("versionQIF").clone_into(&mut self.version);
-        if !self.version.starts_with("3.") {
+        if !["2.0", "2.1", "3."].iter().any(|known| self.version.starts_with(known)) {
             let version = self.version.clone();
             self.warnings.push((root.at, ImportWarningKind::QifVersion { version }));
         }
@@ -135,7 +143,7 @@ impl Definitions {
                 "CoordinateSystems" => self.systems(xml)?,
                 "Features" => self.features(xml)?,
                 "Characteristics" => self.characteristics(xml)?,
-                "Results" => {
+                _ if is_results(&start) => {
                     self.has_results = true;
                     self.results(xml)?;
                 }
@@ -259,9 +267,10 @@ impl Definitions {
     fn keep_item(&mut self, element: &Element) -> Result<(), Fault> {
         let line = element.start.at.0;
         if keep(&mut self.item_lines, &mut self.warnings, element, line)? {
+            let designator = element.child("CharacteristicDesignator").or_else(|| element.child("KeyCharacteristic"));
             let new = Item {
                 name: name(element.text_at(&["Name"])),
-                designator: name(element.text_at(&["CharacteristicDesignator", "Designator"])),
+                designator: designator.map_or_else(String::new, |of| name(of.text_at(&["Designator"]))),
                 nominal: key(element.text_at(&["CharacteristicNominalId"])),
                 feature: only_id(element.child("FeatureItemIds")),
             };
@@ -275,37 +284,47 @@ impl Definitions {
         while let Some(start) = xml.child()? {
             match start.name.as_str() {
                 "InspectionTraceability" => self.trace = Trace::of(&xml.element(start, OF_TRACE)?),
-                "MeasurementResultsSet" => self.result_set(xml)?,
-                "ActualComponentSets" => {
+                "MeasurementResultsSet" => {
                     while xml.child()?.is_some() {
-                        while let Some(start) = xml.child()? {
-                            let part = xml.element(start, &["SerialNumber", "Status", "InspectionStatusEnum"])?;
-                            self.part_status(&part);
-                            if self.serials.len() < MOST_PARTS {
-                                self.serials.insert(id(&part), name(part.text_at(&["SerialNumber"])));
-                            }
-                        }
+                        self.results_of_part(xml)?;
                     }
                 }
+                "ActualComponentSets" => {
+                    while xml.child()?.is_some() {
+                        self.measured_components(xml)?;
+                    }
+                }
+                // QIF 2.0 has no lists of these.
+                "MeasurementResults" => self.results_of_part(xml)?,
+                "ActualComponentSet" => self.measured_components(xml)?,
                 _ => xml.skip()?,
             }
         }
         Ok(())
     }
 
-    fn result_set(&mut self, xml: &mut Xml<'_>) -> Result<(), Fault> {
-        while xml.child()?.is_some() {
-            let mut part = String::new();
-            while let Some(start) = xml.child()? {
-                match start.name.as_str() {
-                    "ActualComponentIds" => part = only_id(Some(&xml.element(start, &["Id"])?)),
-                    "InspectionStatus" => self.part_status(&xml.element(start, &["InspectionStatusEnum"])?),
-                    _ => xml.skip()?,
-                }
+    fn measured_components(&mut self, xml: &mut Xml<'_>) -> Result<(), Fault> {
+        while let Some(start) = xml.child()? {
+            let part = xml.element(start, &["SerialNumber", "Status", "InspectionStatusEnum"])?;
+            self.part_status(&part);
+            if self.serials.len() < MOST_PARTS {
+                self.serials.insert(id(&part), name(part.text_at(&["SerialNumber"])));
             }
-            if self.measured_parts.len() < MOST_PARTS {
-                self.measured_parts.push(part);
+        }
+        Ok(())
+    }
+
+    fn results_of_part(&mut self, xml: &mut Xml<'_>) -> Result<(), Fault> {
+        let mut part = String::new();
+        while let Some(start) = xml.child()? {
+            match start.name.as_str() {
+                "ActualComponentIds" => part = only_id(Some(&xml.element(start, &["Id"])?)),
+                "InspectionStatus" => self.part_status(&xml.element(start, &["InspectionStatusEnum"])?),
+                _ => xml.skip()?,
             }
+        }
+        if self.measured_parts.len() < MOST_PARTS {
+            self.measured_parts.push(part);
         }
         Ok(())
     }
@@ -328,7 +347,11 @@ impl Definitions {
 
 /// That a list says another number of things than it has.
 pub(super) fn miscounted(list: &Start, found: usize) -> Option<ImportWarningKind> {
-    let said = list.attribute("n").parse::<usize>().ok().filter(|said| *said != found)?;
+    // QIF 2.0 writes it in capitals.
+    let said = ["n", "N"].into_iter().find_map(|name| list.attribute(name).parse::<usize>().ok())?;
+    if said == found {
+        return None;
+    }
     Some(ImportWarningKind::QifCount { list: list.name.clone(), said, found })
 }
 

@@ -1,4 +1,17 @@
-//! QIF 3.0 (ISO 23952): results and plans of measuring software as XML.
+//! QIF 3.0 (ISO 23952), 2.1 and 2.0: results and plans of measuring software as XML.
+//!
+//! | QIF 3.0 | QIF 2.1 | QIF 2.0 |
+//! |---|---|---|
+//! | `Results` | `MeasurementsResults` | the same |
+//! | `MeasurementResultsSet`, `ActualComponentSets` | the same | none: what is in these lists stands by itself |
+//! | `MeasuredFeatures` | `FeatureActuals` in it | the same |
+//! | `CharacteristicMeasurements` of `…CharacteristicMeasurement` | `CharacteristicActuals` of `…CharacteristicActual` | the same |
+//! | `FeatureMeasurementIds` | `FeatureActualIds` | the same |
+//! | `CharacteristicDesignator` | `KeyCharacteristic` | the same |
+//! | `BASIC_OR_TED` | `BASIC` | the same |
+//! | `n` | `n` | `N` |
+//!
+//! The other names that are read are the same.
 //!
 //! A file is read twice: first what is declared in it, which is kept (`definitions`, each thing in `declared`), then its values, which are not
 //! (`results`). What stands behind the values, such as serial numbers, belongs to them all the same. `characteristics` puts
@@ -54,8 +67,18 @@ pub(super) const FORMAT: Format = Format {
 };
 
 /// The attributes that anything is known by.
-const ATTRIBUTES: &[&str] =
-    &["id", "n", "versionQIF", "linearUnit", "zoneVariance", "combinedUncertainty", "meanError", "name", "validity"];
+const ATTRIBUTES: &[&str] = &[
+    "id",
+    "n",
+    "N",
+    "versionQIF",
+    "linearUnit",
+    "zoneVariance",
+    "combinedUncertainty",
+    "meanError",
+    "name",
+    "validity",
+];
 
 /// By the name of its first element, whatever comes before it.
 fn recognises(beginning: &Beginning<'_>) -> bool {
@@ -293,7 +316,7 @@ fn claim(status: &str) -> Option<Claim> {
         "REWORK" => Some(Claim::of(status, Status::Rework)),
         "FAIL" => Some(Claim::out(status)),
         // A size without a tolerance.
-        "" | "BASIC_OR_TED" => None,
+        "" | "BASIC_OR_TED" | "BASIC" => None,
         other => Some(Claim::unknown(other)),
     }
 }

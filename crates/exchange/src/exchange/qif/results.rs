@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use super::axis::{Placed, placed};
-use super::declared::Trace;
+use super::declared::{Trace, is_results};
 use super::definitions::{Definitions, MOST, OF_TRACE, miscounted};
 use super::units::Number;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
@@ -18,6 +18,7 @@ const OF_MEASUREMENT: &[&str] = &[
     "CharacteristicItemId",
     "TimeStamp",
     "FeatureMeasurementIds",
+    "FeatureActualIds",
     "Id",
     "ActualComponentId",
     "Attributes",
@@ -79,18 +80,21 @@ pub(super) fn read(xml: &mut Xml<'_>, definitions: &Definitions, take: Take<'_>)
     }
     let mut parts = definitions.measured_parts.iter();
     while let Some(start) = xml.child()? {
-        if start.name != "Results" {
+        if !is_results(&start) {
             xml.skip()?;
             continue;
         }
+        let mut next = || parts.next().map_or("", String::as_str);
         while let Some(start) = xml.child()? {
-            if start.name != "MeasurementResultsSet" {
-                xml.skip()?;
-                continue;
-            }
-            while xml.child()?.is_some() {
-                let part = parts.next().map_or("", String::as_str);
-                of_one_part(xml, definitions, part, take)?;
+            match start.name.as_str() {
+                "MeasurementResultsSet" => {
+                    while xml.child()?.is_some() {
+                        of_one_part(xml, definitions, next(), take)?;
+                    }
+                }
+                // QIF 2.0 has no list of them.
+                "MeasurementResults" => of_one_part(xml, definitions, next(), take)?,
+                _ => xml.skip()?,
             }
         }
     }
@@ -104,12 +108,19 @@ fn of_one_part(xml: &mut Xml<'_>, definitions: &Definitions, part: &str, take: T
             "InspectionTraceability" => part.trace = Trace::of(&xml.element(start, OF_TRACE)?),
             "MeasuredFeatures" => {
                 while let Some(start) = xml.child()? {
-                    part.keep(&xml.element(start, OF_FEATURE)?)?;
+                    // A list of its own in QIF 2.
+                    if start.name == "FeatureActuals" {
+                        while let Some(start) = xml.child()? {
+                            part.keep(&xml.element(start, OF_FEATURE)?)?;
+                        }
+                    } else {
+                        part.keep(&xml.element(start, OF_FEATURE)?)?;
+                    }
                 }
             }
             "MeasuredCharacteristics" => {
                 while let Some(list) = xml.child()? {
-                    if list.name == "CharacteristicMeasurements" {
+                    if matches!(list.name.as_str(), "CharacteristicMeasurements" | "CharacteristicActuals") {
                         part.values(xml, &list, take)?;
                     } else {
                         xml.skip()?;
@@ -160,15 +171,18 @@ impl Part<'_> {
     }
 
     fn value<'r>(&'r self, element: &'r Element) -> Measured<'r> {
-        let mut ids = element.child("FeatureMeasurementIds").into_iter().flat_map(Element::children);
+        let features = element.child("FeatureMeasurementIds").or_else(|| element.child("FeatureActualIds"));
+        let mut ids = features.into_iter().flat_map(Element::children);
         let feature = match (ids.next(), ids.next()) {
             (Some(id), None) => self.features.get(&id.text),
             _ => None,
         };
         let own = element.text_at(&["ActualComponentId"]);
         let part = if own.is_empty() { self.id } else { own };
+        let name = element.start.name.as_str();
+        let kind = name.strip_suffix("CharacteristicMeasurement").or_else(|| name.strip_suffix("CharacteristicActual"));
         Measured {
-            kind: element.start.name.trim_end_matches("CharacteristicMeasurement"),
+            kind: kind.unwrap_or(name),
             element,
             feature_item: feature.map(|feature| feature.item.as_str()),
             place: feature.and_then(|feature| feature.place.as_ref()?.as_ref().ok()),

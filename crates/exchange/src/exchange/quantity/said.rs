@@ -225,6 +225,41 @@ pub(in crate::exchange) fn is_form(name: &str) -> bool {
     words_of(name).iter().any(|word| FORMS.iter().any(|form| word.starts_with(form)))
 }
 
+/// Beginnings of words of what is no length.
+const NO_LENGTHS: &str = "angle|angular|winkel|hoek|angol|ángulo|hardness|härte|hardheid|durezz|temperat|area|weight|gewicht|peso|force|kraft|torque";
+
+/// Codes of angles.
+const ANGLE_CODES: &str = "a|ang|pa";
+
+/// Whether a text says that an angle was measured, or something else that no length is.
+pub(in crate::exchange) fn is_no_length(text: &str) -> bool {
+    let words = words_of(text);
+    let begins = |word: &String| NO_LENGTHS.split('|').any(|known| word.starts_with(known));
+    // Angularity is a zone between two planes.
+    let is_zone = |word: &String| word.starts_with("angularit") || word.starts_with("angolarit");
+    match words.as_slice() {
+        [word] if has(ANGLE_CODES, word) => true,
+        words => words.iter().any(|word| begins(word) && !is_zone(word)),
+    }
+}
+
+/// Beginnings of words of tolerances of place, besides those of form.
+const PLACES: &str = "angularit|position|posizion|positie|posición|lage|symmetr|simmetri|coaxial|coassial|profil|gesamtlauf|oscillaz|battement";
+
+/// Whether a text names a tolerance of form or place: nothing is rounder than round, so its nominal value is zero.
+pub(in crate::exchange) fn is_of_ideal_form(text: &str) -> bool {
+    let is_radius = |word: &str| word.starts_with("radi") || word.starts_with("raggi");
+    words_of(text).iter().any(|word| {
+        let is_form = FORMS.iter().any(|form| word.starts_with(form)) && !is_radius(word);
+        is_form || PLACES.split('|').any(|place| word.starts_with(place))
+    })
+}
+
+/// What the words of a text say that was measured; letters alone say nothing.
+pub(in crate::exchange) fn of_text(text: &str) -> Option<Quantity> {
+    said(text).filter(|said| !said.is_code).map(|said| said.quantity)
+}
+
 /// Whether the name of a column says that it may tell what was measured.
 pub(in crate::exchange) fn may_be_named(header: &str) -> bool {
     name(header) != Name::None
