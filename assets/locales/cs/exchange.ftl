@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } netiskne naměřenou hodnotu: Fitcheck zn�
 exchange-mask-measured = { $mask }: naměřenou hodnotou může být kterékoli z těchto polí: { $fields }; tiskněte výsledek cyklu, například Q153; jinak soubor potřebuje předpisy s různými mezemi
 exchange-print-ambiguous = maska to může přečíst několika způsoby
 exchange-print-broken = výpis končí předčasně: očekává se výstup řádku { $line } masky
+exchange-print-other = maska takový řádek netiskne, ale jsou v něm čísla: může to být výpis s chybějící nebo změněnou hodnotou; opravte jej nebo odstraňte
 exchange-print-unit = řádek { $line } udává { $unit }, ale výstup řídicího systému se čte v mm: tiskněte hodnoty v mm
 exchange-no-rows = žádný řádek neobsahuje měření
 exchange-no-measured-column = chybí sloupec naměřených hodnot: pojmenujte jej v prvním řádku, například id;callout;measured

@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } gibt keinen Messwert aus: Fitcheck erkennt
 exchange-mask-measured = { $mask }: jede davon könnte der Messwert sein: { $fields }; das Ergebnis des Zyklus ausgeben, wie Q153; sonst braucht die Datei Toleranzangaben mit verschiedenen Grenzmaßen
 exchange-print-ambiguous = die Maske kann das auf mehrere Arten lesen
 exchange-print-broken = der Ausgabesatz endet zu früh: die Ausgabe von Textzeile { $line } der Maske erwartet
+exchange-print-other = die Maske gibt keine solche Textzeile aus, sie enthält aber Zahlen: es kann ein Ausgabesatz mit fehlendem oder geändertem Wert sein; berichtigen oder entfernen
 exchange-print-unit = Textzeile { $line } nennt { $unit }, die Ausgabe einer Steuerung wird aber in mm gelesen: die Werte in mm ausgeben
 exchange-no-rows = keine Zeile enthält eine Messung
 exchange-no-measured-column = keine Spalte mit Messwerten: sie in der ersten Textzeile benennen, wie id;callout;measured

@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } prints no measured value: Fitcheck recogni
 exchange-mask-measured = { $mask }: any of these could be the measured value: { $fields }; print the result of the cycle, such as Q153; otherwise the file needs callouts with different limits
 exchange-print-ambiguous = the mask can read this in several ways
 exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
+exchange-print-other = the mask prints no such line, but it has figures: it may be a record with a missing or changed value; correct it or remove it
 exchange-print-unit = line { $line } states { $unit }, but the output of a control is read in mm: print the values in mm
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured

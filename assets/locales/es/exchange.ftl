@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } no imprime ningún valor medido: Fitcheck 
 exchange-mask-measured = { $mask }: cualquiera de estos podría ser el valor medido: { $fields }; imprima el resultado del ciclo, como Q153; si no, el archivo necesita cotas con límites distintos
 exchange-print-ambiguous = la máscara puede leer esto de varias formas
 exchange-print-broken = la salida termina demasiado pronto: se esperaba la salida de la línea { $line } de la máscara
+exchange-print-other = la máscara no imprime una línea así, pero contiene números: puede ser una salida con un valor que falta o que ha cambiado; corríjala o elimínela
 exchange-print-unit = la línea { $line } indica { $unit }, pero la salida de un control se lee en mm: imprima los valores en mm
 exchange-no-rows = ninguna fila contiene una medición
 exchange-no-measured-column = ninguna columna de valores medidos: nómbrela en la primera línea, como id;callout;measured

@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } n'imprime aucune valeur mesurée : Fitche
 exchange-mask-measured = { $mask } : chacun de ceux-ci pourrait être la valeur mesurée : { $fields } ; imprimer le résultat du cycle, par exemple Q153 ; sinon le fichier a besoin de cotes tolérancées aux limites différentes
 exchange-print-ambiguous = le masque peut lire ceci de plusieurs façons
 exchange-print-broken = l'enregistrement finit trop tôt : sortie de la ligne { $line } du masque attendue
+exchange-print-other = le masque n’imprime pas une telle ligne, mais elle contient des nombres : il peut s’agir d’un enregistrement dont une valeur manque ou a changé ; corrigez-la ou supprimez-la
 exchange-print-unit = la ligne { $line } indique { $unit }, mais la sortie d'une commande est lue en mm : imprimer les valeurs en mm
 exchange-no-rows = aucune rangée ne contient de mesure
 exchange-no-measured-column = pas de colonne de valeurs mesurées : la nommer dans la première ligne, par exemple id;callout;measured

@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } non stampa alcun valore misurato: Fitcheck
 exchange-mask-measured = { $mask }: ciascuno di questi può essere il valore misurato: { $fields }; stampare il risultato del ciclo, come Q153; altrimenti il file richiede indicazioni con limiti diversi
 exchange-print-ambiguous = la maschera può leggerlo in più modi
 exchange-print-broken = il record finisce troppo presto: atteso l'output della linea { $line } della maschera
+exchange-print-other = la maschera non stampa una linea simile, ma contiene numeri: può essere un record con un valore mancante o modificato; correggerla o rimuoverla
 exchange-print-unit = la linea { $line } indica { $unit }, ma l'output di un controllo numerico si legge in mm: stampare i valori in mm
 exchange-no-rows = nessuna riga contiene una misura
 exchange-no-measured-column = nessuna colonna di valori misurati: indicarla nella prima linea, come id;callout;measured

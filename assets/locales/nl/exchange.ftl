@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } drukt geen gemeten waarde af: Fitcheck her
 exchange-mask-measured = { $mask }: elk van deze getallen kan de gemeten waarde zijn: { $fields }; druk het resultaat van de cyclus af, zoals Q153; anders heeft het bestand passingen met verschillende grenzen nodig
 exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden gelezen
 exchange-print-broken = het record eindigt te vroeg: de uitvoer van regel { $line } van het masker verwacht
+exchange-print-other = het masker drukt zo’n regel niet af, maar er staan getallen in: het kan een record met een ontbrekende of gewijzigde waarde zijn; corrigeer of verwijder de regel
 exchange-print-unit = regel { $line } noemt { $unit }, maar uitvoer van een besturing wordt in mm gelezen: druk de waarden in mm af
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten

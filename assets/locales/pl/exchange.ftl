@@ -26,6 +26,7 @@ exchange-mask-no-measured = { $mask } nie drukuje wartości zmierzonej: Fitcheck
 exchange-mask-measured = { $mask }: wartością zmierzoną może być każde z: { $fields }; drukować wynik cyklu, np. Q153; w przeciwnym razie plik wymaga wymiarów tolerowanych o różnych granicach
 exchange-print-ambiguous = maska może to odczytać na kilka sposobów
 exchange-print-broken = rekord kończy się za wcześnie: oczekiwany wydruk linii { $line } maski
+exchange-print-other = maska nie drukuje takiej linii, ale są w niej liczby: może to być rekord z brakującą lub zmienioną wartością; popraw ją lub usuń
 exchange-print-unit = linia { $line } podaje { $unit }, ale wydruk ze sterowania jest czytany w mm: drukować wartości w mm
 exchange-no-rows = żaden wiersz nie zawiera pomiaru
 exchange-no-measured-column = nie ma kolumny wartości zmierzonych: nazwać ją w pierwszej linii, np. id;callout;measured
