@@ -52,7 +52,7 @@ impl ReportParts {
     pub(super) fn see(&mut self, record: &Record, labels: &Labels, line: usize) {
         self.all.see(record, labels, Some(line));
         let Some(at) = self.places.get(&record.id).copied() else { return };
-        let key = (labels.part.clone(), labels.serial.clone());
+        let key = (labels.part.clone(), labels.piece().to_owned());
         if let Some((_, sheet)) = self.sheets.iter_mut().find(|(known, _)| *known == key) {
             return sheet.take(at, Arc::new(record.clone()), labels.time);
         }
@@ -60,7 +60,7 @@ impl ReportParts {
             self.others.insert(key);
             return;
         }
-        let mut sheet = PartSheet::new(&self.plan, &labels.serial).by(self.repeats);
+        let mut sheet = PartSheet::new(&self.plan, labels.piece()).by(self.repeats);
         sheet.picture.clone_from(&self.picture);
         sheet.take(at, Arc::new(record.clone()), labels.time);
         self.sheets.push((key, sheet));
