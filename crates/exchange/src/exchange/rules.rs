@@ -134,6 +134,8 @@ impl Rules<'_> {
             WhyUnjudged::NotASize { what: shorten(what) }
         };
         let asked = match self.by_limits(cells, &said, measured, false)? {
+            // Its figures are no lengths, and neither are its limits.
+            _ if self.other_than_size(cells).is_some_and(|cell| quantity::is_angle(cell.text)) => Err(other()),
             Err(WhyUnjudged::NoCallout) => Err(other()),
             asked => asked,
         };

@@ -19,7 +19,7 @@ mod said;
 pub(super) use column::{Free, QuantityColumn, of_row};
 use fitcheck_core::part::FeatureKind;
 use fitcheck_core::probing::cycle::Axis;
-pub(super) use said::{is_form, is_shape, may_be_named};
+pub(super) use said::{is_angle, is_form, is_shape, may_be_named};
 
 /// What a file says that was measured of a feature.
 #[derive(Debug, Clone, PartialEq, Eq)]

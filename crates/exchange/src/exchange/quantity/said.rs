@@ -225,6 +225,14 @@ pub(in crate::exchange) fn is_form(name: &str) -> bool {
     words_of(name).iter().any(|word| FORMS.iter().any(|form| word.starts_with(form)))
 }
 
+/// Words of angles, which no unit of length measures; an angularity is one.
+const ANGLES: &str = "angle|angles|ang|winkel|hoek|hoeken|angolo|angoli|ángulo|ángulos|kąt|kąty|úhel|úhly";
+
+/// Whether a quantity is an angle.
+pub(in crate::exchange) fn is_angle(text: &str) -> bool {
+    words_of(text).iter().any(|word| has(ANGLES, word))
+}
+
 /// Whether the name of a column says that it may tell what was measured.
 pub(in crate::exchange) fn may_be_named(header: &str) -> bool {
     name(header) != Name::None
