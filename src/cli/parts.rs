@@ -87,7 +87,7 @@ impl PlanParts {
 
     /// A value of a part from a line of its file, as it was judged. Without a time of its own its order is not known.
     pub(super) fn see(&mut self, record: &Record, labels: &Labels, line: Option<usize>) {
-        self.see_of((labels.part.clone(), labels.serial.clone()), record, line, labels.time);
+        self.see_of((labels.part.clone(), labels.piece().to_owned()), record, line, labels.time);
     }
 
     /// The same of a part by its name and serial number, with the time at which it was measured.

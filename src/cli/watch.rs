@@ -247,7 +247,11 @@ impl Run<'_> {
         let Some(parts) = &mut self.parts else { return };
         let mut keys = BTreeSet::new();
         for (row, record) in rows.iter().filter_map(|row| Some((row, row.judged.as_deref()?))) {
-            let part = self.journal.part_of(&self.journal.about(&record.id, &row.labels), file);
+            let mut part = self.journal.part_of(&self.journal.about(&record.id, &row.labels), file);
+            // Parts side by side in a file without serial numbers.
+            if part.1.is_empty() {
+                row.labels.piece().clone_into(&mut part.1);
+            }
             keys.insert(part.clone());
             // Files are taken in the order in which they were written: the time at which they came is an order, too.
             parts.see_of(part, record, row.line, Some(record.time));

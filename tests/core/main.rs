@@ -36,6 +36,8 @@ mod cycle_texts;
 mod cycle_windows;
 mod cycles;
 mod exact_cycles;
+mod field_files;
+mod field_ways;
 mod file_circles;
 mod file_places;
 mod files;

@@ -112,6 +112,27 @@ fn file(columns: &[(&str, Option<LogicalType>, Column)], shape: Shape) -> Bytes 
     out.into()
 }
 
+/// A file of these columns: a column of numbers alone as such where `are_typed`, any other as texts.
+pub(crate) fn of_table(names: &[&str], rows: &[Vec<&str>], are_typed: bool) -> Bytes {
+    let column = |at: usize| {
+        let cells = || rows.iter().map(move |row| Some(row[at]).filter(|cell| !cell.is_empty()));
+        let numbers: Option<Vec<Option<f64>>> = cells()
+            .map(|cell| cell.map(|cell| cell.parse().ok()))
+            .map(|cell| match cell {
+                Some(None) => None,
+                Some(number) => Some(number),
+                None => Some(None),
+            })
+            .collect();
+        match numbers.filter(|_| are_typed) {
+            Some(numbers) => Column::Double(numbers),
+            None => Column::Text(cells().map(|cell| cell.map(str::to_owned)).collect()),
+        }
+    };
+    let columns: Vec<_> = names.iter().enumerate().map(|(at, name)| (*name, None, column(at))).collect();
+    file(&columns, SHAPE)
+}
+
 impl Column {
     fn len(&self) -> usize {
         match self {

@@ -63,7 +63,7 @@ impl ReportParts {
     pub(super) fn see(&mut self, record: &Record, labels: &Labels, line: usize) {
         self.all.see(record, labels, Some(line));
         let Some(at) = self.places.get(&record.id).copied() else { return };
-        let key = (labels.part.clone(), labels.serial.clone());
+        let key = (labels.part.clone(), labels.piece().to_owned());
         if let Some(sheet) = self.known.get(&key).and_then(|known| self.sheets.get_mut(*known)) {
             return sheet.take(at, Arc::new(record.clone()), labels.time);
         }
@@ -71,7 +71,7 @@ impl ReportParts {
             self.others.insert(key);
             return;
         }
-        let mut sheet = PartSheet::new(&self.plan, &labels.serial).by(self.repeats);
+        let mut sheet = PartSheet::new(&self.plan, labels.piece()).by(self.repeats);
         sheet.picture.clone_from(&self.picture);
         sheet.take(at, Arc::new(record.clone()), labels.time);
         self.known.insert(key, self.sheets.len());

@@ -9,6 +9,7 @@ use fitcheck_nc::control::status::status_of;
 
 use super::error::ImportWarningKind;
 use super::given::shorten;
+use super::quantity::is_form;
 use crate::journal::Record;
 
 /// Words and marks of a value within its limits, without their stops and blanks.
@@ -293,6 +294,10 @@ impl Claim {
             ClaimContent::Warm { said, counted } if !is_felt(*said, *counted, bounds) => return None,
             ClaimContent::Warm { counted, .. } => {
                 return Some(ImportWarningKind::TemperatureDiffers { given, counted: counted.to_string() });
+            }
+            // A form that is judged as one is what its name says.
+            ClaimContent::NoSize if nominal == Length::ZERO && bounds.minimum() == Length::ZERO && is_form(&given) => {
+                return None;
             }
             ClaimContent::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
             ClaimContent::Unit => return Some(ImportWarningKind::SpeaksOfUnit { text: given }),

@@ -142,6 +142,8 @@ pub enum ImportErrorKind {
         /// The line of the mask whose text was expected.
         line: usize,
     },
+    /// A line that no record of the mask prints, with figures in it.
+    PrintOther,
     /// A print that is not in millimetres.
     PrintUnit {
         line: usize,

@@ -1,5 +1,7 @@
 //! What the lines above a header say of all values below it: `Part Name;Plate 4711`, `SER NUMBER : 3`. A column of the same counts first.
 
+use std::ops::RangeInclusive;
+
 use csv::StringRecord;
 use jiff::civil::DateTime;
 
@@ -36,6 +38,8 @@ pub(super) struct Head {
     pub(super) revision: String,
     /// The words of all that, and the line of the first.
     pub(super) said: Option<(usize, String)>,
+    /// The cells that say it: line and column.
+    used: Vec<(usize, usize)>,
 }
 
 impl Head {
@@ -46,7 +50,7 @@ impl Head {
         let mut clock = String::new();
         let mut said: Vec<String> = Vec::new();
         for (line, cells) in lines {
-            for (key, value) in pairs(cells) {
+            for (columns, key, value) in pairs(cells) {
                 let place = match role(key) {
                     _ if has(DRAWING, key) => &mut head.drawing,
                     _ if has(REVISION, key) => &mut head.revision,
@@ -62,6 +66,7 @@ impl Head {
                 if place.is_empty() && !value.is_empty() {
                     value.clone_into(place);
                     said.push(shorten(&format!("{key} {value}")));
+                    head.used.extend(columns.map(|column| (*line, column)));
                     head.said.get_or_insert((*line, String::new()));
                 }
             }
@@ -74,12 +79,19 @@ impl Head {
         }
         head
     }
+
+    /// The cells of a line of which it has taken nothing.
+    pub(super) fn rest(&self, line: usize, cells: &StringRecord) -> StringRecord {
+        let is_used = |column: usize| self.used.contains(&(line, column));
+        cells.iter().enumerate().map(|(column, cell)| if is_used(column) { "" } else { cell }).collect()
+    }
 }
 
 impl Head {
     /// Takes what lines further down say, which counts from there; `false` where nothing of it is new.
     pub(super) fn go_on(&mut self, other: Self) -> bool {
-        let Self { part, serial, who, machine, batch, time, drawing, revision, said } = other;
+        let Self { part, serial, who, machine, batch, time, drawing, revision, said, used } = other;
+        self.used.extend(used);
         let texts = [
             (&mut self.part, part),
             (&mut self.serial, serial),
@@ -103,25 +115,26 @@ impl Head {
     }
 }
 
-/// The keys of a line with their values: in cells beside each other, or in one cell with a colon.
-fn pairs(cells: &StringRecord) -> Vec<(&str, &str)> {
-    let cells: Vec<&str> = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect();
+/// The keys of a line with their values, and the columns of both: in cells beside each other, or in one cell with a colon.
+fn pairs(cells: &StringRecord) -> Vec<(RangeInclusive<usize>, &str, &str)> {
+    let cells: Vec<(usize, &str)> =
+        (0..).zip(cells.iter().map(str::trim)).filter(|(_, cell)| !cell.is_empty()).collect();
     let mut found = Vec::new();
     let mut rest = cells.as_slice();
-    while let [first, more @ ..] = rest {
+    while let [(at, first), more @ ..] = rest {
         rest = more;
         if let Some((key, value)) =
             first.split_once([':', '=']).filter(|(key, value)| role(key).is_some() && !value.trim().is_empty())
         {
-            found.push((key.trim(), value.trim()));
+            found.push((*at..=*at, key.trim(), value.trim()));
             continue;
         }
         let key = first.trim_end_matches([':', '=']).trim();
-        if let [value, more @ ..] = more
+        if let [(value_at, value), more @ ..] = more
             && role(key).is_some()
             && role(value.trim_end_matches(':')).is_none()
         {
-            found.push((key, *value));
+            found.push((*at..=*value_at, key, *value));
             rest = more;
         }
     }

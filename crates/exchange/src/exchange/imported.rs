@@ -51,6 +51,8 @@ pub struct Labels {
     pub part: String,
     /// The part's serial number; empty where the file has none.
     pub serial: String,
+    /// What the file calls the column of the value, where parts stand side by side; empty otherwise.
+    pub sample: String,
     /// Who measured; empty where the file does not say.
     pub who: String,
     /// When it was measured, where the file says so: other records have the time of import.
@@ -91,6 +93,11 @@ pub fn part_and_feature(part: &mut String, feature: &mut String, id: &str) {
 }
 
 impl Labels {
+    /// What tells the part from others of its kind: its serial number, or else its column among parts side by side.
+    pub fn piece(&self) -> &str {
+        if self.serial.is_empty() { &self.sample } else { &self.serial }
+    }
+
     /// Why a value cannot be judged by limits although it has figures: a limit lies between the values that are printed so, and has more
     /// decimals than they have, or the file's own status is another one. On a limit with as many decimals the figures decide.
     pub(super) fn too_coarse(&self, limits: &Limits, measured: Length, status: Status) -> Option<WhyUnjudged> {

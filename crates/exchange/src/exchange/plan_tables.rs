@@ -6,15 +6,16 @@ use std::sync::Arc;
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{FilePlace, Located, Say as _};
-use fitcheck_core::part::{Column, Document, DraftCell, DraftFeature, HeadField, PlanRemark};
+use fitcheck_core::part::{Column, Document, DraftCell, DraftFeature, HeadField, PlanFault, PlanRemark};
 use fitcheck_core::tolerance::{Callout, Deviations};
 
 use super::cell::{Cells as _, joined};
 use super::columns::Columns;
-use super::delimited::{Item, Rows, without_separator_line};
+use super::delimited::{Item, Rows, lines, without_separator_line};
 use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::imported::{StatedLimits, WhyUnjudged};
+use super::index::LONGEST_ROW;
 use super::mapping::{FirstRows, Mapping};
 use super::quantity;
 use super::rules::Rules;
@@ -33,9 +34,12 @@ pub(super) fn document(file: &str, bytes: &[u8], given: ImportInputs<'_>) -> Res
     if columns.tolerance.is_none() && columns.limits.is_none() && columns.nominal.is_none() {
         return Ok(None);
     }
-    let rows = all_rows(bytes, separator)?;
     let mut table =
         Table { columns: &columns, given, file: file.into(), document: Document::default(), part: String::new() };
+    let rows = all_rows(bytes, &columns, separator, &mut |line, reason| {
+        let what = PlanFault::File { reason: reason.message() };
+        table.document.problems.push(Located { what, place: FilePlace::line(line) });
+    })?;
     let begins = columns.stated.first().max(columns.header.map_or(0, |header| header + 1));
     for (line, row) in
         rows.iter().filter(|(line, row)| begins <= *line && !cells::is_blank(row) && !cells::is_comment(row))
@@ -45,17 +49,33 @@ pub(super) fn document(file: &str, bytes: &[u8], given: ImportInputs<'_>) -> Res
     Ok(Some(table.whole()))
 }
 
-/// The rows of a text or of a workbook, with their lines.
-fn all_rows(bytes: &[u8], separator: u8) -> Result<Vec<(usize, StringRecord)>, ImportErrorKind> {
+/// The rows of a text or of a workbook, with their lines; what cannot be split into rows goes to `refuse`.
+fn all_rows(
+    bytes: &[u8],
+    columns: &Columns,
+    separator: u8,
+    refuse: &mut dyn FnMut(usize, ImportErrorKind),
+) -> Result<Vec<(usize, StringRecord)>, ImportErrorKind> {
     if bytes.starts_with(b"PK") {
         let rows = sheet_rows(bytes)?;
         return Ok(rows.into_iter().map(|(line, cells)| (line, cells.into_iter().collect())).collect());
     }
     let decoded = decode(bytes);
     let (text, first_line, _) = without_separator_line(&decoded);
+    let mut refused = |line: usize, reason: ImportErrorKind| {
+        refuse(line, reason);
+        None
+    };
     let row = |item: Item<'_>| match item {
+        Item::Lines { line, text, cells } if columns.hides_rows(&cells, separator) => {
+            for (within, ..) in lines(text, 0, line).skip(1) {
+                refused(within, ImportErrorKind::WithinQuotes);
+            }
+            refused(line, ImportErrorKind::OpenQuote)
+        }
         Item::Row { line, cells } | Item::Lines { line, cells, .. } => Some((line, cells)),
-        Item::OpenQuote { .. } | Item::TooLong { .. } => None,
+        Item::OpenQuote { line, .. } => refused(line, ImportErrorKind::OpenQuote),
+        Item::TooLong { line } => refused(line, ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 }),
     };
     Ok(Rows::new(text, first_line, separator).filter_map(row).collect())
 }
@@ -87,8 +107,16 @@ impl Table<'_> {
             let remark = PlanRemark::Left { name: name.to_owned(), why };
             return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
         }
+        let mut is_form = false;
         let callout = match rules.planned(row) {
             Ok((Some(callout), _)) => callout.to_string(),
+            Ok((
+                None,
+                StatedLimits { nominal: Some(Length::ZERO), minimum: Some(Length::ZERO), maximum: Some(most) },
+            )) if Length::ZERO < most => {
+                is_form = true;
+                most.to_string()
+            }
             Ok((None, said)) => of_limits(&said),
             // As it is written, so that the plan says what is wrong with it.
             Err(_) => text(columns.tolerance).to_owned(),
@@ -120,8 +148,11 @@ impl Table<'_> {
         set(Column::Number, number);
         set(Column::Name, name);
         set(Column::Callout, &callout);
+        if is_form {
+            set(Column::Kind, "form");
+        }
         let says_side = callout.parse::<Callout>().is_ok_and(|callout| callout.feature().is_some());
-        if let Some(side) = columns.feature_of(row).filter(|_| !says_side) {
+        if let Some(side) = columns.feature_of(row).filter(|_| !says_side && !is_form) {
             set(Column::Feature, side.word());
         }
         for (column, at) in [Column::X, Column::Y, Column::Z].into_iter().zip(columns.labels.place) {

@@ -17,7 +17,7 @@ use super::error::ImportErrorKind;
 use super::imported::WhyUnjudged;
 use super::plan_tables::signed;
 use super::source::{ImportInputs, Source};
-use super::{FORMATS, plan_tables, sheet_rows, words};
+use super::{FORMATS, plan_tables, samples, sheet_rows, words};
 
 /// Reads a part plan of any known form: Fitcheck's own TOML or CSV, a workbook with the same columns, or the characteristics that a file of
 /// AQDEF, QIF or CALYPSO declares. `given` hands over the file beside it where a format is two files.
@@ -74,7 +74,7 @@ fn or_of_table(
     let is_own = own.as_ref().is_ok_and(|document| {
         let is_other = |problem: &PlanError| match &problem.what {
             PlanFault::NoColumn { column } => *column == "callout",
-            PlanFault::UnknownColumn { column, .. } => words::role(column).is_some(),
+            PlanFault::UnknownColumn { column, .. } => words::role(column).is_some() || samples::is_one(column),
             _ => false,
         };
         !document.problems.iter().any(is_other)

@@ -130,8 +130,9 @@ impl Sample {
                 && 2 <= below.iter().filter(|cell| !cell.trim().is_empty()).count();
             let is_units = stated::is_row_of_units(above, below);
             // A title or a line of the head has few cells.
-            let is_group =
-                2 <= above.iter().filter(|cell| !cell.trim().is_empty()).count() && above.len() <= below.len();
+            // A sheet has no cells behind the last one that is filled: the row below tells how many there are.
+            let width = row(bottom.and_then(|at| at.checked_add(1))).map_or(0, StringRecord::len).max(below.len());
+            let is_group = 2 <= above.iter().filter(|cell| !cell.trim().is_empty()).count() && above.len() <= width;
             (can_be(above) && can_be(below) && is_group && !is_units && is_more).then_some((top?, bottom?, names))
         });
         let Some((top, bottom, names)) = best else { return };

@@ -2,8 +2,10 @@
 
 use csv::StringRecord;
 
+use super::cell::single_blanks;
 use super::claim::letters;
 use super::column::name_of;
+use super::given::shorten;
 use super::vocabulary::has;
 use crate::exchange::cell::Cells as _;
 
@@ -42,6 +44,16 @@ fn split(name: &str) -> Option<(String, usize)> {
     let number = name.strip_prefix(word)?.parse().ok()?;
     let word = letters(word);
     has(BEFORE, &word).then_some((word, number))
+}
+
+/// Whether a column has a name of this kind, whatever stands beside it.
+pub(super) fn is_one(name: &str) -> bool {
+    split(name).is_some()
+}
+
+/// What one of them is called.
+pub(super) fn name(header: &str) -> String {
+    shorten(&single_blanks(header))
 }
 
 /// The first and the last of such columns, as messages name them.

@@ -45,6 +45,11 @@ pub(super) fn unit(header: &str) -> Result<Option<Unit>, String> {
     Ok(first)
 }
 
+/// Whether a unit is one of angles.
+pub(super) fn is_of_angle(unit: &str) -> bool {
+    matches!(unit.trim().to_lowercase().as_str(), "°" | "deg" | "degree" | "degrees" | "grad" | "gon" | "rad")
+}
+
 /// Takes a name apart.
 pub(super) fn split(header: &str) -> ColumnNameParts {
     let mut parts = ColumnNameParts::default();

@@ -82,12 +82,19 @@ impl PartsPage {
             arrived.label = self.one_label(plan, &items);
             self.walking.label = self.walking.label.take().or_else(|| arrived.label.clone());
         }
+        let is_one_piece = has_one_piece(&items);
         let sizes: BTreeMap<String, Size<'_>> = plan.sizes().map(|size| (size.name(), size)).collect();
         for item in items {
             match item {
                 Item::Record { line, record, labels } => {
                     let size = sizes.get(&record.id);
-                    match self.arriving(size, *record, labels, of_walk, shared) {
+                    let is_other = of_walk.is_some() && !is_one_piece && labels.serial.is_empty() && size.is_some();
+                    let arriving = if is_other && !labels.sample.is_empty() {
+                        Err(message!("walk-page-other-label").text("part", &labels.sample))
+                    } else {
+                        self.arriving(size, *record, labels, of_walk, shared)
+                    };
+                    match arriving {
                         Ok(mut value) => {
                             value.file = file.cloned();
                             if let Some(labels) = value.labels.as_deref().filter(|_| value.at.is_none())
@@ -162,6 +169,16 @@ impl PartsPage {
             labels.into_values().next().filter(|label| is_new && !is_own_label(plan, self.walking.serial(), label));
         one.map(str::to_owned)
     }
+}
+
+/// Whether the values of a file without serial numbers are of one part: several columns side by side are several parts.
+fn has_one_piece(items: &[Item]) -> bool {
+    let mut samples = items.iter().filter_map(|item| match item {
+        Item::Record { labels, .. } if labels.serial.is_empty() => Some(labels.sample.as_str()),
+        _ => None,
+    });
+    let first = samples.next();
+    samples.all(|sample| Some(sample) == first)
 }
 
 /// Whether what a file calls a part is nothing, the plan's name of the part, or its serial number.

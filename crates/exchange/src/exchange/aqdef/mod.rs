@@ -33,11 +33,12 @@ use keys::{BETWEEN_FIELDS, Level, Line, line};
 use reader::{Half, Reader};
 
 use super::Format;
-use super::characteristic::Characteristic;
+use super::characteristic::{Characteristic, CharacteristicKind};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::Sink;
 use super::pieces::Pieces;
 use super::source::{Beginning, Source, WHOLE};
+use super::units;
 
 pub(super) const FORMAT: Format = Format {
     name: "aqdef",
@@ -195,7 +196,12 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
             return Err(error);
         }
         if let Err(unit) = declared.unit {
-            return Err(ImportErrorKind::Unit { unit });
+            if !units::is_of_angle(&unit) {
+                return Err(ImportErrorKind::Unit { unit });
+            }
+            // An angle is no size, and refuses no other characteristic.
+            plan.push((line, Characteristic { what: CharacteristicKind::Other(unit), ..declared.characteristic }));
+            continue;
         }
         if declared.kind.is_none_or(|kind| kind == 0) {
             plan.push((line, declared.characteristic));

@@ -58,6 +58,12 @@ pub struct Layout {
     pub warnings: Vec<(usize, ImportWarningKind)>,
 }
 
+/// Refuses values side by side: a row has one answer.
+fn one_value(columns: &Columns) -> Result<(), ImportErrorKind> {
+    let Some(first) = columns.sample_places().first().copied() else { return Ok(()) };
+    Err(ImportErrorKind::SamplesSideBySide { columns: columns.samples_named.clone(), first: first + 1 })
+}
+
 impl Layout {
     /// The layout of a stream by its first bytes, which are all of it where `is_all`. Only whole lines count.
     ///
@@ -93,10 +99,7 @@ impl Layout {
         let (text, first_line, separator) = without_separator_line(&decoded);
         let mut sample = Sample::of(text, first_line, mapping.separator().or(separator));
         let mut columns = mapping.columns(&mut sample)?;
-        if let Some(first) = columns.sample_places().first() {
-            let columns = columns.samples_named.clone();
-            return Err(ImportErrorKind::SamplesSideBySide { columns, first: first + 1 });
-        }
+        one_value(&columns)?;
         let separator = sample.separator;
         let above_header = decoded.len() - text.len();
         let rows = text.as_bytes();
@@ -169,6 +172,7 @@ impl Layout {
         known_format(&head, "")?;
         let text = utf8(sample);
         let columns = Sample::of(&text, 1, Some(b',')).columns()?;
+        one_value(&columns)?;
         let warnings = columns.stated.told(columns.measured).into_iter().chain(skipped(&columns, 1)).collect();
         Ok(Self {
             columns: Columns { count: names.len(), ..columns },

@@ -13,7 +13,7 @@ use columns::Columns;
 pub use error::{CalypsoFault, CalypsoWarning};
 use fitcheck_core::message::FilePlace;
 use fitcheck_core::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, lines, plain_lines_from};
-use row::CalypsoRow;
+use row::{CalypsoRow, RefusedRow};
 
 use super::Format;
 use super::characteristic::Characteristic;
@@ -22,6 +22,7 @@ use super::given::shorten;
 use super::imported::Sink;
 use super::index::LONGEST_ROW;
 use super::source::{Beginning, Context, Source};
+use super::units;
 
 pub(super) const FORMAT: Format = Format {
     name: "calypso",
@@ -231,6 +232,14 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
                     true
                 }
             }
+        }
+        Err(RefusedRow { kind: ImportErrorKind::Unit { unit }, .. }) if units::is_of_angle(&unit) => {
+            // An angle is no size, and refuses no other characteristic.
+            let angle = row::angle(text, columns, unit);
+            if plan.iter().all(|(_, known)| known.name != angle.name) {
+                plan.push((line, angle));
+            }
+            true
         }
         Err(refused) => {
             error = Some(refused.kind);

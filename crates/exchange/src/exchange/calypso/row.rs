@@ -183,6 +183,22 @@ impl CalypsoRow {
     }
 }
 
+/// The characteristic of a row whose unit is one of angles.
+pub(super) fn angle(text: &str, columns: &Columns, unit: String) -> Characteristic {
+    let cells: Vec<&str> = text.split('\t').collect();
+    Characteristic {
+        name: columns.text(&cells, Column::Id).to_owned(),
+        what: CharacteristicKind::Other(unit),
+        class: String::new(),
+        feature: None,
+        nominal: None,
+        minimum: None,
+        maximum: None,
+        expanded: None,
+        labels: Labels::default(),
+    }
+}
+
 /// Whether a length is another one, beyond what rounding to the nanometre makes.
 fn is_another(given: Length, expected: Length) -> bool {
     2 < given.saturating_sub(expected).nanometres().unsigned_abs()

@@ -105,6 +105,7 @@ impl Sample {
             remarks: Vec::new(),
             samples: Vec::new(),
             samples_named: String::new(),
+            sample: String::new(),
             head: Head::default(),
             top: None,
             first: None,

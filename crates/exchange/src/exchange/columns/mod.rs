@@ -80,6 +80,8 @@ pub(super) struct Columns {
     pub(super) samples: Vec<Self>,
     /// How messages name them.
     pub(super) samples_named: String,
+    /// The name of this one among them.
+    pub(super) sample: String,
     /// What lines above the names say of all values.
     pub(super) head: Head,
     /// The line above the names that is a part of them.
@@ -190,7 +192,8 @@ impl Columns {
                 Unit::Millimetre => unit_of(names.cell(*at))?,
                 stated => stated,
             };
-            Ok(Self { measured: LengthColumn { at: *at, unit }, samples: Vec::new(), ..self.clone() })
+            let sample = samples::name(names.cell(*at));
+            Ok(Self { measured: LengthColumn { at: *at, unit }, samples: Vec::new(), sample, ..self.clone() })
         };
         let all: Result<Vec<Self>, ImportErrorKind> = samples.iter().map(one).collect();
         self.samples = all?;

@@ -15,6 +15,7 @@ mod roles;
 use std::collections::VecDeque;
 
 use super::Format;
+use super::cells;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::Sink;
@@ -155,6 +156,14 @@ fn sample(inverse: &Inverse, head: &str) -> Option<Vec<Printed>> {
     (other < fit).then_some(sample)
 }
 
+/// Whether a line that the mask does not print may be a record all the same: it has several numbers with a decimal sign, as limits and
+/// values have.
+fn seems_record(line: &str) -> bool {
+    let words = line.split(|c: char| c.is_whitespace() || matches!(c, ';' | '|' | '=' | ':'));
+    let is_figure = |word: &&str| word.contains(['.', ',']) && cells::is_number(word);
+    1 < words.filter(is_figure).count()
+}
+
 /// The lines that come next.
 struct Window<'a> {
     inverse: &'a Inverse,
@@ -193,7 +202,12 @@ impl Window<'_> {
                 count
             }
             PrintMatch::Nothing => {
-                if !text.trim().is_empty() {
+                if seems_record(text) {
+                    if sink.is_full(number) {
+                        return false;
+                    }
+                    sink.refuse(FilePlace::line(number), ImportErrorKind::PrintOther, shorten(text.trim()));
+                } else if !text.trim().is_empty() {
                     sink.warn(FilePlace::line(number), None, ImportWarningKind::NotUsed { text: shorten(text.trim()) });
                 }
                 1

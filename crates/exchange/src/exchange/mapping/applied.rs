@@ -284,6 +284,7 @@ impl Said<'_> {
             remarks: Vec::new(),
             samples: Vec::new(),
             samples_named: String::new(),
+            sample: String::new(),
             head: Head::default(),
             top: None,
             first: self.mapping.first_row,

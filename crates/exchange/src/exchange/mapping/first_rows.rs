@@ -144,7 +144,8 @@ impl FirstRows {
     pub(in crate::exchange) fn planned(&self, mapping: &Mapping) -> Result<(Columns, u8), ImportErrorKind> {
         let mut sample = self.sample(mapping);
         let columns = match mapping.columns(&mut sample) {
-            Err(ImportErrorKind::NoMeasuredColumn) => {
+            // What should be measured is not in doubt where several columns may say what was.
+            Err(ImportErrorKind::NoMeasuredColumn | ImportErrorKind::SeveralColumns { role: Role::Measured, .. }) => {
                 let mut without = self.sample(mapping);
                 // A column that no row has.
                 without.measured = Some(without.rows.iter().map(|(_, cells)| cells.len()).fold(0, usize::max) + 1);

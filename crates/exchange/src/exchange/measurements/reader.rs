@@ -230,7 +230,15 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
 
     /// Tells that a line is not used, or what it says against the values.
     fn not_used(&mut self, line: usize, cells: &StringRecord) {
-        self.warn(line, left_out::not_used(cells, self.columns.counted_at(line, self.source.counted)));
+        let counted = self.columns.counted_at(line, self.source.counted);
+        if let Some(told) = left_out::said_against(cells, counted) {
+            return self.warn(line, told);
+        }
+        // What the head of the table has of it is told already.
+        let rest = self.columns.head.rest(line, cells);
+        if !cells::is_blank(&rest) {
+            self.warn(line, left_out::not_used(&rest, counted));
+        }
     }
 
     /// What a line that is no row says against the values.
@@ -335,6 +343,7 @@ impl<'a, 's, 'z> Reader<'a, 's, 'z> {
             number: label(columns.number),
             part: or_head(columns.part, &head.part),
             serial: or_head(columns.serial, &head.serial),
+            sample: self.columns.sample.clone(),
             who: or_head(columns.who, &head.who),
             machine: or_head(columns.machine, &head.machine),
             batch: or_head(columns.batch, &head.batch),

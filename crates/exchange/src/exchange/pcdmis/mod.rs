@@ -388,6 +388,8 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
             Part::End => place.columns = None,
             Part::Row(row, columns) => {
                 let columns = columns.clone();
+                let broken = line.broken(row.as_ref().is_ok_and(|row| row.is_complete));
+                let row = broken.map_or(row, Err);
                 match row.and_then(|row| characteristic(&row, &columns, &place.title, &place.head, minus_is)) {
                     Ok(Read::Length(read)) if plan.iter().all(|(_, known)| !is_same(known, &read.characteristic)) => {
                         plan.push((line.number, read.characteristic));

@@ -319,7 +319,7 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
             && row.quantity().is_some()
             && row.not_measured().is_none()
         {
-            match row.figures() {
+            match line.broken(false).map_or_else(|| row.figures(), Err) {
                 Ok(figures) => {
                     let name = name(&row, &toolpath, &numbers);
                     let found = characteristic(&row, name, labels(&row, &numbers), &figures);

@@ -226,7 +226,7 @@ pub(in crate::exchange) fn is_form(name: &str) -> bool {
 }
 
 /// Beginnings of words of what is no length.
-const NO_LENGTHS: &str = "angle|angular|winkel|hoek|angol|ángulo|hardness|härte|hardheid|durezz|temperat|area|weight|gewicht|peso|force|kraft|torque";
+const NO_LENGTHS: &str = "angle|angular|winkel|hoek|angol|ángulo|hardness|härte|hardheid|durezz|temperat|area|weight|gewicht|peso|force|kraft|torque|kąt|úhel|úhly";
 
 /// Codes of angles.
 const ANGLE_CODES: &str = "a|ang|pa";
