@@ -13,7 +13,7 @@ fn mm(text: &str) -> Length {
 }
 
 /// A point on a horizontal face with the tolerance 0.4-0.1.
-fn point(deviation: &str) -> PointLog {
+pub(crate) fn point(deviation: &str) -> PointLog {
     let deviation = mm(deviation);
     let band = Band { upper: mm("0.4"), lower: mm("-0.1") };
     PointLog {
@@ -32,7 +32,7 @@ fn point(deviation: &str) -> PointLog {
     }
 }
 
-fn page(logs: &[PointLog], language: Dialogue) -> String {
+pub(crate) fn page(logs: &[PointLog], language: Dialogue) -> String {
     String::from_utf8(write(logs, language).unwrap()).unwrap()
 }
 

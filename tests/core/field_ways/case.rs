@@ -1,5 +1,6 @@
 //! A file and the table of what is right of it.
 
+use std::fmt::Write as _;
 use std::path::Path;
 
 use fitcheck::control::mask::Mask;
@@ -67,13 +68,11 @@ impl Row {
 
     /// Whether a way says what is right; names and figures of rows that cannot be read are theirs.
     pub(crate) fn is_said_by(&self, said: &Said) -> bool {
-        match self.verdict.strip_prefix('!') {
-            Some(words) => said.verdict.starts_with('!') && said.verdict.contains(words.trim()),
-            None => {
-                let own = (&self.name, self.measured, self.limits, &self.verdict);
-                own == (&said.name, said.measured, said.limits, &said.verdict)
-            }
+        if let Some(words) = self.verdict.strip_prefix('!') {
+            return said.verdict.starts_with('!') && said.verdict.contains(words.trim());
         }
+        let own = (&self.name, self.measured, self.limits, &self.verdict);
+        own == (&said.name, said.measured, said.limits, &said.verdict)
     }
 
     /// The callout, what it is of, and whether a plan that is made of the file has it.
@@ -222,7 +221,7 @@ impl Case {
                 "length" => "kind = \"length\"\n".to_owned(),
                 side => format!("feature = \"{side}\"\n"),
             };
-            text += &format!("\n[[feature]]\nname = \"{name}\"\ncallout = \"{callout}\"\n{kind}");
+            write!(text, "\n[[feature]]\nname = \"{name}\"\ncallout = \"{callout}\"\n{kind}").unwrap();
         }
         text
     }

@@ -161,7 +161,7 @@ pub(crate) fn by_window(case: &Case, faults: &mut Vec<String>) {
         None => case.check("the walk", &judged, &said, faults),
         Some(count) if count == said.len() => {}
         Some(count) => {
-            faults.push(format!("{} by the walk: {} values, right: {count}: {said:?}", case.name, said.len()))
+            faults.push(format!("{} by the walk: {} values, right: {count}: {said:?}", case.name, said.len()));
         }
     }
 }

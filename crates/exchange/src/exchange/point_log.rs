@@ -62,7 +62,8 @@ fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Context<'_>) {
     sink.set_aside(Unjudged {
         line,
         id: String::new(),
-        labels: Labels::default(),
+        // Where the point should lie: by it a plan finds its feature.
+        labels: Labels { place: log.nominal.map(Some), ..Labels::default() },
         time: log.date_time.unwrap_or(source.now),
         measured: Some(log.deviation),
         origin: if log.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } },
