@@ -136,6 +136,11 @@ impl Judge {
         self.rule.is_plain() && self.warmth.is_none()
     }
 
+    /// Whether it leaves the records of a file as they are.
+    pub(super) fn keeps(&self) -> bool {
+        self.is_plain() && self.feature.is_none()
+    }
+
     /// A record by the plan where there is one and it is of a size of it, and what is to be warned of.
     ///
     /// # Errors

@@ -57,6 +57,16 @@ fn refused(text: &str, words: &str) {
 }
 
 #[test]
+fn a_mark_in_a_column_of_what_is_out_contradicts_good() {
+    let row = |mark: &str| format!("Feature;Nominal;Tol+;Tol-;Actual;OutOfTol\nD1;25;0.021;0;25.0123;{mark}\n");
+    for (mark, code) in [("*", 14), (">", 14), ("0.009", 14), ("", 0), ("-", 0), ("0", 0)] {
+        let said = of(&row(mark), &["import", "a.csv"]);
+        assert_eq!(said.code, code, "{mark}: {}{}", said.out, said.err);
+        assert_eq!(said.err.contains("OutOfTol"), code == 14, "{mark}: {}", said.err);
+    }
+}
+
+#[test]
 fn two_limits_alone_may_be_as_far_apart_as_those_of_a_chamfer() {
     let chamfer = "name;lower limit;upper limit;measured\nC1;0.5;2.5;1\nC2;0.5;2.5;2.6\n";
     both(chamfer, &["C1 0.500 2.500 GOOD", "C2 0.500 2.500 OUT OF LIMITS"]);

@@ -227,6 +227,9 @@ callout = "20 g6"
 [[feature]]
 kind = "flatness"
 callout = "25 H7"
+
+[[feature]]
+callout = "12 ±0.02"
 "#;
 
 /// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
@@ -255,6 +258,7 @@ fn of_cell(fault: &PlanFault) -> Option<&'static str> {
         PlanFault::NotOf { .. } => Some("NotOf"),
         PlanFault::Direction { .. } => Some("Direction"),
         PlanFault::NoBand { .. } => Some("NoBand"),
+        PlanFault::NoFeature { .. } => Some("NoFeature"),
         PlanFault::NoFormLimit { .. } => Some("NoFormLimit"),
         PlanFault::BandSide { .. } => Some("BandSide"),
         PlanFault::Band(_) => Some("Band"),

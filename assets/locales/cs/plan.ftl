@@ -10,6 +10,7 @@ plan-column-twice = sloupec { $column } se vyskytuje dvakrát
 plan-cells = řádek má buněk { $found } a záhlaví { $expected }: při desetinné čárce oddělujte sloupce středníky
 plan-no-cell = chybí { $column }
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } může být díra nebo hřídel: doplňte feature = "hole" nebo feature = "shaft", nebo kind = "length", není-li to ani jedno
 plan-fit = { $callout } je uložení: zapište díru a hřídel jako dva prvky
 plan-clearance-height = bezpečná výška { $height } mm není nad výškou měření { $z } mm
 plan-same-name = název { $name } se vyskytuje dvakrát{ $line ->

@@ -10,6 +10,7 @@ plan-column-twice = Spalte { $column } kommt zweimal vor
 plan-cells = die Zeile hat { $found } Zellen und der Kopf { $expected }: bei Dezimalkomma die Spalten mit Semikolon trennen
 plan-no-cell = { $column } fehlt
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } kann Bohrung oder Welle sein: feature = "hole" oder feature = "shaft" hinzufügen, oder kind = "length", wo es keins von beiden ist
 plan-fit = { $callout } ist eine Passung: Bohrung und Welle als zwei Merkmale schreiben
 plan-clearance-height = sichere Höhe { $height } mm liegt nicht über der Messhöhe, { $z } mm
 plan-same-name = Name { $name } kommt zweimal vor{ $line ->

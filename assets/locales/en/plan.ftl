@@ -10,6 +10,7 @@ plan-column-twice = column { $column } occurs twice
 plan-cells = the row has { $found } cells and the header { $expected }: with a decimal comma, separate the columns with semicolons
 plan-no-cell = { $column } is missing
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } may be a hole or a shaft: add feature = "hole" or feature = "shaft", or kind = "length" where it is neither
 plan-fit = { $callout } is a fit: write the hole and the shaft as two features
 plan-clearance-height = clearance height { $height } mm is not above the measuring height, { $z } mm
 plan-same-name = name { $name } occurs twice{ $line ->

@@ -10,6 +10,7 @@ plan-column-twice = la columna { $column } aparece dos veces
 plan-cells = la fila tiene { $found } celdas y el encabezado { $expected }: con coma decimal, separe las columnas con punto y coma
 plan-no-cell = falta { $column }
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } puede ser un agujero o un eje: añada feature = "hole" o feature = "shaft", o kind = "length" si no es ninguno de los dos
 plan-fit = { $callout } es un ajuste: escriba el agujero y el eje como dos elementos
 plan-clearance-height = la altura de seguridad { $height } mm no está por encima de la altura de medición, { $z } mm
 plan-same-name = el nombre { $name } aparece dos veces{ $line ->

@@ -10,6 +10,7 @@ plan-column-twice = la colonne { $column } est présente deux fois
 plan-cells = la rangée a { $found } cellules et l'en-tête { $expected } : avec une virgule décimale, séparer les colonnes par des points-virgules
 plan-no-cell = { $column } manque
 plan-value = { $what } : { $error }
+plan-no-feature = { $callout } peut être un alésage ou un arbre : ajouter feature = "hole" ou feature = "shaft", ou kind = "length" si ce n'est ni l'un ni l'autre
 plan-fit = { $callout } est un ajustement : écrire l'alésage et l'arbre comme deux éléments
 plan-clearance-height = la hauteur de sécurité { $height } mm n'est pas au-dessus de la hauteur de mesure, { $z } mm
 plan-same-name = le nom { $name } est présent deux fois{ $line ->

@@ -10,6 +10,7 @@ plan-column-twice = la colonna { $column } compare due volte
 plan-cells = la riga ha { $found } celle e l'intestazione { $expected }: con la virgola decimale, separare le colonne con punti e virgola
 plan-no-cell = manca { $column }
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } può essere un foro o un albero: aggiungere feature = "hole" o feature = "shaft", oppure kind = "length" se non è né l'uno né l'altro
 plan-fit = { $callout } è un accoppiamento: scrivere il foro e l'albero come due elementi
 plan-clearance-height = l'altezza di sicurezza { $height } mm non è sopra l'altezza di misura, { $z } mm
 plan-same-name = il nome { $name } compare due volte{ $line ->

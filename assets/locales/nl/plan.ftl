@@ -10,6 +10,7 @@ plan-column-twice = kolom { $column } komt twee keer voor
 plan-cells = de rij heeft { $found } cellen en de kop { $expected }: scheid de kolommen bij een decimale komma met puntkomma's
 plan-no-cell = { $column } ontbreekt
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } kan een boring of een as zijn: voeg feature = "hole" of feature = "shaft" toe, of kind = "length" als het geen van beide is
 plan-fit = { $callout } geldt voor boring en as samen: zet ze als twee elementen in het plan
 plan-clearance-height = veilige hoogte { $height } mm ligt niet boven de meethoogte, { $z } mm
 plan-same-name = naam { $name } komt twee keer voor{ $line ->

@@ -15,6 +15,7 @@ plan-column-twice = kolumna { $column } występuje dwa razy
 plan-cells = liczba komórek w wierszu: { $found }, w nagłówku: { $expected }; przy przecinku dziesiętnym rozdzielać kolumny średnikami
 plan-no-cell = brakuje { $column }
 plan-value = { $what }: { $error }
+plan-no-feature = { $callout } może być otworem lub wałkiem: dodać feature = "hole" lub feature = "shaft", albo kind = "length", jeśli nie jest żadnym z nich
 plan-fit = { $callout } to pasowanie: wpisać otwór i wałek jako dwa elementy
 plan-clearance-height = bezpieczna wysokość { $height } mm nie jest powyżej wysokości pomiaru, { $z } mm
 plan-same-name = nazwa { $name } występuje dwa razy{ $line ->

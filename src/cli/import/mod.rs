@@ -314,7 +314,8 @@ impl Import<'_> {
         if self.printed.is_ok() {
             self.printer.end(io);
         }
-        if 0 < self.tally.open {
+        // Of a plan's size the plan has said it.
+        if 0 < self.tally.open && plan.is_none() {
             io.remark(&CliRemark::Open { count: self.tally.open });
         }
         if self.is_stopped {
@@ -375,7 +376,7 @@ pub(super) fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
 impl Tally {
     fn count(&mut self, row: &ImportRow) {
         self.bad |= row.error.is_some();
-        self.open += usize::from(row.judged.as_ref().is_some_and(|record| record.is_open()));
+        self.open += usize::from(row.is_open);
         match (&mut self.parts, &row.judged) {
             (Some(parts), Some(record)) => parts.see(record, &row.labels, row.line),
             _ => self.worst = self.worst.max(row.part_status()),

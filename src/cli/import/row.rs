@@ -48,6 +48,8 @@ pub(in crate::cli) struct ImportRow {
     pub(in crate::cli) is_simulated: Option<bool>,
     /// The check, where it is wanted or has more to say than a control.
     pub(in crate::cli) judged: Option<Arc<Record>>,
+    /// Whether hole or shaft decides between rework and scrap.
+    pub(in crate::cli) is_open: bool,
 }
 
 /// So many sources are remembered; others are put into words each time.
@@ -137,7 +139,7 @@ impl Rows<'_> {
     /// The row of a record, as the judge of this import says.
     fn record(&mut self, record: Box<Record>, labels: Labels) -> ImportRow {
         let source = Some(self.said(&record.limits.source));
-        if self.judge.is_plain() && self.sizes.is_empty() {
+        if self.judge.keeps() && self.sizes.is_empty() {
             let row = ImportRow { source, labels, ..ImportRow::of(&record) };
             let is_wanted = self.wants_checks || record.correction.is_some();
             return ImportRow { judged: is_wanted.then(|| Arc::from(record)), ..row };
@@ -173,6 +175,7 @@ impl ImportRow {
             row.warnings.push(differs(*standard));
         }
         Self {
+            is_open: record.is_open(),
             id: record.id.clone(),
             callout: record.callout.map(|callout| callout.to_string()),
             nominal: Some(limits.nominal),

@@ -27,6 +27,7 @@ use crate::length::{Length, LengthError};
 use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
 use crate::proof::{self, Seen, SeenFile};
+use crate::report::template::HeadField;
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
@@ -240,12 +241,15 @@ impl Args {
         let is_form = template.is_blank() && !parts.is_empty();
         let outcome = collected.outcome().or(is_form.then_some(Outcome::Done)).ok_or(CliError::ReportEmpty)?;
         let count = collected.checks;
-        if 0 < collected.open {
+        if 0 < collected.open && self.plan.is_none() {
             io.remark(&CliRemark::Open { count: collected.open });
         }
-        let report = Report {
+        let (one_part, serial) =
+            collected.one.take().filter(|_| self.checks.is_empty() && parts.is_empty()).unwrap_or_default();
+        let one_part = Some(one_part).filter(|part| !part.is_empty());
+        let mut report = Report {
             title: self.title.as_ref().map_or_else(String::new, Clone::clone),
-            part: self.part.clone().or(of_plan),
+            part: self.part.clone().or(of_plan).or(one_part),
             order: self.order.clone(),
             inspector: self.inspector.clone(),
             is_partial: collected.is_partial(),
@@ -253,6 +257,7 @@ impl Args {
             parts,
             ..Report::new(now, Arc::clone(&checks))
         };
+        report.tell(HeadField::Serial, &serial);
         let report = self.compared(self.look.dress(report, &template))?;
         if rendering.is_checks_alone {
             self.warn_of_checks_alone(report.notes.len(), io);

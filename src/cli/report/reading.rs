@@ -126,6 +126,8 @@ pub(super) struct Collected {
     outcome: Option<Outcome>,
     pub(super) notes: Vec<Message>,
     more_notes: usize,
+    /// The part and the serial number of every value so far, where they are the same.
+    pub(super) one: Option<(String, String)>,
     /// How many values wait for hole or shaft.
     pub(super) open: usize,
     pub(super) bad: bool,
@@ -156,6 +158,8 @@ impl Collected {
                     for remark in &said {
                         self.note(line(at), remark.message(), io);
                     }
+                    let of = (labels.part.clone(), labels.serial.clone());
+                    self.one = if self.checks == 0 { Some(of) } else { self.one.take().filter(|one| *one == of) };
                     self.see(&record, io);
                     self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels, at));
                 }

@@ -14,7 +14,7 @@ use super::spot::{Finding, Spot};
 use super::values::{beginning, in_range, material, plain_text, rule, travel};
 use crate::length::{Length, LengthError};
 use crate::probing::cycle::{Angle, Axis, Cycle, Inputs, Meaning, number};
-use crate::tolerance::{Deviations, Feature, Limits, Source, Sources, Tolerance};
+use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source, Sources, Tolerance};
 use crate::verdict::Rule;
 
 /// The most characters of a name or a number.
@@ -344,7 +344,10 @@ impl Reader<'_> {
                     FeatureKind::Length(_) => self.sources.limits(&callout, side),
                     _ => self.sources.feature_limits(&callout, side),
                 };
-                limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })
+                limits.map_err(|error| match error {
+                    LimitsError::NoFeature { callout } => PlanFault::NoFeature { callout },
+                    error => PlanFault::Limits { callout, error: Box::new(error) },
+                })
             };
             let Some(limits) = self.take(column, limits) else { continue };
             // Far below a millimetre a class can reach below 0, which no cycle accepts.

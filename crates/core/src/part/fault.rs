@@ -17,6 +17,11 @@ pub type PlanError = Located<PlanFault>;
 pub enum PlanFault {
     /// There is nothing to measure.
     NoFeatures,
+    /// A callout that may be a hole's or a shaft's.
+    NoFeature {
+        /// As it was written.
+        callout: Callout,
+    },
     /// A form or location tolerance without its one limit.
     NoFormLimit {
         /// What stands in its place.

@@ -17,7 +17,7 @@ use super::given::shorten;
 use super::imported::{StatedLimits, WhyUnjudged};
 use super::index::LONGEST_ROW;
 use super::mapping::{FirstRows, Mapping};
-use super::quantity;
+use super::quantity::{self, Quantity};
 use super::rules::Rules;
 use super::source::{ImportInputs, decode};
 use super::{cells, sheet_rows};
@@ -102,7 +102,8 @@ impl Table<'_> {
         if self.part.is_empty() {
             text(columns.labels.part).clone_into(&mut self.part);
         }
-        if let Some((_, what, _)) = quantity::of_row(&columns.quantities, row).filter(|(_, _, of)| !of.is_size()) {
+        let said = quantity::of_row(&columns.quantities, row);
+        if let Some((_, what, _)) = said.as_ref().filter(|(_, _, of)| !of.is_size()) {
             let why = WhyUnjudged::NotASize { what: shorten(what) }.message();
             let remark = PlanRemark::Left { name: name.to_owned(), why };
             return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
@@ -152,8 +153,13 @@ impl Table<'_> {
             set(Column::Kind, "form");
         }
         let says_side = callout.parse::<Callout>().is_ok_and(|callout| callout.feature().is_some());
-        if let Some(side) = columns.feature_of(row).filter(|_| !says_side && !is_form) {
-            set(Column::Feature, side.word());
+        match columns.feature_of(row).filter(|_| !says_side && !is_form) {
+            Some(side) => set(Column::Feature, side.word()),
+            // A distance may be neither; a groove or a tongue is written in the plan.
+            None if !says_side && !is_form && matches!(said, Some((_, _, Quantity::Width))) => {
+                set(Column::Kind, "length")
+            }
+            None => {}
         }
         for (column, at) in [Column::X, Column::Y, Column::Z].into_iter().zip(columns.labels.place) {
             let Some(at) = at else { continue };

@@ -125,6 +125,12 @@ pub(super) fn of_no_size(name: &str) -> Option<Claim> {
     (words::is_of_several_parts(name) || is_form(name)).then(|| Claim::no_size(name))
 }
 
+/// Whether a cell of rejected values is marked: `*`, `>`, `##`. A stroke says that there is nothing.
+fn is_mark(text: &str) -> bool {
+    let is_stroke = |c: char| matches!(c, '-' | '\u{2013}' | '\u{2014}' | '.' | '/' | ' ');
+    !text.chars().any(char::is_alphanumeric) && !text.chars().all(is_stroke)
+}
+
 impl BesideColumn {
     pub(super) const fn at(&self) -> usize {
         self.at
@@ -174,6 +180,7 @@ impl BesideColumn {
                 None if cells::is_number(text) => {
                     text.contains(|c| ('1'..='9').contains(&c)).then(|| Claim::out(&said()))
                 }
+                None if is_mark(text) => Some(Claim::out(&said())),
                 None => Claim::of_cell(text),
             },
             Says::Upper => figure().map(|figure| self.limit(Claim::upper(&said(), figure))),
