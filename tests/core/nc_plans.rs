@@ -67,7 +67,7 @@ fn what_is_wrong_is_told_with_its_line() {
     );
     check(
         "callout,x,y,z\n12 +0.02 -0.02,1,2,3\n",
-        "line 2: 12 ±0.02: 12 ±0.02 does not say whether the hole or the shaft is meant",
+        "line 2: 12 ±0.02 may be a hole or a shaft: add feature = \"hole\" or feature = \"shaft\", or kind = \"length\" where it is neither",
     );
     check("callout,x,y,z\n25 H7/g6,1,2,3\n", "line 2: 25 H7/g6 is a fit: write the hole and the shaft as two features");
     check(

@@ -83,16 +83,16 @@ impl<'a> ByPlan<'a> {
         match measured.zip(unjudged.labels.quantity.as_ref()) {
             Some((measured, Quantity::Coordinate(_))) => {
                 let value = Value::of_unjudged((*unjudged).clone(), measured);
-                if is_asked(&value) { self.value(value, take) } else { take(Item::Unjudged(unjudged)) }
+                if is_asked(&value) { self.value(value, take) } else { left(*unjudged, take) }
             }
-            _ => take(Item::Unjudged(unjudged)),
+            _ => left(*unjudged, take),
         }
     }
 
     fn value(&self, value: Value, take: &mut dyn FnMut(Item)) {
         let (at, by) = match self.find(&value) {
             Ok(found) => found,
-            Err(why) => return take(Item::Unjudged(Box::new(value.without(why)))),
+            Err(why) => return left(value.without(why), take),
         };
         let Value { line, id, labels, asked, time, measurement, position, correction, not_positive, .. } = value;
         let Some(size) = self.sizes.get(at) else { return };
@@ -248,6 +248,18 @@ impl Value {
         let why = WhyUnjudged::NotInPlan(why);
         Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why }
     }
+}
+
+/// Gives what no size of the plan asks for, after what its file says against it: a part may be good by its plan and bad elsewhere.
+fn left(unjudged: Unjudged, take: &mut dyn FnMut(Item)) {
+    let Unjudged { line, asked: StatedLimits { minimum, maximum, .. }, measured, .. } = unjudged;
+    let above = maximum.filter(|maximum| measured.is_some_and(|measured| *maximum < measured));
+    let below = minimum.filter(|minimum| measured.is_some_and(|measured| measured < *minimum));
+    let said = above.map(|maximum| ImportWarningKind::AboveOwnLimit { maximum });
+    if let Some(kind) = said.or(below.map(|minimum| ImportWarningKind::BelowOwnLimit { minimum })) {
+        take(warning(line, kind));
+    }
+    take(Item::Unjudged(Box::new(unjudged)));
 }
 
 /// Half a thousandth of an inch: how far a file may round a nominal size.

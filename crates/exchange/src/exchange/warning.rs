@@ -125,6 +125,16 @@ pub enum ImportWarningKind {
         /// The file's value.
         maximum: Length,
     },
+    /// A value that is not of the plan, and above the upper limit of its file.
+    AboveOwnLimit {
+        /// That limit.
+        maximum: Length,
+    },
+    /// The same below the lower limit.
+    BelowOwnLimit {
+        /// That limit.
+        minimum: Length,
+    },
     /// The file has another nominal size than the plan, and no limits.
     PlanDiffersNominal {
         /// The file's value.
@@ -366,6 +376,8 @@ impl ImportWarningKind {
             | Self::PlanDiffers { .. }
             | Self::PlanDiffersBelow { .. }
             | Self::PlanDiffersAbove { .. }
+            | Self::AboveOwnLimit { .. }
+            | Self::BelowOwnLimit { .. }
             | Self::StatusDiffers { .. }
             | Self::StatusUnknown { .. }
             | Self::LimitDiffers { .. }
