@@ -283,15 +283,16 @@ fn a_remark_over_lines_that_look_like_rows_is_refused_everywhere() {
 #[test]
 fn what_is_not_of_the_plan_and_out_of_its_own_limits_is_told_beside_a_good_part() {
     let folder = tempfile::tempdir().unwrap();
-    let table = "Feature;Nominal;Upper limit;Lower limit;Measured\nA;25;25.021;25;25.01\nX;40;40.05;39.95;40.08\nY;40;40.05;39.95;40\n";
-    std::fs::write(folder.path().join("p.csv"), table).unwrap();
-    std::fs::write(folder.path().join("p.toml"), "fitcheck_plan = 1\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n")
-        .unwrap();
+    let report = include_str!("../data/pcdmis/housing.txt");
+    assert!(report.contains("30.018      0.018      0.008 ---->"), "the cylinder is out");
+    std::fs::write(folder.path().join("p.txt"), report).unwrap();
+    let plan = "fitcheck_plan = 1\n[[feature]]\nname = \"CIR5\"\ncallout = \"25 +0.021 0\"\nfeature = \"hole\"\n";
+    std::fs::write(folder.path().join("p.toml"), plan).unwrap();
     let mut command = assert_cmd::cargo::cargo_bin_cmd!("fitcheck");
     let run = command
         .current_dir(folder.path())
-        .args(["report", "--plan", "p.toml", "p.csv", "-o", "-", "--format", "markdown"]);
+        .args(["report", "--plan", "p.toml", "p.txt", "-o", "-", "--format", "markdown"]);
     let page = String::from_utf8(run.output().unwrap().stdout).unwrap().replace('\\', "");
-    assert!(page.contains("p.csv, line 3: not of the plan, and above the upper limit of its file, 40.05"), "{page}");
-    assert!(!page.contains("line 4: not of the plan, and"), "{page}");
+    assert!(page.contains("p.txt, line 14: not of the plan, and above the upper limit of its file, 30.01"), "{page}");
+    assert!(!page.contains("line 9: not of the plan, and") && page.contains("GOOD**: 1 measured"), "{page}");
 }

@@ -29,11 +29,14 @@
 //!
 //! To add a rendering:
 //!
-//! 1. Write a file with its `RENDERING`. Add its `mod` line, its line in [`RENDERINGS`] and its row above.
-//!    Its line comes last: Ctrl+S saves as the first one.
-//! 2. Test it in `tests/core/renderings`. Add a call of `fitcheck report` to the corpus and record the answers
-//!    (`tests/core/corpus.rs`). The test `report` holds every rendering to small pieces: checks are written one by one.
-//! 3. Describe it in the help of `src/cli/report/mod.rs`, in `docs/manual/reports.md`, and in `CHANGELOG.md`.
+//! 1. Write a file with its `RENDERING`: for people after the model of `markdown`, for programs after `csv`. Add its `mod` line, its line in
+//!    [`RENDERINGS`] and its row above. Its line comes last: Ctrl+S saves as the first one.
+//! 2. For people it says what is simulated, corrected, in doubt and guarded, the rule and the caveats of each check, the notes, what parts
+//!    lack, and the statement of its template (`closing`); a text from outside stays a text.
+//! 3. Test it in `tests/core/renderings`, and say in `crates/exchange/tests/pdf/twelve.rs` what it has to have. Add a call of
+//!    `fitcheck report` to the corpus and record the answers (`tests/core/corpus.rs`). The tests `report`, `memory` and `told_again` look at every
+//!    rendering: checks are written one by one, and what Fitcheck reads back is what it wrote.
+//! 4. Describe it in the help of `src/cli/report/mod.rs`, in `docs/manual/reports.md`, in `docs/manual/formats.md` and in `CHANGELOG.md`.
 //!
 //! The formats of the command line, the entries of the window's menus and the filters of its dialogs follow.
 

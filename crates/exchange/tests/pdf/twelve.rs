@@ -120,7 +120,7 @@ fn every_rendering_has_every_feature_in_four_languages() {
                     assert!(json["parts"].to_string().contains("OIL"), "{}", json["parts"]);
                 }
                 "pdf" => assert!(bytes.starts_with(b"%PDF")),
-                other => panic!("{other} is not looked at"),
+                other => panic!("{other} is not looked at: say here what it has to have"),
             }
         }
     }
