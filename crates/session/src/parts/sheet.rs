@@ -89,7 +89,12 @@ impl Sheet {
     /// Columns that something is written in, or wrong with, are shown from then on.
     pub(super) fn follow(&mut self, document: &PlanDocument) {
         // Where a callout does not say hole or shaft, there is a column that does.
-        let asks_for_side = |what: &PlanFault| matches!(what, PlanFault::Limits { error, .. } if matches!(**error, LimitsError::NoFeature { .. } | LimitsError::OtherFeature { .. }));
+        let is_other = |error: &LimitsError| matches!(error, LimitsError::OtherFeature { .. });
+        let asks_for_side = |what: &PlanFault| match what {
+            PlanFault::NoFeature { .. } => true,
+            PlanFault::Limits { error, .. } => is_other(error),
+            _ => false,
+        };
         let is_wrong = |column: Column| {
             document.findings().iter().any(|finding| {
                 matches!(finding.spot, Spot::Feature(_, Some(of)) if of == column)
