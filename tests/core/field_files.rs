@@ -285,9 +285,11 @@ fn what_is_not_of_the_plan_and_out_of_its_own_limits_is_told_beside_a_good_part(
     let folder = tempfile::tempdir().unwrap();
     let report = include_str!("../data/pcdmis/housing.txt");
     assert!(report.contains("30.018      0.018      0.008 ---->"), "the cylinder is out");
-    std::fs::write(folder.path().join("p.txt"), report).unwrap();
     let plan = "fitcheck_plan = 1\n[[feature]]\nname = \"CIR5\"\ncallout = \"25 +0.021 0\"\nfeature = \"hole\"\n";
-    std::fs::write(folder.path().join("p.toml"), plan).unwrap();
+    for (name, text) in [("p.txt", report), ("p.toml", plan)] {
+        let mut file = std::fs::File::create(folder.path().join(name)).unwrap();
+        std::io::Write::write_all(&mut file, text.as_bytes()).unwrap();
+    }
     let mut command = assert_cmd::cargo::cargo_bin_cmd!("fitcheck");
     let run = command
         .current_dir(folder.path())

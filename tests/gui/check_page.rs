@@ -226,6 +226,32 @@ fn many_imported_rows_are_counted_and_the_worst_is_shown_first() {
 }
 
 #[test]
+fn hole_or_shaft_is_said_after_the_verdict_by_label() {
+    let mut window = window();
+    let rows = b"id,callout,measured\nA,12 \xc2\xb10.02,12.05\nB,12 \xc2\xb10.02,11.95\nC,12 \xc2\xb10.02,12.01\n";
+    let when = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+    let imported = fitcheck::exchange::import("parts.csv", rows, window.state().session().sources(), when);
+    let ctx = window.ctx.clone();
+    let command = CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) };
+    window.state_mut().send(&ctx, command.into());
+    window.run();
+    assert!(verdict(&window).starts_with("OUT OF LIMITS. 12.050 mm"), "{}", verdict(&window));
+    window.get_by_label("2 values wait for hole or shaft:");
+    // For the value on screen alone.
+    window.get_by_role_and_label(Role::RadioButton, "Shaft").click();
+    window.run();
+    assert!(verdict(&window).starts_with("REWORK. 12.050 mm"), "{}", verdict(&window));
+    window.get_by_label("One value waits for hole or shaft:");
+    // For all that still wait.
+    window.get_by_role_and_label(Role::Button, "All are holes").click();
+    window.run();
+    for label in ["GOOD 1", "REWORK 2"] {
+        window.get_by_label(label);
+    }
+    assert!(window.query_by_label("All are holes").is_none());
+}
+
+#[test]
 fn nominal_size_and_class_make_the_callout() {
     let mut window = window();
     type_into(&mut window, "Nominal size", "40");

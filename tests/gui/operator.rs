@@ -137,6 +137,16 @@ fn the_same_on_the_page_of_one_size() {
 }
 
 #[test]
+fn hole_or_shaft_is_said_after_out_of_limits_and_judges_at_once() {
+    let mut window = open();
+    scan(&mut window, "12 ±0.02⏎12.05⏎");
+    assert!(verdict(&window).starts_with("OUT OF LIMITS"), "{}", verdict(&window));
+    click(&mut window, Role::Button, "Shaft");
+    assert!(verdict(&window).starts_with("REWORK"), "{}", verdict(&window));
+    assert_eq!(window.state().session().history().len(), 1);
+}
+
+#[test]
 fn what_a_code_reader_types_goes_where_it_belongs_by_its_shape() {
     let mut window = open();
     scan(&mut window, "25 H7⏎A-0102⏎");

@@ -145,7 +145,7 @@ fn an_earlier_report_is_chosen_and_what_changed_stands_on_the_first_page() {
     compare(&mut window, &earlier);
     assert!(heard(&window).contains("25 H7: GOOD → REWORK"), "{}", heard(&window));
     assert!(window.query_by_label_contains("Says what changed since earlier.pdf of").is_some());
-    std::fs::write(&text, "{}").unwrap();
+    std::io::Write::write_all(&mut std::fs::File::create(&text).unwrap(), b"{}").unwrap();
     compare(&mut window, &text);
     assert!(window.get_all_by_label_contains("notes.json is no report to compare with").next().is_some());
     press(&mut window, Key::Escape);

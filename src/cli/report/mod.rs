@@ -20,7 +20,7 @@ use super::judging::{JudgeArgs, SaidArgs};
 use super::measured::Measured;
 use super::parts::RepeatArgs;
 use super::progress::Work;
-use super::{CliError, CliRemark, CliWarning, IntoCliError as _, Io, Outcome, TableArgs};
+use super::{CliError, CliWarning, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::journal::Record;
 use crate::journal::entry::Shown;
 use crate::length::{Length, LengthError};
@@ -224,29 +224,16 @@ impl Args {
                 }
             }
         }
-        for text in &self.checks {
-            let judged = record(text, &given.sources, now).map_err(|error| error.message());
-            match judged.and_then(|record| given.judge.judged(record).map_err(|error| error.message())) {
-                Ok(record) => {
-                    collected.see_typed(&record, io);
-                    given.typed.push(record);
-                }
-                Err(error) => collected.refuse(message!("report-note").text("place", text), error, io),
-            }
-        }
+        self.typed(&mut given, &mut collected, io);
         given.are_corrected = collected.are_corrected;
         let checks = Arc::new(given);
         let (parts, of_plan) = collected.end_parts(template.is_blank(), io);
         // A sheet that is filled in by hand needs no value.
         let is_form = template.is_blank() && !parts.is_empty();
+        collected.tell_open(self.plan.is_some(), io);
         let outcome = collected.outcome().or(is_form.then_some(Outcome::Done)).ok_or(CliError::ReportEmpty)?;
         let count = collected.checks;
-        if 0 < collected.open && self.plan.is_none() {
-            io.remark(&CliRemark::Open { count: collected.open });
-        }
-        let (one_part, serial) =
-            collected.one.take().filter(|_| self.checks.is_empty() && parts.is_empty()).unwrap_or_default();
-        let one_part = Some(one_part).filter(|part| !part.is_empty());
+        let (one_part, serial) = collected.one_part(self.plan.is_some() || !self.checks.is_empty());
         let mut report = Report {
             title: self.title.as_ref().map_or_else(String::new, Clone::clone),
             part: self.part.clone().or(of_plan).or(one_part),
@@ -276,6 +263,20 @@ impl Args {
             recorder.keep_report(reported, io).map_err(unknown)?;
         }
         Ok(outcome)
+    }
+
+    /// Judges the checks that options give.
+    fn typed(&self, given: &mut ReportChecks, collected: &mut Collected, io: &mut Io<'_>) {
+        for text in &self.checks {
+            let judged = record(text, &given.sources, given.now).map_err(|error| error.message());
+            match judged.and_then(|record| given.judge.judged(record).map_err(|error| error.message())) {
+                Ok(record) => {
+                    collected.see_typed(&record, io);
+                    given.typed.push(record);
+                }
+                Err(error) => collected.refuse(message!("report-note").text("place", text), error, io),
+            }
+        }
     }
 
     /// The report with the earlier one that it is compared with, where one is given.

@@ -10,6 +10,7 @@ use super::super::admitted::Admits as _;
 use super::super::judging::{Judge, Sizes, Warned};
 use super::super::measured::{Measured, unreadable};
 use super::super::progress::{Watched, Work, stopped};
+use super::super::said::CliRemark;
 use super::super::said::warning;
 use super::super::{CliError, Io, Outcome};
 use super::part::ReportParts;
@@ -127,9 +128,9 @@ pub(super) struct Collected {
     pub(super) notes: Vec<Message>,
     more_notes: usize,
     /// The part and the serial number of every value so far, where they are the same.
-    pub(super) one: Option<(String, String)>,
+    one: Option<(String, String)>,
     /// How many values wait for hole or shaft.
-    pub(super) open: usize,
+    open: usize,
     pub(super) bad: bool,
     /// Whether parts are not shown as a whole.
     has_more_parts: bool,
@@ -220,6 +221,19 @@ impl Collected {
     pub(super) fn see_typed(&mut self, record: &Record, io: &mut Io<'_>) {
         self.see(record, io);
         self.worst_typed = self.worst_typed.max(Some(record.verdict.status()));
+    }
+
+    /// The part and the serial number of all values; nothing where other values stand beside them.
+    pub(super) fn one_part(&mut self, has_others: bool) -> (Option<String>, String) {
+        let one = self.one.take().filter(|_| !has_others);
+        one.map_or_else(Default::default, |(part, serial)| (Some(part).filter(|part| !part.is_empty()), serial))
+    }
+
+    /// Says how hole or shaft is said where it decides; of a plan's size the plan has said it.
+    pub(super) fn tell_open(&self, has_plan: bool, io: &mut Io<'_>) {
+        if 0 < self.open && !has_plan {
+            io.remark(&CliRemark::Open { count: self.open });
+        }
     }
 
     /// The outcome of the report; `None` where nothing was judged.

@@ -157,7 +157,7 @@ impl Table<'_> {
             Some(side) => set(Column::Feature, side.word()),
             // A distance may be neither; a groove or a tongue is written in the plan.
             None if !says_side && !is_form && matches!(said, Some((_, _, Quantity::Width))) => {
-                set(Column::Kind, "length")
+                set(Column::Kind, "length");
             }
             None => {}
         }
