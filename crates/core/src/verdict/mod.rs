@@ -375,8 +375,9 @@ pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
     // The nearest other quantity is 98 % away. Lengths are at most 1e15 nm, so nothing here reaches 1e18.
     let is_near = (value - nominal).abs() * 64 < nominal;
     let is_good = classify(bounds.feature, bounds.minimum(), bounds.maximum(), measured) == Status::Good;
-    // A length between two limits that are far apart, as of a chamfer, may be twice the lower one, and a coordinate may be anything.
-    let is_plain = nominal <= 0 || is_good && bounds.feature.is_none();
+    // A length between two limits alone, as of a chamfer, has the lower one for its nominal size, and a coordinate may be anything.
+    let has_no_nominal = bounds.feature.is_none() && bounds.nominal == bounds.minimum();
+    let is_plain = nominal <= 0 || is_good && has_no_nominal;
     if !is_near
         && !is_plain
         && let Some(doubt) = other_quantity(bounds.nominal, measured)

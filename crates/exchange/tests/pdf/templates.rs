@@ -38,7 +38,7 @@ fn a_certificate_states_conformity_only_of_measured_complete_good_values() {
     let said = by("certificate", report_of(three()));
     assert!(said.contains("No conformity: 2 of 3 values do not conform"), "{said}");
     let said = by("certificate", report_of(vec![simulated("A", "25 H7", "25.012")]));
-    assert!(said.contains("No statement of conformity: 1 values are simulated"), "{said}");
+    assert!(said.contains("No statement of conformity: one value is simulated"), "{said}");
     let some = &whole()[..1];
     let said = by("certificate", of_part(part(some), some));
     assert!(said.contains("No statement of conformity: values are missing, 2 in all"), "{said}");
