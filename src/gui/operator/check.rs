@@ -78,17 +78,19 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>) {
         error_ui(ui, view, CheckField::Callout);
     }
     let limits = view.session.check().asked.limits.as_ref();
-    if let Some(limits) = limits {
+    // Above the keypad there is room for one of the two; the limit band shows the limits, too.
+    let is_open = view.session.check().is_open();
+    if let Some(limits) = limits.filter(|_| !is_open || !view.session.has_keypad()) {
         limits_ui(ui, view, limits);
     }
     let is_asked = limits.is_none() && view.session.check().asked.callout.is_some();
-    if is_asked || view.session.check().is_open() {
+    if is_asked || is_open {
         quiet(ui, view.text("operator-hole-or-shaft"));
         ui.horizontal(|ui| {
             for feature in [Feature::Hole, Feature::Shaft] {
                 let button = eframe::egui::Button::new(view.text(feature_id(Some(feature))))
                     .min_size(vec2(space(24.0), control(ui)));
-                if ui.add(button).clicked() {
+                if ui.push_id(feature, |ui| ui.add(button)).inner.clicked() {
                     view.send(CheckCommand::ChooseFeature(Some(feature)));
                 }
             }
