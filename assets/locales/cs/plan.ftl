@@ -70,6 +70,7 @@ plan-not-found-several = neposouzeno: tuto polohu má několik prvků plánu: { 
 plan-not-found-which-side = neposouzeno: hodnota neříká, o který rozměr jde: { $names }
 part-standing = změřeno { $measured }, chybí { $missing }, přeskočeno { $skipped }
 plan-not-found-other-kind = neposouzeno: odpovídá { $name } v plánu, to je však { $kind } a měřilo se něco jiného
+plan-remark-file = { $said }
 plan-remark-left = { $name }: přeskočeno: { $why }
 plan-remark-class-left = { $name }: { $class } má jiné meze než soubor; platí meze souboru
 plan-remark-place-left = { $name }: poloha nebyla převzata: { $why }

@@ -70,6 +70,7 @@ plan-not-found-several = nicht beurteilt: mehrere Merkmale des Plans haben diese
 plan-not-found-which-side = nicht beurteilt: der Wert sagt nicht, zu welchem er gehört: { $names }
 part-standing = { $measured } gemessen, { $missing } fehlen, { $skipped } übersprungen
 plan-not-found-other-kind = nicht beurteilt: der Wert passt zu { $name } des Plans, das ist aber { $kind }, und gemessen wurde etwas anderes
+plan-remark-file = { $said }
 plan-remark-left = { $name } ist übersprungen: { $why }
 plan-remark-class-left = { $name }: { $class } hat andere Grenzmaße als die Datei; die Grenzmaße der Datei gelten
 plan-remark-place-left = { $name }: keine Position übernommen: { $why }

@@ -70,6 +70,7 @@ plan-not-found-several = not judged: several features of the plan have this loca
 plan-not-found-which-side = not judged: the value does not say which of { $names } it is
 part-standing = { $measured } measured, { $missing } missing, { $skipped } skipped
 plan-not-found-other-kind = not judged: it matches { $name } of the plan, but that is a { $kind }, and something else was measured
+plan-remark-file = { $said }
 plan-remark-left = { $name } is skipped: { $why }
 plan-remark-class-left = { $name }: { $class } has other limits than the file; the file's limits apply
 plan-remark-place-left = { $name }: no position was taken over: { $why }

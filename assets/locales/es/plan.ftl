@@ -70,6 +70,7 @@ plan-not-found-several = no evaluado: varios elementos del plan tienen esta ubic
 plan-not-found-which-side = no evaluado: el valor no dice cuál de { $names } es
 part-standing = medidos: { $measured }, pendientes: { $missing }, omitidos: { $skipped }
 plan-not-found-other-kind = no evaluado: corresponde a { $name } del plan, pero es de otro tipo ({ $kind }), y se midió otra cosa
+plan-remark-file = { $said }
 plan-remark-left = { $name } se omite: { $why }
 plan-remark-class-left = { $name }: { $class } tiene otros límites que el archivo; valen los del archivo
 plan-remark-place-left = { $name }: no se tomó ninguna posición: { $why }

@@ -80,6 +80,7 @@ part-standing =
        *[other] { $skipped } ignorées
     }
 plan-not-found-other-kind = non jugé : correspond à { $name } du plan, de type { $kind }, mais autre chose a été mesuré
+plan-remark-file = { $said }
 plan-remark-left = { $name } est ignoré : { $why }
 plan-remark-class-left = { $name } : { $class } a d'autres limites que le fichier ; les limites du fichier s'appliquent
 plan-remark-place-left = { $name } : aucune position n'a été reprise : { $why }

@@ -80,6 +80,7 @@ part-standing =
        *[other] { $skipped } saltate
     }
 plan-not-found-other-kind = non valutato: corrisponde a { $name } del piano, che però è di tipo { $kind }, ed è stato misurato altro
+plan-remark-file = { $said }
 plan-remark-left = { $name } viene saltato: { $why }
 plan-remark-class-left = { $name }: { $class } ha limiti diversi dal file; valgono i limiti del file
 plan-remark-place-left = { $name }: nessuna posizione tratta dal file: { $why }

@@ -70,6 +70,7 @@ plan-not-found-several = niet beoordeeld: meerdere elementen van het plan hebben
 plan-not-found-which-side = niet beoordeeld: de waarde zegt niet welke van { $names } het is
 part-standing = { $measured } gemeten, { $missing } ontbreken, { $skipped } overgeslagen
 plan-not-found-other-kind = niet beoordeeld: de waarde hoort bij { $name } van het plan, maar dat is een { $kind }, en er is iets anders gemeten
+plan-remark-file = { $said }
 plan-remark-left = { $name } is overgeslagen: { $why }
 plan-remark-class-left = { $name }: { $class } heeft andere grensmaten dan het bestand; die van het bestand tellen
 plan-remark-place-left = { $name }: er is geen positie overgenomen: { $why }

@@ -80,6 +80,7 @@ plan-not-found-several = nie oceniono: kilka elementów planu ma to położenie:
 plan-not-found-which-side = nie oceniono: wartość nie mówi, który to z { $names }
 part-standing = zmierzone { $measured }, brakujące { $missing }, pominięte { $skipped }
 plan-not-found-other-kind = nie oceniono: wskazuje { $name } w planie, ale tam jest { $kind }, a zmierzono coś innego
+plan-remark-file = { $said }
 plan-remark-left = { $name } pominięto: { $why }
 plan-remark-class-left = { $name }: { $class } ma inne granice niż plik; obowiązują granice z pliku
 plan-remark-place-left = { $name }: nie przejęto położenia: { $why }

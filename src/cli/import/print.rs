@@ -103,7 +103,7 @@ impl Printer {
             let column = row.column.map_or(String::new(), |column| format!(":{column}"));
             io.tell(format_args!("{}:{line}{column}: {error}", row.file));
         }
-        if row.measured.is_some() {
+        if row.is_listed {
             self.table.add(cells(row), io);
         }
     }
@@ -291,8 +291,8 @@ impl Summary {
             *self.status.entry(status).or_default() += 1;
         }
         self.out_of_position += usize::from(row.position_word() == Some("OUT"));
-        self.not_judged += usize::from(row.error.is_some() && row.measured.is_some());
-        self.not_usable += usize::from(row.error.is_some() && row.measured.is_none());
+        self.not_judged += usize::from(row.error.is_some() && row.is_listed);
+        self.not_usable += usize::from(row.error.is_some() && !row.is_listed);
     }
 }
 

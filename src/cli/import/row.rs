@@ -40,6 +40,8 @@ pub(in crate::cli) struct ImportRow {
     /// Whether one of them asks somebody to look before the verdict counts.
     pub(in crate::cli) wants_a_look: bool,
     pub(in crate::cli) error: Option<String>,
+    /// Whether something was measured, with a figure or without; not so where it cannot be read.
+    pub(in crate::cli) is_listed: bool,
     /// Whether it is a size of a plan that nothing measured.
     pub(in crate::cli) is_missing: bool,
     /// What its file says of it besides its name.
@@ -154,7 +156,8 @@ impl Rows<'_> {
                 ImportRow { judged: Some(Arc::new(record)), ..row }
             }
             Err(error) => {
-                ImportRow { id, labels, measured, is_simulated, error: Some(error.to_string()), ..ImportRow::default() }
+                let error = Some(error.to_string());
+                ImportRow { id, labels, measured, is_listed: true, is_simulated, error, ..ImportRow::default() }
             }
         }
     }
@@ -182,6 +185,7 @@ impl ImportRow {
             minimum: Some(limits.minimum()),
             maximum: Some(limits.maximum()),
             measured: Some(record.measurement.diameter),
+            is_listed: true,
             deviation: Some(size.deviation),
             status: Some(size.status),
             remove: size.removal.map(|removal| removal.to_limit),
@@ -201,6 +205,7 @@ impl ImportRow {
         let row = Self {
             id: unjudged.id.clone(),
             measured: unjudged.measured,
+            is_listed: true,
             position: unjudged.position,
             is_simulated: unjudged.measured.map(|_| unjudged.origin.is_simulated()),
             ..Self::default()

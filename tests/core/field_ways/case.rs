@@ -79,7 +79,7 @@ impl Row {
     pub(crate) fn planned(&self) -> Option<(String, &str, bool)> {
         let bare = self.callout.trim_start_matches('(').trim_end_matches(')');
         let is_made = bare.len() == self.callout.len();
-        let words = [" hole", " shaft", " length"];
+        let words = [" hole", " shaft", " length", " form"];
         let word = words.into_iter().find(|word| bare.ends_with(word)).unwrap_or("");
         (bare != "-").then(|| (bare.trim_end_matches(word).to_owned(), word.trim(), is_made))
     }
@@ -218,7 +218,7 @@ impl Case {
         for (name, callout, word, _) in self.features() {
             let kind = match word {
                 "" => String::new(),
-                "length" => "kind = \"length\"\n".to_owned(),
+                "length" | "form" => format!("kind = \"{word}\"\n"),
                 side => format!("feature = \"{side}\"\n"),
             };
             write!(text, "\n[[feature]]\nname = \"{name}\"\ncallout = \"{callout}\"\n{kind}").unwrap();

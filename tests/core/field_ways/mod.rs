@@ -139,3 +139,18 @@ fn logs_of_a_control_are_the_same_in_every_way() {
 fn prints_of_a_mask_are_the_same_in_every_way() {
     check("fn16", 10);
 }
+
+#[test]
+fn printed_reports_of_calypso_are_the_same_in_every_way() {
+    check("protocol", 10);
+}
+
+#[test]
+fn tolerances_of_geopak_are_the_same_in_every_way() {
+    check("geopak", 10);
+}
+
+#[test]
+fn lines_of_gauges_are_the_same_in_every_way() {
+    check("gauge", 10);
+}

@@ -45,11 +45,13 @@ pub(crate) fn answers_of(file: &str, out: &str) -> Vec<Said> {
     answers(out).into_iter().filter(|(of, _)| of == file).map(|(_, said)| said).collect()
 }
 
-/// Names and callouts of a plan, each callout as the program writes it.
+/// Names and callouts of a plan, each callout as the program writes it; what is no callout yet is a fault of the plan.
 pub(crate) fn features_of(toml: &str) -> Vec<(String, String)> {
     let document = Document::read(toml.as_bytes()).unwrap();
     let text = |row: &DraftFeature, column| row.text(column).unwrap_or_default().to_owned();
-    let rows = document.draft.rows.iter();
+    let is_form = |row: &DraftFeature| row.text(Column::Kind) == Some("form");
+    let is_whole = |row: &&DraftFeature| is_form(row) || text(row, Column::Callout).parse::<Callout>().is_ok();
+    let rows = document.draft.rows.iter().filter(is_whole);
     rows.map(|row| {
         let callout = text(row, Column::Callout);
         (text(row, Column::Name), whole(&callout))
@@ -97,9 +99,6 @@ pub(crate) fn by_command_line(case: &Case, faults: &mut Vec<String>) {
     let (_, _, err) = program(place.path(), &["plan", "convert", &case.name, "-o", "made.toml"]);
     let toml = std::fs::read_to_string(place.path().join("made.toml")).unwrap_or_default();
     let found = if toml.is_empty() { Vec::new() } else { features_of(&toml) };
-    // What is no callout yet is a fault of the plan.
-    let found: Vec<(String, String)> =
-        found.into_iter().filter(|(_, callout)| callout.parse::<Callout>().is_ok()).collect();
     if found != made {
         faults.push(format!("{} by plan convert:\n  right: {made:?}\n  said:  {found:?}\n{err}", case.name));
     }

@@ -374,6 +374,11 @@ pub enum PlanRemark {
         /// The class with its nominal size.
         class: String,
     },
+    /// What is said of the file whenever it is read, such as a unit that it leaves open.
+    File {
+        /// What is said.
+        said: Message,
+    },
     /// The file has places, and nothing says along which axes its holes and shafts lie. Told once for a file.
     AxesAssumed,
     /// A place that no cycle here can be sent to: the feature has no position.

@@ -76,12 +76,13 @@ impl<'a> ByPlan<'a> {
         }
     }
 
-    /// A coordinate may be what the plan asks of a face; every other quantity that is no size stays what its file calls it.
+    /// A coordinate may be what the plan asks of a face, and a length what it asks of a form; every other quantity that is no size stays what
+    /// its file calls it.
     fn other_quantity(&self, unjudged: Box<Unjudged>, take: &mut dyn FnMut(Item)) {
         let measured = unjudged.measured.filter(|_| matches!(unjudged.why, WhyUnjudged::NotASize { .. }));
         let is_asked = |value: &Value| self.find(value).is_ok();
         match measured.zip(unjudged.labels.quantity.as_ref()) {
-            Some((measured, Quantity::Coordinate(_))) => {
+            Some((measured, Quantity::Coordinate(_) | Quantity::Length)) => {
                 let value = Value::of_unjudged((*unjudged).clone(), measured);
                 if is_asked(&value) { self.value(value, take) } else { left(*unjudged, take) }
             }

@@ -4,6 +4,7 @@
 //! nominal size, limits, perhaps a tolerance class. What they leave open stays open: without a class a diameter may be a hole or a shaft,
 //! and beyond its limits it could be rework or scrap.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
@@ -15,6 +16,7 @@ use jiff::civil::DateTime;
 
 use super::claim::ClaimAnswer;
 use super::error::{ImportErrorKind, ImportWarningKind};
+use super::head::Head;
 use super::imported::{Labels, Sink, StatedLimits, Unjudged, WhyUnjudged};
 use super::limits::{Given, NoLimits};
 use super::source::Context;
@@ -200,7 +202,90 @@ impl Characteristic {
     }
 }
 
+/// The characteristics that a file declares, in its order, with their lines: the features of a plan.
+#[derive(Debug, Default)]
+pub(super) struct Characteristics {
+    pub(super) found: Vec<(usize, Characteristic)>,
+    /// What cannot be one, with its line and the reason.
+    pub(super) refused: Vec<(usize, ImportErrorKind)>,
+    /// What the file leaves open and how it is read.
+    pub(super) told: Vec<(usize, ImportWarningKind)>,
+    /// What the file says of all of them.
+    pub(super) head: Head,
+    /// Where those of a name are.
+    of_name: HashMap<String, Vec<usize>>,
+}
+
+impl Characteristics {
+    /// Adds one, unless one of its name asks for the same, as that of another part does; where it lies may be another for each part.
+    pub(super) fn add(&mut self, line: usize, characteristic: Characteristic) {
+        let same = |(_, known): &(usize, Characteristic)| {
+            known.what == characteristic.what && known.said() == characteristic.said()
+        };
+        if self.of_name(&characteristic.name).all(|known| !same(known)) {
+            self.of_name.entry(characteristic.name.clone()).or_default().push(self.found.len());
+            self.found.push((line, characteristic));
+        }
+    }
+
+    /// Those of a name.
+    pub(super) fn of_name(&self, name: &str) -> impl Iterator<Item = &(usize, Characteristic)> {
+        self.of_name.get(name).into_iter().flatten().filter_map(|at| self.found.get(*at))
+    }
+
+    /// Adds something that is no length: its name, and what it is.
+    pub(super) fn add_other(&mut self, line: usize, name: String, what: String) {
+        let other = Characteristic {
+            name,
+            what: CharacteristicKind::Other(what),
+            class: String::new(),
+            feature: None,
+            nominal: None,
+            minimum: None,
+            maximum: None,
+            expanded: None,
+            labels: Labels::default(),
+        };
+        self.add(line, other);
+    }
+
+    /// Says once how the file is read.
+    pub(super) fn tell(&mut self, line: usize, kind: ImportWarningKind) {
+        if self.told.iter().all(|(_, told)| *told != kind) {
+            self.told.push((line, kind));
+        }
+    }
+
+    /// Says why something cannot be one.
+    pub(super) fn refuse(&mut self, line: usize, kind: ImportErrorKind) {
+        self.refused.push((line, kind));
+    }
+}
+
 /// What is known of a value besides its limits.
 const fn given<'a>(context: &'a Context<'_>, feature: Option<Feature>, is_size: bool) -> Given<'a> {
     Given { feature, is_size, file: &context.file, sources: context.sources }
+}
+
+#[cfg(test)]
+impl super::Format {
+    /// What a file declares, or the first thing that is wrong with it.
+    pub(super) fn declared(
+        &self,
+        name: &str,
+        bytes: &[u8],
+        beside: Option<&[u8]>,
+    ) -> Result<Vec<(usize, Characteristic)>, String> {
+        let sources = fitcheck_core::tolerance::Sources::default();
+        let beside = |_ending: &str| beside.map(<[u8]>::to_vec);
+        let given = super::ImportInputs { beside: &beside, ..super::ImportInputs::new(&sources, DateTime::default()) };
+        let mut body = std::io::Cursor::new(bytes);
+        let mut source = super::Source::new(name, &mut body, given).unwrap();
+        let mut found = Characteristics::default();
+        self.plan.unwrap()(&mut source, &mut found).map_err(|error| error.to_string())?;
+        match found.refused.first() {
+            Some((_, refused)) => Err(refused.to_string()),
+            None => Ok(found.found),
+        }
+    }
 }

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use csv::StringRecord;
+use fitcheck_core::part::{Draft, HeadField};
 use jiff::civil::DateTime;
 
 use super::given::shorten;
@@ -88,6 +89,13 @@ impl Head {
 }
 
 impl Head {
+    /// Writes part and drawing into a plan; the part as something else names it where no line does.
+    pub(super) fn write_into(&self, draft: &mut Draft, part: &str) {
+        draft.set(HeadField::Part, if self.part.is_empty() { part.to_owned() } else { self.part.clone() });
+        let drawing = [self.drawing.as_str(), self.revision.as_str()].into_iter().filter(|text| !text.is_empty());
+        draft.set(HeadField::Drawing, drawing.collect::<Vec<_>>().join(" "));
+    }
+
     /// Takes what lines further down say, which counts from there; `false` where nothing of it is new.
     pub(super) fn go_on(&mut self, other: Self) -> bool {
         let Self { part, serial, who, machine, batch, time, drawing, revision, said, used } = other;

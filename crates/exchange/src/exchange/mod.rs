@@ -18,7 +18,7 @@
 //! | `aqdef` | AQDEF of Q-DAS: `.dfq`, or `.dfd` and `.dfx` |
 //! | `calypso` | tables of characteristics of CALYPSO |
 //! | `protocol` | printed reports of CALYPSO |
-//! | `geopak` | tolerances of GEOPAK (MCOSMOS) without names of columns |
+//! | `geopak` | tolerances of GEOPAK (MCOSMOS) |
 //! | `pcdmis` | text reports of PC-DMIS |
 //! | `probed` | what probing macros of a control print |
 //! | `printed` | what reports that were printed have in common |
@@ -167,7 +167,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use by_plan::ByPlan;
-use characteristic::Characteristic;
+use characteristic::Characteristics;
 pub use claim::Claim;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use fitcheck_core::message::{Message, Say, display};
@@ -212,8 +212,8 @@ pub struct Format {
     pub shows_end: bool,
 }
 
-/// Reads the characteristics that a file declares, with their lines.
-type Declares = fn(&mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind>;
+/// Reads the characteristics that a file declares; an error is that of the whole file.
+type Declares = fn(&mut Source<'_>, &mut Characteristics) -> Result<(), ImportErrorKind>;
 
 /// Every format, in the order in which they are asked whether they know a file.
 pub const FORMATS: &[Format] = &[
@@ -316,9 +316,7 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
         }
         let format = match given.masks {
             [] if let Some(mapping) = given.mapping => {
-                let of_lines = Some(&gauge::FORMAT).filter(|_| mapping.says_unit_alone());
-                let of_columns = [Some(&xlsx::FORMAT), of_lines, Some(&measurements::FORMAT)];
-                of_columns.into_iter().flatten().find(|format| (format.recognises)(&source.beginning()))
+                of_mapping(mapping).into_iter().find(|format| (format.recognises)(&source.beginning()))
             }
             [] => FORMATS.iter().find(|format| (format.recognises)(&source.beginning())),
             _ => Some(&fn16::FORMAT),
@@ -333,6 +331,14 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
     if let Err(kind) = read {
         sink.fail(kind);
     }
+}
+
+/// The formats that a mapping can be of: tables, and where it says the unit alone those that may say none.
+fn of_mapping(mapping: &Mapping) -> Vec<&'static Format> {
+    const MAY_SAY_NO_UNIT: [&Format; 6] =
+        [&calypso::FORMAT, &protocol::FORMAT, &pcdmis::FORMAT, &probed::FORMAT, &geopak::FORMAT, &gauge::FORMAT];
+    let by_unit: &[&Format] = if mapping.says_unit_alone() { &MAY_SAY_NO_UNIT } else { &[] };
+    [&xlsx::FORMAT].into_iter().chain(by_unit.iter().copied()).chain([&measurements::FORMAT]).collect()
 }
 
 /// The cells of the first sheet of a workbook (XLSX) that has any, as texts: each row with its number from 1.

@@ -1,13 +1,14 @@
 //! Part plans from tables: each row that says what a size should be is a feature. What is missing in a row is missing in its feature, and
 //! is a fault of the plan until somebody fills it in.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{FilePlace, Located, Say as _};
-use fitcheck_core::part::{Column, Document, DraftCell, DraftFeature, HeadField, PlanFault, PlanRemark};
-use fitcheck_core::tolerance::{Callout, Deviations};
+use fitcheck_core::part::{Column, Document, DraftCell, DraftFeature, PlanFault, PlanRemark};
+use fitcheck_core::tolerance::{Callout, Deviations, Feature};
 
 use super::cell::{Cells as _, joined};
 use super::columns::Columns;
@@ -34,8 +35,14 @@ pub(super) fn document(file: &str, bytes: &[u8], given: ImportInputs<'_>) -> Res
     if columns.tolerance.is_none() && columns.limits.is_none() && columns.nominal.is_none() {
         return Ok(None);
     }
-    let mut table =
-        Table { columns: &columns, given, file: file.into(), document: Document::default(), part: String::new() };
+    let mut table = Table {
+        columns: &columns,
+        given,
+        file: file.into(),
+        document: Document::default(),
+        part: String::new(),
+        others: HashMap::new(),
+    };
     let rows = all_rows(bytes, &columns, separator, &mut |line, reason| {
         let what = PlanFault::File { reason: reason.message() };
         table.document.problems.push(Located { what, place: FilePlace::line(line) });
@@ -88,6 +95,8 @@ struct Table<'a> {
     document: Document,
     /// The part of the first row that names one.
     part: String,
+    /// Which of its features are no sizes, and what their rows say of them.
+    others: HashMap<usize, String>,
 }
 
 impl Table<'_> {
@@ -102,25 +111,24 @@ impl Table<'_> {
         if self.part.is_empty() {
             text(columns.labels.part).clone_into(&mut self.part);
         }
-        let said = quantity::of_row(&columns.quantities, row);
-        if let Some((_, what, _)) = said.as_ref().filter(|(_, _, of)| !of.is_size()) {
-            let why = WhyUnjudged::NotASize { what: shorten(what) }.message();
-            let remark = PlanRemark::Left { name: name.to_owned(), why };
-            return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
-        }
-        let mut is_form = false;
-        let callout = match rules.planned(row) {
-            Ok((Some(callout), _)) => callout.to_string(),
-            Ok((
-                None,
-                StatedLimits { nominal: Some(Length::ZERO), minimum: Some(Length::ZERO), maximum: Some(most) },
-            )) if Length::ZERO < most => {
-                is_form = true;
-                most.to_string()
+        let quantity = quantity::of_row(&columns.quantities, row);
+        if let Some((_, what, _)) = quantity.as_ref().filter(|(_, _, of)| !of.is_size()) {
+            let asked = rules.asked_of_other(row).ok().and_then(|said| by_hand(&said));
+            let Some((kind, callout)) = asked else { return self.leave(FilePlace::line(line), name, shorten(what)) };
+            let at = self.document.draft.rows.len();
+            if self.feature(line, row, (&callout, Some(kind)), None) {
+                self.others.insert(at, shorten(what));
             }
-            Ok((None, said)) => of_limits(&said),
+            return;
+        }
+        let (callout, kind) = match rules.planned(row) {
+            Ok((Some(callout), _)) => (callout.to_string(), None),
+            Ok((None, said)) => match by_hand(&said).filter(|_| said.nominal == Some(Length::ZERO)) {
+                Some((kind, callout)) => (callout, Some(kind)),
+                None => (of_limits(&said), None),
+            },
             // As it is written, so that the plan says what is wrong with it.
-            Err(_) => text(columns.tolerance).to_owned(),
+            Err(_) => (text(columns.tolerance).to_owned(), None),
         };
         let has_numbers = cells::has_number(row);
         if callout.is_empty() && (!has_numbers || name.is_empty() && number.is_empty()) {
@@ -128,16 +136,44 @@ impl Table<'_> {
             let remark = PlanRemark::Left { name: shorten(&joined(row)), why };
             return self.document.remarks.push(Located { what: remark, place: FilePlace::line(line) });
         }
-        let has =
-            |feature: &DraftFeature, column: Column, text: &str| feature.text(column).map_or("", |known| known) == text;
-        let is_known = |feature: &DraftFeature| {
-            has(feature, Column::Name, name)
-                && has(feature, Column::Number, number)
-                && has(feature, Column::Callout, &callout)
+        let says_side = callout.parse::<Callout>().is_ok_and(|callout| callout.feature().is_some());
+        let (kind, side) = match columns.feature_of(row).filter(|_| !says_side) {
+            _ if kind.is_some() => (kind, None),
+            Some(side) => (None, Some(side)),
+            // A distance may be neither; a groove or a tongue is written in the plan.
+            None if !says_side && matches!(quantity, Some((_, _, Quantity::Width))) => (Some("length"), None),
+            None => (None, None),
         };
-        // Another part, or the same one measured again.
+        self.feature(line, row, (&callout, kind), side);
+    }
+
+    /// Says that no feature comes of what is no size.
+    fn leave(&mut self, place: FilePlace, name: &str, what: String) {
+        let what = PlanRemark::Left { name: name.to_owned(), why: WhyUnjudged::NotASize { what }.message() };
+        self.document.remarks.push(Located { what, place });
+    }
+
+    /// Adds a feature, unless it is of another part, or the same one measured again.
+    fn feature(
+        &mut self,
+        line: usize,
+        row: &StringRecord,
+        (callout, kind): (&str, Option<&str>),
+        side: Option<Feature>,
+    ) -> bool {
+        let columns = self.columns;
+        let text = |at: Option<usize>| row.cell(at).trim();
+        let cells = [
+            (Column::Number, text(columns.labels.number)),
+            (Column::Name, text(columns.id)),
+            (Column::Callout, callout),
+            (Column::Kind, kind.unwrap_or("")),
+        ];
+        let is_known = |feature: &DraftFeature| {
+            cells.iter().all(|(column, text)| feature.text(*column).map_or("", |known| known) == *text)
+        };
         if self.document.draft.rows.iter().any(is_known) {
-            return;
+            return false;
         }
         let place = FilePlace::line(line);
         let mut feature = DraftFeature::at(place.clone());
@@ -146,37 +182,41 @@ impl Table<'_> {
                 feature.put(column, DraftCell::at(text.to_owned(), place.clone()));
             }
         };
-        set(Column::Number, number);
-        set(Column::Name, name);
-        set(Column::Callout, &callout);
-        if is_form {
-            set(Column::Kind, "form");
+        for (column, text) in cells {
+            set(column, text);
         }
-        let says_side = callout.parse::<Callout>().is_ok_and(|callout| callout.feature().is_some());
-        match columns.feature_of(row).filter(|_| !says_side && !is_form) {
-            Some(side) => set(Column::Feature, side.word()),
-            // A distance may be neither; a groove or a tongue is written in the plan.
-            None if !says_side && !is_form && matches!(said, Some((_, _, Quantity::Width))) => {
-                set(Column::Kind, "length");
-            }
-            None => {}
-        }
+        set(Column::Feature, side.map_or("", Feature::word));
         for (column, at) in [Column::X, Column::Y, Column::Z].into_iter().zip(columns.labels.place) {
             let Some(at) = at else { continue };
             let length = cells::length(text(Some(at.at)), columns.stated.of_place(at, row)).ok();
             set(column, &length.map_or_else(|| text(Some(at.at)).to_owned(), |length| length.to_string()));
         }
         self.document.draft.rows.push(feature);
+        true
+    }
+
+    /// Leaves out what has the name of a size, or of another quantity: a plan knows its features by their names.
+    fn leave_of_other_names(&mut self) {
+        let rows = std::mem::take(&mut self.document.draft.rows);
+        let name = |row: &DraftFeature| row.text(Column::Name).unwrap_or(row.said(Column::Number)).to_owned();
+        let mut counts: HashMap<String, usize> = HashMap::new();
+        for row in &rows {
+            *counts.entry(name(row)).or_default() += 1;
+        }
+        for (at, row) in rows.into_iter().enumerate() {
+            let name = name(&row);
+            match self.others.remove(&at).filter(|_| counts.get(&name).is_some_and(|count| 1 < *count)) {
+                Some(what) => self.leave(row.place.clone(), &name, what),
+                None => self.document.draft.rows.push(row),
+            }
+        }
     }
 
     /// The plan with what the head of the table says.
-    fn whole(self) -> Document {
+    fn whole(mut self) -> Document {
+        self.leave_of_other_names();
         let Self { columns, mut document, part, .. } = self;
-        let head = &columns.head;
-        let part = if head.part.is_empty() { part } else { head.part.clone() };
-        document.draft.set(HeadField::Part, part);
-        let drawing = [head.drawing.as_str(), head.revision.as_str()].into_iter().filter(|text| !text.is_empty());
-        document.draft.set(HeadField::Drawing, drawing.collect::<Vec<_>>().join(" "));
+        columns.head.write_into(&mut document.draft, &part);
         document
     }
 }
@@ -196,6 +236,19 @@ fn of_limits(said: &StatedLimits) -> String {
         (Some(nominal), ..) => nominal.to_string(),
         (None, ..) => String::new(),
     }
+}
+
+/// Kind and callout of what no cycle measures; `None` without the limits that its kind has.
+pub(super) fn by_hand(said: &StatedLimits) -> Option<(&'static str, String)> {
+    let StatedLimits { nominal, minimum, maximum } = *said;
+    let is_zero = |length: Option<Length>| length.is_none_or(|length| length == Length::ZERO);
+    let maximum = maximum.filter(|maximum| Length::ZERO < *maximum)?;
+    if is_zero(nominal) && is_zero(minimum) {
+        return Some(("form", maximum.to_string()));
+    }
+    let nominal = nominal.filter(|nominal| Length::ZERO < *nominal)?;
+    let [upper, lower] = [maximum, minimum?].map(|limit| signed(limit.saturating_sub(nominal)));
+    Some(("length", format!("{nominal} {upper}/{lower}")))
 }
 
 /// A deviation with its sign, as callouts have it.

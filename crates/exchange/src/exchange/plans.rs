@@ -8,16 +8,16 @@ use std::io::Cursor;
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::{FilePlace, Located, Say as _};
 use fitcheck_core::part::{
-    Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftCell, DraftFeature, HeadField, PlanError, PlanFault, PlanRemark,
+    Column, DEFAULT_CLEARANCE_HEIGHT, Document, DraftCell, DraftFeature, PlanError, PlanFault, PlanRemark,
 };
 use fitcheck_core::tolerance::Sources;
 
-use super::characteristic::{Characteristic, CharacteristicKind};
-use super::error::ImportErrorKind;
+use super::characteristic::{Characteristic, CharacteristicKind, Characteristics};
+use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::WhyUnjudged;
-use super::plan_tables::signed;
+use super::plan_tables::{by_hand, signed};
 use super::source::{ImportInputs, Source};
-use super::{FORMATS, plan_tables, samples, sheet_rows, words};
+use super::{FORMATS, Mapping, of_mapping, plan_tables, samples, sheet_rows, words};
 
 /// Reads a part plan of any known form: Fitcheck's own TOML or CSV, a workbook with the same columns, or the characteristics that a file of
 /// AQDEF, QIF or CALYPSO declares. `given` hands over the file beside it where a format is two files.
@@ -43,7 +43,9 @@ pub fn read_plan(file_name: &str, bytes: &[u8], given: ImportInputs<'_>) -> Resu
     if Document::is_own(bytes) {
         return Document::read(bytes);
     }
-    if given.mapping.is_some() {
+    if let Some(mapping) = given.mapping
+        && !is_of_mapping(mapping, file_name, bytes)
+    {
         let document = plan_tables::document(file_name, bytes, given).map_err(refused)?;
         return document.ok_or_else(|| refused(ImportErrorKind::NoRows));
     }
@@ -59,7 +61,11 @@ pub fn read_plan(file_name: &str, bytes: &[u8], given: ImportInputs<'_>) -> Resu
         return Err(refused(foreign));
     }
     match format.and_then(|format| format.plan) {
-        Some(declares) => Ok(document(declares(&mut source).map_err(refused)?, given.sources)),
+        Some(declares) => {
+            let mut found = Characteristics::default();
+            declares(&mut source, &mut found).map_err(refused)?;
+            Ok(document(found, given.sources))
+        }
         None => or_of_table(Document::read(bytes), file_name, bytes, given),
     }
 }
@@ -89,6 +95,11 @@ fn or_of_table(
     }
 }
 
+/// Whether a mapping says the unit of a file that is no table.
+fn is_of_mapping(mapping: &Mapping, file_name: &str, bytes: &[u8]) -> bool {
+    of_mapping(mapping).iter().any(|format| format.plan.is_some() && format.recognises(bytes, file_name))
+}
+
 /// The endings of files that plans are read from.
 pub const PLAN_ENDINGS: [&str; 8] = ["toml", "csv", "xlsx", "dfq", "dfd", "qif", "txt", "tsv"];
 
@@ -97,13 +108,24 @@ fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
-fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Document {
+fn document(declared: Characteristics, sources: &Sources) -> Document {
     let mut document = Document::default();
+    let Characteristics { found, refused, told, head, .. } = declared;
+    let problem = |(line, kind): (usize, ImportErrorKind)| Located {
+        what: PlanFault::File { reason: kind.message() },
+        place: FilePlace::line(line),
+    };
+    document.problems.extend(refused.into_iter().map(problem));
+    let said = |(line, kind): (usize, ImportWarningKind)| Located {
+        what: PlanRemark::File { said: kind.message() },
+        place: FilePlace::line(line),
+    };
+    document.remarks.extend(told.into_iter().map(said));
     let part =
-        declared.iter().map(|(_, characteristic)| characteristic.labels.part.as_str()).find(|part| !part.is_empty());
-    document.draft.set(HeadField::Part, part.map_or_else(String::new, str::to_owned));
+        found.iter().map(|(_, characteristic)| characteristic.labels.part.as_str()).find(|part| !part.is_empty());
+    head.write_into(&mut document.draft, part.unwrap_or(""));
     let mut has_told_axes = false;
-    for (line, characteristic) in declared {
+    for (line, characteristic) in found {
         let mut remark = |what| document.remarks.push(Located { what, place: FilePlace::line(line) });
         let left = match &characteristic.what {
             CharacteristicKind::Size => {
@@ -116,7 +138,7 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
                 continue;
             }
             CharacteristicKind::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
-            CharacteristicKind::Length(why) => match by_hand(&characteristic) {
+            CharacteristicKind::Length(why) => match by_hand(&characteristic.said()) {
                 Some((kind, callout)) => {
                     let mut row = row(&characteristic, line, sources, &mut remark);
                     let cell = |text: String| DraftCell::at(text, FilePlace::line(line));
@@ -132,19 +154,6 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
         remark(PlanRemark::Left { name: characteristic.id(), why: left.message() });
     }
     document
-}
-
-/// Kind and callout of what no cycle measures; `None` without the limits that its kind has.
-fn by_hand(characteristic: &Characteristic) -> Option<(&'static str, String)> {
-    let Characteristic { nominal, minimum, maximum, .. } = characteristic;
-    let is_zero = |length: &Option<Length>| length.is_none_or(|length| length == Length::ZERO);
-    let maximum = maximum.filter(|maximum| Length::ZERO < *maximum)?;
-    if is_zero(nominal) && is_zero(minimum) {
-        return Some(("form", maximum.to_string()));
-    }
-    let nominal = nominal.filter(|nominal| Length::ZERO < *nominal)?;
-    let [upper, lower] = [maximum, (*minimum)?].map(|limit| signed(limit.saturating_sub(nominal)));
-    Some(("length", format!("{nominal} {upper}/{lower}")))
 }
 
 /// The feature of a characteristic. A class counts where its limits are those of the file; otherwise the file's limits do.

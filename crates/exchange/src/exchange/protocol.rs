@@ -11,21 +11,21 @@
 //! of a characteristic may say what was measured.
 
 use csv::StringRecord;
-use fitcheck_core::length::{Length, LengthError, Unit};
+use fitcheck_core::length::Unit;
 use fitcheck_core::message::FilePlace;
 use fitcheck_core::text::lines;
 
-use super::characteristic::{Characteristic, CharacteristicKind, Value};
+use super::characteristic::Characteristics;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::head::Head;
-use super::imported::{Sink, StatedLimits, WhyUnjudged};
+use super::imported::{Sink, WhyUnjudged};
 use super::limits;
-use super::printed::{Computed, LeftLines, Printed, PrintedFault, PrintedLine, each_line, set_aside};
-use super::quantity::{self, Quantity};
+use super::printed::{Figure, LeftLines, PrintedFault, PrintedLine, PrintedRow, each_line, set_aside};
+use super::quantity::Quantity;
 use super::role::Role;
 use super::source::{Beginning, Context, Source};
-use super::{Format, Labels, units, words};
+use super::{Format, Labels, words};
 
 pub(super) const FORMAT: Format = Format {
     name: "calypso-text",
@@ -39,21 +39,9 @@ pub(super) const FORMAT: Format = Format {
     shows_end: false,
 };
 
-/// What stands below a name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Column {
-    Measured,
-    Nominal,
-    Upper,
-    Lower,
-    Deviation,
-    /// How far the value is beyond its tolerance; empty within it.
-    Beyond,
-}
-
 /// The columns behind the name of a characteristic, in their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Columns(Vec<Column>);
+struct Columns(Vec<Figure>);
 
 /// The cells of a line.
 fn cells(line: &str) -> Vec<&str> {
@@ -69,30 +57,30 @@ impl Columns {
         let (_, names) = cells(line).split_first().map(|(first, names)| (*first, names.to_vec()))?;
         let column = |name: &&str| {
             Some(match words::role(name) {
-                Some((Role::Measured, _)) => Column::Measured,
-                Some((Role::Nominal, _)) => Column::Nominal,
-                Some((Role::Upper, _)) => Column::Upper,
-                Some((Role::Lower, _)) => Column::Lower,
-                _ if super::beside::is_deviation(name) => Column::Deviation,
-                _ if limits::goes_both_ways(name) => Column::Beyond,
+                Some((Role::Measured, _)) => Figure::Measured,
+                Some((Role::Nominal, _)) => Figure::Nominal,
+                Some((Role::Upper, _)) => Figure::Upper,
+                Some((Role::Lower, _)) => Figure::Lower,
+                _ if super::beside::is_deviation(name) => Figure::Deviation,
+                _ if limits::goes_both_ways(name) => Figure::Beyond,
                 _ => return None,
             })
         };
-        let found: Vec<Column> = names.iter().map(column).collect::<Option<_>>()?;
-        let has_one = |wanted: Column| found.iter().filter(|column| **column == wanted).count() == 1;
-        let needed = [Column::Measured, Column::Nominal, Column::Upper, Column::Lower];
+        let found: Vec<Figure> = names.iter().map(column).collect::<Option<_>>()?;
+        let has_one = |wanted: Figure| found.iter().filter(|column| **column == wanted).count() == 1;
+        let needed = [Figure::Measured, Figure::Nominal, Figure::Upper, Figure::Lower];
         let is_twice = found.iter().any(|column| !has_one(*column));
         (needed.into_iter().all(has_one) && !is_twice).then_some(Self(found))
     }
 
     /// The columns that so many cells stand in: the last one may be empty, and both tolerances with it.
-    fn below(&self, count: usize) -> Option<Vec<Column>> {
-        let is_tolerance = |column: &Column| matches!(column, Column::Upper | Column::Lower);
+    fn below(&self, count: usize) -> Option<Vec<Figure>> {
+        let is_tolerance = |column: &Figure| matches!(column, Figure::Upper | Figure::Lower);
         let mut all = self.0.clone();
         if all.len() == count {
             return Some(all);
         }
-        all.retain(|column| *column != Column::Beyond);
+        all.retain(|column| *column != Figure::Beyond);
         if all.len() != count {
             all.retain(|column| !is_tolerance(column));
         }
@@ -100,20 +88,10 @@ impl Columns {
     }
 }
 
-/// A row of a table.
-struct Row {
-    characteristic: Characteristic,
-    measured: Printed,
-    asked: StatedLimits,
-    computed: Computed,
-    /// Whether it has a unit.
-    has_unit: bool,
-}
-
 /// What a line of a report is.
 enum Line {
     Columns(Columns),
-    Row(Result<Box<Row>, ImportErrorKind>),
+    Row(Result<Box<PrintedRow>, ImportErrorKind>),
     /// An angle: its name.
     Angle(String),
     Head(Head),
@@ -133,7 +111,16 @@ fn is_figure(cell: &str) -> bool {
     begins && (is_angle(cell) || first.contains(['.', ',']) && first.parse::<jiff::civil::Date>().is_err())
 }
 
-fn line(text: &str, number: usize, columns: Option<&Columns>) -> Line {
+/// What a line is; a row that may not be whole is none.
+fn line(printed: &PrintedLine<'_>, columns: Option<&Columns>, unit: Option<Unit>) -> Line {
+    let found = of_text(printed.text, printed.number, columns, unit);
+    match printed.broken(false) {
+        Some(kind) if matches!(found, Line::Row(_) | Line::Angle(_)) => Line::Row(Err(kind)),
+        _ => found,
+    }
+}
+
+fn of_text(text: &str, number: usize, columns: Option<&Columns>, unit: Option<Unit>) -> Line {
     if let Some(columns) = Columns::of(text) {
         return Line::Columns(columns);
     }
@@ -155,8 +142,8 @@ fn line(text: &str, number: usize, columns: Option<&Columns>) -> Line {
                 Line::Row(Err(PrintedFault::Cells { found, expected: columns.0.len() }.into()))
             }
             (Some(below), _) => {
-                let figures: Vec<(Column, &str)> = below.into_iter().zip(cells.iter().skip(1).copied()).collect();
-                Line::Row(Row::read(name, &figures).map(Box::new))
+                let figures: Vec<(Figure, &str)> = below.into_iter().zip(cells.iter().skip(1).copied()).collect();
+                Line::Row(PrintedRow::read((name, name), &figures, unit, word).map(Box::new))
             }
         },
         (None, Some(head)) => Line::Head(head),
@@ -164,77 +151,10 @@ fn line(text: &str, number: usize, columns: Option<&Columns>) -> Line {
     }
 }
 
-/// A figure without its unit, and that unit.
-fn figure(cell: &str) -> Result<(&str, Option<Unit>), ImportErrorKind> {
-    match cell.rsplit_once(' ') {
-        Some((number, unit)) => match units::known(unit) {
-            Some(unit) => Ok((number.trim(), Some(unit))),
-            None => Err(ImportErrorKind::Unit { unit: shorten(unit) }),
-        },
-        None => Ok((cell, None)),
-    }
-}
-
-impl Row {
-    fn read(name: &str, figures: &[(Column, &str)]) -> Result<Self, ImportErrorKind> {
-        let cell = |wanted: Column| figures.iter().find(|(column, _)| *column == wanted).map(|(_, cell)| *cell);
-        let missing = || PrintedFault::NoValue { column: "Measured value" };
-        let (_, unit) = figure(cell(Column::Measured).ok_or_else(missing)?)?;
-        let read = |wanted: Column| -> Result<Option<Printed>, ImportErrorKind> {
-            let Some(cell) = cell(wanted) else { return Ok(None) };
-            let (number, own) = figure(cell)?;
-            let unit = own.or(unit).unwrap_or(Unit::Millimetre);
-            let wrong = |reason: LengthError| PrintedFault::Number { column: word(wanted).to_owned(), reason }.into();
-            Printed::read(number, unit).map(Some).map_err(wrong)
-        };
-        let measured = read(Column::Measured)?.ok_or_else(missing)?;
-        let nominal = read(Column::Nominal)?.map(|nominal| nominal.length);
-        let limit = |wanted: Column| -> Result<Option<Length>, ImportErrorKind> {
-            let Some((nominal, deviation)) = nominal.zip(read(wanted)?) else { return Ok(None) };
-            let too_large = || LengthError::TooLarge { text: cell(wanted).unwrap_or("").to_owned() };
-            let wrong = || PrintedFault::Number { column: word(wanted).to_owned(), reason: too_large() }.into();
-            nominal.checked_add(deviation.length).map(Some).ok_or_else(wrong)
-        };
-        let asked = StatedLimits { nominal, minimum: limit(Column::Lower)?, maximum: limit(Column::Upper)? };
-        let computed = Computed { deviation: read(Column::Deviation)?, beyond: read(Column::Beyond)? };
-        let quantity = quantity::of_text(name);
-        let what = match quantity {
-            Some(Quantity::Diameter) => CharacteristicKind::Size,
-            _ if asked.minimum.is_none() && asked.maximum.is_none() => {
-                CharacteristicKind::Length(WhyUnjudged::NoTolerance)
-            }
-            _ => CharacteristicKind::Length(WhyUnjudged::NotASize { what: shorten(name) }),
-        };
-        let characteristic = Characteristic {
-            name: name.to_owned(),
-            what,
-            class: String::new(),
-            feature: None,
-            nominal,
-            minimum: asked.minimum,
-            maximum: asked.maximum,
-            expanded: None,
-            labels: Labels { quantity, ..Labels::default() },
-        };
-        Ok(Self { characteristic, measured, asked, computed, has_unit: unit.is_some() })
-    }
-}
-
-/// What a report calls a column.
-const fn word(column: Column) -> &'static str {
-    match column {
-        Column::Measured => "Measured value",
-        Column::Nominal => "Nominal value",
-        Column::Upper => "+Tol",
-        Column::Lower => "-Tol",
-        Column::Deviation => "Deviation",
-        Column::Beyond => "+/-",
-    }
-}
-
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
-    let mut reader = Reader { context, sink, columns: None, head: Head::default(), has_unit: true };
+    let unit = source.given_unit();
+    let mut reader = Reader { context, sink, columns: None, head: Head::default(), unit, has_unit: true };
     let mut left = LeftLines::default();
     each_line(source, &mut |line| {
         if reader.sink.is_full(line.number) {
@@ -254,22 +174,21 @@ struct Reader<'a, 's> {
     columns: Option<Columns>,
     /// What the lines above the rows say of all of them.
     head: Head,
+    /// Of figures without one, where the user has said it.
+    unit: Option<Unit>,
     has_unit: bool,
 }
 
 impl Reader<'_, '_> {
     fn line(&mut self, printed: PrintedLine<'_>, left: &mut LeftLines) {
         let PrintedLine { number, text, .. } = printed;
-        let found = line(text, number, self.columns.as_ref());
-        let is_row = matches!(found, Line::Row(_) | Line::Angle(_));
-        if let Some(kind) = printed.broken(false).filter(|_| is_row) {
-            return self.sink.refuse(FilePlace::line(number), kind, shorten(text.trim_matches('\0').trim()));
-        }
-        match found {
+        match line(&printed, self.columns.as_ref(), self.unit) {
             Line::Columns(columns) => self.columns = Some(columns),
             Line::Head(head) => self.head(number, head),
-            Line::Row(Ok(row)) => self.row(number, *row),
-            Line::Row(Err(kind)) => self.sink.refuse(FilePlace::line(number), kind, shorten(text.trim())),
+            Line::Row(Ok(row)) => self.row(printed, *row),
+            Line::Row(Err(kind)) => {
+                self.sink.refuse(FilePlace::line(number), kind, shorten(text.trim_matches('\0').trim()));
+            }
             Line::Angle(name) => {
                 let labels = Labels { quantity: Some(Quantity::Other), ..self.labels(Labels::default()) };
                 let why = WhyUnjudged::NotASize { what: shorten(&name) };
@@ -292,48 +211,49 @@ impl Reader<'_, '_> {
         Labels { part, serial, who, batch, machine, ..labels }
     }
 
-    fn row(&mut self, line: usize, row: Row) {
-        let Row { characteristic, measured, asked, computed, has_unit } = row;
-        if !has_unit && std::mem::replace(&mut self.has_unit, false) {
-            self.sink.warn(FilePlace::line(line), None, ImportWarningKind::UnitAssumed);
+    fn row(&mut self, line: PrintedLine<'_>, row: PrintedRow) {
+        if !row.has_unit && std::mem::replace(&mut self.has_unit, false) {
+            self.sink.warn(FilePlace::line(line.number), None, ImportWarningKind::UnitAssumed);
         }
-        for warning in computed.tells(measured.length, &asked) {
-            self.sink.warn(FilePlace::line(line), Some(line), warning.into());
-        }
-        let said = computed.beyond.map_or_else(String::new, |beyond| format!("+/- {}", beyond.length));
-        let labels = Labels {
-            claims: computed.claim(&said).into_iter().collect(),
-            rounded_by: measured.rounded_by(),
-            ..self.labels(characteristic.labels.clone())
-        };
-        let time = self.head.time;
-        let value = Value { line, measured: measured.length, time, labels, is_simulated: false };
-        characteristic.judge(value, &self.context, self.sink);
+        let labels = self.labels(Labels::default());
+        row.judge(line, (labels, self.head.time), word(Figure::Beyond), &self.context, self.sink);
     }
 }
 
-/// The characteristics, each once however many parts the report has.
-fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
-    let mut plan: Vec<(usize, Characteristic)> = Vec::new();
+/// What a report calls a figure.
+const fn word(figure: Figure) -> &'static str {
+    match figure {
+        Figure::Measured => "Measured value",
+        Figure::Nominal => "Nominal value",
+        Figure::Upper => "+Tol",
+        Figure::Lower => "-Tol",
+        Figure::Deviation => "Deviation",
+        Figure::Beyond => "+/-",
+    }
+}
+
+fn plan(source: &mut Source<'_>, found: &mut Characteristics) -> Result<(), ImportErrorKind> {
+    let unit = source.given_unit();
     let mut columns = None;
-    let mut fault = None;
     each_line(source, &mut |printed| {
-        match line(printed.text, printed.number, columns.as_ref()) {
-            Line::Columns(found) => columns = Some(found),
+        match line(&printed, columns.as_ref(), unit) {
+            Line::Columns(these) => columns = Some(these),
             Line::Row(Ok(row)) => {
-                let found = row.characteristic;
-                let is_known = |known: &Characteristic| known.name == found.name && known.said() == found.said();
-                if plan.iter().all(|(_, known)| !is_known(known)) {
-                    plan.push((printed.number, found));
+                if !row.has_unit {
+                    found.tell(printed.number, ImportWarningKind::UnitAssumed);
                 }
+                found.add(printed.number, row.characteristic);
             }
-            Line::Row(Err(kind)) => fault = fault.take().or(Some(kind)),
-            Line::Angle(_) | Line::Head(_) | Line::Other => {}
+            Line::Row(Err(kind)) => found.refuse(printed.number, kind),
+            Line::Angle(name) => {
+                let what = shorten(&name);
+                found.add_other(printed.number, name, what);
+            }
+            Line::Head(head) => {
+                found.head.go_on(head);
+            }
+            Line::Other => {}
         }
         true
-    })?;
-    match fault {
-        Some(kind) => Err(kind),
-        None => Ok(plan),
-    }
+    })
 }

@@ -93,7 +93,8 @@ impl Rules<'_> {
     /// What a row says was measured.
     fn quantity(&self, cells: &StringRecord) -> Option<Quantity> {
         let said = quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity);
-        said.or_else(|| self.is_form_by_name(cells).then_some(Quantity::Other))
+        let by_name = || if self.is_no_length(cells) { Quantity::Other } else { Quantity::Length };
+        said.or_else(|| self.is_form_by_name(cells).then(by_name))
     }
 
     /// What a row says that its value should be: a callout, or limits as far as it has them.
@@ -117,6 +118,22 @@ impl Rules<'_> {
         Some(Cell { at: Some(at), text })
     }
 
+    /// What a row of another quantity than a size says that it should be; nothing of what is no length.
+    pub(super) fn asked_of_other<'c>(&self, cells: &'c StringRecord) -> Result<StatedLimits, Refused<'c>> {
+        match self.said(cells) {
+            _ if self.is_no_length(cells) => Ok(StatedLimits::default()),
+            Ok(said) => Ok(self.or_of_form(cells, said)),
+            // Without limits nothing is judged by it, so what cannot be read refuses nothing.
+            Err(refused) if self.columns.limits.is_some() => Err(refused),
+            Err(_unreadable) => Ok(StatedLimits::default()),
+        }
+    }
+
+    fn is_no_length(&self, cells: &StringRecord) -> bool {
+        let name = || cells.cell(self.columns.id);
+        quantity::is_no_length(self.other_than_size(cells).map_or_else(name, |cell| cell.text))
+    }
+
     /// A row of another quantity than a size: its callout, if it has one, is not that of its value.
     fn other_quantity<'c>(
         &self,
@@ -124,19 +141,13 @@ impl Rules<'_> {
         quantity: Option<Quantity>,
     ) -> Result<RowMeasurement, Refused<'c>> {
         self.right_length(cells, None)?;
-        let is_no_length = self.other_than_size(cells).is_some_and(|cell| quantity::is_no_length(cell.text));
+        let is_no_length = self.is_no_length(cells);
         let measured = match self.any_measured(cells) {
             // `65.0018°`
             Err(_) if is_no_length => None,
             measured => Some(measured?),
         };
-        let said = match self.said(cells) {
-            _ if is_no_length => StatedLimits::default(),
-            Ok(said) => self.or_of_form(cells, said),
-            // Without limits nothing is judged by it, so what cannot be read refuses nothing.
-            Err(refused) if self.columns.limits.is_some() && !self.has_plan => return Err(refused),
-            Err(_unreadable) => StatedLimits::default(),
-        };
+        let said = self.asked_of_other(cells)?;
         let other = || {
             let name = || cells.cell(self.columns.id).trim();
             let what = self.other_than_size(cells).map_or_else(name, |cell| cell.text);
@@ -157,13 +168,16 @@ impl Rules<'_> {
         let nominal = nominal.map(|column| self.length(cells, column, ImportErrorKind::Nominal)).transpose()?;
         let nominal = nominal.map(|(_, nominal)| nominal);
         let [minimum, maximum] = match &self.columns.limits {
-            Some(columns) if !self.has_plan => {
+            Some(columns) => {
                 // Nothing is rounder than round: a form deviates from zero.
                 let is_form = || self.other_than_size(cells).is_some_and(|cell| quantity::is_of_ideal_form(cell.text));
                 let of_form = || (columns.are != LimitsAre::Sizes && is_form()).then_some(Length::ZERO);
-                self.column_limits(cells, columns, nominal.or_else(of_form))?
+                let from = nominal.or_else(of_form);
+                // What these are deviations from, the plan says.
+                let is_open = self.has_plan && from.is_none() && columns.are != LimitsAre::Sizes;
+                if is_open { [None, None] } else { self.column_limits(cells, columns, from)? }
             }
-            _ => self.columns.own.limits(cells),
+            None => self.columns.own.limits(cells),
         };
         Ok(StatedLimits { nominal, minimum, maximum })
     }

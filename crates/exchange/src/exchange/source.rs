@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::io::{Read, Seek, SeekFrom};
 use std::sync::Arc;
 
+use fitcheck_core::length::Unit;
 use fitcheck_core::text;
 use fitcheck_core::tolerance::Sources;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
@@ -12,7 +13,7 @@ use jiff::civil::DateTime;
 
 use super::error::ImportErrorKind;
 use super::lookup::Lookup;
-use super::mapping::Mapping;
+use super::mapping::{ColumnUnit, Mapping};
 use super::pieces::Pieces;
 
 /// How much of a file is examined to recognise it.
@@ -153,6 +154,11 @@ impl<'a> Source<'a> {
             lookup: Lookup::default(),
         };
         Ok(Self { context, head, length, body, given })
+    }
+
+    /// The unit of what says none, where the user has said it.
+    pub(super) fn given_unit(&self) -> Option<Unit> {
+        self.given.mapping.and_then(Mapping::unit).map(ColumnUnit::unit)
     }
 
     /// By what it is recognised.

@@ -102,15 +102,15 @@ const BESIDE: &str = "average|avg|mean|median|final|raw|corrected|in|gemiddeld|g
 /// Names of the upper limit deviation. The sign of `+TOL` and `Tol +` is looked at elsewhere.
 pub(super) const UPPER_DEVIATION: &str = "upper tol|upper tolerance|upper deviation|upper dev|upper limit deviation|upper allowance|uppertol|tol upper|\
     tolerance upper|tol plus|plus tol|plus tolerance|tolerance plus|pos tol|positive tolerance|oberes abmaß|oberes abmass|\
-    oberes grenzabmaß|oberes grenzabmass|obere toleranz|obere abweichung|toleranz oben|tol oben|bovenafwijking|bovenste afwijking|\
-    boventolerantie|bovenste tolerantie|tol boven|tolerantie boven|scostamento superiore|tolleranza superiore|tol superiore|\
+    oberes grenzabmaß|oberes grenzabmass|obere toleranz|obere tol|ob tol|obere abweichung|toleranz oben|tol oben|bovenafwijking|bovenste afwijking|\
+    boventolerantie|boventol|bovenste tolerantie|bovenste tol|tol boven|tolerantie boven|scostamento superiore|tolleranza superiore|toll superiore|toll sup|tol superiore|\
     écart supérieur|tolérance supérieure|tol supérieure|tolérance sup|tol sup|desviación superior|tolerancia superior|tol superior";
 
 /// Names of the lower one.
 pub(super) const LOWER_DEVIATION: &str = "lower tol|lower tolerance|lower deviation|lower dev|lower limit deviation|lower allowance|lowertol|tol lower|\
-    tolerance lower|unteres abmaß|unteres abmass|unteres grenzabmaß|unteres grenzabmass|untere toleranz|untere abweichung|toleranz unten|\
-    tol unten|onderafwijking|onderste afwijking|ondertolerantie|onderste tolerantie|tol onder|tolerantie onder|scostamento inferiore|\
-    tolleranza inferiore|tol inferiore|écart inférieur|tolérance inférieure|tol inférieure|tolérance inf|tol inf|desviación inferior|\
+    tolerance lower|unteres abmaß|unteres abmass|unteres grenzabmaß|unteres grenzabmass|untere toleranz|untere tol|unt tol|untere abweichung|toleranz unten|\
+    tol unten|onderafwijking|onderste afwijking|ondertolerantie|ondertol|onderste tolerantie|onderste tol|tol onder|tolerantie onder|scostamento inferiore|\
+    tolleranza inferiore|toll inferiore|toll inf|tol inferiore|écart inférieur|tolérance inférieure|tol inférieure|tolérance inf|tol inf|desviación inferior|\
     tolerancia inferior|tol inferior";
 
 /// Names of a lower one that may stand without its sign: the name has it.

@@ -33,7 +33,7 @@ use keys::{BETWEEN_FIELDS, Level, Line, line};
 use reader::{Half, Reader};
 
 use super::Format;
-use super::characteristic::{Characteristic, CharacteristicKind};
+use super::characteristic::{Characteristic, CharacteristicKind, Characteristics};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::Sink;
 use super::pieces::Pieces;
@@ -173,7 +173,7 @@ fn read_description_beside(source: &Source<'_>, reader: &mut Reader<'_, '_>) -> 
 }
 
 /// The characteristics of all parts: those that are measured, and are no counts or error logs.
-fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
+fn plan(source: &mut Source<'_>, found: &mut Characteristics) -> Result<(), ImportErrorKind> {
     let mut nowhere = |_item| {};
     let mut sink = Sink::new(&mut nowhere);
     let mut reader = Reader::new(source.context.clone(), &mut sink);
@@ -187,51 +187,46 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
     if let Some((_, expected, found)) = description.miscount() {
         return Err(AqdefFault::Count { expected, found }.into());
     }
-    let mut plan = Vec::new();
     for number in description.characteristics() {
         let Some(asked) = description.of(number) else { continue };
         let line = asked.line();
         let declared = declared::Declared::read(asked);
         if let Some((_, error, _)) = declared.errors.into_iter().next() {
-            return Err(error);
+            found.refuse(line, error);
+            continue;
         }
         if let Err(unit) = declared.unit {
             if !units::is_of_angle(&unit) {
-                return Err(ImportErrorKind::Unit { unit });
+                found.refuse(line, ImportErrorKind::Unit { unit });
+                continue;
             }
             // An angle is no size, and refuses no other characteristic.
-            plan.push((line, Characteristic { what: CharacteristicKind::Other(unit), ..declared.characteristic }));
+            found
+                .found
+                .push((line, Characteristic { what: CharacteristicKind::Other(unit), ..declared.characteristic }));
             continue;
         }
         if declared.kind.is_none_or(|kind| kind == 0) {
-            plan.push((line, declared.characteristic));
+            found.found.push((line, declared.characteristic));
         }
     }
-    plan.sort_by_key(|(line, _)| *line);
-    Ok(plan)
+    found.found.sort_by_key(|(line, _)| *line);
+    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exchange::source::ImportInputs;
-    use fitcheck_core::tolerance::Sources;
 
     /// The lines, names, classes and limits of a file's plan, with this file beside it.
     fn planned(name: &str, bytes: &[u8], other: Option<&[u8]>) -> Result<Vec<String>, String> {
-        let sources = Sources::default();
-        let beside = |_ending: &str| other.map(<[u8]>::to_vec);
-        let given = ImportInputs { beside: &beside, ..ImportInputs::new(&sources, jiff::civil::DateTime::default()) };
-        let mut body = Cursor::new(bytes);
-        let mut source = Source::new(name, &mut body, given).unwrap();
-        let plan = FORMAT.plan.unwrap()(&mut source).map_err(|error| error.to_string())?;
         let text = |(line, of): (usize, Characteristic)| {
             let size = |length: Option<fitcheck_core::length::Length>| {
                 length.map_or("-".to_owned(), |length| length.to_string())
             };
             format!("{line} {} {} {} {}", of.id(), of.class, size(of.minimum), size(of.maximum))
         };
-        Ok(plan.into_iter().map(text).collect())
+        Ok(FORMAT.declared(name, bytes, other)?.into_iter().map(text).collect())
     }
 
     const BOTH: &[u8] = include_bytes!("../../../../../tests/data/aqdef/keys.dfq");

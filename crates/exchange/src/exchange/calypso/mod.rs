@@ -7,16 +7,15 @@ mod columns;
 mod error;
 mod row;
 
-use std::collections::BTreeMap;
-
-use columns::Columns;
+use columns::{Column, Columns};
 pub use error::{CalypsoFault, CalypsoWarning};
+use fitcheck_core::length::Unit;
 use fitcheck_core::message::FilePlace;
 use fitcheck_core::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, lines, plain_lines_from};
 use row::{CalypsoRow, RefusedRow};
 
 use super::Format;
-use super::characteristic::Characteristic;
+use super::characteristic::Characteristics;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::Sink;
@@ -61,7 +60,8 @@ fn recognises(beginning: &Beginning<'_>) -> bool {
 
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
-    let mut reader = Reader { context, sink, rounded: None, is_unit_told: false };
+    let unit = source.given_unit();
+    let mut reader = Reader { context, sink, rounded: None, unit, is_unit_told: false };
     let mut last = None;
     let end = each(source, &mut |line, text, columns, is_open| {
         if reader.sink.is_full(line) {
@@ -146,32 +146,41 @@ fn each(
     Ok(end)
 }
 
+/// Why a row cannot be read whatever stands in it: half a number in its last cell would be judged as a whole one.
+fn broken(text: &str, is_open: bool) -> Option<ImportErrorKind> {
+    match (text.contains('\0'), is_open) {
+        _ if LONGEST_ROW < text.len() => Some(ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 }),
+        (true, _) => Some(CalypsoFault::Zeros.into()),
+        (false, true) => Some(CalypsoFault::RowCutOff.into()),
+        (false, false) => None,
+    }
+}
+
 /// Reads the rows.
 struct Reader<'a, 's> {
     context: Context<'a>,
     sink: &'a mut Sink<'s>,
     /// Values that were rounded: the line of the first one, and how many.
     rounded: Option<(usize, usize)>,
+    /// The unit of what says none, where the user has said it.
+    unit: Option<Unit>,
     is_unit_told: bool,
 }
 
 impl Reader<'_, '_> {
     fn row(&mut self, line: usize, text: &str, columns: &Columns, is_open: bool) {
-        if LONGEST_ROW < text.len() {
-            let kind = ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 };
-            return self.sink.refuse(FilePlace::line(line), kind, String::new());
+        if let Some(kind) = broken(text, is_open) {
+            return self.sink.refuse(FilePlace::line(line), kind, shorten(text.trim_matches('\0').trim()));
         }
-        // Half a number in the last cell would be judged as a whole one.
-        let half = match (text.contains('\0'), is_open) {
-            (true, _) => Some(CalypsoFault::Zeros),
-            (false, true) => Some(CalypsoFault::RowCutOff),
-            (false, false) => None,
-        };
-        if let Some(half) = half {
-            return self.sink.refuse(FilePlace::line(line), half.into(), shorten(text.trim_matches('\0').trim()));
-        }
-        let row = match CalypsoRow::read(line, text, columns) {
-            Ok(row) => row,
+        let read = CalypsoRow::read(line, text, columns, self.unit).and_then(|row| match &row.value {
+            Some(value) => Ok((value.clone(), row)),
+            None => {
+                let (column, _) = columns.named(Column::Actual);
+                Err(RefusedRow { kind: CalypsoFault::NoActual.into(), column, given: text })
+            }
+        });
+        let (value, row) = match read {
+            Ok(read) => read,
             Err(refused) => {
                 let place = refused.column.map_or(FilePlace::line(line), |column| FilePlace::in_line(line, column));
                 return self.sink.refuse(place, refused.kind, shorten(refused.given));
@@ -185,11 +194,10 @@ impl Reader<'_, '_> {
             let (first, count) = self.rounded.unwrap_or((line, 0));
             self.rounded = Some((first, count + 1));
         }
-        for warning in row.doubts() {
+        for warning in row.doubts(value.measured) {
             self.sink.warn(FilePlace::line(line), Some(line), warning.into());
         }
-        let CalypsoRow { characteristic, value, .. } = row;
-        characteristic.judge(value, &self.context, self.sink);
+        row.characteristic.judge(value, &self.context, self.sink);
     }
 
     fn end(&mut self, end: &End) {
@@ -212,67 +220,51 @@ impl Reader<'_, '_> {
     }
 }
 
-/// The characteristics, each once however many parts the table has.
-fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
-    let mut plan: Vec<(usize, Characteristic)> = Vec::new();
-    let mut places = BTreeMap::new();
-    let mut error = None;
-    let end = each(source, &mut |line, text, columns, _| match CalypsoRow::read(line, text, columns) {
-        Ok(CalypsoRow { characteristic, .. }) => {
-            let place = *places.entry(characteristic.name.clone()).or_insert(plan.len());
-            match plan.get(place) {
-                Some((_, known)) if is_same(known, &characteristic) => true,
-                Some((first, known)) => {
-                    let name = known.id();
-                    error = Some(CalypsoFault::Differs { name, first: *first, second: line }.into());
-                    false
+fn plan(source: &mut Source<'_>, found: &mut Characteristics) -> Result<(), ImportErrorKind> {
+    let unit = source.given_unit();
+    let end = each(source, &mut |line, text, columns, is_open| {
+        if let Some(kind) = broken(text, is_open) {
+            found.refuse(line, kind);
+            return true;
+        }
+        match CalypsoRow::read(line, text, columns, unit) {
+            Ok(CalypsoRow { characteristic, is_unit_assumed, .. }) => {
+                if is_unit_assumed {
+                    found.tell(line, ImportWarningKind::UnitAssumed);
                 }
-                None => {
-                    plan.push((line, characteristic));
-                    true
+                let (name, asked) = (&characteristic.name, characteristic.said());
+                let other = found.of_name(name).find(|(_, known)| known.said() != asked).map(|(first, _)| *first);
+                match other {
+                    Some(first) => {
+                        let fault = CalypsoFault::Differs { name: characteristic.id(), first, second: line };
+                        found.refuse(line, fault.into());
+                    }
+                    None => found.add(line, characteristic),
                 }
             }
-        }
-        Err(RefusedRow { kind: ImportErrorKind::Unit { unit }, .. }) if units::is_of_angle(&unit) => {
-            // An angle is no size, and refuses no other characteristic.
-            let angle = row::angle(text, columns, unit);
-            if plan.iter().all(|(_, known)| known.name != angle.name) {
-                plan.push((line, angle));
+            Err(RefusedRow { kind: ImportErrorKind::Unit { unit }, .. }) if units::is_of_angle(&unit) => {
+                // An angle is no size, and refuses no other characteristic.
+                let cells: Vec<&str> = text.split('\t').collect();
+                found.add_other(line, columns.text(&cells, Column::Id).to_owned(), unit);
             }
-            true
+            Err(refused) => found.refuse(line, refused.kind),
         }
-        Err(refused) => {
-            error = Some(refused.kind);
-            false
-        }
+        true
     })?;
-    match error {
-        Some(error) => Err(error),
-        None if !end.is_whole => Err(CalypsoFault::CutOff.into()),
-        None => Ok(plan),
+    if !end.is_whole {
+        found.refuse(end.line, CalypsoFault::CutOff.into());
     }
-}
-
-/// Whether two rows of one name ask for the same: where it lies, and of which part it is, may be another for each part.
-fn is_same(known: &Characteristic, other: &Characteristic) -> bool {
-    let asked = |of: &Characteristic| (of.nominal, of.minimum, of.maximum);
-    known.what == other.what && asked(known) == asked(other)
+    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exchange::source::ImportInputs;
-    use fitcheck_core::tolerance::Sources;
 
     const PLATE: &[u8] = include_bytes!("../../../../../tests/data/calypso/plate_chr.txt");
 
     fn planned(bytes: &[u8]) -> Result<Vec<(usize, String)>, String> {
-        let sources = Sources::default();
-        let mut body = std::io::Cursor::new(bytes);
-        let given = ImportInputs::new(&sources, jiff::civil::DateTime::default());
-        let mut source = Source::new("plate_chr.txt", &mut body, given).unwrap();
-        let plan = FORMAT.plan.unwrap()(&mut source).map_err(|error| error.to_string())?;
+        let plan = FORMAT.declared("plate_chr.txt", bytes, None)?;
         Ok(plan.into_iter().map(|(line, of)| (line, of.name)).collect())
     }
 

@@ -57,7 +57,8 @@ fn length(word: &str) -> Option<Quantity> {
 #[derive(Debug)]
 pub(super) struct CalypsoRow {
     pub(super) characteristic: Characteristic,
-    pub(super) value: Value,
+    /// None where the cell of the actual value is empty.
+    pub(super) value: Option<Value>,
     /// Whether no unit is given.
     pub(super) is_unit_assumed: bool,
     /// Whether the value had figures beyond the nanometre.
@@ -83,7 +84,12 @@ struct CalypsoCells<'a, 't> {
 
 impl CalypsoRow {
     /// Reads a row.
-    pub(super) fn read<'t>(line: usize, text: &'t str, columns: &Columns) -> Result<Self, RefusedRow<'t>> {
+    pub(super) fn read<'t>(
+        line: usize,
+        text: &'t str,
+        columns: &Columns,
+        given: Option<Unit>,
+    ) -> Result<Self, RefusedRow<'t>> {
         let mut cells: Vec<&str> = text.split('\t').collect();
         // A tab at the end makes a cell that is none.
         while columns.count < cells.len() && cells.last().is_some_and(|cell| cell.trim().is_empty()) {
@@ -97,21 +103,18 @@ impl CalypsoRow {
         let short = columns.text(&cells, Column::Type);
         let is_diameter = [symbol, short].iter().any(|text| text.eq_ignore_ascii_case(DIAMETER));
         let (unit, is_unit_assumed) = match columns.text(&cells, Column::Unit) {
-            "" => (Some(Unit::Millimetre), true),
+            "" => (Some(given.unwrap_or(Unit::Millimetre)), given.is_none()),
             unit => (units::known(unit), false),
         };
-        let actual = columns.text(&cells, Column::Actual);
-        if actual.is_empty() {
-            let (column, _) = columns.named(Column::Actual);
-            return Err(RefusedRow { kind: CalypsoFault::NoActual.into(), column, given: text });
-        }
+        let actual = Some(columns.text(&cells, Column::Actual)).filter(|actual| !actual.is_empty());
         let Some(unit) = unit else {
             let unit = columns.text(&cells, Column::Unit);
             let (column, _) = columns.named(Column::Unit);
             return Err(RefusedRow { kind: ImportErrorKind::Unit { unit: shorten(unit) }, column, given: unit });
         };
         let cells = CalypsoCells { columns, texts: cells, unit };
-        let (measured, is_rounded) = cells.parse(actual).map_err(|reason| cells.refused(Column::Actual, reason))?;
+        let parsed = actual.map(|actual| cells.parse(actual)).transpose();
+        let measured = parsed.map_err(|reason| cells.refused(Column::Actual, reason))?;
         let nominal = cells.length(Column::Nominal)?;
         let limit = |column| -> Result<Option<Length>, RefusedRow<'t>> {
             let Some((nominal, deviation)) = nominal.zip(cells.length(column)?) else { return Ok(None) };
@@ -150,14 +153,15 @@ impl CalypsoRow {
         let out = exceed.filter(|exceed| *exceed != Length::ZERO);
         let claims =
             out.map(|_| Claim::out(&format!("{} {}", EXCEED, cells.text(Column::Exceed)))).into_iter().collect();
-        let value = Value { line, measured, time: None, labels: Labels { claims, ..labels }, is_simulated: false };
+        let labels = Labels { claims, ..labels };
+        let is_rounded = measured.is_some_and(|(_, is_rounded)| is_rounded);
+        let value = measured.map(|(measured, _)| Value { line, measured, time: None, labels, is_simulated: false });
         Ok(Self { characteristic, value, is_unit_assumed, is_rounded, deviation, exceed })
     }
 
     /// What the table says of the value, and its own figures do not.
-    pub(super) fn doubts(&self) -> Vec<CalypsoWarning> {
+    pub(super) fn doubts(&self, measured: Length) -> Vec<CalypsoWarning> {
         let Characteristic { nominal, minimum, maximum, .. } = self.characteristic;
-        let measured = self.value.measured;
         let mut doubts = Vec::new();
         if let Some((given, nominal)) = self.deviation.zip(nominal) {
             let expected = measured.saturating_sub(nominal);
@@ -180,22 +184,6 @@ impl CalypsoRow {
             }
         }
         doubts
-    }
-}
-
-/// The characteristic of a row whose unit is one of angles.
-pub(super) fn angle(text: &str, columns: &Columns, unit: String) -> Characteristic {
-    let cells: Vec<&str> = text.split('\t').collect();
-    Characteristic {
-        name: columns.text(&cells, Column::Id).to_owned(),
-        what: CharacteristicKind::Other(unit),
-        class: String::new(),
-        feature: None,
-        nominal: None,
-        minimum: None,
-        maximum: None,
-        expanded: None,
-        labels: Labels::default(),
     }
 }
 

@@ -14,7 +14,6 @@ use super::{FRAME, GaugeError, GaugeRemark, Gauged, LineUnit, channel, is_error_
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Sink, StatedLimits, Unjudged, WhyUnjudged};
-use crate::exchange::mapping::{ColumnUnit, Mapping};
 use crate::exchange::printed::{PrintedLine, each_line};
 use crate::exchange::source::{Beginning, Source};
 use crate::exchange::{Format, Labels};
@@ -56,9 +55,10 @@ fn value(text: &str, unit: LineUnit) -> Result<(&str, Gauged), GaugeError> {
     Ok((channel, read_line(rest, unit, None)?))
 }
 
-/// Whether all lines are those of a gauge, and one has what nothing else would write.
+/// Whether all lines are those of a gauge, of which fewer than half may be broken, and one has what nothing else would write.
 fn recognises(beginning: &Beginning<'_>) -> bool {
     let mut is_marked = false;
+    let (mut whole, mut broken) = (0, 0);
     let text = beginning.text();
     let mut all = lines(&text).map(|(_, line)| line).filter(|line| !line.trim_matches(FRAME).is_empty());
     let is_of_gauge = all.all(|line| match value(line, LineUnit::Mm) {
@@ -66,22 +66,29 @@ fn recognises(beginning: &Beginning<'_>) -> bool {
             let is_opinion = |remark: &GaugeRemark| matches!(remark, GaugeRemark::Opinion { .. });
             let has_comma = line.rsplit_once(',').is_some_and(|(_, unit)| unit.contains(char::is_alphabetic));
             is_marked |= !channel.is_empty() || has_comma || gauged.remarks.iter().any(is_opinion);
+            whole += 1;
             true
         }
-        Err(error) => matches!(error, GaugeError::ErrorText { .. }),
+        Err(GaugeError::ErrorText { .. }) => true,
+        Err(_) => {
+            broken += 1;
+            let (channel, rest) = split(line);
+            !channel.is_empty() || rest.starts_with(['+', '-'])
+        }
     });
-    is_of_gauge && is_marked
+    is_of_gauge && is_marked && broken <= whole
 }
 
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
-    let unit = match source.given.mapping.and_then(Mapping::unit).map(ColumnUnit::unit) {
+    let unit = match source.given_unit() {
         None | Some(Unit::Micrometre) => LineUnit::Said,
         Some(Unit::Millimetre) => LineUnit::Mm,
         Some(Unit::Inch) => LineUnit::Inch,
     };
     let mut open = None;
     each_line(source, &mut |line| {
-        let is_open = matches!(value(line.text, unit), Err(GaugeError::NoUnit { .. }));
+        // A line that is cut off may have lost its unit.
+        let is_open = !line.is_open && matches!(value(line.text, unit), Err(GaugeError::NoUnit { .. }));
         open = open.take().or_else(|| is_open.then(|| (line.number, shorten(line.text.trim_matches(FRAME)))));
         open.is_none()
     })?;

@@ -20,7 +20,7 @@ use head::Head;
 use heading::{Column, Columns, MEASURED, Title, words};
 use row::{MinusIs, Row, quantity};
 
-use super::characteristic::{Characteristic, CharacteristicKind, Value};
+use super::characteristic::{Characteristic, CharacteristicKind, Characteristics, Value};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::{Sink, WhyUnjudged};
@@ -123,7 +123,8 @@ impl Place {
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
     let minus_is = minus_is(source)?;
     let context = source.context.clone();
-    let mut reader = Reader { sink, context, minus_is, told: String::new(), skipped: Vec::new(), has_unit: true };
+    let unit = source.given_unit();
+    let mut reader = Reader { sink, context, minus_is, unit, told: String::new(), skipped: Vec::new(), has_unit: true };
     let mut left = LeftLines::default();
     let mut place = Place::default();
     let mut last = 1;
@@ -170,6 +171,8 @@ struct Reader<'a, 's> {
     sink: &'a mut Sink<'s>,
     context: Context<'a>,
     minus_is: MinusIs,
+    /// The unit of what says none, where the user has said it.
+    unit: Option<Unit>,
     /// What was told of a head.
     told: String,
     skipped: Vec<String>,
@@ -257,10 +260,10 @@ impl Reader<'_, '_> {
     }
 
     fn row(&mut self, line: usize, row: &Row, columns: &Columns, place: &Place) -> Result<(), ImportErrorKind> {
-        let Place { title, head, .. } = place;
+        let head = &place.head;
         self.head(line, head);
         let time = head.date_time().ok().flatten();
-        let characteristic = match characteristic(row, columns, title, head, self.minus_is)? {
+        let characteristic = match characteristic(row, columns, place, (self.minus_is, self.unit))? {
             Read::Length(read) => read,
             Read::Other { id, labels, what } => {
                 let why = WhyUnjudged::NotASize { what };
@@ -323,9 +326,8 @@ struct ReadRow {
 fn characteristic(
     row: &Row,
     columns: &Columns,
-    title: &Title,
-    head: &Head,
-    minus_is: MinusIs,
+    Place { title, head, .. }: &Place,
+    (minus_is, given): (MinusIs, Option<Unit>),
 ) -> Result<Read, ImportErrorKind> {
     let axis = row.axis.as_str();
     let name = match &title.feature {
@@ -342,7 +344,7 @@ fn characteristic(
         let labels = Labels { quantity: Some(Quantity::Other), serial: head.serial.clone(), ..labels };
         return Ok(Read::Other { id: name, labels: Box::new(labels), what });
     };
-    let unit = title.unit()?;
+    let unit = title.unit()?.or(given);
     let figures = row.figures(columns, title, unit.unwrap_or(Unit::Millimetre), minus_is)?;
     let characteristic = Characteristic {
         name,
@@ -365,11 +367,10 @@ fn characteristic(
 }
 
 /// The characteristics, each once however many parts the report has.
-fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
+fn plan(source: &mut Source<'_>, found: &mut Characteristics) -> Result<(), ImportErrorKind> {
     let minus_is = minus_is(source)?;
-    let mut plan: Vec<(usize, Characteristic)> = Vec::new();
+    let unit = source.given_unit();
     let mut place = Place::default();
-    let mut fault = None;
     each_line(source, &mut |line| {
         match place.part(line.text) {
             Part::Title => place.open = Some((line.number, line.text.to_owned())),
@@ -390,26 +391,19 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
                 let columns = columns.clone();
                 let broken = line.broken(row.as_ref().is_ok_and(|row| row.is_complete));
                 let row = broken.map_or(row, Err);
-                match row.and_then(|row| characteristic(&row, &columns, &place.title, &place.head, minus_is)) {
-                    Ok(Read::Length(read)) if plan.iter().all(|(_, known)| !is_same(known, &read.characteristic)) => {
-                        plan.push((line.number, read.characteristic));
+                match row.and_then(|row| characteristic(&row, &columns, &place, (minus_is, unit))) {
+                    Ok(Read::Length(read)) => {
+                        if !read.has_unit {
+                            found.tell(line.number, ImportWarningKind::UnitAssumed);
+                        }
+                        found.add(line.number, read.characteristic);
                     }
-                    Ok(_) => {}
-                    Err(kind) => fault = fault.take().or(Some(kind)),
+                    Ok(Read::Other { id, what, .. }) => found.add_other(line.number, id, what),
+                    Err(kind) => found.refuse(line.number, kind),
                 }
             }
             Part::Stray(_) | Part::Head | Part::Other => {}
         }
         true
-    })?;
-    match fault {
-        Some(kind) => Err(kind),
-        None => Ok(plan),
-    }
-}
-
-/// Whether a row asks for the same as one of its name that was met before.
-fn is_same(known: &Characteristic, other: &Characteristic) -> bool {
-    let asked = |of: &Characteristic| (of.nominal, of.minimum, of.maximum);
-    known.name == other.name && asked(known) == asked(other)
+    })
 }

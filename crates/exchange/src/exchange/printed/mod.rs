@@ -5,10 +5,12 @@
 //! |---|---|
 //! | here | the lines of a report, and the figures of a row |
 //! | `error` | what is wrong with a report, and what is said of one |
+//! | `row` | a row of a name and figures, judged |
 //!
 //! A printed figure was rounded: its value lies within half of the last decimal. Figures that a report computed are compared no finer.
 
 mod error;
+mod row;
 
 use std::sync::Arc;
 
@@ -19,6 +21,7 @@ use fitcheck_core::probing::Origin;
 use fitcheck_core::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, plain_lines_from};
 use fitcheck_core::verdict::Status;
 use jiff::civil::DateTime;
+pub(super) use row::{Figure, PrintedRow};
 
 use super::Labels;
 use super::claim::Claim;

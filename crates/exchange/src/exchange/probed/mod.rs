@@ -17,7 +17,7 @@ use fitcheck_core::text::lines;
 use jiff::civil::DateTime;
 use row::Row;
 
-use super::characteristic::{Characteristic, CharacteristicKind, Value};
+use super::characteristic::{Characteristic, CharacteristicKind, Characteristics, Value};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::{Sink, WhyUnjudged};
@@ -78,13 +78,14 @@ enum OutOf {
 }
 
 impl OutOf {
-    fn of(text: &str) -> Option<Self> {
+    fn of(text: &str, unit: Option<Unit>) -> Option<Self> {
         let text = text.trim();
         if !text.starts_with('+') || !text.contains("OUT OF") {
             return None;
         }
         let is_size = text.trim_start_matches('+').starts_with("OUT OF TOL");
-        let figure = text.rsplit_once("ERROR").and_then(|(_, text)| Printed::read(text.trim(), Unit::Millimetre).ok());
+        let unit = unit.unwrap_or(Unit::Millimetre);
+        let figure = text.rsplit_once("ERROR").and_then(|(_, text)| Printed::read(text.trim(), unit).ok());
         Some(figure.filter(|_| is_size).map_or(Self::Other, Self::Size))
     }
 }
@@ -125,12 +126,15 @@ struct Reader<'a, 's> {
     waiting: Vec<Waiting>,
     left: LeftLines,
     is_open: bool,
+    /// The unit that the user has said; a report says none.
+    unit: Option<Unit>,
     is_unit_told: bool,
     last: usize,
 }
 
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
+    let unit = source.given_unit();
     let mut reader = Reader {
         sink,
         context,
@@ -140,7 +144,8 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
         waiting: Vec::new(),
         left: LeftLines::default(),
         is_open: false,
-        is_unit_told: false,
+        unit,
+        is_unit_told: unit.is_some(),
         last: 1,
     };
     each_line(source, &mut |line| reader.line(line))?;
@@ -162,7 +167,7 @@ impl Reader<'_, '_> {
         if let Some(numbers) = Numbers::of(text) {
             self.flush();
             self.numbers = numbers;
-        } else if let Some(out) = OutOf::of(text) {
+        } else if let Some(out) = OutOf::of(text, self.unit) {
             self.out(number, &out, trimmed);
         } else if let Some(row) = Row::of(text) {
             if self.sink.is_full(number) {
@@ -238,7 +243,7 @@ impl Reader<'_, '_> {
             aside(name, WhyUnjudged::NotValid { said: said.to_owned() });
             return Ok(());
         }
-        let figures = row.figures().map_err(|kind| (kind, row.what()))?;
+        let figures = row.figures(self.unit).map_err(|kind| (kind, row.what()))?;
         if !std::mem::replace(&mut self.is_unit_told, true) {
             self.sink.warn(FilePlace::line(line), None, ImportWarningKind::UnitAssumed);
         }
@@ -305,36 +310,30 @@ fn characteristic(row: &Row, name: String, labels: Labels, figures: &row::Figure
 }
 
 /// The sizes of a print, each once however many components it has.
-fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
-    let mut plan: Vec<(usize, Characteristic)> = Vec::new();
+fn plan(source: &mut Source<'_>, found: &mut Characteristics) -> Result<(), ImportErrorKind> {
+    let unit = source.given_unit();
     let mut numbers = Numbers::default();
     let mut toolpath = String::new();
-    let mut fault = None;
     each_line(source, &mut |line| {
-        if let Some(found) = Numbers::of(line.text) {
-            numbers = found;
+        if let Some(these) = Numbers::of(line.text) {
+            numbers = these;
         } else if let Some(name) = line.text.trim().strip_prefix("TOOLPATH ") {
             name.trim().clone_into(&mut toolpath);
         } else if let Some(row) = Row::of(line.text)
             && row.quantity().is_some()
             && row.not_measured().is_none()
         {
-            match line.broken(false).map_or_else(|| row.figures(), Err) {
+            match line.broken(false).map_or_else(|| row.figures(unit), Err) {
                 Ok(figures) => {
                     let name = name(&row, &toolpath, &numbers);
-                    let found = characteristic(&row, name, labels(&row, &numbers), &figures);
-                    let is_known = |known: &Characteristic| known.name == found.name && known.said() == found.said();
-                    if plan.iter().all(|(_, known)| !is_known(known)) {
-                        plan.push((line.number, found));
+                    if unit.is_none() {
+                        found.tell(line.number, ImportWarningKind::UnitAssumed);
                     }
+                    found.add(line.number, characteristic(&row, name, labels(&row, &numbers), &figures));
                 }
-                Err(kind) => fault = fault.take().or(Some(kind)),
+                Err(kind) => found.refuse(line.number, kind),
             }
         }
         true
-    })?;
-    match fault {
-        Some(kind) => Err(kind),
-        None => Ok(plan),
-    }
+    })
 }

@@ -103,13 +103,14 @@ impl Row {
         is_none.then_some(self.actual.as_str())
     }
 
-    /// The figures.
+    /// The figures, in mm or in the unit that the user has said.
     ///
     /// # Errors
     /// A figure that is missing or cannot be read.
-    pub(super) fn figures(&self) -> Result<Figures, ImportErrorKind> {
+    pub(super) fn figures(&self, unit: Option<Unit>) -> Result<Figures, ImportErrorKind> {
+        let unit = unit.unwrap_or(Unit::Millimetre);
         let read = |column: &str, text: &str| {
-            Printed::read(text.trim_start_matches('+'), Unit::Millimetre)
+            Printed::read(text.trim_start_matches('+'), unit)
                 .map_err(|reason| ImportErrorKind::from(PrintedFault::Number { column: column.to_owned(), reason }))
         };
         let some = |column: &str, text: &str| {

@@ -36,7 +36,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::characteristic::{Characteristic, Value};
+use super::characteristic::{Characteristics, Value};
 use super::claim::Claim;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
@@ -128,7 +128,7 @@ fn refuse(fault: Fault, sink: &mut Sink<'_>) {
 }
 
 /// The characteristics of the items, and of nominals that no item refers to: a plan need not have items.
-fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
+fn plan(source: &mut Source<'_>, found: &mut Characteristics) -> Result<(), ImportErrorKind> {
     let (definitions, fault) = Definitions::read(&mut open(source)?);
     if let Some(fault) = fault {
         return Err(fault.into());
@@ -147,19 +147,21 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
     if let Err(End::Fault(fault)) = ended {
         return Err(fault.into());
     }
-    let mut declared = Vec::new();
-    let at = |line: usize| move |kind| ImportErrorKind::from(xml::fault((line, 1), kind));
-    for ((line, id), item) in &definitions.items {
-        let read = definitions.resolve(item, features.get(id).map(String::as_str)).map_err(at(*line))?;
-        declared.push((*line, read.characteristic));
-    }
-    for ((line, id), nominal) in &definitions.nominals {
-        if !definitions.items.values().any(|item| item.nominal == *id) {
-            let read = definitions.resolve_nominal(nominal).map_err(at(*line))?;
-            declared.push((*line, read.characteristic));
+    let items = definitions
+        .items
+        .iter()
+        .map(|((line, id), item)| (*line, definitions.resolve(item, features.get(id).map(String::as_str))));
+    let without_item =
+        definitions.nominals.iter().filter(|((_, id), _)| !definitions.items.values().any(|item| item.nominal == *id));
+    let nominals = without_item.map(|((line, _), nominal)| (*line, definitions.resolve_nominal(nominal)));
+    for (line, read) in items.chain(nominals) {
+        match read {
+            Ok(read) => found.found.push((line, read.characteristic)),
+            Err(kind) => found.refuse(line, xml::fault((line, 1), kind).into()),
         }
     }
-    if declared.is_empty() { Err(ImportErrorKind::QifNoCharacteristics) } else { Ok(declared) }
+    let is_empty = found.found.is_empty() && found.refused.is_empty();
+    if is_empty { Err(ImportErrorKind::QifNoCharacteristics) } else { Ok(()) }
 }
 
 /// Judges values.
@@ -323,15 +325,12 @@ fn claim(status: &str) -> Option<Claim> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::source::ImportInputs;
+    use super::super::characteristic::Characteristic;
     use super::*;
-    use fitcheck_core::tolerance::{Feature, Sources};
+    use fitcheck_core::tolerance::Feature;
 
     fn planned(text: &str) -> Result<Vec<(usize, Characteristic)>, String> {
-        let mut body = std::io::Cursor::new(text.as_bytes());
-        let sources = Sources::default();
-        let mut source = Source::new("a.qif", &mut body, ImportInputs::new(&sources, DateTime::MIN)).unwrap();
-        plan(&mut source).map_err(|error| error.to_string())
+        FORMAT.declared("a.qif", text.as_bytes(), None)
     }
 
     const LIMITS: &str = include_str!("../../../../../tests/data/qif/minimal_bore_25H7.qif");

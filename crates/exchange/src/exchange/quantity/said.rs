@@ -113,18 +113,19 @@ pub(super) fn said(cell: &str) -> Option<Said> {
     let of = |quantity, is_plain| Some(Said { quantity, is_plain, is_shape: false, is_code: false });
     let cell = cell.trim();
     if cell.contains(|c| SIGNS.contains(c)) {
-        return of(Quantity::Other, true);
+        return of(Quantity::Length, true);
     }
     // Most cells are numbers.
     if !cell.contains(char::is_alphabetic) {
         return None;
     }
     let words = words_of(cell);
+    let other = || if is_no_length(cell) { Quantity::Other } else { Quantity::Length };
     if let [word] = words.as_slice()
         && word.chars().count() <= LONGEST_CODE
     {
         let code = match word.as_str() {
-            code if has(CODES, code) => Some(Quantity::Other),
+            code if has(CODES, code) => Some(other()),
             code if has(DIAMETER_CODES, code) => Some(Quantity::Diameter),
             code if has(WIDTH_CODES, code) => Some(Quantity::Width),
             code => axis(code).map(Quantity::Coordinate),
@@ -144,7 +145,7 @@ pub(super) fn said(cell: &str) -> Option<Said> {
     let is_plain = words.iter().all(is_known);
     let any = |is: &dyn Fn(&str) -> bool| words.iter().any(|word| is(word));
     if any(&is_other) {
-        return of(Quantity::Other, is_plain);
+        return of(other(), is_plain);
     }
     if any(&is_diameter) {
         return of(Quantity::Diameter, is_plain);
@@ -226,19 +227,20 @@ pub(in crate::exchange) fn is_form(name: &str) -> bool {
 }
 
 /// Beginnings of words of what is no length.
-const NO_LENGTHS: &str = "angle|angular|winkel|hoek|angol|ángulo|hardness|härte|hardheid|durezz|temperat|area|weight|gewicht|peso|force|kraft|torque|kąt|úhel|úhly";
+const NO_LENGTHS: &str = "angle|angular|winkel|hoek|angol|ángulo|hardness|härte|hardheid|durezz|temperat|area|weight|gewicht|peso|force|kraft|\
+    torque|kąt|úhel|úhly|rough|rauheit|rauhigkeit|rauigkeit|ruwheid|rugos|chropowat|drsnost";
 
-/// Codes of angles.
-const ANGLE_CODES: &str = "a|ang|pa";
+/// Codes of angles and of roughness.
+const NO_LENGTH_CODES: &str = "a|ang|pa|ra|rz|rt|rq";
 
-/// Whether a text says that an angle was measured, or something else that no length is.
+/// Whether a text says that an angle was measured, or a roughness, or something else that no length of the part is.
 pub(in crate::exchange) fn is_no_length(text: &str) -> bool {
     let words = words_of(text);
     let begins = |word: &String| NO_LENGTHS.split('|').any(|known| word.starts_with(known));
     // Angularity is a zone between two planes.
     let is_zone = |word: &String| word.starts_with("angularit") || word.starts_with("angolarit");
     match words.as_slice() {
-        [word] if has(ANGLE_CODES, word) => true,
+        [word] if has(NO_LENGTH_CODES, word) => true,
         words => words.iter().any(|word| begins(word) && !is_zone(word)),
     }
 }
