@@ -14,7 +14,7 @@ use crate::message::{Message, message};
 use crate::session::help::Sample;
 use crate::session::parts::WalkCommand;
 use crate::session::{
-    CheckCommand, ColumnsCommand, ColumnsRequest, Command, ImportInto, RowsCommand, UsedColumns, refusal,
+    CheckCommand, ColumnsCommand, ColumnsRequest, Command, ImportInto, RowsCommand, UnitLess, UsedColumns, refusal,
 };
 
 /// A file with its beginning, where it is read by its columns.
@@ -47,6 +47,10 @@ pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, w
     };
     if !masks_of(&looked.name, &looked.bytes, mapping, with).is_empty() {
         return looked.import(None, None, with);
+    }
+    let takes_unit = takes_unit(&looked.name, &looked.bytes, with);
+    if takes_unit && mapping.is_some_and(Mapping::says_unit_alone) {
+        return looked.import(mapping, None, with);
     }
     if mapping.is_some() {
         looked.first = FirstRows::of_columns(&looked.name, &looked.bytes);
@@ -157,18 +161,36 @@ impl Looked {
 
     fn import(self, mapping: Option<&Mapping>, known: Option<Known>, with: With<'_>) -> FileContents {
         let Self { path, name, into, bytes, sha256, .. } = self;
+        let takes_unit = mapping.is_none() && takes_unit(&name, &bytes, with);
+        let unit_less = || {
+            let file = UnitLess { name: name.clone(), path: path.clone(), into };
+            Command::from(ColumnsCommand::UnitLess(Box::new(file)))
+        };
         let used = known.map(|Known { detected, remembered, .. }| {
             let used = UsedColumns { name: name.clone(), path: path.clone(), into, detected, remembered };
             ColumnsCommand::Used(Box::new(used)).into()
         });
-        let command = match into {
-            ImportInto::History => CheckCommand::Imported { result: import(&path, bytes, mapping, with), name }.into(),
+        let (command, lacks_unit) = match into {
+            ImportInto::History => {
+                let result = import(&path, bytes, mapping, with);
+                let lacks_unit = result.as_ref().is_ok_and(|read| read.lacks_unit());
+                (CheckCommand::Imported { result, name: name.clone() }.into(), lacks_unit)
+            }
             ImportInto::Part(run) => {
-                WalkCommand::Imported { run, result: items(&path, bytes, mapping, with), name }.into()
+                let result = items(&path, bytes, mapping, with);
+                let lacks_unit = result.as_ref().is_ok_and(|items| items.iter().any(Item::lacks_unit));
+                (WalkCommand::Imported { run, result, name: name.clone() }.into(), lacks_unit)
             }
         };
-        FileContents { before: used, command, sha256 }
+        let before = used.or_else(|| (takes_unit && lacks_unit).then(unit_less));
+        FileContents { before, command, sha256 }
     }
+}
+
+/// Whether a mapping of the unit alone may say the unit of a file.
+fn takes_unit(name: &str, bytes: &[u8], with: With<'_>) -> bool {
+    let format = exchange::recognised(name, &mut Cursor::new(bytes), with.masks).ok().flatten();
+    format.is_some_and(exchange::Format::takes_unit)
 }
 
 /// The user's own mask, where it seems to have printed a file; chosen columns are those of a table.

@@ -125,7 +125,12 @@ fn offers_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     }
     let of_columns = notice.columns.iter().flat_map(|columns| {
         let forget = columns.shape.is_some().then_some(WindowAction::ForgetColumns);
-        std::iter::once(WindowAction::CorrectColumns).chain(forget)
+        let [first, second] = if columns.lacks_unit {
+            [Some(WindowAction::LengthsInMm), Some(WindowAction::LengthsInInches)]
+        } else {
+            [Some(WindowAction::CorrectColumns), forget]
+        };
+        first.into_iter().chain(second)
     });
     let of_file = [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
     for action in of_columns.chain(of_file) {

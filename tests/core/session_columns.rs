@@ -7,7 +7,7 @@ use fitcheck::exchange::{DecimalSign, Detected, FirstRows, Mapping, Role, Separa
 use fitcheck::message::Message;
 use fitcheck::session::{
     CheckCommand, ColumnChoice, ColumnsCommand, ColumnsRequest, Command, Effect, ImportInto, OpenColumns, Purpose,
-    Saved, Session, UsedColumns,
+    Saved, Session, UnitLess, UsedColumns,
 };
 use fitcheck::tolerance::Sources;
 use fitcheck::words::{Language, Words};
@@ -138,6 +138,25 @@ fn a_notice_says_what_the_columns_were_taken_for_and_offers_to_correct_it() {
     let correct = WindowAction::CorrectColumns.command(&session).unwrap();
     let effects = send(&mut session, correct);
     assert_eq!(effects, [Effect::Read(Purpose::AskColumns(ImportInto::History), PathBuf::from("/in/m.csv"))]);
+}
+
+#[test]
+fn lines_of_a_gauge_without_a_unit_are_read_again_in_the_one_that_is_said() {
+    let path = PathBuf::from("/in/gauge.txt");
+    for (action, unit) in [(WindowAction::LengthsInMm, "unit=mm"), (WindowAction::LengthsInInches, "unit=inch")] {
+        let mut session = Session::new(Language::En);
+        let name = "gauge.txt".to_owned();
+        let result = Ok(Box::new(import(&name, b"01A+025.0120\r01A+024.9900\r", &Sources::default(), now())));
+        assert!(result.as_ref().is_ok_and(|read| read.lacks_unit()));
+        let file = UnitLess { name: name.clone(), path: path.clone(), into: ImportInto::History };
+        send(&mut session, ColumnsCommand::UnitLess(Box::new(file)));
+        send(&mut session, CheckCommand::Imported { name, result });
+        assert!(!session.can(WindowAction::CorrectColumns));
+        let command = action.command(&session).unwrap();
+        let mapping: Mapping = unit.parse().unwrap();
+        let read = Effect::ReadColumns { into: ImportInto::History, path: path.clone(), mapping: Box::new(mapping) };
+        assert_eq!(send(&mut session, command), [read]);
+    }
 }
 
 #[test]

@@ -120,6 +120,18 @@ fn a_certain_file_is_imported_at_once_and_says_what_its_columns_were_taken_for()
 }
 
 #[test]
+fn lines_of_a_gauge_are_read_in_the_unit_that_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    dropped(&mut page, folder.path(), "gauge.txt", "01A+025.0120\r\n");
+    page.get_by_label_contains("says neither mm nor inch");
+    assert_eq!(measured(&page), 0);
+    click(&mut page, Role::Button, "The lengths are in mm");
+    until(&mut page, |page| measured(page) == 1);
+    assert!(page.query_by_label("The lengths are in mm").is_none());
+}
+
+#[test]
 fn the_keyboard_alone_corrects_and_takes() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = begun(folder.path());

@@ -126,7 +126,8 @@ pub use check::{
     RuleFields, ShownCheck, UncertaintyFrom, rule_name_id,
 };
 pub use columns::{
-    ColumnChoice, ColumnsCommand, ColumnsRequest, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id, unit_id,
+    ColumnChoice, ColumnsCommand, ColumnsRequest, NoticeColumns, OpenColumns, UnitLess, UsedColumns, refusal, role_id,
+    unit_id,
 };
 pub use command::Command;
 pub use cycles::{

@@ -568,6 +568,11 @@ pub enum ImportErrorKind {
 }
 
 impl ImportErrorKind {
+    /// Whether it says that the file names no unit.
+    pub(super) const fn lacks_unit(&self) -> bool {
+        matches!(self, Self::GaugeUnit { .. })
+    }
+
     /// That the system cannot read on.
     pub(super) fn read(error: &std::io::Error) -> Self {
         Self::Read { reason: error.to_string() }

@@ -315,9 +315,24 @@ impl Item {
     pub const fn is_row(&self) -> bool {
         !matches!(self, Self::Warning(_) | Self::Contacts(_))
     }
+
+    /// Whether its file does not say its unit; [`Format::takes_unit`](super::Format::takes_unit) says whether a mapping may.
+    pub const fn lacks_unit(&self) -> bool {
+        match self {
+            Self::Error(error) => error.what.kind.lacks_unit(),
+            Self::Warning(warning) => warning.what.kind.lacks_unit(),
+            Self::Record { .. } | Self::Unjudged(_) | Self::Contacts(_) => false,
+        }
+    }
 }
 
 impl Imported {
+    /// Whether its file does not say its unit; [`Format::takes_unit`](super::Format::takes_unit) says whether a mapping may.
+    pub fn lacks_unit(&self) -> bool {
+        self.errors.iter().any(|error| error.what.kind.lacks_unit())
+            || self.warnings.iter().any(|warning| warning.what.kind.lacks_unit())
+    }
+
     /// Keeps a thing that was read.
     pub(super) fn keep(&mut self, item: Item) {
         self.rows += usize::from(item.is_row());

@@ -252,6 +252,11 @@ impl Format {
         if self.name == fn16::FORMAT.name { masks } else { &[] }
     }
 
+    /// Whether a file of it may say no unit, and a mapping of the unit alone says it.
+    pub fn takes_unit(&self) -> bool {
+        MAY_SAY_NO_UNIT.iter().any(|format| format.name == self.name)
+    }
+
     /// Whether the file seems to be of this format, by its first 64 KiB and its name.
     pub fn recognises(&self, bytes: &[u8], file_name: &str) -> bool {
         (self.recognises)(&Beginning::new(file_name, bytes))
@@ -333,10 +338,12 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
     }
 }
 
+/// The formats whose files may say no unit.
+const MAY_SAY_NO_UNIT: [&Format; 6] =
+    [&calypso::FORMAT, &protocol::FORMAT, &pcdmis::FORMAT, &probed::FORMAT, &geopak::FORMAT, &gauge::FORMAT];
+
 /// The formats that a mapping can be of: tables, and where it says the unit alone those that may say none.
 fn of_mapping(mapping: &Mapping) -> Vec<&'static Format> {
-    const MAY_SAY_NO_UNIT: [&Format; 6] =
-        [&calypso::FORMAT, &protocol::FORMAT, &pcdmis::FORMAT, &probed::FORMAT, &geopak::FORMAT, &gauge::FORMAT];
     let by_unit: &[&Format] = if mapping.says_unit_alone() { &MAY_SAY_NO_UNIT } else { &[] };
     [&xlsx::FORMAT].into_iter().chain(by_unit.iter().copied()).chain([&measurements::FORMAT]).collect()
 }

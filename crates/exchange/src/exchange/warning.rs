@@ -352,6 +352,11 @@ impl ImportWarningKind {
         }
     }
 
+    /// Whether it says that the file names no unit.
+    pub(super) const fn lacks_unit(&self) -> bool {
+        matches!(self, Self::UnitAssumed)
+    }
+
     /// Whether it compares what the file says beside a value with its answer.
     pub(super) const fn is_of_claim(&self) -> bool {
         matches!(

@@ -1,5 +1,6 @@
 //! What can be done on every page.
 
+use fitcheck_core::length::Unit;
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::tolerance::Base;
 use fitcheck_core::tolerance::iso286::{Edition, JsHalves, Options};
@@ -52,6 +53,9 @@ actions! {
     CorrectColumns;
     /// Forgets what was remembered of them.
     ForgetColumns;
+    /// Reads the file again that the notice tells of and that says no unit.
+    LengthsInMm;
+    LengthsInInches;
     /// Judges a file on the check page that is of no part of the plan.
     JudgeUnplanned;
     /// Writes the checks in a format of the report's list, by its number there.
@@ -145,7 +149,11 @@ impl Actions for WindowAction {
                     .when(|session| shows_columns(session).is_some_and(|open| open.refusal.is_none()))
             }
             Self::CorrectColumns => everywhere("columns-page-correct", ColumnsCommand::Correct.into())
-                .when(|session| told_columns(session).is_some()),
+                .when(|session| told_columns(session).is_some_and(|columns| !columns.lacks_unit)),
+            Self::LengthsInMm => everywhere("columns-page-in-mm", ColumnsCommand::In(Unit::Millimetre).into())
+                .when(|session| told_columns(session).is_some_and(|columns| columns.lacks_unit)),
+            Self::LengthsInInches => everywhere("columns-page-in-inches", ColumnsCommand::In(Unit::Inch).into())
+                .when(|session| told_columns(session).is_some_and(|columns| columns.lacks_unit)),
             Self::JudgeUnplanned => everywhere("judge-unplanned", FilesCommand::JudgeUnplanned.into())
                 .when(|session| session.unplanned_file().is_some()),
             Self::ForgetColumns => everywhere("columns-page-forget", ColumnsCommand::Forget.into())

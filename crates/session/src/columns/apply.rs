@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use fitcheck_core::message::message;
 use fitcheck_core::part::Plan;
+use fitcheck_exchange::exchange::Mapping;
 use jiff::civil::DateTime;
 
-use super::{ColumnsCommand, ColumnsRequest, OpenColumns};
+use super::{ColumnsCommand, ColumnsRequest, NoticeColumns, OpenColumns};
 use crate::Session;
 use crate::effect::Effect;
 use crate::purpose::{ImportInto, Purpose};
@@ -18,6 +19,13 @@ impl Session {
         match command {
             ColumnsCommand::Ask(asked) => self.ask_for_columns(*asked, now),
             ColumnsCommand::Used(used) => self.shared.columns.used = Some(*used),
+            ColumnsCommand::UnitLess(file) => self.shared.columns.unit_less = Some(*file),
+            ColumnsCommand::In(unit) => {
+                let of_notice = self.shared.notices.shown().and_then(|notice| notice.columns.clone());
+                let Some(NoticeColumns { path, into, .. }) = of_notice else { return Vec::new() };
+                self.shared.notices.close();
+                return vec![Effect::ReadColumns { into, path, mapping: Box::new(Mapping::of_unit(unit)) }];
+            }
             ColumnsCommand::Choose(choice) => {
                 let plan = self.plan_of_columns();
                 let sources = Arc::clone(&self.shared.sources);

@@ -34,6 +34,19 @@ pub struct NoticeColumns {
     pub into: ImportInto,
     /// The shape whose mapping is remembered.
     pub shape: Option<String>,
+    /// Whether it has no columns to correct, but says no unit.
+    pub lacks_unit: bool,
+}
+
+/// A file that says no unit.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnitLess {
+    /// Its name without the folder.
+    pub name: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Where its values go.
+    pub into: ImportInto,
 }
 
 /// The columns of files.
@@ -44,6 +57,8 @@ pub(crate) struct Columns {
     open: VecDeque<OpenColumns>,
     /// What was said of the file whose content comes next.
     used: Option<UsedColumns>,
+    /// That file, where it says no unit.
+    unit_less: Option<UnitLess>,
 }
 
 impl Columns {

@@ -3,13 +3,17 @@
 use fitcheck_core::message::message;
 use fitcheck_exchange::exchange::Role;
 
-use super::{NoticeColumns, role_id, unit_id};
+use super::{NoticeColumns, UnitLess, role_id, unit_id};
 use crate::notice::Notice;
 use crate::shared::Shared;
 
 impl Shared {
-    /// A notice of a file says what its columns were taken for, and offers to correct that.
+    /// A notice of a file says what its columns were taken for, and offers to correct that, or to say the unit that it lacks.
     pub fn add_columns(&mut self, notice: &mut Notice, name: &str) {
+        if let Some(UnitLess { path, into, .. }) = self.columns.unit_less.take().filter(|file| file.name == name) {
+            notice.columns = Some(NoticeColumns { path, into, shape: None, lacks_unit: true });
+            return;
+        }
         let Some(used) = self.columns.used.take().filter(|used| used.name == name) else { return };
         let words = self.words();
         let detected = &used.detected;
@@ -29,6 +33,6 @@ impl Shared {
         let from = detected.unit_from.as_ref().map(|from| message!("columns-page-unit-from").text("from", from));
         notice.details.extend(said.into_iter().chain([message]).chain(from));
         let shape = remembered.map(|(shape, _)| shape.clone());
-        notice.columns = Some(NoticeColumns { path: used.path, into: used.into, shape });
+        notice.columns = Some(NoticeColumns { path: used.path, into: used.into, shape, lacks_unit: false });
     }
 }

@@ -33,6 +33,7 @@ use crate::exchange::cell::single_blanks;
 pub use choice::Choice;
 pub use detected::Detected;
 pub use first_rows::FirstRows;
+use fitcheck_core::length::Unit;
 use fitcheck_core::message::Say;
 pub use remembered::{Kept, MOST_KEPT, Remembered};
 pub use signs::{ColumnUnit, DecimalSign, Separator};
@@ -103,8 +104,13 @@ impl Mapping {
         self.unit
     }
 
+    /// That values are in this unit, and nothing else.
+    pub fn of_unit(unit: Unit) -> Self {
+        Self { unit: Some(ColumnUnit::of(unit)), ..Self::default() }
+    }
+
     /// Whether it says the unit of values and nothing else.
-    pub(super) fn says_unit_alone(&self) -> bool {
+    pub fn says_unit_alone(&self) -> bool {
         self.unit.is_some() && *self == Self { unit: self.unit, ..Self::default() }
     }
 
