@@ -5,9 +5,9 @@
 //! Our interpretation: Q310 shifts across the measured axis; Q320 and Q301 come last, if a program has them at all; the
 //! second probing begins, at rapid traverse, as far from the wall as the nominal width suggests.
 
-use super::probed::{clearance, met, probing};
+use super::probed::{axis, clearance, met, probing};
 use super::width_cycle::{
-    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, corrects, measured, subject, surface,
+    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, corrects, measured, subject, surface,
 };
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{

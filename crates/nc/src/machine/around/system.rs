@@ -45,7 +45,7 @@ impl Around {
             Frame::Title => {}
             Frame::Shift(axes) => self.shift(axes, unit, value)?,
             Frame::NoShift => {
-                self.zero = [0.0; 3];
+                self.shift = [0.0; 3];
                 self.changes.remove(&Change::DatumTable);
             }
             Frame::ShiftFromTable => self.set(Change::DatumTable, true, made),
@@ -116,7 +116,7 @@ impl Around {
     fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, value: &ValueOf<'_>) -> Result<(), FaultKind> {
         for word in axes {
             let by = value(word.value)? * millimetres(unit);
-            let [x, y, z] = &mut self.zero;
+            let [x, y, z] = &mut self.shift;
             let zero = match word.axis {
                 Axis::X => x,
                 Axis::Y => y,
@@ -134,15 +134,18 @@ impl Around {
         Ok(())
     }
 
-    /// Cycle 247: shift, rotation, mirror and scaling end. Fitcheck has no preset table: the workpiece lies at each preset.
+    /// Cycle 247: shift, rotation, mirror and scaling end. Fitcheck has no preset table: the workpiece lies at each preset that no cycle
+    /// has written.
     fn activate(&mut self, number: Option<Operand>, value: &ValueOf<'_>) -> Result<Option<Remark>, FaultKind> {
         let number = number.map(value).transpose()?;
         let is_other = self.preset.is_some() && self.preset != number;
         // A preset that is not named may be any.
         self.stops += u64::from(number.is_none());
-        self.zero = [0.0; 3];
+        self.shift = [0.0; 3];
+        let row = number.filter(|number| number.fract().abs() <= 0.0).and_then(|number| format!("{number}").parse().ok());
+        let is_known = self.datum.activate(row);
         self.changes.retain(|change, _| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning));
         self.preset = number.or(self.preset);
-        Ok(number.filter(|_| is_other).map(|number| Remark::OtherPreset { number: number.to_string() }))
+        Ok(number.filter(|_| is_other && !is_known).map(|number| Remark::OtherPreset { number: number.to_string() }))
     }
 }
