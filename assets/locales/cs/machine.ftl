@@ -84,6 +84,8 @@ machine-mode = řídicí systém je v režimu { $mode }: měřicí cykly běží
 machine-changed = od řádku { $line }, { $text }, je aktivní { $change }: po tu dobu Fitcheck neměří
 machine-nothing-selected = před CALL SELECTED PGM není SEL PGM
 machine-no-datum-table = vztažný bod by přišel do řádku { $row } aktivní tabulky nulových bodů (Q303 = 0), kterou má jen řídicí systém: zde od něj nelze nic měřit
+machine-no-preset = { $table } nemá řádek { $row }
+machine-preset-locked = { $table }: řádek { $row } je uzamčen, cyklus do něj nemůže zapsat
 machine-shifted-preset = řádek { $row } je aktivní vztažný bod a je aktivní posunutí nulového bodu: co s ním řídicí systém udělá, není známo
 machine-change-not-known = neznámý nulový bod
 machine-change-turning = natočený systém cyklu 800

@@ -84,6 +84,8 @@ machine-mode = die Steuerung ist in der Betriebsart { $mode }: Messzyklen laufen
 machine-changed = { $change } wirkt seit Textzeile { $line }, { $text }: währenddessen misst Fitcheck nicht
 machine-nothing-selected = vor CALL SELECTED PGM steht kein SEL PGM
 machine-no-datum-table = der Bezugspunkt käme in Zeile { $row } der aktiven Nullpunkttabelle (Q303 = 0), die nur die Steuerung hat: hier kann von ihm aus nichts gemessen werden
+machine-no-preset = { $table } hat keine Zeile { $row }
+machine-preset-locked = { $table }: Zeile { $row } ist gesperrt, der Zyklus kann sie nicht beschreiben
 machine-shifted-preset = Zeile { $row } ist der aktive Bezugspunkt, und eine Nullpunktverschiebung ist aktiv: was eine Steuerung aus ihr macht, ist nicht bekannt
 machine-change-not-known = ein unbekannter Bezugspunkt
 machine-change-turning = das gedrehte System von Zyklus 800

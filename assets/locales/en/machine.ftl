@@ -84,6 +84,8 @@ machine-mode = the control is in { $mode } mode: measuring cycles run in milling
 machine-changed = { $change } has been active since line { $line }, { $text }: Fitcheck does not measure while it is active
 machine-nothing-selected = no SEL PGM comes before CALL SELECTED PGM
 machine-no-datum-table = the datum would go into row { $row } of the active datum table (Q303 = 0), which only the control has: nothing can be measured from it here
+machine-no-preset = { $table } has no row { $row }
+machine-preset-locked = { $table }: row { $row } is locked, so the cycle cannot write it
 machine-shifted-preset = row { $row } is the active preset, and a datum shift is active: what a control makes of the shift is not known
 machine-change-not-known = an unknown datum
 machine-change-turning = the turned system of cycle 800

@@ -84,6 +84,8 @@ machine-mode = el control está en modo { $mode }: los ciclos de medición funci
 machine-changed = desde la línea { $line }, { $text }, está en vigor { $change }: mientras tanto Fitcheck no mide
 machine-nothing-selected = ningún SEL PGM precede a CALL SELECTED PGM
 machine-no-datum-table = el punto de referencia iría a la fila { $row } de la tabla de puntos cero activa (Q303 = 0), que solo tiene el control: aquí no se puede medir nada desde él
+machine-no-preset = { $table } no tiene la fila { $row }
+machine-preset-locked = { $table }: la fila { $row } está bloqueada, el ciclo no puede escribirla
 machine-shifted-preset = la fila { $row } es el punto de referencia activo y hay un desplazamiento del punto cero activo: no se sabe qué hace un control con él
 machine-change-not-known = un punto cero desconocido
 machine-change-turning = el sistema girado del ciclo 800

@@ -84,6 +84,8 @@ machine-mode = la commande est en mode { $mode } : les cycles de mesure ne s'ex
 machine-changed = { $change } : actif depuis la ligne { $line }, { $text } ; Fitcheck ne mesure pas pendant ce temps
 machine-nothing-selected = aucun SEL PGM ne précède CALL SELECTED PGM
 machine-no-datum-table = le point d'origine irait dans la ligne { $row } du tableau de points zéro actif (Q303 = 0), que seule la commande possède : rien ne peut être mesuré ici à partir de lui
+machine-no-preset = { $table } n'a pas de ligne { $row }
+machine-preset-locked = { $table } : la ligne { $row } est verrouillée, le cycle ne peut pas y écrire
 machine-shifted-preset = la ligne { $row } est le point d'origine actif et un décalage du point zéro est actif : ce qu'une commande en fait n'est pas connu
 machine-change-not-known = un point d'origine inconnu
 machine-change-turning = le système tourné du cycle 800

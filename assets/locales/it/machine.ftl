@@ -84,6 +84,8 @@ machine-mode = il controllo numerico è in modalità { $mode }: i cicli di misur
 machine-changed = dalla linea { $line }, { $text }, è in vigore { $change }: nel frattempo Fitcheck non misura
 machine-nothing-selected = prima di CALL SELECTED PGM non c'è un SEL PGM
 machine-no-datum-table = l'origine andrebbe nella riga { $row } della tabella punti zero attiva (Q303 = 0), che ha solo il controllo numerico: qui da essa non si può misurare nulla
+machine-no-preset = { $table } non ha la riga { $row }
+machine-preset-locked = { $table }: la riga { $row } è bloccata, il ciclo non può scriverla
 machine-shifted-preset = la riga { $row } è l'origine attiva ed è attivo uno spostamento del punto zero: non è noto che cosa ne fa un controllo numerico
 machine-change-not-known = un'origine sconosciuta
 machine-change-turning = il sistema ruotato del ciclo 800

@@ -84,6 +84,8 @@ machine-mode = de besturing staat in { $mode }: meetcycli worden alleen in het f
 machine-changed = { $change } is actief sinds tekstregel { $line }, { $text }: zolang dat zo is, meet Fitcheck niet
 machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
 machine-no-datum-table = het referentiepunt zou in regel { $row } van de actieve nulpunttabel komen (Q303 = 0), die alleen de besturing heeft: hier kan van daaruit niets worden gemeten
+machine-no-preset = { $table } heeft geen regel { $row }
+machine-preset-locked = { $table }: regel { $row } is vergrendeld, de cyclus kan die niet beschrijven
 machine-shifted-preset = regel { $row } is het actieve referentiepunt en er is een nulpuntverschuiving actief: wat een besturing daarvan maakt is niet bekend
 machine-change-not-known = een onbekend nulpunt
 machine-change-turning = het gedraaide coördinatensysteem van cyclus 800

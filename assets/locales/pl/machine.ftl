@@ -94,6 +94,8 @@ machine-mode = sterowanie jest w trybie { $mode }: cykle pomiarowe działają ty
 machine-changed = od linii { $line }, { $text }, działa { $change }: w tym czasie Fitcheck nie mierzy
 machine-nothing-selected = przed CALL SELECTED PGM nie ma SEL PGM
 machine-no-datum-table = punkt odniesienia trafiłby do wiersza { $row } aktywnej tabeli punktów zerowych (Q303 = 0), którą ma tylko sterowanie: tutaj nie można od niego nic mierzyć
+machine-no-preset = { $table } nie ma wiersza { $row }
+machine-preset-locked = { $table }: wiersz { $row } jest zablokowany, cykl nie może go zapisać
 machine-shifted-preset = wiersz { $row } jest aktywnym punktem odniesienia i aktywne jest przesunięcie punktu zerowego: nie wiadomo, co robi z nim sterowanie
 machine-change-not-known = nieznany punkt odniesienia
 machine-change-turning = układ obrócony cyklu 800

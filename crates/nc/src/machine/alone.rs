@@ -11,7 +11,6 @@ use fitcheck_core::probing::cycle::Control;
 use fitcheck_core::text::cut;
 
 use super::around::{Around, CarriedState, ChangingBlock, machining, reset_datum};
-use super::change::sets_datum;
 use super::tool_call::Named;
 use crate::control::probe_block::ProbeBlock;
 use crate::program::{Block, Body, Course, MachineFunction, Operand, PassedOver, Program, Unread};
@@ -258,11 +257,9 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
         | Body::TableOpen(_)
         | Body::TableRead { .. }
         | Body::TableWrite { .. }
+        | Body::Probe(_)
         | Body::GlobalDefinition(_)
         | Body::SystemRead { .. } => return Before::Nothing,
-        // Whatever it measures: where its datum comes to is not known without a run.
-        Body::Probe(cycle) if sets_datum(&cycle.number) => around.lose_system(made),
-        Body::Probe(_) => return Before::Nothing,
     }
     Before::Changed
 }

@@ -1,8 +1,6 @@
 //! Changes of the system of coordinates under which nothing is measured here.
 
 use fitcheck_core::message::Say;
-use fitcheck_core::probing::cycle::{Control, Cycle};
-use fitcheck_core::probing::cycles::cycles_of;
 
 /// A change of the system under which nothing is measured here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
@@ -35,12 +33,6 @@ fn sets_no_datum(number: u32) -> bool {
 /// Whether a cycle that is not run may have set a datum: nothing is measured after it.
 pub(super) fn may_set_datum(cycle: &str) -> bool {
     !cycle_number(cycle).is_some_and(sets_no_datum)
-}
-
-/// Whether a cycle sets a datum, or may set one where it is not run.
-pub(super) fn sets_datum(cycle: &str) -> bool {
-    let known = cycles_of(Control::Milling).find(|known| known.code == cycle);
-    known.map_or_else(|| may_set_datum(cycle), Cycle::sets_datum)
 }
 
 /// The number before the point of a block of several cycles.

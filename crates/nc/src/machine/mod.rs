@@ -6,6 +6,7 @@
 //! | `flow` | labels, jumps, repeats, calls and returns |
 //! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |
+//! | `presets` | the preset table |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, datum; where a cycle measures |
 //! | `change` | changes of the system under which nothing is measured here |
@@ -36,6 +37,7 @@ mod logs;
 mod moves;
 mod path;
 mod placement;
+mod presets;
 mod prints;
 mod remark;
 mod run;

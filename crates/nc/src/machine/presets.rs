@@ -4,7 +4,7 @@
 //! rotation, which are known here, too. What a value in the column of locked rows means is remembered: anything but a blank, `-` and 0
 //! counts as locked.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use fitcheck_core::length::{Length, Unit};
 
@@ -13,6 +13,7 @@ use super::files::Files;
 use super::path::NcPath;
 use super::remark::Remark;
 use super::store::StoreError;
+use super::values::whole;
 use crate::control::mask::FileUse;
 use crate::control::table::{ControlTable, TableFile, TableUnit, is_blank};
 
@@ -54,8 +55,11 @@ pub(super) struct Presets {
     table: Option<PresetTable>,
     /// How many times it was written.
     writes: usize,
-    /// Rows that were written.
-    written: BTreeSet<u32>,
+}
+
+/// The row of a number, where it is one.
+pub(super) fn row_number(number: f64) -> Option<u32> {
+    whole(number).and_then(|row| u32::try_from(row).ok())
 }
 
 impl PresetTable {
@@ -111,7 +115,7 @@ impl PresetTable {
         let columns = ROTATIONS.into_iter().filter_map(|name| self.file.table.column(name));
         let turns = |column: usize| {
             let cell = self.text(row, column);
-            !is_blank(cell) && cell.parse::<f64>().is_ok_and(|angle| angle.abs() <= 0.0) == false
+            !is_blank(cell) && !cell.parse::<f64>().is_ok_and(|angle| angle.abs() <= 0.0)
         };
         let is_rotated = columns.into_iter().any(turns);
         Ok(PresetRow { zero: [x?, y?, z?], is_rotated })
@@ -156,14 +160,16 @@ impl Presets {
         Ok(self.table.as_mut())
     }
 
+    /// A row that a cycle writes: an error where it is locked.
+    pub(super) fn unlocked(&mut self, number: u32, files: &mut Files) -> Result<Option<PresetRow>, FaultKind> {
+        let Some(table) = self.table(files)? else { return Ok(None) };
+        table.check_unlocked(number)?;
+        table.row(number).map(Some)
+    }
+
     /// A row as it is now; `None` where there is no table.
     pub(super) fn row(&mut self, number: u32, files: &mut Files) -> Result<Option<PresetRow>, FaultKind> {
         self.table(files)?.map(|table| table.row(number)).transpose()
-    }
-
-    /// An error for a row that cannot be written; fine where there is no table.
-    pub(super) fn check(&mut self, number: u32, files: &mut Files) -> Result<(), FaultKind> {
-        self.table(files)?.map_or(Ok(()), |table| table.check_unlocked(number))
     }
 
     /// Writes a zero, from that of the machine, into a row and the table into the output folder.
@@ -173,12 +179,17 @@ impl Presets {
         zero: [Option<Length>; 3],
         files: &mut Files,
     ) -> Result<Option<Remark>, FaultKind> {
-        let Some(table) = self.table(files)? else { return Ok(None) };
+        self.table(files)?;
+        let Self { table: Some(table), writes, .. } = self else { return Ok(None) };
+        // A row 0 that the table lacks is no row that a program names.
+        if number == 0 && !table.rows.contains_key(&0) {
+            return Ok(None);
+        }
         table.put(number, zero)?;
         let written = table.file.patched(&table.bytes, &table.changed);
         let bytes = written.map_err(|error| FaultKind::TableWrite { table: table.name(), error })?;
         let path = table.path.clone();
-        files.count_table_write(&mut self.writes)?;
+        files.count_table_write(writes)?;
         let size = files.write(&path, &bytes, FileUse::Replace)?;
         files.spend(size.unwrap_or(bytes.len()))?;
         Ok(Some(if size.is_some() { Remark::TableWritten { path } } else { Remark::NotWritten { path } }))

@@ -1,7 +1,6 @@
 //! The datum that a cycle sets: which coordinates the measured place gets, and where that is written.
 
 use super::meaning::Axis;
-use super::remark::Remark;
 use crate::length::Length;
 use crate::message::Say;
 
@@ -44,8 +43,8 @@ pub enum DatumTarget {
 }
 
 impl NewDatum {
-    /// What is worth knowing of it: the names of the axes are those with the tool axis Z.
-    pub(super) fn remark(&self) -> Remark {
+    /// The measured and the wanted coordinate of each axis; the names are those with the tool axis Z.
+    pub(super) fn listed(&self) -> String {
         let axis = |DatumAxis { axis, measured, wanted }: &DatumAxis| {
             let name = match axis {
                 Axis::First => "X",
@@ -54,7 +53,6 @@ impl NewDatum {
             };
             format!("{name} {measured} → {wanted}")
         };
-        let axes = self.axes.iter().map(axis).collect::<Vec<_>>().join(", ");
-        Remark::NewDatum { axes, target: self.target }
+        self.axes.iter().map(axis).collect::<Vec<_>>().join(", ")
     }
 }

@@ -221,7 +221,8 @@ impl Cycle {
         let result = measured.map(|measured| {
             let mut remarks = self.remarks(&inputs);
             remarks.extend(measured.remarks);
-            remarks.extend(measured.datum.as_ref().map(NewDatum::remark));
+            let set = measured.datum.as_ref();
+            remarks.extend(set.map(|new| Remark::NewDatum { axes: new.listed(), target: new.target }));
             remarks.extend(self.zone_remarks(&measured.checks));
             remarks.extend(astray);
             let result = CycleResult {

@@ -1,7 +1,7 @@
 //! The datum: where the zero of the active preset lies, and what cycles and cycle 247 make of it.
 //!
 //! All places count from the zero in which the workpiece is given, which is that of the preset that is active first. What a datum cycle
-//! writes is kept for the run (`docs/SOURCES.md`, "Datum cycles"):
+//! writes is kept for the run, and written into the preset table where the program's folders have one (`docs/SOURCES.md`, "Datum cycles"):
 //!
 //! | target | what happens | how sure |
 //! |---|---|---|
@@ -15,6 +15,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::probing::cycle::{Axis, DatumAxis, DatumTarget, NewDatum, Plane};
 
 use super::super::fault::FaultKind;
+use super::super::presets::PresetRow;
 use super::super::remark::Remark;
 use super::{Around, ChangingBlock};
 
@@ -24,13 +25,20 @@ const NAMES: [&str; 3] = ["X", "Y", "Z"];
 /// A row of the preset table as far as cycles have written it.
 type Row = [Option<Length>; 3];
 
+/// Such a row, and what has written it last.
+#[derive(Debug, Clone, Default)]
+struct Written {
+    zero: Row,
+    by: Option<SetBy>,
+}
+
 /// Where the zero of the preset is, and the rows that cycles have written.
 #[derive(Debug, Default)]
 pub(super) struct Datum {
     origin: [Length; 3],
-    rows: BTreeMap<u32, Row>,
-    /// The row whose zero it is, of those that cycles have written.
-    row: Option<u32>,
+    rows: BTreeMap<u32, Written>,
+    /// The zero of the workpiece from that of the machine, once a row of the preset table was active.
+    base: Option<[Length; 3]>,
     set_by: Option<SetBy>,
 }
 
@@ -83,16 +91,31 @@ impl Datum {
         self.origin.map(Length::to_mm_f64)
     }
 
-    /// Cycle 247: the row that a cycle has written, or the zero of the workpiece. Says whether all of it is known.
-    pub(super) fn activate(&mut self, row: Option<u32>) -> bool {
-        let written = row.and_then(|row| self.rows.get(&row)).copied();
-        let is_known = written.is_some_and(|axes| axes.iter().all(Option::is_some));
-        self.origin = written.unwrap_or_default().map(Option::unwrap_or_default);
-        self.row = row.filter(|_| written.is_some());
-        if written.is_none() {
-            self.set_by = None;
-        }
-        is_known
+    /// Cycle 247: the row that a cycle has written, the one of the preset table, or the zero of the workpiece. Says whether all of it is
+    /// known.
+    pub(super) fn activate(&mut self, number: Option<u32>, table: Option<PresetRow>) -> bool {
+        let written = number.and_then(|row| self.rows.get(&row)).cloned();
+        let from_table = self.row_of(table);
+        // The workpiece lies at the row that is active first.
+        self.base = self.base.or(table.filter(|_| written.is_none()).map(|row| row.zero));
+        let zero = written.as_ref().map(|written| written.zero).or(from_table);
+        self.origin = zero.unwrap_or_default().map(Option::unwrap_or_default);
+        self.set_by = written.and_then(|written| written.by);
+        zero.is_some_and(|axes| axes.iter().all(Option::is_some))
+    }
+
+    /// Where the zero of a row of the preset table is; `None` before any was active.
+    fn row_of(&self, table: Option<PresetRow>) -> Option<Row> {
+        let [x, y, z] = table?.zero;
+        let [base_x, base_y, base_z] = self.base?;
+        Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(at.saturating_sub(base))))
+    }
+
+    /// A zero as the preset table has it, from that of the machine.
+    fn from_machine(&self, zero: Row) -> Option<Row> {
+        let [base_x, base_y, base_z] = self.base?;
+        let [x, y, z] = zero;
+        Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(plus(at?, base))))
     }
 }
 
@@ -103,51 +126,47 @@ impl Around {
         Some(DatumInForce { zero: self.datum.origin, set_by })
     }
 
-    /// Sets what a cycle has found, and says so.
+    /// Sets what a cycle has found, for a row that the preset table may have: what is to be said of it, and what is written into that row.
     ///
     /// # Errors
     /// [`FaultKind`] where it is not known what a control would do.
     pub(in crate::machine) fn set_datum(
         &mut self,
         new: &NewDatum,
+        (row, table): (u32, Option<PresetRow>),
         made: ChangingBlock,
-    ) -> Result<Vec<Remark>, FaultKind> {
+    ) -> Result<(Vec<Remark>, Option<Row>), FaultKind> {
         let shift = self.shift.map(|mm| Length::from_mm_f64(mm).unwrap_or_default());
         let [x, y, z] = by_machine_axis(&new.axes, self.plane());
         let ([to_x, to_y, to_z], [by_x, by_y, by_z]) = (self.datum.origin, shift);
         let moved = [moved(x, to_x, by_x), moved(y, to_y, by_y), moved(z, to_z, by_z)];
-        let row = match new.target {
-            DatumTarget::Table { row } => return Err(FaultKind::NoDatumTable { row }),
-            DatumTarget::Display => 0,
-            DatumTarget::Preset { row } => row,
-        };
+        let by = Some(SetBy { line: made.line, text: made.text });
+        let is_display = new.target == DatumTarget::Display;
         let is_active = self.preset.is_some_and(|active| (active - f64::from(row)).abs() <= 0.0);
-        if new.target != DatumTarget::Display && !is_active {
-            let written = self.datum.rows.entry(row).or_default();
-            for (axis, moved) in written.iter_mut().zip(moved) {
+        if !is_display && !is_active {
+            let from_table = self.datum.row_of(table).unwrap_or_default();
+            let fresh = || Written { zero: from_table, by: None };
+            let written = self.datum.rows.entry(row).or_insert_with(fresh);
+            for (axis, moved) in written.zero.iter_mut().zip(moved) {
                 *axis = moved.or(*axis);
             }
-            return Ok(vec![Remark::PresetSet { row, zero: named(moved) }]);
+            written.by = by;
+            return Ok((vec![Remark::PresetSet { row, zero: named(moved) }], self.datum.from_machine(moved)));
         }
-        if new.target != DatumTarget::Display && shift.iter().any(|shift| *shift != Length::ZERO) {
+        if !is_display && shift.iter().any(|shift| *shift != Length::ZERO) {
             return Err(FaultKind::ShiftedPreset { row });
         }
         let mut remarks = self.end_shift(&moved, shift);
         for (axis, moved) in self.datum.origin.iter_mut().zip(moved) {
             *axis = moved.unwrap_or(*axis);
         }
-        self.datum.rows.insert(row, self.datum.origin.map(Some));
-        self.datum.row = Some(row);
+        let zero = self.datum.origin.map(Some);
+        self.datum.rows.insert(row, Written { zero, by: by.clone() });
+        self.datum.set_by = by;
         self.preset = Some(f64::from(row));
-        let ChangingBlock { line, text } = made;
-        self.datum.set_by = Some(SetBy { line, text });
-        let zero = named(self.datum.origin.map(Some));
-        remarks.push(if new.target == DatumTarget::Display {
-            Remark::DatumSet { zero }
-        } else {
-            Remark::ActivePresetSet { row, zero }
-        });
-        Ok(remarks)
+        let said = named(zero);
+        remarks.push(if is_display { Remark::DatumSet { zero: said } } else { Remark::ActivePresetSet { row, zero: said } });
+        Ok((remarks, self.datum.from_machine(zero)))
     }
 
     /// The display is set: the shift ends in all axes. Those that were measured read what is wanted all the same.

@@ -158,7 +158,7 @@ impl Run {
             | Body::GlobalDefinition(_)
             | Body::Mode(_)
             | Body::Frame(_)
-            | Body::SystemRead { .. } => self.set_up(at, &block.body)?,
+            | Body::SystemRead { .. } => self.set_up(at, &block.body, files)?,
             Body::MachineFunctions(functions) => return Ok(self.machine_functions(at, functions, settings)),
             Body::Stop(functions) => {
                 self.around.stop();
@@ -309,8 +309,7 @@ impl Run {
             (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
         };
         if let Some(new) = &result.datum {
-            let remarks = self.around.set_datum(new, self.flow.made(at))?;
-            self.remarks.add_all(&place, remarks);
+            self.set_datum(at, new, files)?;
         }
         // The last step: what was measured stands, even if the tool is broken.
         let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);
