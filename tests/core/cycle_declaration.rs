@@ -356,7 +356,10 @@ fn the_ranges_are_those_of_the_manuals() {
         ("427", OF_427.to_vec()),
         ("444", OF_444.to_vec()),
         ("G785", OF_785.to_vec()),
-        ("408", of_datum(&["Q321", "Q322", "Q311", "Q272", "Q261", "Q320", "Q260", "Q301", "Q305", "Q405", "Q303"], true)),
+        (
+            "408",
+            of_datum(&["Q321", "Q322", "Q311", "Q272", "Q261", "Q320", "Q260", "Q301", "Q305", "Q405", "Q303"], true),
+        ),
         ("409", of_datum(&["Q321", "Q322", "Q311", "Q272", "Q261", "Q320", "Q260", "Q305", "Q405", "Q303"], true)),
         ("410", of_datum(&RECTANGLE_DATUM, true)),
         ("411", of_datum(&RECTANGLE_DATUM, true)),
@@ -580,7 +583,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         Remark::NominalOutsideLimits { nominal: mm("25") },
         Remark::NominalWidthOutsideLimits { nominal: mm("25") },
         Remark::VariableHoldsDiameter,
-        Remark::NewDatum { axes: "X 1 → 0".to_owned(), target: DatumTarget::Preset { row: 5 } },
+        Remark::NewDatum { axes: Arg::Number("X 1 → 0".to_owned()), target: DatumTarget::Preset { row: 5 } },
         Remark::NoTolerance { key: Key::Qs(400) },
     ] {
         check(&remark);

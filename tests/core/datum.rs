@@ -265,7 +265,8 @@ fn a_perfect_workpiece_has_the_top_that_is_probed() {
 #[test]
 fn recorded_contacts_count_from_the_new_datum() {
     let circle = |x: f64, y: f64| {
-        [[12.505, 0.0], [0.0, 12.505], [-12.505, 0.0], [0.0, -12.505]].map(|[off_x, off_y]| Contact::at([x + off_x, y + off_y, -5.0]))
+        [[12.505, 0.0], [0.0, 12.505], [-12.505, 0.0], [0.0, -12.505]]
+            .map(|[off_x, off_y]| Contact::at([x + off_x, y + off_y, -5.0]))
     };
     let contacts = Contacts::Recorded([circle(0.4, -0.3), circle(0.01, 0.0)].concat());
     let (machine, fault) = run(&format!("{SET}\n{MEASURE}"), contacts);

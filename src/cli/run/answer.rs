@@ -11,9 +11,11 @@ use super::super::cycle::answer::{check, source as result_source, value as resul
 use super::super::tools;
 use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::variables::{Parameter, Value};
-use crate::message::Say as _;
 use crate::length::Length;
-use crate::nc::machine::{BlockPlace, CycleRun, DatumInForce, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
+use crate::message::Say as _;
+use crate::nc::machine::{
+    BlockPlace, CycleRun, DatumInForce, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written,
+};
 use crate::probing::cycle::ResultParameter;
 use crate::text::cut;
 

@@ -152,6 +152,11 @@ fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
         let said = message!("records-page-block").text("program", program).text("line", line);
         lines.push(named("records-page-program", words.say(&said)));
     }
+    if let Some(datum) = &cycle.datum {
+        let [x, y, z] = datum.zero.map(|axis| words.mm(axis, 3));
+        let said = message!("records-page-datum-set").text("x", x).text("y", y).text("z", z);
+        lines.push(named("records-page-datum", words.say(&said.text("line", datum.line).text("block", &datum.text))));
+    }
     for compared in &cycle.compared {
         let mm = |length| words.mm(length, 3);
         let text = format!("{} mm ({} … {} mm)", mm(compared.measured), mm(compared.minimum), mm(compared.maximum));

@@ -36,7 +36,9 @@ pub(super) fn parameters(text: &str, cycle: Option<&'static Cycle>) -> Result<In
     for word in text.split_whitespace() {
         let parts = word.split_once('=');
         let Some(cycle) = cycle else {
-            if !parts.is_some_and(|(name, _)| measuring_cycles_of(Control::Milling).any(|cycle| free(cycle, name).is_some())) {
+            if !parts
+                .is_some_and(|(name, _)| measuring_cycles_of(Control::Milling).any(|cycle| free(cycle, name).is_some()))
+            {
                 faults.push(PlanFault::NoParameter { given: beginning(word) });
             }
             continue;

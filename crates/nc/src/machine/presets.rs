@@ -65,7 +65,8 @@ pub(super) fn row_number(number: f64) -> Option<u32> {
 impl PresetTable {
     fn read(path: NcPath, bytes: Vec<u8>) -> Result<Self, FaultKind> {
         let name = path.file_name().to_owned();
-        let file = ControlTable::read_with_short_rows(&bytes, &name).map_err(|error| FaultKind::Table(Box::new(error)))?;
+        let file =
+            ControlTable::read_with_short_rows(&bytes, &name).map_err(|error| FaultKind::Table(Box::new(error)))?;
         let column = |column: &str| {
             let names = || file.table.columns.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ");
             let missing = || FaultKind::NoColumn { table: name.clone(), column: column.to_owned(), columns: names() };
@@ -106,7 +107,12 @@ impl PresetTable {
             return Err(FaultKind::EmptyCell { table, row, column });
         }
         let unit = self.unit();
-        Length::parse_in(cell, unit).map_err(|_| FaultKind::NoNumberInCell { table, row, column, cell: cell.to_owned() })
+        Length::parse_in(cell, unit).map_err(|_length| FaultKind::NoNumberInCell {
+            table,
+            row,
+            column,
+            cell: cell.to_owned(),
+        })
     }
 
     fn row(&self, number: u32) -> Result<PresetRow, FaultKind> {

@@ -44,19 +44,19 @@ pub enum Remark {
     /// A cycle has set the datum.
     DatumSet {
         /// Where its zero is in the coordinates of the workpiece.
-        zero: String,
+        zero: Arg,
     },
     /// A cycle has written a row of the preset table that is not active.
     PresetSet {
         row: u32,
         /// Where its zero is, in the axes that were measured.
-        zero: String,
+        zero: Arg,
     },
     /// A cycle has written the row of the active preset, and it acts at once.
     ActivePresetSet {
         row: u32,
         /// Where its zero is.
-        zero: String,
+        zero: Arg,
     },
     /// The datum shift ended with a new datum, also in axes that the cycle did not measure.
     ShiftEnded { axes: String },

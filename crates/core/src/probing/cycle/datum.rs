@@ -2,7 +2,7 @@
 
 use super::meaning::Axis;
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Arg, Say};
 
 /// What a cycle makes of the place that it has measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,7 +44,7 @@ pub enum DatumTarget {
 
 impl NewDatum {
     /// The measured and the wanted coordinate of each axis; the names are those with the tool axis Z.
-    pub(super) fn listed(&self) -> String {
+    pub(super) fn listed(&self) -> Arg {
         let axis = |DatumAxis { axis, measured, wanted }: &DatumAxis| {
             let name = match axis {
                 Axis::First => "X",
@@ -53,6 +53,6 @@ impl NewDatum {
             };
             format!("{name} {measured} → {wanted}")
         };
-        self.axes.iter().map(axis).collect::<Vec<_>>().join(", ")
+        Arg::Number(self.axes.iter().map(axis).collect::<Vec<_>>().join(", "))
     }
 }

@@ -3,7 +3,7 @@
 use super::datum::DatumTarget;
 use super::key::Key;
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Arg, Say};
 use crate::probing::Caveat;
 use crate::tolerance::ZoneDoubt;
 
@@ -58,7 +58,7 @@ pub enum Remark {
     /// The datum that the cycle sets.
     NewDatum {
         /// The measured coordinate of each axis, and the one that it gets.
-        axes: String,
+        axes: Arg,
         /// Where it goes.
         target: DatumTarget,
     },

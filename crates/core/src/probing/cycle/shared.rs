@@ -46,16 +46,15 @@ pub(in crate::probing) const POINT_3: Parameter = Parameter::coordinate(Key::Q(2
     .means(Meaning::Point(Axis::Third));
 
 /// The measured axis, one of three.
-pub(in crate::probing) const MEASURED_AXIS: Parameter =
-    Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
-        .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])
-        .asked(&[
-            (En, "Meas. axis (1...3: 1=ref. axis)?"),
-            (Nl, "Meetas (1..3: 1=hoofdas)?"),
-            (De, "Messachse (1..3: 1=Hauptachse)?"),
-            (It, "Asse mis. (1..3: 1=asse princ.)?"),
-        ])
-        .means(Meaning::MeasuredAxis);
+pub(in crate::probing) const MEASURED_AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
+    .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])
+    .asked(&[
+        (En, "Meas. axis (1...3: 1=ref. axis)?"),
+        (Nl, "Meetas (1..3: 1=hoofdas)?"),
+        (De, "Messachse (1..3: 1=Hauptachse)?"),
+        (It, "Asse mis. (1..3: 1=asse princ.)?"),
+    ])
+    .means(Meaning::MeasuredAxis);
 /// The direction of the approach along it.
 pub(in crate::probing) const DIRECTION: Parameter = Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
     .named(&[(Nl, "TASTRICHTING"), (De, "VERFAHRRICHTUNG"), (It, "DIREZIONE ATTRAVERS.")])

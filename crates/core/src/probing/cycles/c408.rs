@@ -1,10 +1,8 @@
 //! Cycle 408, datum at the centre line of a slot.
 
-use super::datum_cycle::{
-    CLEARANCE, FIRST, NEW_3, NEW_ALONG, ROW, SECOND, TOP, TOP_1, TOP_2, TOP_3, TRANSFER,
-};
-use super::width_datum_cycle::{run, surface, width};
+use super::datum_cycle::{CLEARANCE, FIRST, NEW_3, NEW_ALONG, ROW, SECOND, TOP, TOP_1, TOP_2, TOP_3, TRANSFER};
 use super::width_cycle::AXIS;
+use super::width_datum_cycle::{run, surface, width};
 use crate::probing::cycle::shared::{MEASURING_HEIGHT, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE};
 use crate::probing::cycle::{Control, Cycle, Log, Window};
 use crate::tolerance::Feature;

@@ -6,9 +6,7 @@
 
 use super::datum_cycle::{CLEARANCE, NEW_COORDINATE, ROW, TRANSFER, axis, set, target};
 use super::probed::{self, approach, coordinate, met_at};
-use crate::probing::cycle::shared::{
-    DIRECTION, MEASURED_AXIS, MEASURING_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE,
-};
+use crate::probing::cycle::shared::{DIRECTION, MEASURED_AXIS, MEASURING_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
     Axis, Control, Course, Cycle, CycleError, Inputs, Log, Measured, Note, ResultName, ResultParameter, Window, nearest,
 };
@@ -27,7 +25,12 @@ pub(super) const CYCLE: Cycle = Cycle {
     number: 419,
     code: "419",
     control: Control::Milling,
-    names: &[(En, "DATUM IN ONE AXIS"), (Nl, "REF.PT IN EEN AS"), (De, "BZPKT EINZELNE ACHSE"), (It, "ORIGINE ASSE SINGOLO")],
+    names: &[
+        (En, "DATUM IN ONE AXIS"),
+        (Nl, "REF.PT IN EEN AS"),
+        (De, "BZPKT EINZELNE ACHSE"),
+        (It, "ORIGINE ASSE SINGOLO"),
+    ],
     notes: &[Note::Recommended { cycle: "1400" }],
     parameters: &[
         POINT_1,

@@ -6,9 +6,7 @@
 //! second probing begins, at rapid traverse, as far from the wall as the nominal width suggests.
 
 use super::probed::{axis, clearance, met, probing};
-use super::width_cycle::{
-    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, corrects, measured, subject, surface,
-};
+use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, corrects, measured, subject, surface};
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,

@@ -68,12 +68,7 @@ pub(super) const TRANSFER: Parameter = Parameter::choice(TRANSFER_KEY, "MEAS. VA
 const fn new_datum(number: u16, meaning: Meaning) -> Parameter {
     Parameter::coordinate(Key::Q(number), "DATUM")
         .named(&[(Nl, "REFERENTIEPUNT"), (De, "BEZUGSPUNKT"), (It, "ORIGINE")])
-        .asked(&[
-            (En, "New datum?"),
-            (Nl, "Nieuw referentiepunt?"),
-            (De, "Neuer Bezugspunkt?"),
-            (It, "Nuova origine?"),
-        ])
+        .asked(&[(En, "New datum?"), (Nl, "Nieuw referentiepunt?"), (De, "Neuer Bezugspunkt?"), (It, "Nuova origine?")])
         .or(0)
         .means(meaning)
 }
@@ -166,10 +161,11 @@ pub(super) fn axis(axis: Axis, measured: Length, inputs: &Inputs, wanted: Key) -
     DatumAxis { axis, measured, wanted: inputs.length(wanted) }
 }
 
-/// Ends a cycle: probes the probe axis where Q381 asks for that, and says what the new datum is.
+/// Ends a cycle: probes the probe axis where Q381 asks for that, and says what the new datum is. That contact is none of the surface that
+/// is measured, such as a circle: only the path and the results have it.
 pub(super) fn set(
     target: DatumTarget,
-    (mut contacts, mut results, mut axes): (Vec<Contact>, Vec<ResultParameter>, Vec<DatumAxis>),
+    (contacts, mut results, mut axes): (Vec<Contact>, Vec<ResultParameter>, Vec<DatumAxis>),
     inputs: &Inputs,
     course: &mut Course<'_>,
 ) -> Result<Measured, CycleError> {
@@ -178,7 +174,6 @@ pub(super) fn set(
         let top = met_at([382, 383, 384].map(|number: u16| inputs.mm(number)), [0.0, 0.0, -1.0], inputs, course)?;
         course.leave(inputs.mm(260));
         let height = nearest(top.z)?;
-        contacts.push(top);
         results.push(ResultParameter::without_key(ResultName::POSITION_3, height));
         axes.push(axis(Axis::Third, height, inputs, NEW_3.key));
     }

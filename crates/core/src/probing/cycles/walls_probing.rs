@@ -74,13 +74,8 @@ impl Rectangle {
     /// The contacts in order, from inside a pocket or from outside a boss.
     fn touches(self, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
         let [first, second] = self.sides.map(|number| inputs.mm(number));
-        [
-            ([1.0, 0.0, 0.0], first),
-            ([0.0, 1.0, 0.0], second),
-            ([-1.0, 0.0, 0.0], first),
-            ([0.0, -1.0, 0.0], second),
-        ]
-        .map(|(outwards, size)| self.about.touch(inputs, ball_radius, outwards, size))
+        [([1.0, 0.0, 0.0], first), ([0.0, 1.0, 0.0], second), ([-1.0, 0.0, 0.0], first), ([0.0, -1.0, 0.0], second)]
+            .map(|(outwards, size)| self.about.touch(inputs, ball_radius, outwards, size))
     }
 
     /// From above to the first contact; to the others as Q301 says, and at measuring height one axis after the other.

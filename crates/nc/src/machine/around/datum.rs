@@ -12,6 +12,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::length::Length;
+use fitcheck_core::message::Arg;
 use fitcheck_core::probing::cycle::{Axis, DatumAxis, DatumTarget, NewDatum, Plane};
 
 use super::super::fault::FaultKind;
@@ -81,9 +82,9 @@ fn by_machine_axis(axes: &[DatumAxis], plane: Plane) -> [Option<DatumAxis>; 3] {
 }
 
 /// `X 50.12, Y 29.93`, of the axes that have a value.
-fn named(row: Row) -> String {
+fn named(row: Row) -> Arg {
     let named = NAMES.into_iter().zip(row).filter_map(|(name, at)| Some(format!("{name} {}", at?)));
-    named.collect::<Vec<_>>().join(", ")
+    Arg::Number(named.collect::<Vec<_>>().join(", "))
 }
 
 impl Datum {
@@ -112,7 +113,7 @@ impl Datum {
     }
 
     /// A zero as the preset table has it, from that of the machine.
-    fn from_machine(&self, zero: Row) -> Option<Row> {
+    fn in_table(&self, zero: Row) -> Option<Row> {
         let [base_x, base_y, base_z] = self.base?;
         let [x, y, z] = zero;
         Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(plus(at?, base))))
@@ -151,7 +152,7 @@ impl Around {
                 *axis = moved.or(*axis);
             }
             written.by = by;
-            return Ok((vec![Remark::PresetSet { row, zero: named(moved) }], self.datum.from_machine(moved)));
+            return Ok((vec![Remark::PresetSet { row, zero: named(moved) }], self.datum.in_table(moved)));
         }
         if !is_display && shift.iter().any(|shift| *shift != Length::ZERO) {
             return Err(FaultKind::ShiftedPreset { row });
@@ -165,8 +166,12 @@ impl Around {
         self.datum.set_by = by;
         self.preset = Some(f64::from(row));
         let said = named(zero);
-        remarks.push(if is_display { Remark::DatumSet { zero: said } } else { Remark::ActivePresetSet { row, zero: said } });
-        Ok((remarks, self.datum.from_machine(zero)))
+        remarks.push(if is_display {
+            Remark::DatumSet { zero: said }
+        } else {
+            Remark::ActivePresetSet { row, zero: said }
+        });
+        Ok((remarks, self.datum.in_table(zero)))
     }
 
     /// The display is set: the shift ends in all axes. Those that were measured read what is wanted all the same.

@@ -15,10 +15,10 @@ mod system;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use datum::Datum;
+pub use datum::{DatumInForce, SetBy};
 use fitcheck_core::probing::cycle::Plane;
 use fitcheck_core::probing::vector::along;
-pub use datum::{DatumInForce, SetBy};
-use datum::Datum;
 pub(super) use globals::Global;
 use globals::IsProbing;
 use system::is_other;

@@ -2,9 +2,9 @@
 
 use super::super::around::machining;
 use super::super::fault::FaultKind;
-use super::super::remark::Remark;
 use super::super::files::Files;
 use super::super::presets::row_number;
+use super::super::remark::Remark;
 use super::Run;
 use crate::program::{Body, CycleBlock, Frame, Operand};
 use fitcheck_core::probing::cycle::{DatumTarget, NewDatum};
