@@ -1,7 +1,7 @@
 //! Everything that a record says, line by line.
 
 use crate::gui::check::{distances, worth_lines, worth_reasons};
-use crate::gui::view::{Digits, View, doubt_text};
+use crate::gui::view::{Digits, View, datum_text, doubt_text};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, Reported, UsedFile};
 use crate::length::Length;
@@ -153,9 +153,7 @@ fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
         lines.push(named("records-page-program", words.say(&said)));
     }
     if let Some(datum) = &cycle.datum {
-        let [x, y, z] = datum.zero.map(|axis| words.mm(axis, 3));
-        let said = message!("records-page-datum-set").text("x", x).text("y", y).text("z", z);
-        lines.push(named("records-page-datum", words.say(&said.text("line", datum.line).text("block", &datum.text))));
+        lines.push(named("records-page-datum", datum_text(words, datum.zero, datum.line, &datum.text)));
     }
     for compared in &cycle.compared {
         let mm = |length| words.mm(length, 3);

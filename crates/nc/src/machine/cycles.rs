@@ -4,6 +4,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::probing::TouchProbe;
 use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use fitcheck_core::probing::cycles::cycles_of;
+use fitcheck_core::probing::simulated::Surface;
 use fitcheck_core::verdict::Status;
 
 use super::around::{Around, ChangingBlock, DatumInForce, Global, INCH, Moment};
@@ -40,6 +41,12 @@ impl CycleRun {
         (moment, datum): (Moment, Option<DatumInForce>),
     ) -> Self {
         Self { place, cycle, result, is_reworked: false, datum, moment }
+    }
+
+    /// The surface that it expected, in the coordinates of the workpiece; `None` where the tool axis is not Z.
+    pub fn nominal(&self) -> Option<Surface> {
+        let zero = self.moment.zero_of_plane_xy()?;
+        Some(self.cycle.nominal(&self.result.inputs).ok()?.moved(zero))
     }
 
     /// Whether both were run with the same values; where the ball came from does not count.

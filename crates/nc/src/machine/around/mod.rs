@@ -79,6 +79,11 @@ pub(super) struct Moment {
 }
 
 impl Moment {
+    /// The zero in force, mm in the coordinates of the workpiece; `None` in another plane than X/Y.
+    pub(super) fn zero_of_plane_xy(&self) -> Option<[f64; 3]> {
+        (self.plane == Plane::Xy).then_some(self.zero)
+    }
+
     /// Whether the same workpiece can have been machined between.
     pub(super) fn is_before_rework(&self, later: &Self) -> bool {
         let same = Self { starts: later.starts, ..self.clone() };
