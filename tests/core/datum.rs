@@ -293,6 +293,7 @@ const TABLE: &str = "BEGIN PRESET.PR MM\r\n\
     2    PLATE    +100.5       +250         -50.25       +0      \r\n\
     3    OLD      +0           +0           +0           +0      1\r\n\
     4    TURNED   +0           +0           +0           +1.5    \r\n\
+    5    EMPTY    -            -            -                    \r\n\
     [END]\r\n";
 
 fn with_table(blocks: &str) -> (Machine, Option<String>) {
@@ -328,4 +329,18 @@ fn the_preset_table_says_where_the_rows_are_and_is_written() {
         let fault = with_table(&blocks).1.unwrap_or_else(|| panic!("it ran to its end: {blocks}"));
         assert!(fault.contains(why), "{fault}");
     }
+}
+
+#[test]
+fn what_the_preset_table_does_not_say_is_told() {
+    let preset = |number: u32| format!("CYCL DEF 247 DATUM SETTING ~\nQ339=+{number}");
+    let row = SET.replace("Q305=+0", "Q305=+5");
+    // An empty row can be written; in Z the workpiece is taken to lie there.
+    let (machine, fault) = with_table(&format!("{}\n{row}\n{}\n{MEASURE}", preset(1), preset(5)));
+    assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
+    assert!(remarks(&machine).iter().any(|said| said.contains("preset 5: the workpiece is assumed to lie there")));
+    // Without cycle 247 before it is not known where the workpiece lies on the machine.
+    let (machine, fault) = with_table(&format!("{row}\n{}\n{MEASURE}", preset(5)));
+    assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
+    assert!(remarks(&machine).iter().any(|said| said.contains("preset.pr stays as it is: no cycle 247 before")));
 }

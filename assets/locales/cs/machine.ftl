@@ -113,6 +113,7 @@ machine-remark-other-preset = vztažný bod { $number }: předpokládá se, že 
 machine-remark-datum-set = vztažný bod nastaven: jeho nula je nyní v { $zero } mm v souřadnicích obrobku
 machine-remark-preset-set = řádek { $row } tabulky vztažných bodů nastaven na { $zero } mm v souřadnicích obrobku: působí s cyklem 247
 machine-remark-active-preset-set = řádek { $row } je aktivní vztažný bod: jeho nula je nyní v { $zero } mm v souřadnicích obrobku; na iTNC 530 až po cyklu 247
+machine-remark-presets-left = { $path } zůstává beze změny: žádný cyklus 247 předtím neříká, který řádek je aktivní, a není tedy známo, kde obrobek na stroji leží
 machine-remark-shift-ended = posunutí nulového bodu končí v { $axes }, aniž tam bylo měřeno, jako na TNC7: iTNC 530 je možná ponechá
 machine-remark-built-in = { $path } není mezi zadanými soubory: načten byl vestavěný
 machine-remark-other-names = načteno { $read }, existuje však i { $others }: řídicí systém má pro každý název jen jeden soubor

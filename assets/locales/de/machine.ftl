@@ -113,6 +113,7 @@ machine-remark-other-preset = Bezugspunkt { $number }: das Werkstück ist auch d
 machine-remark-datum-set = Bezugspunkt gesetzt: sein Nullpunkt liegt jetzt bei { $zero } mm in den Koordinaten des Werkstücks
 machine-remark-preset-set = Zeile { $row } der Bezugspunkttabelle auf { $zero } mm in den Koordinaten des Werkstücks gesetzt: sie wirkt mit Zyklus 247
 machine-remark-active-preset-set = Zeile { $row } ist der aktive Bezugspunkt: sein Nullpunkt liegt jetzt bei { $zero } mm in den Koordinaten des Werkstücks; auf einer iTNC 530 erst nach Zyklus 247
+machine-remark-presets-left = { $path } bleibt, wie sie ist: kein Zyklus 247 davor sagt, welche Zeile aktiv ist, und so ist nicht bekannt, wo das Werkstück auf der Maschine liegt
 machine-remark-shift-ended = die Nullpunktverschiebung endet in { $axes }, ohne dass dort gemessen wurde, wie auf einer TNC7: eine iTNC 530 behält sie vielleicht
 machine-remark-built-in = { $path } ist nicht unter den angegebenen Dateien: die mitgelieferte wurde gelesen
 machine-remark-other-names = { $read } wurde gelesen, es gibt aber auch { $others }: eine Steuerung hat nur eine Datei jedes Namens

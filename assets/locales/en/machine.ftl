@@ -113,6 +113,7 @@ machine-remark-other-preset = preset { $number }: the workpiece is assumed to li
 machine-remark-datum-set = datum set: its zero is now at { $zero } mm in the coordinates of the workpiece
 machine-remark-preset-set = row { $row } of the preset table set to { $zero } mm in the coordinates of the workpiece: it acts with cycle 247
 machine-remark-active-preset-set = row { $row } is the active preset: its zero is now at { $zero } mm in the coordinates of the workpiece; on an iTNC 530 only after cycle 247
+machine-remark-presets-left = { $path } stays as it is: no cycle 247 before says which row is active, so it is not known where the workpiece lies on the machine
 machine-remark-shift-ended = the datum shift ended in { $axes } without having been measured there, as on a TNC7: an iTNC 530 may keep it
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
 machine-remark-other-names = { $read } was read, but { $others } also exists: a control has only one file of each name

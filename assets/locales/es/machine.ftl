@@ -113,6 +113,7 @@ machine-remark-other-preset = punto de referencia { $number }: se supone que la 
 machine-remark-datum-set = punto de referencia fijado: su cero está ahora en { $zero } mm en las coordenadas de la pieza de trabajo
 machine-remark-preset-set = fila { $row } de la tabla de puntos de referencia fijada en { $zero } mm en las coordenadas de la pieza de trabajo: actúa con el ciclo 247
 machine-remark-active-preset-set = la fila { $row } es el punto de referencia activo: su cero está ahora en { $zero } mm en las coordenadas de la pieza de trabajo; en una iTNC 530 solo tras el ciclo 247
+machine-remark-presets-left = { $path } queda como está: ningún ciclo 247 anterior dice qué fila está activa, así que no se sabe dónde está la pieza de trabajo en la máquina
 machine-remark-shift-ended = el desplazamiento del punto cero termina en { $axes } sin que se haya medido allí, como en una TNC7: una iTNC 530 quizá lo conserve
 machine-remark-built-in = { $path } no está entre los archivos indicados: se leyó el integrado
 machine-remark-other-names = se leyó { $read }, pero también existe { $others }: un control tiene un solo archivo de cada nombre

@@ -113,6 +113,7 @@ machine-remark-other-preset = point d'origine { $number } : la pièce y est sup
 machine-remark-datum-set = point d'origine fixé : son zéro est maintenant en { $zero } mm dans les coordonnées de la pièce
 machine-remark-preset-set = ligne { $row } du tableau de points d'origine fixée à { $zero } mm dans les coordonnées de la pièce : elle agit avec le cycle 247
 machine-remark-active-preset-set = la ligne { $row } est le point d'origine actif : son zéro est maintenant en { $zero } mm dans les coordonnées de la pièce ; sur une iTNC 530 seulement après le cycle 247
+machine-remark-presets-left = { $path } reste tel quel : aucun cycle 247 précédent ne dit quelle ligne est active, et l'on ne sait donc pas où se trouve la pièce sur la machine
 machine-remark-shift-ended = le décalage du point zéro prend fin en { $axes } sans que l'on y ait mesuré, comme sur une TNC7 : une iTNC 530 le garde peut-être
 machine-remark-built-in = { $path } n'est pas parmi les fichiers donnés : le fichier intégré a été lu
 machine-remark-other-names = { $read } a été lu, mais { $others } existe aussi : une commande n'a qu'un fichier de chaque nom

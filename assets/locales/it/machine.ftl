@@ -113,6 +113,7 @@ machine-remark-other-preset = origine { $number }: si suppone che il pezzo in la
 machine-remark-datum-set = origine impostata: il suo zero è ora a { $zero } mm nelle coordinate del pezzo in lavorazione
 machine-remark-preset-set = riga { $row } della tabella origini impostata a { $zero } mm nelle coordinate del pezzo in lavorazione: agisce con il ciclo 247
 machine-remark-active-preset-set = la riga { $row } è l'origine attiva: il suo zero è ora a { $zero } mm nelle coordinate del pezzo in lavorazione; su una iTNC 530 solo dopo il ciclo 247
+machine-remark-presets-left = { $path } resta com'è: nessun ciclo 247 precedente dice quale riga è attiva, perciò non è noto dove si trova il pezzo in lavorazione sulla macchina
 machine-remark-shift-ended = lo spostamento del punto zero termina in { $axes } senza che lì si sia misurato, come su un TNC7: una iTNC 530 forse lo mantiene
 machine-remark-built-in = { $path } non è tra i file indicati: è stato letto quello integrato
 machine-remark-other-names = è stato letto { $read }, ma esiste anche { $others }: un controllo numerico ha un solo file per nome

@@ -113,6 +113,7 @@ machine-remark-other-preset = referentiepunt { $number }: aangenomen is dat het 
 machine-remark-datum-set = referentiepunt gezet: het nulpunt ligt nu op { $zero } mm in de coördinaten van het werkstuk
 machine-remark-preset-set = regel { $row } van de referentiepunttabel op { $zero } mm in de coördinaten van het werkstuk gezet: die werkt met cyclus 247
 machine-remark-active-preset-set = regel { $row } is het actieve referentiepunt: het nulpunt ligt nu op { $zero } mm in de coördinaten van het werkstuk; op een iTNC 530 pas na cyclus 247
+machine-remark-presets-left = { $path } blijft zoals die is: geen cyclus 247 ervoor zegt welke regel actief is, dus is niet bekend waar het werkstuk op de machine ligt
 machine-remark-shift-ended = de nulpuntverschuiving eindigt in { $axes } zonder dat daar is gemeten, zoals op een TNC7: een iTNC 530 houdt haar misschien
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
 machine-remark-other-names = { $read } is gelezen, maar { $others } bestaat ook: een besturing heeft van elke naam maar één bestand

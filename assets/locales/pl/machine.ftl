@@ -123,6 +123,7 @@ machine-remark-other-preset = punkt odniesienia { $number }: przyjęto, że deta
 machine-remark-datum-set = punkt odniesienia ustawiony: jego zero leży teraz w { $zero } mm we współrzędnych detalu
 machine-remark-preset-set = wiersz { $row } tabeli punktów odniesienia ustawiony na { $zero } mm we współrzędnych detalu: działa z cyklem 247
 machine-remark-active-preset-set = wiersz { $row } jest aktywnym punktem odniesienia: jego zero leży teraz w { $zero } mm we współrzędnych detalu; na iTNC 530 dopiero po cyklu 247
+machine-remark-presets-left = { $path } pozostaje bez zmian: żaden wcześniejszy cykl 247 nie mówi, który wiersz jest aktywny, więc nie wiadomo, gdzie detal leży na maszynie
 machine-remark-shift-ended = przesunięcie punktu zerowego kończy się w { $axes }, choć tam nie mierzono, jak na TNC7: iTNC 530 może je zachować
 machine-remark-built-in = { $path } nie ma wśród podanych plików: odczytano wbudowany
 machine-remark-other-names = odczytano { $read }, ale istnieje też { $others }: sterowanie ma tylko jeden plik o danej nazwie

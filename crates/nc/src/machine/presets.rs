@@ -31,8 +31,8 @@ const LOCKED: &str = "LOCKED";
 /// A row of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct PresetRow {
-    /// Where its zero is, from that of the machine.
-    pub zero: [Length; 3],
+    /// Where its zero is, from that of the machine; `None` where a cell is blank.
+    pub zero: [Option<Length>; 3],
     pub is_rotated: bool,
 }
 
@@ -99,20 +99,18 @@ impl PresetTable {
         self.rows.get(&number).copied().ok_or_else(|| FaultKind::NoPreset { table: self.name(), row: number })
     }
 
-    fn value(&self, row: usize, column: usize) -> Result<Length, FaultKind> {
+    fn value(&self, row: usize, column: usize) -> Result<Option<Length>, FaultKind> {
         let cell = self.text(row, column);
         let table = self.name();
-        let column = self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
-        if is_blank(cell) {
-            return Err(FaultKind::EmptyCell { table, row, column });
+        let name = || self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
+        if self.file.touches(row, column) {
+            return Err(FaultKind::Touches { table, row, column: name() });
         }
-        let unit = self.unit();
-        Length::parse_in(cell, unit).map_err(|_length| FaultKind::NoNumberInCell {
-            table,
-            row,
-            column,
-            cell: cell.to_owned(),
-        })
+        if is_blank(cell) {
+            return Ok(None);
+        }
+        let no_number = || FaultKind::NoNumberInCell { table, row, column: name(), cell: cell.to_owned() };
+        Length::parse_in(cell, self.unit()).map(Some).map_err(|_length| no_number())
     }
 
     fn row(&self, number: u32) -> Result<PresetRow, FaultKind> {
@@ -190,6 +188,9 @@ impl Presets {
         // A row 0 that the table lacks is no row that a program names.
         if number == 0 && !table.rows.contains_key(&0) {
             return Ok(None);
+        }
+        if zero == [None; 3] {
+            return Ok(Some(Remark::PresetsLeft { path: table.path.clone() }));
         }
         table.put(number, zero)?;
         let written = table.file.patched(&table.bytes, &table.changed);

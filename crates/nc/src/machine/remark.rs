@@ -58,6 +58,8 @@ pub enum Remark {
         /// Where its zero is.
         zero: Arg,
     },
+    /// The preset table stays as it is: where the workpiece lies on the machine is not known.
+    PresetsLeft { path: NcPath },
     /// The datum shift ended with a new datum, also in axes that the cycle did not measure.
     ShiftEnded { axes: String },
     /// A file is not among those that were given, and the built-in one of that name was read.
@@ -196,11 +198,8 @@ pub enum Remark {
         y: Length,
         z: Length,
     },
-    /// Moves, or the stylus, are not looked at with some features of the simulated part. Told once for a run.
-    Unchecked {
-        /// Their names.
-        features: String,
-    },
+    /// Moves, or the stylus, are not looked at with these features of the simulated part. Told once for a run.
+    Unchecked { features: String },
     /// The tool axis is not Z: the stylus, which stands in Z on a simulated part, is not looked at. Told once for a run.
     StylusUnchecked,
     /// The TOOL CALL adds to the length or radius of the probe: a simulated probe stays as it is calibrated.
@@ -289,8 +288,7 @@ impl Remark {
         )
     }
 
-    /// Whether a measurement was left out, or the limits of one: that counts also where nothing was judged. A block that is meant to measure
-    /// only says so by limits of zero.
+    /// Whether a measurement was left out, or its limits: that counts also where nothing was judged. Limits of zero say that none is meant.
     const fn leaves_out_a_measurement(&self) -> bool {
         matches!(
             self,

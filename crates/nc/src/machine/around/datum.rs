@@ -39,7 +39,7 @@ pub(super) struct Datum {
     origin: [Length; 3],
     rows: BTreeMap<u32, Written>,
     /// The zero of the workpiece from that of the machine, once a row of the preset table was active.
-    base: Option<[Length; 3]>,
+    base: Row,
     set_by: Option<SetBy>,
 }
 
@@ -98,25 +98,28 @@ impl Datum {
         let written = number.and_then(|row| self.rows.get(&row)).cloned();
         let from_table = self.row_of(table);
         // The workpiece lies at the row that is active first.
-        self.base = self.base.or(table.filter(|_| written.is_none()).map(|row| row.zero));
+        let lies = table.filter(|_| written.is_none()).map_or([None; 3], |row| row.zero);
+        for (base, lies) in self.base.iter_mut().zip(lies) {
+            *base = base.or(lies);
+        }
         let zero = written.as_ref().map(|written| written.zero).or(from_table);
         self.origin = zero.unwrap_or_default().map(Option::unwrap_or_default);
         self.set_by = written.and_then(|written| written.by);
         zero.is_some_and(|axes| axes.iter().all(Option::is_some))
     }
 
-    /// Where the zero of a row of the preset table is; `None` before any was active.
+    /// Where the zero of a row of the preset table is, in the axes in which one was active before.
     fn row_of(&self, table: Option<PresetRow>) -> Option<Row> {
         let [x, y, z] = table?.zero;
-        let [base_x, base_y, base_z] = self.base?;
-        Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(at.saturating_sub(base))))
+        let [base_x, base_y, base_z] = self.base;
+        Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(at?.saturating_sub(base?))))
     }
 
     /// A zero as the preset table has it, from that of the machine.
-    fn in_table(&self, zero: Row) -> Option<Row> {
-        let [base_x, base_y, base_z] = self.base?;
+    fn in_table(&self, zero: Row) -> Row {
+        let [base_x, base_y, base_z] = self.base;
         let [x, y, z] = zero;
-        Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(plus(at?, base))))
+        [(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(plus(at?, base?)))
     }
 }
 
@@ -136,7 +139,7 @@ impl Around {
         new: &NewDatum,
         (row, table): (u32, Option<PresetRow>),
         made: ChangingBlock,
-    ) -> Result<(Vec<Remark>, Option<Row>), FaultKind> {
+    ) -> Result<(Vec<Remark>, Row), FaultKind> {
         let shift = self.shift.map(|mm| Length::from_mm_f64(mm).unwrap_or_default());
         let [x, y, z] = by_machine_axis(&new.axes, self.plane());
         let ([to_x, to_y, to_z], [by_x, by_y, by_z]) = (self.datum.origin, shift);

@@ -74,10 +74,8 @@ impl Run {
         let (remarks, written) = self.around.set_datum(new, (row, table), self.flow.made(at))?;
         let place = self.flow.place_of(at);
         self.remarks.add_all(&place, remarks);
-        if let Some(zero) = written {
-            let remark = self.presets.write(row, zero, files)?;
-            self.remarks.add_all(&place, remark.into_iter().collect());
-        }
+        let remark = self.presets.write(row, written, files)?;
+        self.remarks.add_all(&place, remark.into_iter().collect());
         Ok(())
     }
 
