@@ -329,6 +329,13 @@ pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
     ui.painter().layout(text.to_owned(), font, egui::Color32::PLACEHOLDER, width).size().y
 }
 
+/// Where the zero of a datum is, and the block that has set it.
+pub(super) fn datum_text(words: &Words, zero: [Length; 3], line: impl std::fmt::Display, block: &str) -> String {
+    let [x, y, z] = zero.map(|axis| words.mm(axis, 3));
+    let said = message!("records-page-datum-set").text("x", x).text("y", y).text("z", z);
+    words.say(&said.text("line", line).text("block", block))
+}
+
 /// A doubt about a measured value as a sentence of its own.
 pub(super) fn doubt_text(words: &Words, doubt: Doubt) -> String {
     let said = words.say(&message!("doubt-sentence").message("doubt", doubt.message()));

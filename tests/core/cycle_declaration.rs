@@ -3,7 +3,7 @@
 use fitcheck::length::Length;
 use fitcheck::message::{Arg, Say};
 use fitcheck::probing::cycle::{
-    Angle, Cycle, CycleError, Inputs, Key, Meaning, Parameter, Range, Remark, Unset, Value,
+    Angle, Cycle, CycleError, DatumTarget, Inputs, Key, Meaning, Parameter, Range, Remark, Unset, Value,
 };
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
@@ -21,6 +21,7 @@ fn usual(parameter: &Parameter) -> Value {
         Range::Length { .. } => length("25"),
         Range::Angle { .. } => Value::Angle(Angle::from_degrees(60)),
         Range::OneOf(allowed) => Value::Whole(allowed[0]),
+        Range::Count { .. } => Value::Whole(0),
         Range::Number { .. } | Range::Tool => Value::Number(1.0),
         Range::Band => Value::Band(None),
     }
@@ -44,7 +45,8 @@ fn error(cycle: &Cycle, inputs: &Inputs) -> CycleError {
 #[track_caller]
 fn accepted(cycle: &Cycle, parameter: &Parameter, value: &Value) {
     match error(cycle, &asked(cycle).with(parameter.key, value.clone())) {
-        CycleError::NoContact(_) | CycleError::LimitsSwapped { .. } => {}
+        // A row of a table needs to be told which table.
+        CycleError::NoContact(_) | CycleError::LimitsSwapped { .. } | CycleError::NoTransfer { .. } => {}
         // The control's range begins at 0, but that of a circle, a path and a normal does not.
         CycleError::NoDiameter { key, .. } | CycleError::NoPath { key, .. } => {
             assert_eq!((key, value), (parameter.key, &Value::Length(Length::ZERO)));
@@ -83,6 +85,11 @@ fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
             let near = allowed.iter().min().unwrap() - 1..=allowed.iter().max().unwrap() + 1;
             let outside = near.filter(|whole| !allowed.contains(whole)).chain([i64::MIN, i64::MAX]);
             (allowed.iter().copied().map(Value::Whole).collect(), outside.map(Value::Whole).collect())
+        }
+        Range::Count { most } => {
+            let most = i64::from(most);
+            let outside = [-1, most + 1, i64::MIN, i64::MAX];
+            ([0, 1, most].map(Value::Whole).to_vec(), outside.map(Value::Whole).to_vec())
         }
         Range::Number { most } => {
             let most = f64::from(most);
@@ -306,6 +313,37 @@ const OF_785: &[Documented] = &[
     ("H", COORDINATE, false),
 ];
 
+const RECTANGLE_DATUM: [&str; 12] =
+    ["Q321", "Q322", "Q323", "Q324", "Q261", "Q320", "Q260", "Q301", "Q305", "Q331", "Q332", "Q303"];
+
+/// 408 to 419: these parameters in this order, and those of the probe axis behind them.
+fn of_datum(keys: &[&'static str], has_top: bool) -> Vec<Documented> {
+    let top = ["Q381", "Q382", "Q383", "Q384", "Q333"];
+    let keys = keys.iter().copied().chain(top.into_iter().filter(|_| has_top));
+    let documented = |key| match key {
+        "Q323" | "Q324" | "Q262" | "Q311" => (key, SIZE, false),
+        "Q320" => (key, SIZE, true),
+        "Q260" => (key, COORDINATE, true),
+        "Q301" => (key, "0, 1", true),
+        "Q272" => (key, "1, 2", false),
+        "Q267" => (key, "-1, 1", false),
+        "Q303" => (key, "-1, 0, 1", false),
+        "Q305" => (key, "0 … 99999", false),
+        "Q381" | "Q365" => (key, "0, 1", false),
+        "Q325" => (key, "-360 … 360", false),
+        "Q247" => (key, "±5 … ±120", false),
+        "Q423" => (key, "3, 4", false),
+        _ => (key, COORDINATE, false),
+    };
+    keys.map(documented).collect()
+}
+
+/// 412 and 413: manuals of iTNC 530 and TNC 320.
+fn round_datum() -> Vec<Documented> {
+    let keys = ["Q321", "Q322", "Q262", "Q325", "Q247", "Q261", "Q320", "Q260", "Q301", "Q305", "Q331", "Q332", "Q303"];
+    [of_datum(&keys, true), of_datum(&["Q423", "Q365"], false)].concat()
+}
+
 #[test]
 fn the_ranges_are_those_of_the_manuals() {
     let documented = [
@@ -318,6 +356,23 @@ fn the_ranges_are_those_of_the_manuals() {
         ("427", OF_427.to_vec()),
         ("444", OF_444.to_vec()),
         ("G785", OF_785.to_vec()),
+        (
+            "408",
+            of_datum(&["Q321", "Q322", "Q311", "Q272", "Q261", "Q320", "Q260", "Q301", "Q305", "Q405", "Q303"], true),
+        ),
+        ("409", of_datum(&["Q321", "Q322", "Q311", "Q272", "Q261", "Q320", "Q260", "Q305", "Q405", "Q303"], true)),
+        ("410", of_datum(&RECTANGLE_DATUM, true)),
+        ("411", of_datum(&RECTANGLE_DATUM, true)),
+        ("412", round_datum()),
+        ("413", round_datum()),
+        ("417", of_datum(&["Q263", "Q264", "Q294", "Q320", "Q260", "Q305", "Q333", "Q303"], false)),
+        (
+            "419",
+            of_datum(&["Q263", "Q264", "Q261", "Q320", "Q260", "Q272", "Q267", "Q305", "Q333", "Q303"], false)
+                .into_iter()
+                .map(|(key, range, predef)| (key, if key == "Q272" { "1, 2, 3" } else { range }, predef))
+                .collect(),
+        ),
     ];
     for (code, expected) in documented {
         let cycle = cycle_named(code).unwrap();
@@ -347,7 +402,7 @@ fn a_value_of_another_kind_is_refused_for_every_parameter() {
             let wanted: &[usize] = match parameter.range {
                 Range::Length { .. } => &[0],
                 Range::Angle { .. } => &[1],
-                Range::OneOf(_) => &[2],
+                Range::OneOf(_) | Range::Count { .. } => &[2],
                 Range::Number { .. } => &[3],
                 Range::Tool => &[3, 4],
                 Range::Band => &[5],
@@ -511,6 +566,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         CycleError::NoGlobal { key, name },
         CycleError::NoDiameter { key, name },
         CycleError::NoPath { key, name },
+        CycleError::NoTransfer { key, row_key: key, row: 5 },
         CycleError::NoNormal { first: key, second: key, third: key },
         CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned(), known: "Q263".to_owned() },
         CycleError::LimitsSwapped { minimum_key: key, minimum: mm("2"), maximum_key: key, maximum: mm("1") },
@@ -527,6 +583,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         Remark::NominalOutsideLimits { nominal: mm("25") },
         Remark::NominalWidthOutsideLimits { nominal: mm("25") },
         Remark::VariableHoldsDiameter,
+        Remark::NewDatum { axes: Arg::Number("X 1 → 0".to_owned()), target: DatumTarget::Preset { row: 5 } },
         Remark::NoTolerance { key: Key::Qs(400) },
     ] {
         check(&remark);

@@ -9,8 +9,8 @@ use fitcheck::journal::Record;
 use fitcheck::journal::body::{self, BodyError, read, write};
 use fitcheck::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck::journal::entry::{
-    About, Begin, Check, CheckRemark, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, Entry, FileRole,
-    Moment, Reported, Shown, UsedFile,
+    About, Begin, Check, CheckRemark, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, DatumKept,
+    Entry, FileRole, Moment, Reported, Shown, UsedFile,
 };
 use fitcheck::journal::ranges::EntryRanges;
 use fitcheck::length::Length;
@@ -246,19 +246,23 @@ fn any_cycle() -> impl Strategy<Value = CycleCheck> {
         proptest::option::of(any_length(1_000)),
         proptest::option::of(select(Status::ALL.as_slice())),
         proptest::option::of((any_name(), 0..100_000_u64)),
+        proptest::option::of((any_length(999), any_length(999), 0..100_000_u64, any_name())),
     );
     ((any::<u16>(), origin, any_contacts()), lists, answer).prop_map(
-        |((cycle, origin, contacts), (parameters, figures, compared), (limits, measured, status, block))| CycleCheck {
-            cycle,
-            parameters,
-            origin,
-            contacts,
-            figures,
-            compared,
-            limits,
-            measured,
-            status,
-            block,
+        |((cycle, origin, contacts), (parameters, figures, compared), (limits, measured, status, block, datum))| {
+            CycleCheck {
+                cycle,
+                parameters,
+                origin,
+                contacts,
+                figures,
+                compared,
+                limits,
+                measured,
+                status,
+                block,
+                datum: datum.map(|(x, y, line, text)| DatumKept { zero: [x, y, nm(0)], line, text }),
+            }
         },
     )
 }
@@ -368,6 +372,7 @@ proptest! {
         };
         let version = match &found.content {
             Content::Report(_) => '2',
+            Content::Check(check) if matches!(&check.what, Checked::Cycle(cycle) if cycle.datum.is_some()) => '4',
             Content::Check(check) if matches!(&check.what, Checked::Size(record) if !is_plain(record)) => '3',
             _ => '1',
         };
@@ -506,12 +511,12 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Json { .. }));
-    assert_eq!(changed("{\"v\":1,", "{\"v\":4,\"colour\":{},"), BodyError::Newer { version: 4 });
+    assert_eq!(changed("{\"v\":1,", "{\"v\":5,\"colour\":{},"), BodyError::Newer { version: 5 });
     // An entry has one body: what version 1 can hold is of version 1.
     assert_eq!(changed("{\"v\":1,", "{\"v\":2,"), BodyError::Contradiction { field: "v" });
     assert_eq!(
         refused("{\"v\":7}").to_string(),
-        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 3"
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 4"
     );
     assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
     for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]
@@ -559,6 +564,33 @@ fn a_size_that_is_neither_hole_nor_shaft_is_of_the_third_version_and_its_first_e
     assert_eq!(read(first.as_bytes()).unwrap(), read(body.as_bytes()).unwrap());
     let second = body.replacen("{\"v\":3", "{\"v\":2", 1);
     assert_eq!(read(second.as_bytes()).unwrap_err(), BodyError::Contradiction { field: "v" });
+}
+
+#[test]
+fn a_cycle_behind_a_datum_is_of_the_fourth_version_and_says_what_set_it() {
+    let datum =
+        DatumKept { zero: [nm(400_000), nm(-300_000), nm(0)], line: 4, text: "TCH PROBE 412 DATUM ~".to_owned() };
+    let cycle = CycleCheck {
+        cycle: 421,
+        parameters: Vec::new(),
+        origin: CycleOrigin::Perfect,
+        contacts: Vec::new(),
+        figures: std::collections::BTreeMap::new(),
+        compared: Vec::new(),
+        limits: None,
+        measured: None,
+        status: Some(Status::Good),
+        block: None,
+        datum: Some(datum),
+    };
+    let what = Checked::Cycle(Box::new(cycle));
+    let content = Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None }));
+    let entry = Entry { about: about(), content };
+    let body = String::from_utf8(write(&entry).unwrap()).unwrap();
+    assert!(body.starts_with("{\"v\":4,\"kind\":\"check\""), "{body}");
+    let kept = "\"measured_nm\":null,\"datum\":{\"zero_nm\":[400000,-300000,0],\"line\":4,\"text\":\"TCH PROBE 412 DATUM ~\"}}";
+    assert!(body.contains(kept), "{body}");
+    assert_eq!(read(body.as_bytes()).unwrap(), entry);
 }
 
 #[test]

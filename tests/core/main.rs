@@ -35,6 +35,7 @@ mod cycle_logs;
 mod cycle_texts;
 mod cycle_windows;
 mod cycles;
+mod datum;
 mod exact_cycles;
 mod field_files;
 mod field_ways;

@@ -141,7 +141,7 @@ fn what_is_wrong_with_a_block_is_named_with_its_line() {
     );
     let known: Vec<_> = CYCLES.iter().map(|cycle| cycle.code).filter(|code| !code.starts_with('G')).collect();
     let known = format!("the cycles are {}", known.join(", "));
-    check("\nTCH PROBE 412 DATUM ~\nQ1=2", &format!("line 2: TCH PROBE 412: {known}"));
+    check("\nTCH PROBE 418 DATUM ~\nQ1=2", &format!("line 2: TCH PROBE 418: {known}"));
     check("TCH PROBE\n", &format!("line 1: TCH PROBE : {known}"));
     check(
         "TCH PROBE 427 ~\nQ263=+1\n\nTCH PROBE 427 ~\nQ263=+2",
@@ -266,6 +266,7 @@ fn value(parameter: &'static Parameter) -> BoxedStrategy<Value> {
             };
             (sizes, prop_oneof![Just(""), Just("-")]).prop_map(angle).boxed()
         }
+        Range::Count { most } => (0..=i64::from(most)).prop_map(Value::Whole).boxed(),
         Range::OneOf(allowed) => proptest::sample::select(allowed).prop_map(Value::Whole).boxed(),
         Range::Number { most } => (-f64::from(most)..=f64::from(most)).prop_map(Value::Number).boxed(),
         Range::Tool => prop_oneof![

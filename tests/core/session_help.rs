@@ -258,8 +258,8 @@ fn what_a_user_of_a_control_types_is_found() {
         ("units inch", "Run NC programs > The machine around the program"),
         ("inches", "Run NC programs > The machine around the program"),
         ("calibration cycle", "Measuring cycles > Not supported"),
-        ("Q303", "Measuring cycles > Not supported"),
-        ("datum cycle", "Measuring cycles > Not supported"),
+        ("Q303", "Measuring cycles > Q parameters"),
+        ("datum cycle", "Measuring cycles > Datum cycles"),
     ] {
         assert_eq!(found(query).first().map(String::as_str), Some(first), "{query}: {:?}", found(query));
     }

@@ -532,13 +532,13 @@ fn parameters_are_named_as_on_the_control() {
 fn what_is_advised_about_a_cycle_that_sets_a_datum_leads_to_a_measurement() {
     const HOLE: &str = "TCH PROBE 421 MEASURE HOLE ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-8 ~\nQ320=+2 ~\n\
         Q260=+50 ~\nQ301=+0 ~\nQ275=+25.021 ~\nQ276=+25";
-    let datum = "TOOL CALL 1 Z\nTCH PROBE 412 DATUM INSIDE CIRCLE ~\nQ321=+40 ~\nQ322=+30 ~\nQ262=+25";
+    let datum = "TOOL CALL 1 Z\nTCH PROBE 416 DATUM CIRCLE CENTER ~\nQ321=+40 ~\nQ322=+30 ~\nQ262=+25";
     let advice = "Without its datum nothing is measured. For a trial, open a copy of the program without the block that sets it, \
                   and a workpiece seen from that datum";
     let mut session = opened(&format!("{datum}\n{HOLE}"));
     session.apply(ProgramCommand::Run.into(), now());
     let fault = said(&session.program().note(0).unwrap().message);
-    assert!(fault.contains("does not follow cycle 412") && fault.ends_with(advice), "{fault}");
+    assert!(fault.contains("does not follow cycle 416") && fault.ends_with(advice), "{fault}");
     send(&mut session, ProgramCommand::Toggle(Switch::SkipUnknown));
     session.apply(ProgramCommand::Run.into(), now());
     let fault = said(&session.program().note(0).unwrap().message);

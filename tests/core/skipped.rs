@@ -13,7 +13,7 @@ use fitcheck::words::Dialogue;
 
 const HOLE: &str = "TCH PROBE 421 MEASURE HOLE ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-5 ~\nQ320=+2 ~\nQ260=+15 ~\n\
                     Q301=+0 ~\nQ275=+25.021 ~\nQ276=+25";
-const DATUM: &str = "TCH PROBE 412 DATUM INSIDE CIRCLE ~\nQ321=+60 ~\nQ322=+0 ~\nQ262=+30 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-3 ~\nQ320=+2 ~\n\
+const DATUM: &str = "TCH PROBE 416 DATUM CIRCLE CENTER ~\nQ321=+60 ~\nQ322=+0 ~\nQ262=+30 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-3 ~\nQ320=+2 ~\n\
                      Q260=+15 ~\nQ301=+0 ~\nQ305=+0 ~\nQ331=+0 ~\nQ332=+0 ~\nQ303=+1";
 
 /// A run with unknown blocks skipped, and why it stopped early.
@@ -90,7 +90,7 @@ fn local_parameters_are_those_of_the_caller_again() {
     );
 }
 
-const LOST: &str = "is undefined: line 15, TCH PROBE 412 DATUM INSIDE CIRCLE ~, may set it and was not run";
+const LOST: &str = "is undefined: line 15, TCH PROBE 416 DATUM CIRCLE CENTER ~, may set it and was not run";
 
 #[test]
 fn a_skipped_measurement_leaves_nothing_of_the_one_before_it() {
@@ -140,7 +140,7 @@ fn nothing_is_measured_behind_a_skipped_block_that_may_have_set_a_datum() {
     assert_eq!(
         fault.as_deref(),
         Some(
-            "an unknown datum has been active since line 3, TCH PROBE 412 DATUM INSIDE CIRCLE ~: Fitcheck does not measure while it is active"
+            "an unknown datum has been active since line 3, TCH PROBE 416 DATUM CIRCLE CENTER ~: Fitcheck does not measure while it is active"
         )
     );
     assert!(machine.cycles().is_empty() && machine.status().is_none());
@@ -384,7 +384,7 @@ fn a_limit_that_is_given_twice_is_offered_as_the_other_one() {
 fn what_an_iso_or_lathe_program_skips_counts_as_well() {
     let hole =
         "N30 G421 Q273=+0 Q274=+0 Q262=+25 Q325=+0 Q247=+90 Q261=-5 Q320=+2 Q260=+15 Q301=+0 Q275=+25.021 Q276=+25 *\n";
-    for block in ["G412 Q321=+0 *", "G147 X5 *", "D17 P01 5 *", "G80 Q1 *"] {
+    for block in ["G416 Q321=+0 *", "G147 X5 *", "D17 P01 5 *", "G80 Q1 *"] {
         let text = format!("%A G71 *\nN10 T1 G17 *\nN20 {block}\n{hole}N99999999 %A G71 *\n");
         let (machine, fault) = run_text(&text, false, Contacts::Perfect);
         assert!(fault.as_ref().is_some_and(|fault| fault.contains("since line 3")), "{block}: {fault:?}");

@@ -38,6 +38,7 @@ fn a_check_is_a_row_of_plain_columns() {
         measured: Some(nm(25_000_001)),
         status: Some(Status::Good),
         block: None,
+        datum: None,
     };
     let cycle = Check { what: Checked::Cycle(Box::new(cycle)), files: Vec::new(), corrects: None };
     book.add(&Entry { about: about("3"), content: Content::Check(Box::new(cycle)) });

@@ -83,6 +83,7 @@ circle-heights = výšky bodů dotyku se liší o { $spread } mm: u kužele nebo
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = bod dotyku { $number }: sonda v rámci dráhy snímání { $longest } mm na nic nenarazila
 cycle-number-range = číslo, nejvýše { $most } v obou směrech
+cycle-count-range = celé číslo od 0 do { $most }
 cycle-band-range = tolerance, například 0.4-0.1, 0.4 nebo -0.1; 0 znamená bez tolerance
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, nebo nejvýše { $longest } znaků
@@ -92,6 +93,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = bez tolerance
 cycle-no-global = { $key } { $name } = PREDEF: žádné GLOBAL DEF neudává hodnotu
 cycle-no-path = { $key } { $name } = 0 mm: dráha snímání potřebuje délku; její znaménko udává směr
+cycle-no-transfer = { $row-key } = { $row } při { $key } = -1: není uvedeno, ve které tabulce ten řádek je; { $key } musí být 0 nebo 1 (řídicí systém hlásí chybu 1078)
 cycle-no-normal = { $first }, { $second } a { $third } jsou všechny 0: normála potřebuje směr
 cycle-apart = bod dotyku { $contact }: jeho dvě snímání leží { $difference } mm od sebe, { $key } dovoluje { $most } mm
 cycle-too-far = naměřená souřadnice je příliš velká: { $error }
@@ -143,6 +145,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } bodů dotyku leží mimo místa, kde cyklus snímá, bod { $contact } o { $distance } mm: možná patří k jinému prvku
 }
 remark-deviation-without-parameter = úchylka zde nemá parametr: podle příručky ji řídicí systém ukládá, ale neuvádí kam
+remark-new-datum = nový vztažný bod, { $target }: { $axes } mm (naměřeno → žádáno)
+datum-target-display = ihned aktivní
+datum-target-preset = řádek { $row } tabulky vztažných bodů
+datum-target-table = řádek { $row } tabulky nulových bodů
 remark-variable-holds-diameter = #i99 se čte jako průměr: příručka neuvádí, kterou hodnotu obsahuje
 remark-no-tolerance = { $key } není tolerance: nic se neposuzuje
 

@@ -82,6 +82,7 @@ circle-heights = die Höhen der Antastpunkte unterscheiden sich um { $spread } m
 ## Messzyklen: Fehler, Ergebnisse, Hinweise
 contact-out-of-reach = Antastpunkt { $number }: das Tastsystem traf innerhalb des Antastwegs von { $longest } mm auf nichts
 cycle-number-range = eine Zahl, höchstens { $most } in beide Richtungen
+cycle-count-range = eine ganze Zahl von 0 bis { $most }
 cycle-band-range = eine Toleranz wie 0.4-0.1, 0.4 oder -0.1; 0 heißt keine Toleranz
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, oder höchstens { $longest } Zeichen
@@ -91,6 +92,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = keine Toleranz
 cycle-no-global = { $key } { $name } = PREDEF: kein GLOBAL DEF gibt einen Wert
 cycle-no-path = { $key } { $name } = 0 mm: ein Antastweg braucht eine Länge; ihr Vorzeichen gibt die Richtung
+cycle-no-transfer = { $row-key } = { $row } bei { $key } = -1: es ist nicht angegeben, in welcher Tabelle die Zeile steht; { $key } muss 0 oder 1 sein (eine Steuerung meldet Fehler 1078)
 cycle-no-normal = { $first }, { $second } und { $third } sind alle 0: eine Normale braucht eine Richtung
 cycle-apart = Antastpunkt { $contact }: seine beiden Antastungen liegen { $difference } mm auseinander, { $key } erlaubt { $most } mm
 cycle-too-far = die gemessene Koordinate ist zu groß: { $error }
@@ -141,6 +143,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } Antastpunkte liegen abseits der Stellen, an denen der Zyklus antastet, Antastpunkt { $contact } um { $distance } mm: vielleicht gehören sie zu einem anderen Merkmal
 }
 remark-deviation-without-parameter = die Abweichung hat hier keinen Parameter: laut Handbuch speichert eine Steuerung sie, aber nicht gesagt ist, in welchem
+remark-new-datum = neuer Bezugspunkt, { $target }: { $axes } mm (gemessen → gewünscht)
+datum-target-display = sofort aktiv
+datum-target-preset = Zeile { $row } der Bezugspunkttabelle
+datum-target-table = Zeile { $row } der Nullpunkttabelle
 remark-variable-holds-diameter = #i99 wird als Durchmesser gelesen: das Handbuch sagt nicht, welchen Wert sie enthält
 remark-no-tolerance = { $key } ist keine Toleranz: nichts wird beurteilt
 

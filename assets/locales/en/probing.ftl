@@ -82,6 +82,7 @@ circle-heights = the contacts' heights differ by { $spread } mm: on a cone or a 
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = contact { $number }: the probe met nothing within the probing path of { $longest } mm
 cycle-number-range = a number, at most { $most } either way
+cycle-count-range = a whole number from 0 to { $most }
 cycle-band-range = a tolerance such as 0.4-0.1, 0.4 or -0.1; 0 means no tolerance
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, or at most { $longest } characters
@@ -91,6 +92,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = no tolerance
 cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
 cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
+cycle-no-transfer = { $row-key } = { $row } with { $key } = -1: it is not stated which table has that row; { $key } must be 0 or 1 (a control reports error 1078)
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
 cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
 cycle-too-far = the measured coordinate is too large: { $error }
@@ -141,6 +143,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } contacts lie apart from where the cycle probes, contact { $contact } by { $distance } mm: perhaps they belong to another feature
 }
 remark-deviation-without-parameter = the deviation has no parameter here: the manual says that a control stores it, but not in which one
+remark-new-datum = new datum, { $target }: { $axes } mm (measured → wanted)
+datum-target-display = active at once
+datum-target-preset = row { $row } of the preset table
+datum-target-table = row { $row } of the datum table
 remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds
 remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 

@@ -82,6 +82,7 @@ circle-heights = las alturas de los puntos de palpación difieren en { $spread }
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = punto de palpación { $number }: el palpador no encontró nada en el recorrido de palpación de { $longest } mm
 cycle-number-range = un número, como máximo { $most } en ambos sentidos
+cycle-count-range = un número entero de 0 a { $most }
 cycle-band-range = una tolerancia como 0.4-0.1, 0.4 o -0.1; 0 significa sin tolerancia
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, o { $longest } caracteres como máximo
@@ -91,6 +92,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = sin tolerancia
 cycle-no-global = { $key } { $name } = PREDEF: ningún GLOBAL DEF da un valor
 cycle-no-path = { $key } { $name } = 0 mm: un recorrido de palpación necesita una longitud; su signo da el sentido
+cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: no se indica en qué tabla está esa fila; { $key } debe ser 0 o 1 (un control muestra el error 1078)
 cycle-no-normal = { $first }, { $second } y { $third } son todos 0: una normal necesita una dirección
 cycle-apart = punto de palpación { $contact }: sus dos palpaciones distan { $difference } mm, { $key } permite { $most } mm
 cycle-too-far = la coordenada medida es demasiado grande: { $error }
@@ -141,6 +143,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } puntos de palpación están lejos de donde palpa el ciclo, el punto { $contact } a { $distance } mm: quizá sean de otro elemento
 }
 remark-deviation-without-parameter = la desviación no tiene parámetro aquí: el manual dice que un control la guarda, pero no en cuál
+remark-new-datum = nuevo punto de referencia, { $target }: { $axes } mm (medido → deseado)
+datum-target-display = activo de inmediato
+datum-target-preset = fila { $row } de la tabla de puntos de referencia
+datum-target-table = fila { $row } de la tabla de puntos cero
 remark-variable-holds-diameter = #i99 se lee como el diámetro: el manual no dice qué valor contiene
 remark-no-tolerance = { $key } no es una tolerancia: no se evalúa nada
 

@@ -82,6 +82,7 @@ circle-heights = les hauteurs des points de palpage diffèrent de { $spread } mm
 ## Cycles de mesure : erreurs, résultats, remarques
 contact-out-of-reach = point de palpage { $number } : le palpeur n'a rien rencontré sur la course de palpage de { $longest } mm
 cycle-number-range = un nombre, au plus { $most } dans les deux sens
+cycle-count-range = un nombre entier de 0 à { $most }
 cycle-band-range = une tolérance telle que 0.4-0.1, 0.4 ou -0.1 ; 0 signifie sans tolérance
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, ou au plus { $longest } caractères
@@ -91,6 +92,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = sans tolérance
 cycle-no-global = { $key } { $name } = PREDEF : aucun GLOBAL DEF ne donne de valeur
 cycle-no-path = { $key } { $name } = 0 mm : une course de palpage demande une longueur ; son signe donne le sens
+cycle-no-transfer = { $row-key } = { $row } avec { $key } = -1 : il n'est pas indiqué dans quel tableau est cette ligne ; { $key } doit être 0 ou 1 (une commande signale l'erreur 1078)
 cycle-no-normal = { $first }, { $second } et { $third } sont tous 0 : une normale demande une direction
 cycle-apart = point de palpage { $contact } : ses deux palpages sont à { $difference } mm l'un de l'autre, { $key } admet { $most } mm
 cycle-too-far = la coordonnée mesurée est trop grande : { $error }
@@ -141,6 +143,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } points de palpage sont à l'écart de l'endroit que palpe le cycle, le point { $contact } de { $distance } mm : ils sont peut-être d'un autre élément
 }
 remark-deviation-without-parameter = l'écart n'a pas de paramètre ici : le manuel dit qu'une commande le mémorise, mais pas dans lequel
+remark-new-datum = nouveau point d'origine, { $target } : { $axes } mm (mesuré → voulu)
+datum-target-display = actif aussitôt
+datum-target-preset = ligne { $row } du tableau de points d'origine
+datum-target-table = ligne { $row } du tableau de points zéro
 remark-variable-holds-diameter = #i99 est lu comme le diamètre : le manuel ne dit pas quelle valeur il contient
 remark-no-tolerance = { $key } n'est pas une tolérance : rien n'est jugé
 

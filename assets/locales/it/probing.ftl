@@ -82,6 +82,7 @@ circle-heights = le altezze dei punti di contatto differiscono di { $spread } mm
 ## Cicli di misura: errori, risultati, note
 contact-out-of-reach = contatto { $number }: il sistema di tastatura non ha incontrato nulla entro la corsa di tastatura di { $longest } mm
 cycle-number-range = un numero, al massimo { $most } nei due versi
+cycle-count-range = un numero intero da 0 a { $most }
 cycle-band-range = una tolleranza come 0.4-0.1, 0.4 o -0.1; 0 significa nessuna tolleranza
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, o al massimo { $longest } caratteri
@@ -91,6 +92,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = nessuna tolleranza
 cycle-no-global = { $key } { $name } = PREDEF: nessun GLOBAL DEF dà un valore
 cycle-no-path = { $key } { $name } = 0 mm: una corsa di tastatura richiede una lunghezza; il segno dà la direzione
+cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: non è indicato in quale tabella è quella riga; { $key } deve essere 0 o 1 (un controllo numerico segnala l'errore 1078)
 cycle-no-normal = { $first }, { $second } e { $third } sono tutti 0: una normale richiede una direzione
 cycle-apart = contatto { $contact }: le sue due tastature distano { $difference } mm, { $key } ammette { $most } mm
 cycle-too-far = la coordinata misurata è troppo grande: { $error }
@@ -141,6 +143,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } punti di contatto sono lontani da dove tasta il ciclo, il contatto { $contact } di { $distance } mm: forse appartengono a un altro elemento
 }
 remark-deviation-without-parameter = lo scostamento qui non ha un parametro: il manuale dice che un controllo numerico lo memorizza, ma non in quale
+remark-new-datum = nuova origine, { $target }: { $axes } mm (misurato → voluto)
+datum-target-display = subito attiva
+datum-target-preset = riga { $row } della tabella origini
+datum-target-table = riga { $row } della tabella punti zero
 remark-variable-holds-diameter = #i99 viene letto come diametro: il manuale non dice quale valore contenga
 remark-no-tolerance = { $key } non è una tolleranza: nulla viene valutato
 

@@ -82,6 +82,7 @@ circle-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = meetpunt { $number }: het tastsysteem heeft binnen de tastweg van { $longest } mm niets geraakt
 cycle-number-range = een getal, hoogstens { $most } in beide richtingen
+cycle-count-range = een geheel getal van 0 tot { $most }
 cycle-band-range = een tolerantie zoals 0.4-0.1, 0.4 of -0.1; 0 betekent geen tolerantie
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest }, of hoogstens { $longest } tekens
@@ -91,6 +92,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = geen tolerantie
 cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF geeft een waarde
 cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig; het teken geeft de richting
+cycle-no-transfer = { $row-key } = { $row } bij { $key } = -1: er staat niet bij in welke tabel die regel staat; { $key } moet 0 of 1 zijn (een besturing meldt fout 1078)
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
 cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
 cycle-too-far = de gemeten coördinaat is te groot: { $error }
@@ -141,6 +143,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } meetpunten liggen niet waar de cyclus tast, meetpunt { $contact } het verst met { $distance } mm: misschien horen ze bij een ander element
 }
 remark-deviation-without-parameter = de afwijking heeft hier geen parameter: het handboek zegt dat een besturing haar opslaat, maar niet in welke
+remark-new-datum = nieuw referentiepunt, { $target }: { $axes } mm (gemeten → gewenst)
+datum-target-display = meteen actief
+datum-target-preset = regel { $row } van de referentiepunttabel
+datum-target-table = regel { $row } van de nulpunttabel
 remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat
 remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld
 

@@ -84,6 +84,7 @@ circle-heights = wysokości punktów pomiarowych różnią się o { $spread } mm
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = punkt pomiarowy { $number }: sonda niczego nie napotkała na drodze próbkowania { $longest } mm
 cycle-number-range = liczba, najwyżej { $most } w obie strony
+cycle-count-range = liczba całkowita od 0 do { $most }
 cycle-band-range = tolerancja, np. 0.4-0.1, 0.4 lub -0.1; 0 oznacza bez tolerancji
 cycle-range = { $range }
 cycle-range-tool = 0 … { $highest } lub najwyżej { $longest } { $longest ->
@@ -98,6 +99,7 @@ cycle-value-length = { $value } mm
 cycle-value-no-tolerance = bez tolerancji
 cycle-no-global = { $key } { $name } = PREDEF: żadne GLOBAL DEF nie podaje wartości
 cycle-no-path = { $key } { $name } = 0 mm: droga próbkowania wymaga długości; jej znak podaje kierunek
+cycle-no-transfer = { $row-key } = { $row } przy { $key } = -1: nie podano, w której tabeli jest ten wiersz; { $key } musi być 0 lub 1 (sterowanie zgłasza błąd 1078)
 cycle-no-normal = { $first }, { $second } i { $third } są równe 0: normalna wymaga kierunku
 cycle-apart = punkt pomiarowy { $contact }: jego dwa próbkowania różnią się o { $difference } mm, { $key } dopuszcza { $most } mm
 cycle-too-far = zmierzona współrzędna jest za duża: { $error }
@@ -150,6 +152,10 @@ remark-contact-astray = { $count ->
    *[other] { $count } punktów pomiarowych leży z dala od miejsca, w którym cykl próbkuje, punkt { $contact } o { $distance } mm: mogą należeć do innego elementu
 }
 remark-deviation-without-parameter = odchyłka nie ma tu parametru: instrukcja mówi, że sterowanie ją zapisuje, ale nie podaje gdzie
+remark-new-datum = nowy punkt odniesienia, { $target }: { $axes } mm (zmierzono → żądano)
+datum-target-display = od razu aktywny
+datum-target-preset = wiersz { $row } tabeli punktów odniesienia
+datum-target-table = wiersz { $row } tabeli punktów zerowych
 remark-variable-holds-diameter = #i99 jest czytane jako średnica: instrukcja nie mówi, jaką wartość zawiera
 remark-no-tolerance = { $key } nie jest tolerancją: nic nie jest oceniane
 

@@ -314,6 +314,9 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         }
         Meaning::Log | Meaning::Stop | Meaning::StopOnUndersize => "measuring-log-and-stop",
         Meaning::Tool => "tool-for-monitoring",
+        Meaning::ToolAxisProbing | Meaning::ToolAxisPoint(_) => "probe-axis-of-a-datum-cycle",
+        Meaning::NewDatum(_) | Meaning::NewCoordinate => "new-datum",
+        Meaning::TableRow | Meaning::Transfer => "table-of-the-datum",
         Meaning::Length | Meaning::Angle | Meaning::Choice | Meaning::Number => "other-parameter",
     }
 }

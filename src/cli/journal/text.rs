@@ -181,6 +181,10 @@ fn print_cycle(cycle: &CycleCheck, io: &mut Io<'_>) {
     if let Some((file, number)) = &cycle.block {
         line("program", format_args!("{file}, line {number}"), io);
     }
+    if let Some(datum) = &cycle.datum {
+        let [x, y, z] = datum.zero.map(mm);
+        line("datum", format_args!("zero at X {x}, Y {y}, Z {z} mm, set in line {}: {}", datum.line, datum.text), io);
+    }
     for (name, value) in &cycle.parameters {
         line("parameter", format_args!("{name} = {value}"), io);
     }

@@ -11,8 +11,11 @@ use super::super::cycle::answer::{check, source as result_source, value as resul
 use super::super::tools;
 use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::variables::{Parameter, Value};
+use crate::length::Length;
 use crate::message::Say as _;
-use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
+use crate::nc::machine::{
+    BlockPlace, CycleRun, DatumInForce, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written,
+};
 use crate::probing::cycle::ResultParameter;
 use crate::text::cut;
 
@@ -132,7 +135,18 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
         "remarks": result.remarks.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "warnings": result.warnings().iter().map(ToString::to_string).collect::<Vec<_>>(),
     });
-    placed(machine, &run.place, more)
+    let mut placed = placed(machine, &run.place, more);
+    // Only where a cycle has set one.
+    if let (Some(datum), Some(entry)) = (&run.datum, placed.as_object_mut()) {
+        entry.insert("datum".to_owned(), in_force(datum));
+    }
+    placed
+}
+
+/// The datum that a cycle counted from.
+fn in_force(datum: &DatumInForce) -> Json {
+    let set_by = json!({"line": datum.set_by.line, "text": datum.set_by.text});
+    json!({"zero_mm": datum.zero.map(Length::to_mm_f64), "set_by": set_by})
 }
 
 fn fault(fault: &Fault) -> Json {

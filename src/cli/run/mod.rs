@@ -308,7 +308,7 @@ fn keep(mut recorder: Recorder, machine: &Machine, source: &Source, io: &mut Io<
     for run in machine.cycles().iter().filter(|run| run.result.verdict().is_some()) {
         let (file, line) = place(machine, &run.place.program, run.place.block);
         let line = long(line);
-        let check = CycleCheck::of(run.cycle, &run.result, source.origin());
+        let check = CycleCheck::of_run(run, source.origin());
         recorder.cycle(CycleCheck { block: Some((file, line)), ..check }, io.files())?;
     }
     recorder.keep(io)

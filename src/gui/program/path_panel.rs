@@ -4,7 +4,8 @@
 use eframe::egui::Ui;
 
 use crate::gui::cycles::picture::{Surroundings, path_picture};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, datum_text, heading, quiet};
+use crate::nc::machine::{CycleRun, DatumInForce};
 use crate::session::program::{Run, WorkpieceFrom};
 
 /// Whether the open program gets room for a path: it has one, or may get one.
@@ -25,7 +26,11 @@ pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
     }
     let path = run.map_or_else(Vec::new, Run::path);
     let last = run.and_then(|run| run.cycles().last());
-    let nominal = last.and_then(|cycle| cycle.cycle.nominal(&cycle.result.inputs).ok());
+    if let Some(DatumInForce { zero, set_by }) = last.and_then(|cycle| cycle.datum.as_ref()) {
+        let said = datum_text(view.words, *zero, set_by.line, &set_by.text);
+        quiet(ui, format!("{}: {said}", view.text("records-page-datum")));
+    }
+    let nominal = last.and_then(CycleRun::nominal);
     let features = part.map_or([].as_slice(), |part| part.features.as_slice());
     let ball_radius = part.map_or(0.0, |part| part.probe.ball_radius);
     path_picture(ui, view, &path, path.len(), Surroundings { nominal, features, ball_radius });

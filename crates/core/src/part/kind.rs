@@ -4,7 +4,7 @@
 
 use crate::length::Length;
 use crate::probing::cycle::{Axis, Control, Cycle, Value};
-use crate::probing::cycles::cycles_of;
+use crate::probing::cycles::measuring_cycles_of;
 use crate::probing::simulated::Shape;
 use crate::probing::vector;
 use crate::tolerance::{Callout, Deviations, Feature};
@@ -157,7 +157,7 @@ impl FeatureKind {
 
     /// The usual cycle that measures it on a milling machine.
     pub fn cycle(&self, feature: Feature) -> Option<&'static Cycle> {
-        cycles_of(Control::Milling).find(|cycle| Some(cycle.shape()) == self.shape(feature))
+        measuring_cycles_of(Control::Milling).find(|cycle| Some(cycle.shape()) == self.shape(feature))
     }
 
     /// What is added to a feature's name for each of its sizes: nothing where it has one.

@@ -4,7 +4,7 @@ use super::fault::PlanFault;
 use super::kind::FeatureKind;
 use super::values::{beginning, is_decided};
 use crate::probing::cycle::{Control, Cycle, Inputs, Parameter};
-use crate::probing::cycles::{cycle_named, cycles_of};
+use crate::probing::cycles::{cycle_named, measuring_cycles_of};
 use crate::tolerance::Feature;
 
 /// The cycle that a cell names, or else the usual one. Where the kind is not known, any measuring cycle may be named.
@@ -19,7 +19,7 @@ pub(super) fn cycle(
     }
     let shape = kind.and_then(|kind| kind.shape(feature));
     let fits = |cycle: &&'static Cycle| shape.is_none_or(|shape| cycle.shape() == shape);
-    let milling = || cycles_of(Control::Milling).filter(fits);
+    let milling = || measuring_cycles_of(Control::Milling).filter(fits);
     let found = cycle_named(text).filter(|cycle| milling().any(|known| known.code == cycle.code));
     let known = || milling().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
     match found {
@@ -36,7 +36,9 @@ pub(super) fn parameters(text: &str, cycle: Option<&'static Cycle>) -> Result<In
     for word in text.split_whitespace() {
         let parts = word.split_once('=');
         let Some(cycle) = cycle else {
-            if !parts.is_some_and(|(name, _)| cycles_of(Control::Milling).any(|cycle| free(cycle, name).is_some())) {
+            if !parts
+                .is_some_and(|(name, _)| measuring_cycles_of(Control::Milling).any(|cycle| free(cycle, name).is_some()))
+            {
                 faults.push(PlanFault::NoParameter { given: beginning(word) });
             }
             continue;

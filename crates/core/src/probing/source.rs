@@ -1,8 +1,8 @@
 //! Where a cycle's contacts come from: a perfect workpiece at nominal size, a simulated one, or recorded contacts.
 
-use super::contact::{Contact, Prober, Recorded};
+use super::contact::{Contact, NoContact, Prober, Recorded, Touch};
 use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
-use super::simulated::{Part, Simulation, WorkpieceError};
+use super::simulated::{Machine, Part, Simulation, Surface, WorkpieceError};
 use crate::message::Say;
 
 /// Where contacts come from.
@@ -50,7 +50,12 @@ impl Source<'_> {
             Self::Perfect => Simulation::perfect(cycle.nominal(inputs)?).machine(),
         };
         let machine = machine.map_err(|error| self.refused(error, cycle, inputs))?;
-        Ok(Box::new(machine.calibrated(inputs.probe())))
+        let machine = machine.calibrated(inputs.probe());
+        let top = cycle.nominal_top(inputs).filter(|_top| matches!(self, Self::Perfect));
+        Ok(match top {
+            None => Box::new(machine),
+            Some(top) => Box::new(WithTop { machine, top: Simulation::perfect(Surface::Face(top)).machine()? }),
+        })
     }
 
     /// Where the perfect workpiece is impossible, the cycle itself explains better what is wrong with its inputs.
@@ -65,5 +70,19 @@ impl Source<'_> {
     pub fn unused(self, path: &[Move]) -> usize {
         let Self::Recorded { contacts, .. } = self else { return 0 };
         contacts.len().saturating_sub(path.iter().filter(|step| step.phase == Phase::Contact).count())
+    }
+}
+
+/// A perfect workpiece and a top beside it: neither is in the way of the other, whatever the figures of a cycle say.
+struct WithTop {
+    machine: Machine,
+    top: Machine,
+}
+
+impl Prober for WithTop {
+    /// Only a probing straight along the probe axis is of the top.
+    fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
+        let [x, y, _] = touch.direction;
+        if x.abs() + y.abs() <= 0.0 { self.top.touch(touch) } else { self.machine.touch(touch) }
     }
 }

@@ -1,8 +1,10 @@
 //! What a measuring cycle found, as it is kept.
 
 use fitcheck_core::probing::cycle::{Check, Cycle, CycleResult, Value};
+use fitcheck_core::text::long;
+use fitcheck_nc::machine::CycleRun;
 
-use super::entry::{Compared, CycleCheck, CycleOrigin};
+use super::entry::{Compared, CycleCheck, CycleOrigin, DatumKept};
 
 impl CycleCheck {
     /// What a cycle found, on contacts from somewhere.
@@ -34,7 +36,18 @@ impl CycleCheck {
             measured: size.map(|size| size.measured).or_else(|| Some(result.circle.as_ref()?.diameter)),
             status: result.verdict(),
             block: None,
+            datum: None,
         }
+    }
+
+    /// The same of a cycle that a program has run, with the datum that it counted from.
+    pub fn of_run(run: &CycleRun, origin: CycleOrigin) -> Self {
+        let datum = run.datum.as_ref().map(|datum| DatumKept {
+            zero: datum.zero,
+            line: long(datum.set_by.line),
+            text: datum.set_by.text.clone(),
+        });
+        Self { datum, ..Self::of(run.cycle, &run.result, origin) }
     }
 }
 

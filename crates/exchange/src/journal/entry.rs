@@ -185,6 +185,19 @@ pub struct CycleCheck {
     pub status: Option<Status>,
     /// The program's block, where a program called it: the name of the file, and the line.
     pub block: Option<(String, u64)>,
+    /// The datum that it counted from, where a cycle of the program had set it.
+    pub datum: Option<DatumKept>,
+}
+
+/// A datum, and the block that has set it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DatumKept {
+    /// Where its zero is in the coordinates of the workpiece: X, Y, Z.
+    pub zero: [Length; 3],
+    /// The block's line in its program, from 1.
+    pub line: u64,
+    /// Its first line.
+    pub text: String,
 }
 
 /// Where the contacts of a cycle come from.

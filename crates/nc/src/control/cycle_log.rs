@@ -77,7 +77,7 @@ impl CycleLog {
     /// has limits of 0.
     pub fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Dialogue) -> Option<Self> {
         let figures = match &cycle.log {
-            cycle::Log::Screen => return None,
+            cycle::Log::Screen | cycle::Log::None => return None,
             cycle::Log::Points { .. } => return point(cycle, result, heading).map(Self::Page),
             cycle::Log::Text(log) => log.figures.iter().map(|of| figure(cycle, result, of.what, of.kind)),
         };

@@ -4,9 +4,10 @@ use fitcheck_core::length::Length;
 use fitcheck_core::probing::TouchProbe;
 use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use fitcheck_core::probing::cycles::cycles_of;
+use fitcheck_core::probing::simulated::Surface;
 use fitcheck_core::verdict::Status;
 
-use super::around::{Around, ChangingBlock, Global, INCH, Moment};
+use super::around::{Around, ChangingBlock, DatumInForce, Global, INCH, Moment};
 use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
@@ -26,13 +27,26 @@ pub struct CycleRun {
     pub result: CycleResult,
     /// Whether it gave rework and the same block has measured the same feature again since: that measurement counts.
     pub is_reworked: bool,
+    /// The datum that it counted from, where a cycle had set it.
+    pub datum: Option<DatumInForce>,
     pub(super) moment: Moment,
 }
 
 impl CycleRun {
     /// A cycle that was run now.
-    pub(super) const fn new(place: BlockPlace, cycle: &'static Cycle, result: CycleResult, moment: Moment) -> Self {
-        Self { place, cycle, result, is_reworked: false, moment }
+    pub(super) fn new(
+        place: BlockPlace,
+        cycle: &'static Cycle,
+        result: CycleResult,
+        (moment, datum): (Moment, Option<DatumInForce>),
+    ) -> Self {
+        Self { place, cycle, result, is_reworked: false, datum, moment }
+    }
+
+    /// The surface that it expected, in the coordinates of the workpiece; `None` where the tool axis is not Z.
+    pub fn nominal(&self) -> Option<Surface> {
+        let zero = self.moment.zero_of_plane_xy()?;
+        Some(self.cycle.nominal(&self.result.inputs).ok()?.moved(zero))
     }
 
     /// Whether both were run with the same values; where the ball came from does not count.
@@ -279,7 +293,7 @@ fn accepted(
             in_mm.map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
         }
         Range::Angle { .. } => read(&format!("{number:.4}")),
-        Range::OneOf(_) | Range::Band => read(&number.to_string()),
+        Range::OneOf(_) | Range::Count { .. } | Range::Band => read(&number.to_string()),
         Range::Number { .. } | Range::Tool => Ok(cycle::Value::Number(number)),
     }
 }

@@ -332,6 +332,14 @@ pub enum FaultKind {
         line: usize,
         text: String,
     },
+    /// A datum for a row of the active datum table, which only the control has.
+    NoDatumTable { row: u32 },
+    /// A row that the preset table lacks.
+    NoPreset { table: String, row: u32 },
+    /// A row of the preset table that is locked.
+    PresetLocked { table: String, row: u32 },
+    /// A datum for the row of the active preset under a datum shift: what becomes of the shift is not known.
+    ShiftedPreset { row: u32 },
     /// `CALL SELECTED PGM` without `SEL PGM`.
     NothingSelected,
 }

@@ -6,8 +6,9 @@
 //! | `flow` | labels, jumps, repeats, calls and returns |
 //! | `values` | parameters and formulas |
 //! | `tables` | FN 26, FN 27, FN 28 |
+//! | `presets` | the preset table |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
-//! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
+//! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, datum; where a cycle measures |
 //! | `change` | changes of the system under which nothing is measured here |
 //! | `alone` | what a measuring block loses where it is taken out of its program |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
@@ -36,6 +37,7 @@ mod logs;
 mod moves;
 mod path;
 mod placement;
+mod presets;
 mod prints;
 mod remark;
 mod run;
@@ -47,6 +49,7 @@ mod tools;
 mod values;
 
 pub use alone::{Alone, alone};
+pub use around::{DatumInForce, SetBy};
 pub use budget::{Budget, Settings, UsedUp};
 pub use change::Change;
 pub use contacts::Contacts;

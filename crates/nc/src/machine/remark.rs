@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Arg, Message, Say};
 use fitcheck_core::probing::circle::CircleWarning;
-use fitcheck_core::probing::cycle::{Control, Cycle, CycleResult, Key};
+use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleResult, Key};
 use fitcheck_core::probing::simulated::{Collision, Mover};
 
 use super::budget::Budget;
@@ -41,6 +41,27 @@ pub enum Remark {
     RotaryMoved { axes: String },
     /// Another preset became the zero; the workpiece was taken to lie there, too.
     OtherPreset { number: String },
+    /// A cycle has set the datum.
+    DatumSet {
+        /// Where its zero is in the coordinates of the workpiece.
+        zero: Arg,
+    },
+    /// A cycle has written a row of the preset table that is not active.
+    PresetSet {
+        row: u32,
+        /// Where its zero is, in the axes that were measured.
+        zero: Arg,
+    },
+    /// A cycle has written the row of the active preset, and it acts at once.
+    ActivePresetSet {
+        row: u32,
+        /// Where its zero is.
+        zero: Arg,
+    },
+    /// The preset table stays as it is: where the workpiece lies on the machine is not known.
+    PresetsLeft { path: NcPath },
+    /// The datum shift ended with a new datum, also in axes that the cycle did not measure.
+    ShiftEnded { axes: String },
     /// A file is not among those that were given, and the built-in one of that name was read.
     BuiltIn {
         /// The file.
@@ -177,11 +198,8 @@ pub enum Remark {
         y: Length,
         z: Length,
     },
-    /// Moves, or the stylus, are not looked at with some features of the simulated part. Told once for a run.
-    Unchecked {
-        /// Their names.
-        features: String,
-    },
+    /// Moves, or the stylus, are not looked at with these features of the simulated part. Told once for a run.
+    Unchecked { features: String },
     /// The tool axis is not Z: the stylus, which stands in Z on a simulated part, is not looked at. Told once for a run.
     StylusUnchecked,
     /// The TOOL CALL adds to the length or radius of the probe: a simulated probe stays as it is calibrated.
@@ -238,14 +256,16 @@ impl Remark {
     /// the block asks for them. A lathe's cycle has no limits; its program compares.
     pub(super) fn of_cycle(cycle: &Cycle, result: &CycleResult) -> Vec<Self> {
         let doubtful = result.warnings().into_iter().filter(CircleWarning::is_of_diameter);
-        let said = result.remarks.iter().map(|remark| match remark {
+        // Where the datum comes to is told in the axes of the machine.
+        let told = result.remarks.iter().filter(|remark| !matches!(remark, cycle::Remark::NewDatum { .. }));
+        let said = told.map(|remark| match remark {
             against if against.stands_against() => Self::Doubted { what: against.message() },
             other => Self::Measured { what: other.message() },
         });
         let doubtful = doubtful.map(|warning| Self::Measured { what: warning.message() });
         let mut remarks: Vec<_> = said.chain(doubtful).collect();
         remarks.extend(Self::filled(cycle, result));
-        let is_unjudged = cycle.control == Control::Milling && result.verdict().is_none();
+        let is_unjudged = cycle.control == Control::Milling && !cycle.sets_datum() && result.verdict().is_none();
         remarks.extend(is_unjudged.then_some(Self::NotJudged));
         remarks
     }
@@ -262,12 +282,13 @@ impl Remark {
                 | Self::Doubted { .. }
                 | Self::RotaryMoved { .. }
                 | Self::OtherPreset { .. }
+                | Self::ActivePresetSet { .. }
+                | Self::ShiftEnded { .. }
                 | Self::ContactsLeft { .. }
         )
     }
 
-    /// Whether a measurement was left out, or the limits of one: that counts also where nothing was judged. A block that is meant to measure
-    /// only says so by limits of zero.
+    /// Whether a measurement was left out, or its limits: that counts also where nothing was judged. Limits of zero say that none is meant.
     const fn leaves_out_a_measurement(&self) -> bool {
         matches!(
             self,

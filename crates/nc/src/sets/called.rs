@@ -19,7 +19,7 @@
 use fitcheck_core::part::FeatureKind;
 use fitcheck_core::probing::cycle::{Axis, Cycle, Key, Meaning};
 use fitcheck_core::probing::cycle::{Control as CycleControl, Parameter};
-use fitcheck_core::probing::cycles::cycles_of;
+use fitcheck_core::probing::cycles::measuring_cycles_of;
 use fitcheck_core::probing::simulated::Shape;
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Dialogue;
@@ -85,7 +85,7 @@ impl Called {
 
     /// The cycle that measures it.
     pub(super) fn cycle(self, feature: Feature) -> Option<&'static Cycle> {
-        cycles_of(CycleControl::Milling).find(|cycle| cycle.shape() == self.shape(feature))
+        measuring_cycles_of(CycleControl::Milling).find(|cycle| cycle.shape() == self.shape(feature))
     }
 
     /// The control's name of the first parameter that has one of these meanings.

@@ -24,7 +24,7 @@ impl ProgramPage {
             let line = long(line).saturating_add(1);
             let block = Some((cycle.place.program.to_string(), line));
             let is_judged = cycle.result.verdict().is_some();
-            is_judged.then(|| CycleCheck { block, ..CycleCheck::of(cycle.cycle, &cycle.result, origin.clone()) })
+            is_judged.then(|| CycleCheck { block, ..CycleCheck::of_run(cycle, origin.clone()) })
         };
         let checks: Vec<_> = new.filter_map(check).collect();
         run.recorded = all.len();

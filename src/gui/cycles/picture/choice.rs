@@ -56,6 +56,9 @@ impl Choice<'_> {
             Meaning::MeasuredAxis | Meaning::AxisOfPlane => self.measured_axis(number),
             Meaning::Direction => self.direction(number < 0),
             Meaning::Log => self.log(number),
+            Meaning::ToolAxisProbing => _ = self.tripod((number == 1).then_some(2)),
+            // A table is a page.
+            Meaning::Transfer => self.log(i64::from(0 <= number)),
             Meaning::Stop => self.go_or_stop(self.middle, 18.0, number == 1),
             Meaning::StopOnUndersize => self.stop_on(number),
             Meaning::Tool => self.tool(number),

@@ -8,7 +8,7 @@ use crate::probing::cycle::Meaning;
 pub(super) fn draw(canvas: &Canvas<'_>, meaning: Meaning, key: &str) {
     match meaning {
         Meaning::Angle => angle(canvas, key),
-        Meaning::Number => number(canvas, key),
+        Meaning::Number | Meaning::TableRow => number(canvas, key),
         _ => length(canvas, key),
     }
 }

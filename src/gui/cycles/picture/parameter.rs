@@ -84,6 +84,8 @@ fn draw(canvas: &Canvas<'_>, scene: Scene, parameter: &Parameter) {
         | Meaning::Difference
         | Meaning::Band
         | Meaning::Retract
+        | Meaning::ToolAxisPoint(Axis::Third)
+        | Meaning::NewDatum(Axis::Third)
         | Meaning::Point(Axis::Third) => section::draw(canvas, scene, meaning, &key),
         Meaning::Point(_) if scene.shape == Shape::Point => section::draw(canvas, scene, meaning, &key),
         Meaning::Tool => choice::draw(canvas, scene, (meaning, &[0, 1]), &key),

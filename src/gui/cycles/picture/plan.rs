@@ -33,7 +33,10 @@ struct Plan<'a> {
 pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
     let plan = Plan { canvas, scene, key };
     match meaning {
-        Meaning::Centre(axis) => plan.centre(axis),
+        Meaning::Centre(axis) | Meaning::NewDatum(axis) => plan.centre(axis),
+        Meaning::NewCoordinate if scene.shape == Shape::Face => plan.coordinate(0.0),
+        Meaning::NewCoordinate => plan.centre(Axis::First),
+        Meaning::ToolAxisPoint(axis) => plan.top(axis),
         Meaning::CentreTolerance(axis) => plan.centre_tolerance(axis),
         Meaning::Diameter => plan.diameter(),
         Meaning::StartDiameter => plan.start_diameter(),
@@ -147,6 +150,16 @@ impl Plan<'_> {
         self.axes();
         self.coordinate_of(CENTRE, axis);
         self.canvas.cross(self.at(CENTRE), 7.0, self.canvas.strong());
+    }
+
+    /// A place on the top of what is measured, or beside it.
+    fn top(&self, axis: Axis) {
+        self.feature();
+        self.axes();
+        let place = CENTRE + if self.scene.shape.is_outside() { vec2(16.0, -10.0) } else { vec2(64.0, -42.0) };
+        self.coordinate_of(place, axis);
+        self.canvas.ball(self.at(place), BALL);
+        self.canvas.contact(self.at(place), self.canvas.palette.data.0);
     }
 
     fn centre_tolerance(&self, axis: Axis) {

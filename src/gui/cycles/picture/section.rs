@@ -45,6 +45,10 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::Difference => section.difference(),
         Meaning::Band => section.band(),
         Meaning::Retract => section.retract(),
+        // From above, whatever else is measured.
+        Meaning::ToolAxisPoint(axis) | Meaning::NewDatum(axis) => {
+            Section { scene: Scene { shape: Shape::Point, ..scene }, ..section }.point(axis);
+        }
         _ => section.measuring_height(),
     }
 }

@@ -97,6 +97,15 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
     },
+    /// A row of a table is named, and not which table: controls without that parameter had another kind of table.
+    NoTransfer {
+        /// The parameter that says which table.
+        key: Key,
+        /// The parameter of the row.
+        row_key: Key,
+        /// The row.
+        row: i64,
+    },
     /// A probing path of zero.
     NoPath {
         /// The parameter.

@@ -82,6 +82,18 @@ pub enum Meaning {
     AxisOfPlane,
     /// The direction of the approach.
     Direction,
+    /// Whether the probe axis is probed, too, and set.
+    ToolAxisProbing,
+    /// Where the probe axis is probed, in one axis.
+    ToolAxisPoint(Axis),
+    /// The coordinate that the measured place gets, in one axis.
+    NewDatum(Axis),
+    /// The coordinate that the measured place gets in the axis that is measured.
+    NewCoordinate,
+    /// The row of a table that the datum is written into.
+    TableRow,
+    /// Which table that is.
+    Transfer,
     /// The measuring log.
     Log,
     /// Whether the program stops.
@@ -157,7 +169,14 @@ impl Meaning {
             | Self::MaximumCoordinate
             | Self::MinimumCoordinate
             | Self::Band => ParameterGroup::Tolerance,
-            Self::Log | Self::Stop | Self::StopOnUndersize | Self::Tool => ParameterGroup::Output,
+            Self::Log
+            | Self::Stop
+            | Self::StopOnUndersize
+            | Self::Tool
+            | Self::NewDatum(_)
+            | Self::NewCoordinate
+            | Self::TableRow
+            | Self::Transfer => ParameterGroup::Output,
             Self::Shift
             | Self::StartDiameter
             | Self::FirstAngle
@@ -171,6 +190,8 @@ impl Meaning {
             | Self::Traverse
             | Self::ContactCount
             | Self::Direction
+            | Self::ToolAxisProbing
+            | Self::ToolAxisPoint(_)
             | Self::Length
             | Self::Angle
             | Self::Choice
@@ -207,6 +228,12 @@ impl Meaning {
                 | Self::MoveToClearance
                 | Self::Traverse
                 | Self::ContactCount
+                | Self::ToolAxisProbing
+                | Self::ToolAxisPoint(_)
+                | Self::NewDatum(_)
+                | Self::NewCoordinate
+                | Self::TableRow
+                | Self::Transfer
         )
     }
 
@@ -216,7 +243,7 @@ impl Meaning {
             Range::Length { .. } => Self::Length,
             Range::Angle { .. } => Self::Angle,
             Range::OneOf(_) => Self::Choice,
-            Range::Number { .. } => Self::Number,
+            Range::Number { .. } | Range::Count { .. } => Self::Number,
             Range::Tool => Self::Tool,
             Range::Band => Self::Band,
         }
@@ -279,6 +306,16 @@ impl Meaning {
             Self::MeasuredAxis => "cycle-picture-measured-axis",
             Self::AxisOfPlane => "cycle-picture-axis-of-plane",
             Self::Direction => "cycle-picture-direction",
+            Self::ToolAxisProbing => "cycle-picture-tool-axis-probing",
+            Self::ToolAxisPoint(Axis::First) => "cycle-picture-tool-axis-point-1",
+            Self::ToolAxisPoint(Axis::Second) => "cycle-picture-tool-axis-point-2",
+            Self::ToolAxisPoint(Axis::Third) => "cycle-picture-tool-axis-point-3",
+            Self::NewDatum(Axis::First) => "cycle-picture-new-datum-1",
+            Self::NewDatum(Axis::Second) => "cycle-picture-new-datum-2",
+            Self::NewDatum(Axis::Third) => "cycle-picture-new-datum-3",
+            Self::NewCoordinate => "cycle-picture-new-coordinate",
+            Self::TableRow => "cycle-picture-table-row",
+            Self::Transfer => "cycle-picture-transfer",
             Self::Log => "cycle-picture-log",
             Self::Stop => "cycle-picture-stop",
             Self::StopOnUndersize => "cycle-picture-stop-on-undersize",

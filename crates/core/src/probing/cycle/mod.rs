@@ -18,6 +18,7 @@
 //! | `course` | the path of the probe, move by move |
 //! | `astray` | contacts that lie apart from where the cycle probes |
 //! | `result`, `remark` | what a cycle found, and what is worth knowing of it |
+//! | `datum` | the datum that a cycle sets |
 //! | `correction` | what it says about the tool that made the surface |
 //! | `shown` | its status window and its measuring log |
 //! | `error` | why a cycle did not run |
@@ -25,6 +26,7 @@
 mod astray;
 mod correction;
 mod course;
+mod datum;
 mod error;
 mod inputs;
 mod key;
@@ -43,6 +45,7 @@ mod value;
 pub use correction::{Corrected, Correction, Corrects};
 pub(in crate::probing) use course::nearest;
 pub use course::{Course, Move, Phase};
+pub use datum::{DatumAxis, DatumTarget, NewDatum};
 pub use error::CycleError;
 pub use inputs::Inputs;
 pub use key::Key;
@@ -61,7 +64,7 @@ pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};
 
 use super::contact::{Contact, Prober};
-use super::simulated::{Shape, Surface};
+use super::simulated::{Face, Shape, Surface};
 use crate::length::Length;
 use crate::tolerance::{Bounds, Deviations, Feature, proportion};
 use crate::verdict::Status;
@@ -106,7 +109,7 @@ pub enum Control {
 }
 
 /// What a cycle makes of its contacts; the rest of a [`CycleResult`] is the same for all.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Measured {
     pub(in crate::probing) contacts: Vec<Contact>,
     pub(in crate::probing) circle: Option<CircleFound>,
@@ -115,6 +118,7 @@ pub struct Measured {
     pub(in crate::probing) results: Vec<ResultParameter>,
     pub(in crate::probing) stop: Option<Stop>,
     pub(in crate::probing) remarks: Vec<Remark>,
+    pub(in crate::probing) datum: Option<NewDatum>,
 }
 
 /// Cycles are told apart by their names.
@@ -155,6 +159,18 @@ impl Cycle {
     /// A length by its meaning.
     pub fn length_of(&self, inputs: &Inputs, meaning: Meaning) -> Option<Length> {
         if let Some(Value::Length(length)) = self.value_of(inputs, meaning) { Some(*length) } else { None }
+    }
+
+    /// Whether it sets a datum: such a cycle measures and judges nothing.
+    pub fn sets_datum(&self) -> bool {
+        self.meant(Meaning::TableRow).is_some()
+    }
+
+    /// The top that a cycle probes besides its surface, where its inputs ask for that.
+    pub fn nominal_top(&self, inputs: &Inputs) -> Option<Face> {
+        let Some(Value::Whole(1)) = self.value_of(inputs, Meaning::ToolAxisProbing) else { return None };
+        let along = |axis| self.length_of(inputs, Meaning::ToolAxisPoint(axis)).unwrap_or(Length::ZERO).to_mm_f64();
+        Some(Face::plane([Axis::First, Axis::Second, Axis::Third].map(along), [0.0, 0.0, 1.0]))
     }
 
     /// What is measured, as its drawings show it. Where an input decides, this is the shape without inputs.
@@ -205,6 +221,8 @@ impl Cycle {
         let result = measured.map(|measured| {
             let mut remarks = self.remarks(&inputs);
             remarks.extend(measured.remarks);
+            let set = measured.datum.as_ref();
+            remarks.extend(set.map(|new| Remark::NewDatum { axes: new.listed(), target: new.target }));
             remarks.extend(self.zone_remarks(&measured.checks));
             remarks.extend(astray);
             let result = CycleResult {
@@ -216,6 +234,7 @@ impl Cycle {
                 results: measured.results,
                 stop: measured.stop,
                 log: self.log_target(&inputs),
+                datum: measured.datum,
                 remarks,
                 inputs,
             };
@@ -286,6 +305,7 @@ impl Cycle {
     /// Where the log goes: as the parameter for it says, if the cycle has one.
     fn log_target(&self, inputs: &Inputs) -> LogTarget {
         match (self.log.file(), self.value_of(inputs, Meaning::Log)) {
+            (None, _) if matches!(self.log, Log::None) => LogTarget::None,
             (None, _) => LogTarget::Shown,
             (Some(file), None | Some(Value::Whole(1))) => LogTarget::File(file),
             (Some(_), Some(Value::Whole(2))) => LogTarget::Screen,

@@ -121,10 +121,25 @@ impl Parameter {
         self
     }
 
+    /// The same, but it must be given.
+    #[must_use]
+    pub const fn required(mut self) -> Self {
+        self.unset = Unset::Refused;
+        self.unset_where = None;
+        self
+    }
+
     /// The same, but it may be left out.
     #[must_use]
     pub const fn or_nothing(mut self) -> Self {
         self.unset = Unset::Empty;
+        self
+    }
+
+    /// The same under another number, which other cycles use for the same thing.
+    #[must_use]
+    pub const fn at(mut self, number: u16) -> Self {
+        self.key = Key::Q(number);
         self
     }
 
@@ -192,7 +207,7 @@ impl Parameter {
         Some(match self.range {
             Range::Length { .. } => Value::Length(Length::from_nanometres(default).ok()?),
             Range::Angle { .. } => Value::Angle(Angle(default)),
-            Range::OneOf(_) => Value::Whole(default),
+            Range::OneOf(_) | Range::Count { .. } => Value::Whole(default),
             Range::Number { .. } | Range::Tool => Value::Number(f64::from(i32::try_from(default).ok()?)),
             Range::Band => Value::Band(None),
         })
@@ -207,6 +222,7 @@ impl Parameter {
                 smallest.0 <= angle.0.saturating_abs() && angle.0.saturating_abs() <= most.0
             }
             (Range::OneOf(allowed), Value::Whole(whole)) => allowed.contains(whole),
+            (Range::Count { most }, Value::Whole(whole)) => (0..=i64::from(most)).contains(whole),
             // NaN is outside every range.
             (Range::Number { most }, Value::Number(number)) => number.abs() <= f64::from(most),
             (Range::Tool, Value::Number(number)) => {
@@ -231,7 +247,7 @@ impl Parameter {
         let read = match self.range {
             Range::Length { .. } => text.parse().map(Value::Length).map_err(|error: LengthError| error.message()),
             Range::Angle { .. } => text.parse().map(Value::Angle).map_err(|error: LengthError| error.message()),
-            Range::OneOf(_) => match (whole(text), number(text)) {
+            Range::OneOf(_) | Range::Count { .. } => match (whole(text), number(text)) {
                 (Some(whole), _) => Ok(Value::Whole(whole)),
                 (None, Some(_)) => {
                     let given = Arg::Number(text.trim().to_owned());

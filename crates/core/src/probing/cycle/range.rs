@@ -28,6 +28,11 @@ pub enum Range {
         /// The most either way.
         most: u16,
     },
+    /// A whole number from 0.
+    Count {
+        /// To.
+        most: u32,
+    },
     /// A tool by number, 0 to 99999.9 with 0 for none, or by name, at most 255 characters.
     Tool,
     /// A tolerance band as in QS400, or none.
@@ -55,6 +60,7 @@ impl Say for Range {
             }
             Self::OneOf(allowed) => message!("cycle-one-of").number("allowed", listed(allowed)),
             Self::Number { most } => message!("cycle-number-range").text("most", most),
+            Self::Count { most } => message!("cycle-count-range").text("most", most),
             Self::Tool => message!("cycle-tool-range"),
             Self::Band => message!("cycle-band-range"),
         }
@@ -67,7 +73,7 @@ impl Range {
         match self {
             Self::Length { .. } | Self::Band => Some("mm"),
             Self::Angle { .. } => Some("°"),
-            Self::OneOf(_) | Self::Number { .. } | Self::Tool => None,
+            Self::OneOf(_) | Self::Number { .. } | Self::Count { .. } | Self::Tool => None,
         }
     }
 
@@ -86,6 +92,7 @@ impl Range {
             }
             Self::OneOf(allowed) => figures(listed(allowed)),
             Self::Number { most } => figures(format!("-{most} … {most}")),
+            Self::Count { most } => figures(format!("0 … {most}")),
             Self::Tool => message!("cycle-range-tool").number("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
             Self::Band => message!("cycle-range-band"),
         }

@@ -1,8 +1,9 @@
 //! What is worth knowing about the run of a cycle.
 
+use super::datum::DatumTarget;
 use super::key::Key;
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Arg, Say};
 use crate::probing::Caveat;
 use crate::tolerance::ZoneDoubt;
 
@@ -54,6 +55,13 @@ pub enum Remark {
     },
     /// A control stores the deviation, but the manual names no parameter for it.
     DeviationWithoutParameter,
+    /// The datum that the cycle sets.
+    NewDatum {
+        /// The measured coordinate of each axis, and the one that it gets.
+        axes: Arg,
+        /// Where it goes.
+        target: DatumTarget,
+    },
     /// What `#i99` holds is not documented.
     VariableHoldsDiameter,
     /// A tolerance text was given that is not a tolerance, such as `0.1+0.1`.

@@ -1,6 +1,7 @@
 //! What a cycle found: one type for all cycles.
 
 use super::course::Move;
+use super::datum::NewDatum;
 use super::inputs::Inputs;
 use super::key::Key;
 use super::remark::Remark;
@@ -36,6 +37,8 @@ pub struct CycleResult {
     pub log: LogTarget,
     /// What is worth knowing about the run.
     pub remarks: Vec<Remark>,
+    /// The datum that it sets.
+    pub datum: Option<NewDatum>,
 }
 
 impl CycleResult {

@@ -34,6 +34,37 @@ pub(in crate::probing) const POINT_2: Parameter = Parameter::coordinate(Key::Q(2
         (It, "1. punto misurato sul 2. asse?"),
     ])
     .means(Meaning::Point(Axis::Second));
+/// The third.
+pub(in crate::probing) const POINT_3: Parameter = Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS")
+    .named(&[(Nl, "1E PUNT 3E AS"), (De, "1. PUNKT 3. ACHSE"), (It, "1. PUNTO 3. ASSE")])
+    .asked(&[
+        (En, "1st meas. point 3rd axis?"),
+        (Nl, "1e meetpunt 3e as?"),
+        (De, "1. Messpunkt 3. Achse?"),
+        (It, "1. punto misurato sul 3. asse?"),
+    ])
+    .means(Meaning::Point(Axis::Third));
+
+/// The measured axis, one of three.
+pub(in crate::probing) const MEASURED_AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
+    .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])
+    .asked(&[
+        (En, "Meas. axis (1...3: 1=ref. axis)?"),
+        (Nl, "Meetas (1..3: 1=hoofdas)?"),
+        (De, "Messachse (1..3: 1=Hauptachse)?"),
+        (It, "Asse mis. (1..3: 1=asse princ.)?"),
+    ])
+    .means(Meaning::MeasuredAxis);
+/// The direction of the approach along it.
+pub(in crate::probing) const DIRECTION: Parameter = Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
+    .named(&[(Nl, "TASTRICHTING"), (De, "VERFAHRRICHTUNG"), (It, "DIREZIONE ATTRAVERS.")])
+    .asked(&[
+        (En, "Trav. direction 1 (+1=+ / -1=-)?"),
+        (Nl, "Tastrichting 1 (+1=+ / -1=-)?"),
+        (De, "Verfahrrichtung 1 (+1=+ / -1=-)?"),
+        (It, "Direz. attravers. 1 (+1=+/-1=-)?"),
+    ])
+    .means(Meaning::Direction);
 
 /// The nominal centre of a hole, shaft, pocket or boss, first and second axis.
 pub(in crate::probing) const CENTRE_1: Parameter = Parameter::coordinate(Key::Q(273), "CENTER IN 1ST AXIS")

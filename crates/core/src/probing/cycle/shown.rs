@@ -17,6 +17,8 @@ pub enum Window {
 /// The measuring log of a cycle.
 #[derive(Debug, Clone, Copy)]
 pub enum Log {
+    /// None at all.
+    None,
     /// None; the control shows the result on its screen.
     Screen,
     /// A text with the same sections for all cycles, requested by Q281.
@@ -79,7 +81,7 @@ impl Log {
     /// The name of the file; `None` where there is none.
     pub const fn file(&self) -> Option<&'static str> {
         match self {
-            Self::Screen => None,
+            Self::None | Self::Screen => None,
             Self::Text(log) => Some(log.file),
             Self::Points { file } => Some(file),
         }

@@ -1,6 +1,6 @@
 //! Cycle 421, measure hole: limits in Q275 and Q276.
 
-use super::circle_cycle::{Side, corrects, figures, parameters, run, subject, surface};
+use super::circle_cycle::{Side, corrects, figures, parameters, run, subject};
 use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Note, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -33,7 +33,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     names: &[(En, "MEASURE HOLE"), (Nl, "METEN BORING"), (De, "MESSEN BOHRUNG"), (It, "MISURARE FORO")],
     notes: &[Note::Recommended { cycle: "1401" }],
     parameters: &PARAMETERS,
-    surface: |inputs| surface(SIDE.feature, inputs),
+    surface: |inputs| SIDE.circle().surface(inputs),
     run: |inputs, course| run(&SIDE, inputs, course),
     subject: |inputs| Some(subject(inputs)),
     corrects: |result| corrects(&SIDE, result),

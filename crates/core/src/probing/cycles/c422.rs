@@ -1,6 +1,6 @@
 //! Cycle 422, measure circle outside: limits in Q277 and Q278.
 
-use super::circle_cycle::{Side, corrects, figures, parameters, run, subject, surface};
+use super::circle_cycle::{Side, corrects, figures, parameters, run, subject};
 use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -38,7 +38,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     ],
     notes: &[],
     parameters: &PARAMETERS,
-    surface: |inputs| surface(SIDE.feature, inputs),
+    surface: |inputs| SIDE.circle().surface(inputs),
     run: |inputs, course| run(&SIDE, inputs, course),
     subject: |inputs| Some(subject(inputs)),
     corrects: |result| corrects(&SIDE, result),

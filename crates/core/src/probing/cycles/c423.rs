@@ -1,6 +1,6 @@
 //! Cycle 423, measure rectangle inside: a pocket with its sides along the axes, limits in Q284 to Q287.
 
-use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
+use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, rectangle, run};
 use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -20,9 +20,9 @@ pub(super) const CYCLE: Cycle = Cycle {
     ],
     notes: &[Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
-    surface: |inputs| surface(Feature::Hole, inputs),
+    surface: |inputs| rectangle(Feature::Hole).surface(inputs),
     run: |inputs, course| run(Feature::Hole, inputs, course),
-    subject: |inputs| Some(subject(inputs)),
+    subject: |inputs| Some(rectangle(Feature::Hole).subject(inputs)),
     corrects: |result| corrects(Feature::Hole, result),
     window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR423.TXT", figures: FIGURES }),

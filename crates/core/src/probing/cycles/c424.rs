@@ -1,6 +1,6 @@
 //! Cycle 424, measure rectangle outside: a boss with its sides along the axes, limits in Q284 to Q287.
 
-use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
+use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, rectangle, run};
 use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -20,9 +20,9 @@ pub(super) const CYCLE: Cycle = Cycle {
     ],
     notes: &[Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
-    surface: |inputs| surface(Feature::Shaft, inputs),
+    surface: |inputs| rectangle(Feature::Shaft).surface(inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),
-    subject: |inputs| Some(subject(inputs)),
+    subject: |inputs| Some(rectangle(Feature::Shaft).subject(inputs)),
     corrects: |result| corrects(Feature::Shaft, result),
     window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR424.TXT", figures: FIGURES }),

@@ -5,10 +5,8 @@
 //! Our interpretation: Q310 shifts across the measured axis; Q320 and Q301 come last, if a program has them at all; the
 //! second probing begins, at rapid traverse, as far from the wall as the nominal width suggests.
 
-use super::probed::{clearance, met, probing};
-use super::width_cycle::{
-    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, corrects, measured, subject, surface,
-};
+use super::probed::{axis, clearance, met, probing};
+use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, corrects, measured, subject, surface};
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,

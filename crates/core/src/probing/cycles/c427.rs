@@ -10,11 +10,11 @@
 //! stored in Q parameters and names none for them: the deviation is a result without a parameter.
 
 use super::judged;
-use super::probed::met_at;
+use super::probed::{approach, coordinate, met_at, point};
 use crate::length::Length;
 use crate::probing::cycle::shared::{
-    CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, REVERSED, SET_UP_CLEARANCE,
-    STOP_IF_ERROR, TOOL,
+    CLEARANCE_HEIGHT, DIRECTION, INCIDENCE_ANGLE, MEASURED_AXIS, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2,
+    REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
     Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Inputs, Key, Log, LogFigure,
@@ -43,24 +43,8 @@ pub(super) const CYCLE: Cycle = Cycle {
         POINT_2,
         MEASURING_HEIGHT,
         SET_UP_CLEARANCE,
-        Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
-            .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])
-            .asked(&[
-                (En, "Meas. axis (1...3: 1=ref. axis)?"),
-                (Nl, "Meetas (1..3: 1=hoofdas)?"),
-                (De, "Messachse (1..3: 1=Hauptachse)?"),
-                (It, "Asse mis. (1..3: 1=asse princ.)?"),
-            ])
-            .means(Meaning::MeasuredAxis),
-        Parameter::choice(Key::Q(267), "TRAVERSE DIRECTION", &[-1, 1])
-            .named(&[(Nl, "TASTRICHTING"), (De, "VERFAHRRICHTUNG"), (It, "DIREZIONE ATTRAVERS.")])
-            .asked(&[
-                (En, "Trav. direction 1 (+1=+ / -1=-)?"),
-                (Nl, "Tastrichting 1 (+1=+ / -1=-)?"),
-                (De, "Verfahrrichtung 1 (+1=+ / -1=-)?"),
-                (It, "Direz. attravers. 1 (+1=+/-1=-)?"),
-            ])
-            .means(Meaning::Direction),
+        MEASURED_AXIS,
+        DIRECTION,
         CLEARANCE_HEIGHT,
         MEASURING_LOG,
         Parameter::coordinate(Key::Q(288), "MAXIMUM LIMIT")
@@ -88,7 +72,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         REVERSED,
         INCIDENCE_ANGLE,
     ],
-    surface: |inputs| Surface::Face(Face::plane(face(inputs), direction(inputs).map(|part| -part))),
+    surface: |inputs| Surface::Face(Face::plane(face(inputs), approach(inputs).map(|part| -part))),
     run,
     subject: |inputs| {
         ["X", "Y", "Z"]
@@ -104,11 +88,6 @@ pub(super) const CYCLE: Cycle = Cycle {
         figures: &[LogFigure { what: ResultName::COORDINATE, word: "coordinate", kind: FigureKind::Coordinate }],
     }),
 };
-
-/// The programmed point.
-fn point(inputs: &Inputs) -> [f64; 3] {
-    [inputs.mm(263), inputs.mm(264), inputs.mm(261)]
-}
 
 /// Where the face should be.
 fn face(inputs: &Inputs) -> [f64; 3] {
@@ -129,12 +108,6 @@ fn nominal(inputs: &Inputs) -> Length {
     let middle = limits.map(|(minimum, maximum)| minimum.midpoint(maximum));
     let is_ahead = |middle: &Length| if inputs.whole(267) < 0 { *middle < programmed } else { programmed < *middle };
     middle.filter(is_ahead).filter(|_| judged::is_outside(programmed, limits)).unwrap_or(programmed)
-}
-
-/// The unit vector of the approach.
-fn direction(inputs: &Inputs) -> [f64; 3] {
-    let sign = if inputs.whole(267) < 0 { -1.0 } else { 1.0 };
-    [1, 2, 3].map(|axis| if inputs.whole(272) == axis { sign } else { 0.0 })
 }
 
 /// The programmed value of the measured axis.
@@ -168,13 +141,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     if inputs.whole(272) == 3 {
         course.needs_heights()?;
     }
-    let contact = met_at(point(inputs), direction(inputs), inputs, course)?;
+    let contact = met_at(point(inputs), approach(inputs), inputs, course)?;
     course.leave(inputs.mm(260));
-    let measured = nearest(match inputs.whole(272) {
-        1 => contact.x,
-        2 => contact.y,
-        _ => contact.z,
-    })?;
+    let measured = nearest(coordinate(&contact, inputs))?;
     let checks: Vec<_> = judged::size(ResultName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
     let programmed = programmed(inputs);
     let nominal = nominal(inputs);

@@ -8,7 +8,7 @@ use super::judged;
 use super::probed::probing;
 use crate::length::Length;
 use crate::probing::contact::Contact;
-use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
+use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, POINT_3, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
     Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Note, Parameter, Range, Remark,
     ResultName, ResultParameter, Stop, Value, Window, nearest,
@@ -37,15 +37,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     parameters: &[
         POINT_1,
         POINT_2,
-        Parameter::coordinate(Key::Q(294), "1ST POINT 3RD AXIS")
-            .named(&[(Nl, "1E PUNT 3E AS"), (De, "1. PUNKT 3. ACHSE"), (It, "1. PUNTO 3. ASSE")])
-            .asked(&[
-                (En, "1st meas. point 3rd axis?"),
-                (Nl, "1e meetpunt 3e as?"),
-                (De, "1. Messpunkt 3. Achse?"),
-                (It, "1. punto misurato sul 3. asse?"),
-            ])
-            .means(Meaning::Point(Axis::Third)),
+        POINT_3,
         component(581, "SURFACE NORMAL 1ST AXIS", Axis::First)
             .named(&[(Nl, "NORMAAL 1E AS"), (De, "NORMALE HAUPTACHSE"), (It, "NORMALE ASSE PRINC.")])
             .asked(&[
@@ -161,12 +153,12 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     };
     Ok(Measured {
         contacts: vec![contact],
-        circle: None,
         results: results.into_iter().chain([status_result(status)]).collect(),
         status,
         stop: if stops { Stop::of(inputs.whole(309), &checks) } else { None },
         checks,
         remarks,
+        ..Measured::default()
     })
 }
 

@@ -235,16 +235,14 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let [axis_1, axis_2] = plane.axes().map(Key::Word);
     Ok(Measured {
         contacts,
-        checks: Vec::new(),
-        status: None,
         results: vec![
             ResultParameter::length(Key::Word("#i99"), ResultName::DIAMETER, found.diameter),
             ResultParameter::length(axis_1, ResultName::CENTRE_1, centre_1),
             ResultParameter::length(axis_2, ResultName::CENTRE_2, centre_2),
         ],
         circle: Some(found),
-        stop: None,
         remarks: vec![Remark::VariableHoldsDiameter],
+        ..Measured::default()
     })
 }
 

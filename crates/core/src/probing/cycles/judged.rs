@@ -63,7 +63,7 @@ pub(super) fn measured(
     let status = worst(&checks);
     results.extend(ResultParameter::markers(status));
     let stop = if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None };
-    Measured { contacts, circle: None, checks, status: Some(status), results, stop, remarks: Vec::new() }
+    Measured { contacts, checks, status: Some(status), results, stop, ..Measured::default() }
 }
 
 /// Whether a nominal size is not between its limits.

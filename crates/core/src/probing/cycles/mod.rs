@@ -3,11 +3,25 @@
 //! | file | cycle |
 //! |---|---|
 //! | `circle_cycle` | what 421 and 422 share |
+//! | `circle_datum_cycle` | what 412 and 413 share |
+//! | `circle_probing` | the contacts of a circle, for these four |
 //! | `rectangle_cycle` | what 423 and 424 share |
+//! | `rectangle_datum_cycle` | what 410 and 411 share |
+//! | `walls_probing` | the contacts of walls about a centre |
 //! | `width_cycle` | what 425 and 426 share |
+//! | `width_datum_cycle` | what 408 and 409 share |
+//! | `datum_cycle` | what all cycles share that set a datum |
 //! | `round` | the circle through contacts |
 //! | `judged` | sizes and centres against their limits |
-//! | `probed` | the clearance before a surface, and the point where the ball met the surface |
+//! | `probed` | the clearance before a surface, the point where the ball met the surface, and along which axis |
+//! | `c408` | 408, datum at the centre line of a slot |
+//! | `c409` | 409, datum at the centre line of a ridge |
+//! | `c410` | 410, datum at the centre of a pocket |
+//! | `c411` | 411, datum at the centre of a boss |
+//! | `c412` | 412, datum at the centre of a hole |
+//! | `c413` | 413, datum at the centre of a stud |
+//! | `c417` | 417, datum in the probe axis |
+//! | `c419` | 419, datum in one axis |
 //! | `c421` | 421, measure hole |
 //! | `c422` | 422, measure circle outside |
 //! | `c423` | 423, measure rectangle inside |
@@ -37,7 +51,16 @@
 //! | `log` | the measuring log, written and read |
 //! | `window` | the mask of the status window |
 //! | `corrects` | the correction of the tool of Q330 |
+//! | `Measured::datum` | where the zero of NC programs is from there on |
 
+mod c408;
+mod c409;
+mod c410;
+mod c411;
+mod c412;
+mod c413;
+mod c417;
+mod c419;
 mod c421;
 mod c422;
 mod c423;
@@ -47,17 +70,23 @@ mod c426;
 mod c427;
 mod c444;
 mod circle_cycle;
+mod circle_datum_cycle;
+mod circle_probing;
+mod datum_cycle;
 mod g785;
 mod judged;
 mod probed;
 mod rectangle_cycle;
+mod rectangle_datum_cycle;
 mod round;
+mod walls_probing;
 mod width_cycle;
+mod width_datum_cycle;
 
 use super::cycle::{Control, Cycle};
 use crate::tolerance::Feature;
 
-/// All cycles, by number.
+/// All cycles: those that measure by number, then those that set a datum.
 pub const CYCLES: &[&Cycle] = &[
     &c421::CYCLE,
     &c422::CYCLE,
@@ -68,6 +97,14 @@ pub const CYCLES: &[&Cycle] = &[
     &c427::CYCLE,
     &c444::CYCLE,
     &g785::CYCLE,
+    &c408::CYCLE,
+    &c409::CYCLE,
+    &c410::CYCLE,
+    &c411::CYCLE,
+    &c412::CYCLE,
+    &c413::CYCLE,
+    &c417::CYCLE,
+    &c419::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.
@@ -81,6 +118,11 @@ pub const fn measuring(feature: Feature) -> &'static Cycle {
 /// The cycles of a control.
 pub fn cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
     CYCLES.iter().copied().filter(move |cycle| cycle.control == control)
+}
+
+/// Those of them that measure a feature and judge it, and set no datum.
+pub fn measuring_cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
+    cycles_of(control).filter(|cycle| !cycle.sets_datum())
 }
 
 /// A cycle by its number.

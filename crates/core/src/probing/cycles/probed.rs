@@ -1,7 +1,7 @@
-//! How milling cycles probe: the clearance before a surface, and the point where the ball met the surface.
+//! How milling cycles probe: the clearance before a surface, the point where the ball met the surface, and along which axis.
 
 use crate::probing::contact::{Contact, Touch};
-use crate::probing::cycle::{Course, CycleError, Inputs};
+use crate::probing::cycle::{Axis, Course, CycleError, Inputs};
 use crate::probing::vector::along;
 
 /// The set-up clearance, mm: Q320 plus that of the probe.
@@ -32,4 +32,33 @@ pub(super) fn met_at(
     let touch = probing(inputs, along(point, direction, -before), direction);
     course.pre_position_from_above(touch.from, inputs.mm(260));
     met(&touch, course)
+}
+
+/// The measured axis (Q272).
+pub(super) fn axis(inputs: &Inputs) -> Axis {
+    match inputs.whole(272) {
+        1 => Axis::First,
+        2 => Axis::Second,
+        _ => Axis::Third,
+    }
+}
+
+/// The coordinate of a contact in that axis.
+pub(super) fn coordinate(contact: &Contact, inputs: &Inputs) -> f64 {
+    match axis(inputs) {
+        Axis::First => contact.x,
+        Axis::Second => contact.y,
+        Axis::Third => contact.z,
+    }
+}
+
+/// The programmed point of a cycle that probes along one axis.
+pub(super) fn point(inputs: &Inputs) -> [f64; 3] {
+    [inputs.mm(263), inputs.mm(264), inputs.mm(261)]
+}
+
+/// The unit vector of its approach, along the measured axis as Q267 says.
+pub(super) fn approach(inputs: &Inputs) -> [f64; 3] {
+    let sign = if inputs.whole(267) < 0 { -1.0 } else { 1.0 };
+    [1, 2, 3].map(|axis| if inputs.whole(272) == axis { sign } else { 0.0 })
 }

@@ -8,9 +8,9 @@
 //! as the control's error texts say. A centre out of position counts as scrap.
 
 use super::judged;
-use super::probed::{clearance, met, probing};
+use super::walls_probing::{About, Rectangle, sides};
 use crate::length::Length;
-use crate::probing::contact::{Contact, Touch};
+use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{
     CENTRE_1, CENTRE_2, CENTRE_TOLERANCE_1, CENTRE_TOLERANCE_2, CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG,
     MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
@@ -19,35 +19,38 @@ use crate::probing::cycle::{
     Axis, Correction, Course, CycleError, CycleResult, FigureKind, Inputs, Key, LogFigure, Meaning, Measured,
     Parameter, ResultName, ResultParameter, limits,
 };
-use crate::probing::simulated::{Surface, Walls};
-use crate::probing::vector::along;
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
 
 // De, It: not seen.
 
+/// The nominal length of the side along the first axis.
+pub(super) const SIDE_1: Parameter = Parameter::size(Key::Q(282), "FIRST SIDE LENGTH")
+    .named(&[(Nl, "LENGTE 1E ZIJDE"), (De, "1. SEITEN-LAENGE"), (It, "LUNGHEZZA 1. LATO")])
+    .asked(&[
+        (En, "1st side length (nominal value)?"),
+        (Nl, "Lengte 1e zijde (nom. waarde)?"),
+        (De, "1. Seitenlänge (Sollwert)?"),
+        (It, "Lunghezza 1. lato (valore nom.)?"),
+    ])
+    .means(Meaning::Side(Axis::First));
+/// Along the second.
+pub(super) const SIDE_2: Parameter = Parameter::size(Key::Q(283), "2ND SIDE LENGTH")
+    .named(&[(Nl, "LENGTE 2E ZIJDE"), (De, "2. SEITEN-LAENGE"), (It, "LUNGHEZZA 2. LATO")])
+    .asked(&[
+        (En, "2nd side length (nominal value)?"),
+        (Nl, "Lengte 2e zijde (nom. waarde)?"),
+        (De, "2. Seitenlänge (Sollwert)?"),
+        (It, "Lunghezza 2. lato (valore nom.)?"),
+    ])
+    .means(Meaning::Side(Axis::Second));
+
 /// The declaration, in the order of NC programs.
 pub(super) const PARAMETERS: [Parameter; 17] = [
     CENTRE_1,
     CENTRE_2,
-    Parameter::size(Key::Q(282), "FIRST SIDE LENGTH")
-        .named(&[(Nl, "LENGTE 1E ZIJDE"), (De, "1. SEITEN-LAENGE"), (It, "LUNGHEZZA 1. LATO")])
-        .asked(&[
-            (En, "1st side length (nominal value)?"),
-            (Nl, "Lengte 1e zijde (nom. waarde)?"),
-            (De, "1. Seitenlänge (Sollwert)?"),
-            (It, "Lunghezza 1. lato (valore nom.)?"),
-        ])
-        .means(Meaning::Side(Axis::First)),
-    Parameter::size(Key::Q(283), "2ND SIDE LENGTH")
-        .named(&[(Nl, "LENGTE 2E ZIJDE"), (De, "2. SEITEN-LAENGE"), (It, "LUNGHEZZA 2. LATO")])
-        .asked(&[
-            (En, "2nd side length (nominal value)?"),
-            (Nl, "Lengte 2e zijde (nom. waarde)?"),
-            (De, "2. Seitenlänge (Sollwert)?"),
-            (It, "Lunghezza 2. lato (valore nom.)?"),
-        ])
-        .means(Meaning::Side(Axis::Second)),
+    SIDE_1,
+    SIDE_2,
     MEASURING_HEIGHT,
     SET_UP_CLEARANCE,
     CLEARANCE_HEIGHT,
@@ -107,68 +110,16 @@ pub(super) const FIGURES: &[LogFigure] = &[
     LogFigure { what: ResultName::SIDE_2, word: "side-2", kind: FigureKind::Size(Meaning::Side(Axis::Second)) },
 ];
 
-/// The rectangle at its nominal size.
-pub(super) fn surface(feature: Feature, inputs: &Inputs) -> Surface {
-    let [x, y, _] = centre(inputs);
-    Surface::Walls(Walls::new(feature, [x, y], (inputs.mm(282), Some(inputs.mm(283)))))
-}
-
-/// The nominal sides, as the status window shows them.
-pub(super) fn subject(inputs: &Inputs) -> String {
-    format!("{} x {}", inputs.length(282), inputs.length(283))
-}
-
-/// The nominal centre at measuring height.
-fn centre(inputs: &Inputs) -> [f64; 3] {
-    [inputs.mm(273), inputs.mm(274), inputs.mm(261)]
+/// What is probed.
+pub(super) const fn rectangle(feature: Feature) -> Rectangle {
+    Rectangle { about: About { feature, centre: [273, 274] }, sides: [282, 283] }
 }
 
 /// Runs either cycle on checked inputs.
 pub(super) fn run(feature: Feature, inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let limits = [limits(inputs, 285, 284)?, limits(inputs, 287, 286)?];
-    let mut contacts = Vec::new();
-    let mut before: Option<[f64; 3]> = None;
-    for touch in touches(feature, inputs, course.ball_radius()) {
-        pre_position(inputs, before, touch.from, course);
-        contacts.push(met(&touch, course)?);
-        before = Some(touch.from);
-    }
-    course.leave(inputs.mm(260));
+    let contacts = rectangle(feature).probe(inputs, course)?;
     measured(feature, inputs, limits, contacts)
-}
-
-/// The contacts in order, from inside a pocket or from outside a boss.
-fn touches(feature: Feature, inputs: &Inputs, ball_radius: f64) -> [Touch; 4] {
-    let clearance = clearance(inputs) + ball_radius;
-    let touch = |outwards: [f64; 3], side: u16| {
-        let half = inputs.mm(side) / 2.0;
-        let (start, sign) = match feature {
-            // In a small pocket the probe starts at the centre.
-            Feature::Hole => ((half - clearance).max(0.0), 1.0),
-            Feature::Shaft => (half + clearance, -1.0),
-        };
-        probing(inputs, along(centre(inputs), outwards, start), outwards.map(|part| sign * part))
-    };
-    [
-        touch([1.0, 0.0, 0.0], 282),
-        touch([0.0, 1.0, 0.0], 283),
-        touch([-1.0, 0.0, 0.0], 282),
-        touch([0.0, -1.0, 0.0], 283),
-    ]
-}
-
-/// From above to the first contact; to the others as Q301 says, and at measuring height one axis after the other.
-fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course: &mut Course<'_>) {
-    let Some([before_x, before_y, _]) = before.filter(|_| inputs.whole(301) == 0) else {
-        return course.pre_position_from_above(to, inputs.mm(260));
-    };
-    let [to_x, to_y, height] = to;
-    let [centre_x, _, _] = centre(inputs);
-    // The previous contact was off the centre in one axis, this one is in the other.
-    let is_from_first = (to_x - centre_x).abs() <= 0.0;
-    let corner = if is_from_first { [before_x, to_y, height] } else { [to_x, before_y, height] };
-    course.pre_position(corner);
-    course.pre_position(to);
 }
 
 /// Q164 corrects the tool's radius: only the first side counts.
@@ -183,9 +134,7 @@ fn measured(
     [limits_1, limits_2]: [Option<(Length, Length)>; 2],
     contacts: Vec<Contact>,
 ) -> Result<Measured, CycleError> {
-    let place = |number: usize, of: fn(&Contact) -> f64| contacts.get(number).map_or(0.0, of);
-    let (side_1, centre_1) = judged::between(place(0, |contact| contact.x), place(2, |contact| contact.x))?;
-    let (side_2, centre_2) = judged::between(place(1, |contact| contact.y), place(3, |contact| contact.y))?;
+    let [(side_1, centre_1), (side_2, centre_2)] = sides(&contacts)?;
     let found = [centre_1, centre_2];
     let nominal = [inputs.length(273), inputs.length(274)];
     let position = judged::position(found, nominal, [inputs.length(279), inputs.length(280)]);

@@ -5,6 +5,7 @@
 //! control's error texts, as for 421 and 422. Walls at an angle to the measured axis are not corrected.
 
 use super::judged;
+use super::probed::{axis, coordinate};
 use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::{
@@ -61,11 +62,6 @@ pub(super) const FIGURES: &[LogFigure] = &[
     LogFigure { what: ResultName::CENTRE_LINE, word: "centre-line", kind: FigureKind::Information },
 ];
 
-/// The measured axis.
-pub(super) fn axis(inputs: &Inputs) -> Axis {
-    if inputs.whole(272) == 2 { Axis::Second } else { Axis::First }
-}
-
 /// The unit vector of the measured axis.
 pub(super) fn along_axis(inputs: &Inputs) -> [f64; 3] {
     if axis(inputs) == Axis::Second { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] }
@@ -94,8 +90,7 @@ pub(super) fn measured(
     limits: Option<(Length, Length)>,
     contacts: [Contact; 2],
 ) -> Result<Measured, CycleError> {
-    let place = |contact: &Contact| if axis(inputs) == Axis::Second { contact.y } else { contact.x };
-    let [one, other] = contacts.each_ref().map(place);
+    let [one, other] = contacts.each_ref().map(|contact| coordinate(contact, inputs));
     let (width, centre_line) = judged::between(one, other)?;
     let nominal = inputs.length(311);
     let checks = judged::size(ResultName::WIDTH, width, limits, feature).into_iter().collect();

@@ -187,6 +187,19 @@ impl Surface {
         }
     }
 
+    /// The same surface elsewhere.
+    #[must_use]
+    pub fn moved(self, by: [f64; 3]) -> Self {
+        let [by_x, by_y, _] = self.plane().within(by);
+        let in_plane = |[x, y]: [f64; 2]| [x + by_x, y + by_y];
+        match self {
+            Self::Round(round, plane) => Self::Round(Workpiece { centre: in_plane(round.centre), ..round }, plane),
+            Self::Face(face) => Self::Face(Face { point: along(face.point, by, 1.0), ..face }),
+            Self::Point(point) => Self::Point(FreePoint { point: along(point.point, by, 1.0), ..point }),
+            Self::Walls(walls) => Self::Walls(Walls { centre: in_plane(walls.centre), ..walls }),
+        }
+    }
+
     /// Whether a ball at this place is outside the material.
     pub(super) fn is_free(&self, from: [f64; 3], ball_radius: f64) -> bool {
         let [first, second, _] = self.plane().within(from);

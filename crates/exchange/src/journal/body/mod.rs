@@ -27,7 +27,7 @@ use serde::Deserialize;
 use super::entry::{Checked, Content, Entry};
 
 /// The newest version of the format: every version up to it is read.
-pub const VERSION: u64 = 3;
+pub const VERSION: u64 = 4;
 
 /// The longest body, bytes.
 pub const LONGEST: usize = 16 << 20;
@@ -112,6 +112,7 @@ struct Head {
 /// The version that an entry is written as: the smallest that can hold it, so that older versions of Fitcheck read all that they know.
 fn version_of(content: &Content) -> u64 {
     match content {
+        Content::Check(check) if has_datum(&check.what) => 4,
         Content::Check(check) if is_of_third(&check.what) => 3,
         Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => 1,
         Content::Report(_) => 2,
@@ -122,6 +123,11 @@ fn version_of(content: &Content) -> u64 {
 fn is_of_third(what: &Checked) -> bool {
     let Checked::Size(record) = what else { return false };
     record.limits.feature.is_none() || record.callout.is_some_and(|callout| !callout.notes().is_empty())
+}
+
+/// Whether a cycle counted from a datum that another one had set.
+fn has_datum(what: &Checked) -> bool {
+    matches!(what, Checked::Cycle(cycle) if cycle.datum.is_some())
 }
 
 /// The bytes of an entry.

@@ -8,8 +8,8 @@ use super::texts::{bounded, length, long, name, of_contacts, printed, seed, some
 use super::{BodyError, size, version_of, wire};
 use crate::journal::chain::Head;
 use crate::journal::entry::{
-    About, Begin, Check, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, Entry, FileRole, Moment,
-    Reported, Shown, UsedFile,
+    About, Begin, Check, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, DatumKept, Entry, FileRole,
+    Moment, Reported, Shown, UsedFile,
 };
 use crate::journal::ranges::EntryRanges;
 
@@ -162,6 +162,15 @@ fn check(check: wire::Check) -> Result<Check, BodyError> {
     Ok(found)
 }
 
+fn datum(datum: &wire::Datum) -> Result<DatumKept, BodyError> {
+    let [x, y, z] = datum.zero_nm.map(|nm| length("check.cycle.datum.zero_nm", nm));
+    Ok(DatumKept {
+        zero: [x?, y?, z?],
+        line: whole("check.cycle.datum.line", datum.line)?,
+        text: name("check.cycle.datum.text", &datum.text)?,
+    })
+}
+
 fn cycle(cycle: &wire::Cycle, status: Option<Status>) -> Result<CycleCheck, BodyError> {
     bounded("check.cycle.parameters", &cycle.parameters)?;
     bounded("check.cycle.compared", &cycle.compared)?;
@@ -209,5 +218,6 @@ fn cycle(cycle: &wire::Cycle, status: Option<Status>) -> Result<CycleCheck, Body
         measured: some_length("check.cycle.measured_nm", cycle.measured_nm)?,
         status,
         block: block.transpose()?,
+        datum: cycle.datum.as_ref().map(datum).transpose()?,
     })
 }

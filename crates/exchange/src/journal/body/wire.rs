@@ -151,7 +151,11 @@ objects! {
         compared: Vec<Compared>,
         limits_nm: Option<[i64; 2]>,
         measured_nm: Option<i64>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        datum: Option<Datum>,
     }
+    /// The datum that a cycle counted from.
+    Datum { zero_nm: [i64; 3], line: u64, text: String }
     Block { file: String, line: u64 }
     Compared { what: String, measured_nm: i64, min_nm: i64, max_nm: i64, status: Status }
 }

@@ -13,7 +13,8 @@ use super::{BodyError, version_of, wire};
 use crate::journal::Record;
 use crate::journal::chain::Head;
 use crate::journal::entry::{
-    About, Begin, Check, Checked, Content, Correction, CycleCheck, CycleOrigin, Entry, Reported, Shown, UsedFile,
+    About, Begin, Check, Checked, Content, Correction, CycleCheck, CycleOrigin, DatumKept, Entry, Reported, Shown,
+    UsedFile,
 };
 
 pub(super) fn body(entry: &Entry) -> Result<wire::Body, BodyError> {
@@ -239,6 +240,14 @@ fn doubt(doubt: Doubt) -> wire::Doubt {
     }
 }
 
+fn datum(datum: &DatumKept) -> Result<wire::Datum, BodyError> {
+    Ok(wire::Datum {
+        zero_nm: datum.zero.map(Length::nanometres),
+        line: whole("check.cycle.datum.line", datum.line)?,
+        text: name("check.cycle.datum.text", &datum.text)?,
+    })
+}
+
 fn cycle(cycle: &CycleCheck) -> Result<wire::Cycle, BodyError> {
     bounded("check.cycle.parameters", &cycle.parameters)?;
     bounded("check.cycle.compared", &cycle.compared)?;
@@ -283,5 +292,6 @@ fn cycle(cycle: &CycleCheck) -> Result<wire::Cycle, BodyError> {
         compared: compared.collect::<Result<_, BodyError>>()?,
         limits_nm: cycle.limits.map(|limits| limits.map(Length::nanometres)),
         measured_nm: cycle.measured.map(Length::nanometres),
+        datum: cycle.datum.as_ref().map(datum).transpose()?,
     })
 }

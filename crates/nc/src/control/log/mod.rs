@@ -79,7 +79,7 @@ impl Log {
 pub fn layout(cycle: u16) -> Option<&'static TextLog> {
     match &cycle_of(cycle)?.log {
         cycle::Log::Text(log) => Some(log),
-        cycle::Log::Points { .. } | cycle::Log::Screen => None,
+        cycle::Log::Points { .. } | cycle::Log::Screen | cycle::Log::None => None,
     }
 }
 

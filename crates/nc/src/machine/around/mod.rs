@@ -3,17 +3,22 @@
 //!
 //! | file | what |
 //! |---|---|
+//! | `datum` | the datum, and what sets it |
 //! | `globals` | the values of GLOBAL DEF |
 //! | `system` | what changes the system that coordinates count in |
 //!
 //! Where the rules come from: `docs/SOURCES.md`, "Around a measurement".
 
+mod datum;
 mod globals;
 mod system;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use datum::Datum;
+pub use datum::{DatumInForce, SetBy};
 use fitcheck_core::probing::cycle::Plane;
+use fitcheck_core::probing::vector::along;
 pub(super) use globals::Global;
 use globals::IsProbing;
 use system::is_other;
@@ -46,7 +51,9 @@ pub(super) struct Around {
     mode: Mode,
     /// The values that PREDEF stands for, in mm or degrees, with the factor of their program's unit.
     globals: BTreeMap<(IsProbing, Parameter), Global>,
-    zero: [f64; 3],
+    datum: Datum,
+    /// The shift of cycle 7, mm from the zero of the preset.
+    shift: [f64; 3],
     preset: Option<f64>,
     /// Changes in force, and the block that made each.
     changes: BTreeMap<Change, ChangingBlock>,
@@ -72,6 +79,11 @@ pub(super) struct Moment {
 }
 
 impl Moment {
+    /// The zero in force, mm in the coordinates of the workpiece; `None` in another plane than X/Y.
+    pub(super) fn zero_of_plane_xy(&self) -> Option<[f64; 3]> {
+        (self.plane == Plane::Xy).then_some(self.zero)
+    }
+
     /// Whether the same workpiece can have been machined between.
     pub(super) fn is_before_rework(&self, later: &Self) -> bool {
         let same = Self { starts: later.starts, ..self.clone() };
@@ -125,7 +137,8 @@ impl Around {
             spindle: None,
             mode: Mode::Mill,
             globals: BTreeMap::new(),
-            zero: [0.0; 3],
+            datum: Datum::default(),
+            shift: [0.0; 3],
             preset: None,
             changes: BTreeMap::new(),
             turned: BTreeSet::new(),
@@ -187,8 +200,8 @@ impl Around {
 
     /// What tells whether two measurements are of one feature.
     pub(super) fn moment(&self) -> Moment {
-        let Self { zero, preset, stops, starts, .. } = *self;
-        Moment { plane: self.plane(), zero, preset, is_turned: !self.turned.is_empty(), stops, starts }
+        let Self { preset, stops, starts, .. } = *self;
+        Moment { plane: self.plane(), zero: self.zero(), preset, is_turned: !self.turned.is_empty(), stops, starts }
     }
 
     pub(super) const fn set_mode(&mut self, mode: Mode) {
@@ -206,7 +219,7 @@ impl Around {
 
     /// What is in force that is not so at the beginning of a program.
     pub(super) fn kept(&self) -> impl Iterator<Item = CarriedState> {
-        let zero = self.zero.into_iter().any(|part| is_other(part, 0.0)).then_some(CarriedState::Zero);
+        let zero = self.zero().into_iter().any(|part| is_other(part, 0.0)).then_some(CarriedState::Zero);
         let turned = (!self.turned.is_empty()).then_some(CarriedState::Turned);
         let plane = (self.plane() != Plane::default()).then_some(CarriedState::Plane);
         let mode = (self.mode != Mode::Mill).then_some(CarriedState::Mode);
@@ -224,9 +237,9 @@ impl Around {
         self.plane.unwrap_or(Plane::Xy)
     }
 
-    /// The zero in force, mm from the preset.
-    pub(super) const fn zero(&self) -> [f64; 3] {
-        self.zero
+    /// The zero in force, mm in the coordinates of the workpiece.
+    pub(super) fn zero(&self) -> [f64; 3] {
+        along(self.datum.origin(), self.shift, 1.0)
     }
 
     /// Where a cycle measures.
@@ -242,7 +255,7 @@ impl Around {
         }
         match self.plane {
             None if !assumes_tool => Err(FaultKind::NoToolCall),
-            _ => Ok(Placement { plane: self.plane(), zero: self.zero }),
+            _ => Ok(Placement { plane: self.plane(), zero: self.zero() }),
         }
     }
 

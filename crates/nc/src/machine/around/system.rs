@@ -2,6 +2,7 @@
 
 use super::super::change::Change;
 use super::super::fault::FaultKind;
+use super::super::presets::{PresetRow, row_number};
 use super::super::remark::Remark;
 use super::{Around, ChangingBlock, millimetres};
 use crate::program::{Axis, AxisWord, Frame, Operand, Unit};
@@ -45,11 +46,14 @@ impl Around {
             Frame::Title => {}
             Frame::Shift(axes) => self.shift(axes, unit, value)?,
             Frame::NoShift => {
-                self.zero = [0.0; 3];
+                self.shift = [0.0; 3];
                 self.changes.remove(&Change::DatumTable);
             }
             Frame::ShiftFromTable => self.set(Change::DatumTable, true, made),
-            Frame::Preset(number) => return self.activate(*number, value),
+            Frame::Preset(number) => {
+                let number = number.map(value).transpose()?;
+                return Ok(self.activate(number, None, made));
+            }
             Frame::Rotation { angle, is_incremental } => {
                 // A whole turn is none.
                 let is_turned = is_other(value(*angle)? % 360.0, 0.0);
@@ -116,7 +120,7 @@ impl Around {
     fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, value: &ValueOf<'_>) -> Result<(), FaultKind> {
         for word in axes {
             let by = value(word.value)? * millimetres(unit);
-            let [x, y, z] = &mut self.zero;
+            let [x, y, z] = &mut self.shift;
             let zero = match word.axis {
                 Axis::X => x,
                 Axis::Y => y,
@@ -134,15 +138,22 @@ impl Around {
         Ok(())
     }
 
-    /// Cycle 247: shift, rotation, mirror and scaling end. Fitcheck has no preset table: the workpiece lies at each preset.
-    fn activate(&mut self, number: Option<Operand>, value: &ValueOf<'_>) -> Result<Option<Remark>, FaultKind> {
-        let number = number.map(value).transpose()?;
+    /// Cycle 247: shift, rotation, mirror and scaling end. The zero is that of the row, as far as cycles have written it or the preset table
+    /// has it; else the workpiece lies there.
+    pub(in crate::machine) fn activate(
+        &mut self,
+        number: Option<f64>,
+        table: Option<PresetRow>,
+        made: ChangingBlock,
+    ) -> Option<Remark> {
         let is_other = self.preset.is_some() && self.preset != number;
         // A preset that is not named may be any.
         self.stops += u64::from(number.is_none());
-        self.zero = [0.0; 3];
+        self.shift = [0.0; 3];
+        let is_known = self.datum.activate(number.and_then(row_number), table);
         self.changes.retain(|change, _| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning));
+        self.set(Change::Rotation, table.is_some_and(|row| row.is_rotated), made);
         self.preset = number.or(self.preset);
-        Ok(number.filter(|_| is_other).map(|number| Remark::OtherPreset { number: number.to_string() }))
+        number.filter(|_| is_other && !is_known).map(|number| Remark::OtherPreset { number: number.to_string() })
     }
 }

@@ -2,13 +2,16 @@
 
 use super::super::around::machining;
 use super::super::fault::FaultKind;
+use super::super::files::Files;
+use super::super::presets::row_number;
 use super::super::remark::Remark;
 use super::Run;
-use crate::program::{Body, CycleBlock, Frame};
+use crate::program::{Body, CycleBlock, Frame, Operand};
+use fitcheck_core::probing::cycle::{DatumTarget, NewDatum};
 
 impl Run {
     /// Does what such a block says; others do nothing here.
-    pub(super) fn set_up(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
+    pub(super) fn set_up(&mut self, at: usize, body: &Body, files: &mut Files) -> Result<(), FaultKind> {
         match body {
             Body::SelectProgram(path) => {
                 let path = self.path_of(path)?;
@@ -20,6 +23,7 @@ impl Run {
             }
             Body::GlobalDefinition(cycle) => self.around.define(cycle, self.flow.unit(), &self.values)?,
             Body::Mode(mode) => self.around.set_mode(*mode),
+            Body::Frame(Frame::Preset(number)) => self.activate(at, *number, files)?,
             Body::Frame(frame) => self.change(at, frame)?,
             Body::SystemRead { to } => {
                 let given = self.values.lose_system(*to, || self.flow.made(at), self.is_main());
@@ -41,6 +45,38 @@ impl Run {
             self.lose_all(at);
             self.remark(at, Remark::NotFollowed);
         }
+    }
+
+    /// Cycle 247: another preset.
+    fn activate(&mut self, at: usize, number: Option<Operand>, files: &mut Files) -> Result<(), FaultKind> {
+        let number = number.map(|number| self.values.operand(number)).transpose()?;
+        let row = number.and_then(row_number);
+        let table = match row {
+            Some(row) => self.presets.row(row, files)?,
+            None => None,
+        };
+        let remark = self.around.activate(number, table, self.flow.made(at));
+        self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
+        Ok(())
+    }
+
+    /// The datum that a cycle has found: what follows counts from there.
+    pub(super) fn set_datum(&mut self, at: usize, new: &NewDatum, files: &mut Files) -> Result<(), FaultKind> {
+        let row = match new.target {
+            DatumTarget::Preset { row } => row,
+            DatumTarget::Display => 0,
+            DatumTarget::Table { row } => return Err(FaultKind::NoDatumTable { row }),
+        };
+        let table = match new.target {
+            DatumTarget::Preset { .. } => self.presets.unlocked(row, files)?,
+            _ => None,
+        };
+        let (remarks, written) = self.around.set_datum(new, (row, table), self.flow.made(at))?;
+        let place = self.flow.place_of(at);
+        self.remarks.add_all(&place, remarks);
+        let remark = self.presets.write(row, written, files)?;
+        self.remarks.add_all(&place, remark.into_iter().collect());
+        Ok(())
     }
 
     /// A change of the system that coordinates count in.

@@ -158,7 +158,7 @@ impl Run {
             | Body::GlobalDefinition(_)
             | Body::Mode(_)
             | Body::Frame(_)
-            | Body::SystemRead { .. } => self.set_up(at, &block.body)?,
+            | Body::SystemRead { .. } => self.set_up(at, &block.body, files)?,
             Body::MachineFunctions(functions) => return Ok(self.machine_functions(at, functions, settings)),
             Body::Stop(functions) => {
                 self.around.stop();
@@ -293,6 +293,8 @@ impl Run {
         let path = placement.moves(&path);
         self.way.follow(&place, &path)?;
         let result = self.tools.seen(result?);
+        // What it measured counts in the system before the datum that it sets.
+        let around = (self.around.moment(), self.around.datum());
         self.remarks.add_all(&place, Remark::of_cycle(cycle, &result));
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.values.measured();
@@ -306,9 +308,12 @@ impl Run {
             (None, LogTarget::Screen) => Step::Paused(Pause::Log),
             (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
         };
+        if let Some(new) = &result.datum {
+            self.set_datum(at, new, files)?;
+        }
         // The last step: what was measured stands, even if the tool is broken.
         let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);
-        if let Some(again) = self.cycles.keep(CycleRun::new(place, cycle, result, self.around.moment())) {
+        if let Some(again) = self.cycles.keep(CycleRun::new(place, cycle, result, around)) {
             self.remark(at, again);
         }
         monitored.map(|()| step)

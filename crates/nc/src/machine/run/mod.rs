@@ -21,6 +21,7 @@ use super::files::Files;
 use super::flow::{Call, Flow};
 use super::moves::{Travel, Way};
 use super::path::NcPath;
+use super::presets::Presets;
 use super::prints::{Prints, Window, Written};
 use super::remark::{Remark, Remarks};
 use super::step::{Pause, Step};
@@ -41,6 +42,7 @@ struct Run {
     flow: Flow,
     values: Values,
     tables: Tables,
+    presets: Presets,
     prints: Prints,
     cycles: Cycles,
     tools: Tools,
@@ -70,6 +72,7 @@ impl Run {
             flow: Flow::new(path, program, &settings.budget),
             values,
             tables: Tables::default(),
+            presets: Presets::default(),
             prints: Prints::new(settings.budget, cycles.is_simulated()),
             cycles,
             tools: Tools::new(settings.tool_table.clone()),

@@ -1,0 +1,204 @@
+//! The preset table of the control, where the program's folders have one: rows are read for cycle 247, and datum cycles write them.
+//!
+//! Its place and the names of its columns are those of a TNC 640; other controls have fewer columns or other names for the row and the
+//! rotation, which are known here, too. What a value in the column of locked rows means is remembered: anything but a blank, `-` and 0
+//! counts as locked.
+
+use std::collections::BTreeMap;
+
+use fitcheck_core::length::{Length, Unit};
+
+use super::fault::FaultKind;
+use super::files::Files;
+use super::path::NcPath;
+use super::remark::Remark;
+use super::store::StoreError;
+use super::values::whole;
+use crate::control::mask::FileUse;
+use crate::control::table::{ControlTable, TableFile, TableUnit, is_blank};
+
+/// Where a control has it.
+const PLACE: &str = r"TNC:\table\preset.pr";
+
+/// The columns with the number of the row: the first that is there.
+const NUMBERS: [&str; 2] = ["NO", "NR"];
+/// The zero in each axis of the machine.
+const AXES: [&str; 3] = ["X", "Y", "Z"];
+/// Rotations of the system: none is followed.
+const ROTATIONS: [&str; 4] = ["ROT", "SPA", "SPB", "SPC"];
+const LOCKED: &str = "LOCKED";
+
+/// A row of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct PresetRow {
+    /// Where its zero is, from that of the machine; `None` where a cell is blank.
+    pub zero: [Option<Length>; 3],
+    pub is_rotated: bool,
+}
+
+/// The table as it was read, and what was written into it since.
+#[derive(Debug)]
+struct PresetTable {
+    path: NcPath,
+    bytes: Vec<u8>,
+    file: TableFile,
+    /// The row of the file for each number.
+    rows: BTreeMap<u32, usize>,
+    axes: [usize; 3],
+    changed: BTreeMap<(usize, usize), String>,
+}
+
+/// The preset table, looked for once.
+#[derive(Debug, Default)]
+pub(super) struct Presets {
+    is_looked_for: bool,
+    table: Option<PresetTable>,
+    /// How many times it was written.
+    writes: usize,
+}
+
+/// The row of a number, where it is one.
+pub(super) fn row_number(number: f64) -> Option<u32> {
+    whole(number).and_then(|row| u32::try_from(row).ok())
+}
+
+impl PresetTable {
+    fn read(path: NcPath, bytes: Vec<u8>) -> Result<Self, FaultKind> {
+        let name = path.file_name().to_owned();
+        let file =
+            ControlTable::read_with_short_rows(&bytes, &name).map_err(|error| FaultKind::Table(Box::new(error)))?;
+        let column = |column: &str| {
+            let names = || file.table.columns.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ");
+            let missing = || FaultKind::NoColumn { table: name.clone(), column: column.to_owned(), columns: names() };
+            file.table.column(column).ok_or_else(missing)
+        };
+        let [x, y, z] = AXES.map(column);
+        let axes = [x?, y?, z?];
+        let [first, other] = NUMBERS.map(column);
+        let number = first.or(other)?;
+        let rows = (0..file.table.rows.len()).filter_map(|row| Some((file.table.cell(row, number).parse().ok()?, row)));
+        let rows = rows.collect();
+        Ok(Self { path, rows, axes, changed: BTreeMap::new(), bytes, file })
+    }
+
+    fn unit(&self) -> Unit {
+        if self.file.table.unit == Some(TableUnit::Inch) { Unit::Inch } else { Unit::Millimetre }
+    }
+
+    fn name(&self) -> String {
+        self.path.file_name().to_owned()
+    }
+
+    /// The text of a cell, as it is now.
+    fn text(&self, row: usize, column: usize) -> &str {
+        self.changed.get(&(row, column)).map_or_else(|| self.file.table.cell(row, column), String::as_str)
+    }
+
+    /// The row of the file, by its number.
+    fn row_of(&self, number: u32) -> Result<usize, FaultKind> {
+        self.rows.get(&number).copied().ok_or_else(|| FaultKind::NoPreset { table: self.name(), row: number })
+    }
+
+    fn value(&self, row: usize, column: usize) -> Result<Option<Length>, FaultKind> {
+        let cell = self.text(row, column);
+        let table = self.name();
+        let name = || self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
+        if self.file.touches(row, column) {
+            return Err(FaultKind::Touches { table, row, column: name() });
+        }
+        if is_blank(cell) {
+            return Ok(None);
+        }
+        let no_number = || FaultKind::NoNumberInCell { table, row, column: name(), cell: cell.to_owned() };
+        Length::parse_in(cell, self.unit()).map(Some).map_err(|_length| no_number())
+    }
+
+    fn row(&self, number: u32) -> Result<PresetRow, FaultKind> {
+        let row = self.row_of(number)?;
+        let [x, y, z] = self.axes.map(|column| self.value(row, column));
+        let columns = ROTATIONS.into_iter().filter_map(|name| self.file.table.column(name));
+        let turns = |column: usize| {
+            let cell = self.text(row, column);
+            !is_blank(cell) && !cell.parse::<f64>().is_ok_and(|angle| angle.abs() <= 0.0)
+        };
+        let is_rotated = columns.into_iter().any(turns);
+        Ok(PresetRow { zero: [x?, y?, z?], is_rotated })
+    }
+
+    fn check_unlocked(&self, number: u32) -> Result<(), FaultKind> {
+        let row = self.row_of(number)?;
+        let cell = self.file.table.column(LOCKED).map_or("", |column| self.text(row, column));
+        if is_blank(cell) || cell == "0" {
+            return Ok(());
+        }
+        Err(FaultKind::PresetLocked { table: self.name(), row: number })
+    }
+
+    /// Puts a zero into the axes that have one.
+    fn put(&mut self, number: u32, zero: [Option<Length>; 3]) -> Result<(), FaultKind> {
+        let row = self.row_of(number)?;
+        let unit = self.unit();
+        for (column, zero) in self.axes.into_iter().zip(zero) {
+            let Some(zero) = zero else { continue };
+            // In inches the nearest 0.00001 in, the finest that is a whole number of nanometres.
+            let text = if unit == Unit::Inch { zero.rounded(Unit::Inch, 5) } else { zero.exact(Unit::Millimetre, 0) };
+            let sign = if zero < Length::ZERO { "" } else { "+" };
+            self.changed.insert((row, column), format!("{sign}{text}"));
+        }
+        Ok(())
+    }
+}
+
+impl Presets {
+    /// The table; `None` where no folder of the program has one.
+    fn table(&mut self, files: &mut Files) -> Result<Option<&mut PresetTable>, FaultKind> {
+        if !self.is_looked_for {
+            self.is_looked_for = true;
+            let path = NcPath::new(PLACE)?;
+            self.table = match files.read(&path) {
+                Ok(bytes) => Some(PresetTable::read(path, bytes)?),
+                Err(FaultKind::Store(StoreError::Missing { .. })) => None,
+                Err(fault) => return Err(fault),
+            };
+        }
+        Ok(self.table.as_mut())
+    }
+
+    /// A row that a cycle writes: an error where it is locked.
+    pub(super) fn unlocked(&mut self, number: u32, files: &mut Files) -> Result<Option<PresetRow>, FaultKind> {
+        let Some(table) = self.table(files)? else { return Ok(None) };
+        table.check_unlocked(number)?;
+        table.row(number).map(Some)
+    }
+
+    /// A row as it is now; `None` where there is no table.
+    pub(super) fn row(&mut self, number: u32, files: &mut Files) -> Result<Option<PresetRow>, FaultKind> {
+        self.table(files)?.map(|table| table.row(number)).transpose()
+    }
+
+    /// Writes a zero, from that of the machine, into a row and the table into the output folder.
+    pub(super) fn write(
+        &mut self,
+        number: u32,
+        zero: [Option<Length>; 3],
+        files: &mut Files,
+    ) -> Result<Option<Remark>, FaultKind> {
+        self.table(files)?;
+        let Self { table: Some(table), writes, .. } = self else { return Ok(None) };
+        // A row 0 that the table lacks is no row that a program names.
+        if number == 0 && !table.rows.contains_key(&0) {
+            return Ok(None);
+        }
+        if zero == [None; 3] {
+            return Ok(Some(Remark::PresetsLeft { path: table.path.clone() }));
+        }
+        table.put(number, zero)?;
+        let written = table.file.patched(&table.bytes, &table.changed);
+        let bytes = written.map_err(|error| FaultKind::TableWrite { table: table.name(), error })?;
+        let path = table.path.clone();
+        files.count_table_write(writes)?;
+        let size = files.write(&path, &bytes, FileUse::Replace)?;
+        files.spend(size.unwrap_or(bytes.len()))?;
+        Ok(Some(if size.is_some() { Remark::TableWritten { path } } else { Remark::NotWritten { path } }))
+    }
+}
