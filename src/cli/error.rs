@@ -112,6 +112,8 @@ pub(super) enum CliError {
     SetTwice { name: String },
     /// The block of another cycle.
     OtherCycle { given: &'static str, wanted: &'static str },
+    /// A program with several blocks of measuring cycles, and none is chosen.
+    SeveralBlocks { blocks: String },
     /// A parameter that PREDEF cannot stand for, or that does not exist.
     NotPredef { name: String },
     /// A probe that the touch-probe table lacks.

@@ -462,6 +462,42 @@ fn a_block_is_printed_and_read_again() {
 }
 
 #[test]
+fn a_block_of_several_is_chosen_by_its_line() {
+    let block = fitcheck(&[&["427", "--as-block", "--set"][..], &BLOCK_427].concat(), "").out;
+    let lines = block.lines().count();
+    let program = format!("{block}L Z+50\n{block}");
+    let second = lines + 2;
+    let several = fitcheck(&["427", "--block", "-"], &program);
+    assert_eq!(several.code, Some(1));
+    let expected = format!(
+        "fitcheck: standard input: several measuring cycles, on the lines 1 (427), {second} (427): choose one by --at LINE\n"
+    );
+    assert_eq!(several.err, expected);
+    for line in [1, 2, lines, second, second + 3] {
+        let said = fitcheck(&["427", "--block", "-", "--at", &line.to_string()], &program);
+        assert_eq!(said.code, Some(0), "{line}: {}", said.err);
+    }
+    let between = fitcheck(&["427", "--block", "-", "--at", &(lines + 1).to_string()], &program);
+    let expected = format!(
+        "fitcheck: standard input: line {}: no measuring cycle has this line: they begin on the lines 1 (427), {second} (427)\n",
+        lines + 1
+    );
+    assert_eq!(between.err, expected);
+    // What is wrong with another block is not asked.
+    let program = program.replacen("Q264", "Q999", 1);
+    assert_eq!(fitcheck(&["427", "--block", "-", "--at", &second.to_string()], &program).code, Some(0));
+}
+
+#[test]
+fn a_tool_without_a_name_says_what_to_write() {
+    let block = fitcheck(&[&["427", "--as-block", "--set"][..], &BLOCK_427].concat(), "").out;
+    let named = block.lines().find(|line| line.contains("Q330=")).unwrap();
+    let block = block.replace(named, "    QS330=\"\" ~");
+    let said = fitcheck(&["427", "--block", "-"], &block);
+    assert!(said.err.ends_with("no tool is named: for none, write Q330=0\n"), "{}", said.err);
+}
+
+#[test]
 fn help_tells_the_keys_of_all_files() {
     let help = fitcheck(&["--help"], "").out;
     for word in

@@ -162,8 +162,8 @@ fn what_could_do_harm_is_stopped_with_its_own_message() {
     );
     run(r"CALL PGM ..\secret.h", r"TNC:\own.h, line 2, CALL PGM ..\secret.h: ..\secret.h leads out of the folder");
     run(
-        "FN 16: F-PRINT status_en.a / C:\\out.txt",
-        r"TNC:\own.h, line 2, FN 16: F-PRINT status_en.a / C:\out.txt: C:\out.txt is neither a path on TNC: nor a path from the program's folder",
+        r"FN 16: F-PRINT status_en.a / C:\..\out.txt",
+        r"TNC:\own.h, line 2, FN 16: F-PRINT status_en.a / C:\..\out.txt: C:\..\out.txt is neither a path on TNC: nor a path from the program's folder",
     );
     run(
         "QS1 = \"0123456789\"\nLBL 1\nQS1 = QS1 || QS1\nFN 9: IF +0 EQU +0 GOTO LBL 1",

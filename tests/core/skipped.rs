@@ -201,7 +201,7 @@ fn what_sets_no_datum_lets_the_next_measurement_count() {
         "FN 17: SYSWRITE ID50 NR1 IDX5 = +Q9",
         "POLARKIN OFF",
         "FUNCTION PARAXMODE OFF",
-        "FUNCTION FILECOPY \"a\" TO \"b\"",
+        "FUNCTION FILECOPY \"a\", \"b\"",
         "Q5 = CFGREAD ( X )",
         "FN 16: F-PRINT m.a",
     ] {
@@ -243,7 +243,7 @@ fn what_a_skipped_block_would_have_set_is_undefined() {
         ("QL7 = ( 5 + 3", "Q1 = QL7", "QL7"),
         ("FN 28: TABREAD Q5 = 5", "Q1 = Q5", "Q5"),
         ("FN 28: TABREAD Q5 = X/\"A,B\"", "Q1 = Q6", "Q6"),
-        ("FN 18: SYSREAD Q5 = ID20 NR1", "FN 9: IF Q5 IS UNDEFINED GOTO LBL 1\nLBL 1", "Q5"),
+        ("FN 18: SYSREAD Q5 = ID990 NR8", "FN 9: IF Q5 IS UNDEFINED GOTO LBL 1\nLBL 1", "Q5"),
         ("TCH PROBE 0.0 REF. PLANE Q5 X-", "Q1 = Q5", "Q5"),
         ("TCH PROBE 3.1 Q5", "Q1 = Q6", "Q6"),
         ("CYCL DEF 200 DRILLING ~\nQ5=( 2", "Q1 = Q5", "Q5"),
@@ -269,15 +269,15 @@ fn what_a_skipped_block_would_have_set_is_undefined() {
 
 #[test]
 fn a_file_that_a_skipped_block_may_have_written_is_not_read() {
-    let (_, fault) = run("FUNCTION FILECOPY \"other.tab\" TO \"OWN.TAB\"\nFN 26: TABOPEN own.tab");
+    let (_, fault) = run("FUNCTION FILECOPY \"other.tab\", \"OWN.TAB\"\nFN 26: TABOPEN own.tab");
     assert!(fault.as_ref().is_some_and(|fault| fault.contains("line 3, FUNCTION FILECOPY")), "{fault:?}");
-    ends("FUNCTION FILECOPY \"TCHPR421.TXT\" TO \"B1.TXT\"\nFN 26: TABOPEN own.tab");
+    ends("FUNCTION FILECOPY \"TCHPR421.TXT\", \"B1.TXT\"\nFN 26: TABOPEN own.tab");
     // Its name may stand in any line of the block, and the table may be open.
-    let copy = "FUNCTION FILECOPY \"a.tab\" TO ~\n\"own.tab\"";
+    let copy = "FUNCTION FILECOPY \"a.tab\", ~\n\"own.tab\"";
     for (blocks, line) in [
         (format!("{copy}\nFN 26: TABOPEN own.tab"), 3),
         (format!("FN 26: TABOPEN own.tab\n{copy}\nFN 28: TABREAD Q1 = 0/\"A\""), 4),
-        ("FUNCTION FILEDELETE \"*.tab\"\nFN 26: TABOPEN own.tab".to_owned(), 3),
+        ("FUNCTION FILEDELETE \"*.tab\", all\nFN 26: TABOPEN own.tab".to_owned(), 3),
     ] {
         let (_, fault) = run(&blocks);
         assert!(

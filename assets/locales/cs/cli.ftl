@@ -73,6 +73,7 @@ cli-not-an-input = { $name } = { $value }: očekává se číslo nebo text
 cli-given-twice = { $name } je uvedeno dvakrát
 cli-option-of-standard = --{ $option } nemá s --source control účinek: tabulky řídicího systému mají jen jedno vydání ISO 286
 cli-set-twice = { $name } je nastaveno dvakrát
+cli-several-blocks = několik měřicích cyklů, na řádcích { $blocks }: vyberte jeden pomocí --at ŘÁDEK
 cli-other-cycle = toto je cyklus { $given }, ne { $wanted }
 cli-not-predef = PREDEF není u parametru { $name } dovoleno
 cli-no-probe = tabulka dotykových sond nemá sondu { $number }

@@ -67,6 +67,7 @@ table-short-row = řádek končí před sloupcem { $name }: doplňte jej mezeram
 table-truncated = soubor končí uvnitř tohoto řádku a bez [END]: může být oříznutý
 table-text-after-end = text za [END]: { $found }
 table-no-end = chybí [END]
+table-no-lock = tabulka nástrojů nemá sloupec TL: zlomený nástroj se v ní nezablokuje
 table-no-unit = tabulka neudává jednotku: její délky byly přečteny jako milimetry
 table-begin-word = { $word } nemá v řádku BEGIN známý význam
 table-width = šířka sloupce { $name } ve znacích je zde { $found }, ale v popisu { $described }; platí řádek s názvy sloupců
@@ -161,6 +162,7 @@ cycle-log-other-verdict = hodnoty protokolu, zaokrouhlené na 0,0001 { $unit }, 
 ## The block of a probing cycle
 block-none = není to cyklus snímání: blok začíná TCH PROBE a číslem, nebo G785
 block-inches = blok patří k programu v palcích, ale četl by se v mm: spusťte program
+block-none-at = tento řádek nepatří k žádnému měřicímu cyklu: začínají na řádcích { $blocks }
 block-second = druhý cyklus snímání: zadávejte je po jednom; první začíná na řádku { $first }
 block-unknown-cycle = TCH PROBE { $given }: cykly jsou { $known }
 block-not-a-parameter = { $given } není parametr: pište jej jako { $example }

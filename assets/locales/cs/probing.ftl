@@ -42,6 +42,7 @@ cycle-one-of = očekává se jedno z { $allowed }
 cycle-tool-range = číslo nástroje od 0 do 99999.9, nebo název nástroje s nejvýše 255 znaky
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } nevyvolává žádný nástroj: pište jeho číslo nebo název
+cycle-tool-empty = není uveden žádný nástroj: pro žádný napište Q330=0
 cycle-tool-unquoted = { $text } není číslo a název nástroje potřebuje uvozovky
 cycle-no-diameter = { $key } { $name } = 0 mm: kružnice potřebuje průměr nad 0
 cycle-one-limit = { $given } je uvedeno bez { $missing }: druhou mezí by byla 0

@@ -18,6 +18,7 @@ program-numbers = číslo bloku { $number } následuje po { $previous }; čísla
 program-label-again = LBL { $label } je definováno už na řádku { $first }
 program-unclosed-quote = uvozovky nejsou uzavřeny
 program-open-end = řádek končí ~, ale nic nenásleduje
+program-cycle-cut-many = cyklus { $cycle } skončil na řádku { $line }, který nemá na konci ~: řádky od { $parameter } do řádku { $last } k němu nepatří a místo toho by byly přiřazeny. Každý řádek cyklu kromě posledního končí znakem ~
 program-cycle-cut = cyklus { $cycle } skončil na řádku { $line }, který nemá na konci ~: { $parameter } k němu nepatří a místo toho by byl přiřazen
 program-no-star = blok nekončí *
 program-iso-no-end = chybí poslední blok: % s názvem programu
@@ -40,6 +41,7 @@ program-label-parameter = které návěští je v { $label }, je známo až za b
 ## Why a block is not understood
 program-missing = chybí { $wanted }
 program-unexpected = očekává se { $wanted }, nalezeno { $found }
+program-speed-in-move = { $found } stojí v přímce: otáčky vřetena patří do TOOL CALL
 program-left-over = neočekávaný text { $found }
 program-unknown-function = { $found } není funkce
 program-number-size = { $found } je příliš velké

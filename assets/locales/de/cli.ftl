@@ -72,6 +72,7 @@ cli-not-an-input = { $name } = { $value }: eine Zahl oder ein Text erwartet
 cli-given-twice = { $name } ist zweimal angegeben
 cli-option-of-standard = --{ $option } hat mit --source control keine Wirkung: die Tabellen der Steuerung haben eine einzige Ausgabe von ISO 286
 cli-set-twice = { $name } ist zweimal gesetzt
+cli-several-blocks = mehrere Messzyklen, in den Zeilen { $blocks }: mit --at ZEILE einen wählen
 cli-other-cycle = das ist Zyklus { $given }, nicht { $wanted }
 cli-not-predef = für Parameter { $name } ist PREDEF nicht zulässig
 cli-no-probe = die Tastsystemtabelle hat kein Tastsystem { $number }

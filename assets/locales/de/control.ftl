@@ -67,6 +67,7 @@ table-short-row = die Zeile endet vor Spalte { $name }: mit Leerzeichen auffüll
 table-truncated = die Datei endet in dieser Zeile und ohne [END]: sie ist vielleicht abgeschnitten
 table-text-after-end = Text nach [END]: { $found }
 table-no-end = [END] fehlt
+table-no-lock = die Werkzeugtabelle hat keine Spalte TL: ein gebrochenes Werkzeug wird in ihr nicht gesperrt
 table-no-unit = die Tabelle nennt ihre Maßeinheit nicht: ihre Längen wurden als Millimeter gelesen
 table-begin-word = { $word } hat in der BEGIN-Zeile keine bekannte Bedeutung
 table-width = Spalte { $name } ist hier { $found } Zeichen breit, in der Beschreibung aber { $described }; die Textzeile mit den Spaltennamen gilt
@@ -161,6 +162,7 @@ cycle-log-other-verdict = die Werte des Messprotokolls, auf 0.0001 { $unit } ger
 ## Der NC-Satz eines Antastzyklus
 block-none = kein Antastzyklus: ein NC-Satz beginnt mit TCH PROBE und einer Nummer, oder mit G785
 block-inches = der NC-Satz gehört zu einem Programm in Inch, würde aber in mm gelesen: das Programm ausführen
+block-none-at = diese Zeile gehört zu keinem Messzyklus: sie beginnen in den Zeilen { $blocks }
 block-second = zweiter Antastzyklus: jeweils nur einen angeben; der erste beginnt in Textzeile { $first }
 block-unknown-cycle = TCH PROBE { $given }: die Zyklen sind { $known }
 block-not-a-parameter = { $given } ist kein Parameter: als { $example } schreiben

@@ -41,6 +41,7 @@ cycle-one-of = eines von { $allowed } erwartet
 cycle-tool-range = eine Werkzeugnummer von 0 bis 99999.9, oder ein Werkzeugname mit höchstens 255 Zeichen
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } ruft kein Werkzeug auf: seine Nummer oder seinen Namen schreiben
+cycle-tool-empty = kein Werkzeug ist genannt: für keines Q330=0 schreiben
 cycle-tool-unquoted = { $text } ist keine Zahl, und ein Werkzeugname braucht Anführungszeichen
 cycle-no-diameter = { $key } { $name } = 0 mm: ein Kreis braucht einen Durchmesser über 0
 cycle-one-limit = { $given } ist ohne { $missing } angegeben: das andere Grenzmaß wäre 0

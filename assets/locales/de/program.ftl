@@ -18,6 +18,7 @@ program-numbers = Satznummer { $number } folgt auf { $previous }; Satznummern au
 program-label-again = LBL { $label } ist schon in Textzeile { $first } definiert
 program-unclosed-quote = das Anführungszeichen ist nicht geschlossen
 program-open-end = die Textzeile endet mit ~, aber nichts folgt
+program-cycle-cut-many = Zyklus { $cycle } endete in Textzeile { $line }, an deren Ende kein ~ steht: die Zeilen ab { $parameter } bis { $last } gehören nicht dazu und würden stattdessen zugewiesen. Jede Zeile eines Zyklus endet mit ~, nur die letzte nicht
 program-cycle-cut = Zyklus { $cycle } endete in Textzeile { $line }, an deren Ende kein ~ steht: { $parameter } gehört nicht dazu und würde stattdessen zugewiesen
 program-no-star = der NC-Satz endet nicht mit *
 program-iso-no-end = der letzte NC-Satz fehlt: % mit dem Namen des Programms
@@ -40,6 +41,7 @@ program-label-parameter = welches Label { $label } enthält, ist erst beim Lauf 
 ## Warum ein NC-Satz nicht verstanden wird
 program-missing = { $wanted } fehlt
 program-unexpected = { $wanted } erwartet, { $found } gefunden
+program-speed-in-move = { $found } steht in einer Geraden: die Spindeldrehzahl gehört in TOOL CALL
 program-left-over = unerwarteter Text { $found }
 program-unknown-function = { $found } ist keine Funktion
 program-number-size = { $found } ist zu groß

@@ -72,6 +72,7 @@ cli-not-an-input = { $name } = { $value }: expected a number or a text
 cli-given-twice = { $name } is given twice
 cli-option-of-standard = --{ $option } has no effect with --source control: the control's tables have one edition of ISO 286
 cli-set-twice = { $name } is set twice
+cli-several-blocks = several measuring cycles, on the lines { $blocks }: choose one by --at LINE
 cli-other-cycle = this is cycle { $given }, not { $wanted }
 cli-not-predef = PREDEF is not allowed for parameter { $name }
 cli-no-probe = the touch-probe table has no probe { $number }

@@ -67,6 +67,7 @@ table-short-row = the row ends before column { $name }: fill it with spaces, or 
 table-truncated = the file ends within this row and without [END]: it may be cut off
 table-text-after-end = text after [END]: { $found }
 table-no-end = [END] is missing
+table-no-lock = the tool table has no column TL: a broken tool is not locked in it
 table-no-unit = the table does not name its unit: its lengths were read as millimetres
 table-begin-word = { $word } has no known meaning in the BEGIN line
 table-width = column { $name } is { $found } characters wide here but { $described } in the description; the line of column names applies
@@ -161,6 +162,7 @@ cycle-log-other-verdict = the log's values, rounded to 0.0001 { $unit }, give { 
 ## The block of a probing cycle
 block-none = not a probing cycle: a block begins with TCH PROBE and a number, or with G785
 block-inches = the block belongs to a program in inches but would be read in mm: run the program
+block-none-at = no measuring cycle has this line: they begin on the lines { $blocks }
 block-second = second probing cycle: give one at a time; the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }
 block-not-a-parameter = { $given } is not a parameter: write it as { $example }

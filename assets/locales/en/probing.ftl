@@ -41,6 +41,7 @@ cycle-one-of = expected one of { $allowed }
 cycle-tool-range = a tool number from 0 to 99999.9, or a tool name of at most 255 characters
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } calls no tool: write its number, or its name
+cycle-tool-empty = no tool is named: for none, write Q330=0
 cycle-tool-unquoted = { $text } is not a number, and a tool name needs quotation marks
 cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
 cycle-one-limit = { $given } is given without { $missing }: 0 would be the other limit

@@ -18,6 +18,7 @@ program-numbers = block number { $number } follows { $previous }; block numbers 
 program-label-again = LBL { $label } is already defined in line { $first }
 program-unclosed-quote = the quotation mark is not closed
 program-open-end = the line ends in ~, but nothing follows
+program-cycle-cut-many = cycle { $cycle } ended in line { $line }, which has no ~ at its end: the lines from { $parameter } on, up to line { $last }, are not part of it and would be assigned instead. A ~ belongs at the end of every line of a cycle but its last
 program-cycle-cut = cycle { $cycle } ended in line { $line }, which has no ~ at its end: { $parameter } is not part of it and would be assigned instead
 program-no-star = the block does not end in *
 program-iso-no-end = the last block is missing: % with the name of the program
@@ -40,6 +41,7 @@ program-label-parameter = which label { $label } holds is known only while the p
 ## Why a block is not understood
 program-missing = { $wanted } is missing
 program-unexpected = expected { $wanted }, found { $found }
+program-speed-in-move = { $found } stands in a straight line: the speed of the spindle belongs into TOOL CALL
 program-left-over = unexpected text { $found }
 program-unknown-function = { $found } is not a function
 program-number-size = { $found } is too large

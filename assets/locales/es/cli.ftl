@@ -72,6 +72,7 @@ cli-not-an-input = { $name } = { $value }: se esperaba un número o un texto
 cli-given-twice = { $name } se da dos veces
 cli-option-of-standard = --{ $option } no tiene efecto con --source control: las tablas del control tienen una sola edición de ISO 286
 cli-set-twice = { $name } se fija dos veces
+cli-several-blocks = varios ciclos de medición, en las líneas { $blocks }: elija uno con --at LÍNEA
 cli-other-cycle = es el ciclo { $given }, no { $wanted }
 cli-not-predef = no se admite PREDEF para el parámetro { $name }
 cli-no-probe = la tabla de palpación no tiene el palpador { $number }

@@ -67,6 +67,7 @@ table-short-row = la fila termina antes de la columna { $name }: rellénela con 
 table-truncated = el archivo termina dentro de esta fila y sin [END]: puede estar cortado
 table-text-after-end = texto después de [END]: { $found }
 table-no-end = falta [END]
+table-no-lock = la tabla de herramientas no tiene la columna TL: una herramienta rota no se bloquea en ella
 table-no-unit = la tabla no indica su unidad: sus longitudes se leyeron como milímetros
 table-begin-word = { $word } no tiene significado conocido en la línea BEGIN
 table-width = la columna { $name } tiene aquí { $found } caracteres de ancho pero { $described } en la descripción; vale la línea de nombres de columnas
@@ -161,6 +162,7 @@ cycle-log-other-verdict = los valores del protocolo, redondeados a 0,0001 { $uni
 ## The block of a probing cycle
 block-none = no es un ciclo de palpación: una frase empieza con TCH PROBE y un número, o con G785
 block-inches = la frase es de un programa en pulgadas pero se leería en mm: ejecute el programa
+block-none-at = esta línea no es de ningún ciclo de medición: empiezan en las líneas { $blocks }
 block-second = segundo ciclo de palpación: indique uno cada vez; el primero empieza en la línea { $first }
 block-unknown-cycle = TCH PROBE { $given }: los ciclos son { $known }
 block-not-a-parameter = { $given } no es un parámetro: escríbalo como { $example }

@@ -41,6 +41,7 @@ cycle-one-of = se esperaba uno de { $allowed }
 cycle-tool-range = un número de herramienta de 0 a 99999.9, o un nombre de herramienta de 255 caracteres como máximo
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } no llama a ninguna herramienta: escriba su número o su nombre
+cycle-tool-empty = no se nombra ninguna herramienta: para ninguna, escriba Q330=0
 cycle-tool-unquoted = { $text } no es un número, y un nombre de herramienta necesita comillas
 cycle-no-diameter = { $key } { $name } = 0 mm: un círculo necesita un diámetro mayor que 0
 cycle-one-limit = se da { $given } sin { $missing }: el otro límite sería 0

@@ -18,6 +18,7 @@ program-numbers = el número de frase { $number } sigue a { $previous }; número
 program-label-again = LBL { $label } ya está definido en la línea { $first }
 program-unclosed-quote = las comillas no están cerradas
 program-open-end = la línea termina en ~, pero no sigue nada
+program-cycle-cut-many = el ciclo { $cycle } terminó en la línea { $line }, que no tiene ~ al final: las líneas desde { $parameter } hasta la { $last } no forman parte de él y en su lugar se asignarían. Cada línea de un ciclo termina en ~, salvo la última
 program-cycle-cut = el ciclo { $cycle } terminó en la línea { $line }, que no tiene ~ al final: { $parameter } no forma parte de él y en su lugar se asignaría
 program-no-star = la frase no termina en *
 program-iso-no-end = falta la última frase: % con el nombre del programa
@@ -40,6 +41,7 @@ program-label-parameter = qué label contiene { $label } solo se sabe mientras s
 ## Why a block is not understood
 program-missing = falta { $wanted }
 program-unexpected = se esperaba { $wanted }, se encontró { $found }
+program-speed-in-move = { $found } está en una recta: la velocidad del husillo va en TOOL CALL
 program-left-over = texto inesperado { $found }
 program-unknown-function = { $found } no es una función
 program-number-size = { $found } es demasiado grande

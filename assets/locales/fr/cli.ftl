@@ -72,6 +72,7 @@ cli-not-an-input = { $name } = { $value } : nombre ou texte attendu
 cli-given-twice = { $name } est donné deux fois
 cli-option-of-standard = --{ $option } n'a pas d'effet avec --source control : les tables de la commande ont une seule édition d'ISO 286
 cli-set-twice = { $name } est défini deux fois
+cli-several-blocks = plusieurs cycles de mesure, aux lignes { $blocks } : en choisir un par --at LIGNE
 cli-other-cycle = c'est le cycle { $given }, et non { $wanted }
 cli-not-predef = PREDEF n'est pas admis pour le paramètre { $name }
 cli-no-probe = le tableau de palpeurs n'a pas de palpeur { $number }

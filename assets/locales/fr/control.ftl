@@ -67,6 +67,7 @@ table-short-row = la rangée finit avant la colonne { $name } : la remplir d'es
 table-truncated = le fichier finit dans cette rangée et sans [END] : il est peut-être tronqué
 table-text-after-end = texte après [END] : { $found }
 table-no-end = [END] manque
+table-no-lock = le tableau d'outils n'a pas de colonne TL : un outil cassé n'y est pas verrouillé
 table-no-unit = la table n'indique pas son unité : ses longueurs ont été lues en millimètres
 table-begin-word = { $word } n'a pas de signification connue dans la ligne BEGIN
 table-width = la colonne { $name } a ici { $found } caractères mais { $described } dans la description ; la ligne des noms de colonnes s'applique
@@ -161,6 +162,7 @@ cycle-log-other-verdict = les valeurs du procès-verbal, arrondies à 0,0001 { $
 ## La séquence d'un cycle de palpage
 block-none = pas un cycle de palpage : une séquence commence par TCH PROBE et un numéro, ou par G785
 block-inches = la séquence est d'un programme en pouces mais serait lue en mm : exécuter le programme
+block-none-at = cette ligne n'est d'aucun cycle de mesure : ils commencent aux lignes { $blocks }
 block-second = second cycle de palpage : en donner un seul à la fois ; le premier commence à la ligne { $first }
 block-unknown-cycle = TCH PROBE { $given } : les cycles sont { $known }
 block-not-a-parameter = { $given } n'est pas un paramètre : l'écrire comme { $example }

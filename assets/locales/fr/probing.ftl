@@ -41,6 +41,7 @@ cycle-one-of = une valeur parmi { $allowed } est attendue
 cycle-tool-range = un numéro d'outil de 0 à 99999.9, ou un nom d'outil d'au plus 255 caractères
 cycle-not-a-value = { $key } { $name } : { $error }
 cycle-tool-no-name = { $text } n'appelle aucun outil : écrire son numéro ou son nom
+cycle-tool-empty = aucun outil n'est nommé : pour aucun, écrire Q330=0
 cycle-tool-unquoted = { $text } n'est pas un nombre, et un nom d'outil se met entre guillemets
 cycle-no-diameter = { $key } { $name } = 0 mm : un cercle demande un diamètre supérieur à 0
 cycle-one-limit = { $given } est donné sans { $missing } : 0 serait l'autre limite

@@ -18,6 +18,7 @@ program-numbers = le numéro de séquence { $number } suit { $previous } ; num�
 program-label-again = LBL { $label } est déjà défini à la ligne { $first }
 program-unclosed-quote = le guillemet n'est pas fermé
 program-open-end = la ligne finit par ~, mais rien ne suit
+program-cycle-cut-many = le cycle { $cycle } a fini à la ligne { $line }, qui n'a pas de ~ à la fin : les lignes à partir de { $parameter }, jusqu'à la ligne { $last }, n'en font pas partie et seraient affectées à la place. Chaque ligne d'un cycle finit par ~, sauf la dernière
 program-cycle-cut = le cycle { $cycle } a fini à la ligne { $line }, qui n'a pas de ~ à la fin : { $parameter } n'en fait pas partie et serait affecté à la place
 program-no-star = la séquence ne finit pas par *
 program-iso-no-end = la dernière séquence manque : % avec le nom du programme
@@ -40,6 +41,7 @@ program-label-parameter = le label contenu dans { $label } n'est connu que penda
 ## Pourquoi une séquence n'est pas comprise
 program-missing = manquant : { $wanted }
 program-unexpected = attendu : { $wanted }, trouvé : { $found }
+program-speed-in-move = { $found } est dans une droite : la vitesse de broche appartient à TOOL CALL
 program-left-over = texte inattendu { $found }
 program-unknown-function = { $found } n'est pas une fonction
 program-number-size = { $found } est trop grand

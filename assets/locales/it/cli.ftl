@@ -72,6 +72,7 @@ cli-not-an-input = { $name } = { $value }: atteso un numero o un testo
 cli-given-twice = { $name } è indicato due volte
 cli-option-of-standard = --{ $option } non ha effetto con --source control: le tabelle del controllo numerico hanno una sola edizione di ISO 286
 cli-set-twice = { $name } è impostato due volte
+cli-several-blocks = più cicli di misura, alle righe { $blocks }: sceglierne uno con --at RIGA
 cli-other-cycle = è il ciclo { $given }, non { $wanted }
 cli-not-predef = PREDEF non è ammesso per il parametro { $name }
 cli-no-probe = la tabella di tastatura non ha il sistema di tastatura { $number }

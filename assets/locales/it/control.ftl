@@ -67,6 +67,7 @@ table-short-row = la riga finisce prima della colonna { $name }: riempirla con s
 table-truncated = il file finisce in questa riga e senza [END]: può essere troncato
 table-text-after-end = testo dopo [END]: { $found }
 table-no-end = manca [END]
+table-no-lock = la tabella utensili non ha la colonna TL: un utensile rotto non vi viene bloccato
 table-no-unit = la tabella non indica la sua unità: le lunghezze sono state lette come millimetri
 table-begin-word = { $word } non ha un significato noto nella linea BEGIN
 table-width = la colonna { $name } è qui larga { $found } caratteri ma { $described } nella descrizione; vale la linea dei nomi delle colonne
@@ -161,6 +162,7 @@ cycle-log-other-verdict = i valori del protocollo, arrotondati a 0,0001 { $unit 
 ## Il blocco di un ciclo di tastatura
 block-none = non è un ciclo di tastatura: un blocco comincia con TCH PROBE e un numero, o con G785
 block-inches = il blocco appartiene a un programma in pollici ma verrebbe letto in mm: eseguire il programma
+block-none-at = questa riga non è di alcun ciclo di misura: iniziano alle righe { $blocks }
 block-second = secondo ciclo di tastatura: indicarne uno alla volta; il primo comincia alla linea { $first }
 block-unknown-cycle = TCH PROBE { $given }: i cicli sono { $known }
 block-not-a-parameter = { $given } non è un parametro: scriverlo come { $example }

@@ -41,6 +41,7 @@ cycle-one-of = atteso uno tra { $allowed }
 cycle-tool-range = un numero utensile da 0 a 99999.9, o un nome utensile di al massimo 255 caratteri
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } non chiama alcun utensile: scriverne il numero o il nome
+cycle-tool-empty = nessun utensile indicato: per nessuno scrivere Q330=0
 cycle-tool-unquoted = { $text } non è un numero, e un nome utensile richiede virgolette
 cycle-no-diameter = { $key } { $name } = 0 mm: un cerchio richiede un diametro maggiore di 0
 cycle-one-limit = { $given } è indicato senza { $missing }: l'altro limite sarebbe 0

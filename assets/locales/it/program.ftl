@@ -18,6 +18,7 @@ program-numbers = il blocco numero { $number } segue { $previous }; numeri di bl
 program-label-again = LBL { $label } è già definita alla linea { $first }
 program-unclosed-quote = le virgolette non sono chiuse
 program-open-end = la linea finisce con ~, ma non segue nulla
+program-cycle-cut-many = il ciclo { $cycle } è finito alla linea { $line }, che non ha ~ alla fine: le linee da { $parameter } fino alla { $last } non ne fanno parte e verrebbero invece assegnate. Ogni linea di un ciclo finisce con ~, tranne l'ultima
 program-cycle-cut = il ciclo { $cycle } è finito alla linea { $line }, che non ha ~ alla fine: { $parameter } non ne fa parte e verrebbe invece assegnato
 program-no-star = il blocco non finisce con *
 program-iso-no-end = manca l'ultimo blocco: % con il nome del programma
@@ -40,6 +41,7 @@ program-label-parameter = quale label contenga { $label } è noto solo durante l
 ## Perché un blocco non è compreso
 program-missing = manca { $wanted }
 program-unexpected = atteso { $wanted }, trovato { $found }
+program-speed-in-move = { $found } è in una retta: la velocità del mandrino va in TOOL CALL
 program-left-over = testo inatteso { $found }
 program-unknown-function = { $found } non è una funzione
 program-number-size = { $found } è troppo grande

@@ -72,6 +72,7 @@ cli-not-an-input = { $name } = { $value }: een getal of een tekst verwacht
 cli-given-twice = { $name } is twee keer opgegeven
 cli-option-of-standard = --{ $option } heeft geen effect met --source control: de tabellen van de besturing hebben één uitgave van ISO 286
 cli-set-twice = { $name } is twee keer ingesteld
+cli-several-blocks = meerdere meetcycli, op de regels { $blocks }: kies er een met --at REGEL
 cli-other-cycle = dit is cyclus { $given }, niet { $wanted }
 cli-not-predef = voor parameter { $name } is PREDEF niet toegestaan
 cli-no-probe = de tastsysteemtabel heeft geen tastsysteem { $number }

@@ -67,6 +67,7 @@ table-short-row = de rij eindigt vóór kolom { $name }: vul de rij aan met spat
 table-truncated = het bestand eindigt midden in deze rij, zonder [END]: misschien is het afgekapt
 table-text-after-end = tekst na [END]: { $found }
 table-no-end = [END] ontbreekt
+table-no-lock = de gereedschapstabel heeft geen kolom TL: een gebroken gereedschap wordt er niet in geblokkeerd
 table-no-unit = de tabel noemt haar eenheid niet: de lengten zijn als millimeters gelezen
 table-begin-word = { $word } heeft in de BEGIN-regel geen bekende betekenis
 table-width = kolom { $name } is hier { $found } tekens breed, maar in de beschrijving { $described }; de regel met kolomnamen geldt
@@ -161,6 +162,7 @@ cycle-log-other-verdict = de waarden in het meetprotocol, afgerond op 0,0001 { $
 ## The block of a probing cycle
 block-none = geen tastcyclus: een NC-regel begint met TCH PROBE en een nummer, of met G785
 block-inches = de NC-regel hoort bij een programma in inch, maar zou in mm worden gelezen: voer het programma uit
+block-none-at = deze regel hoort bij geen meetcyclus: ze beginnen op de regels { $blocks }
 block-second = tweede tastcyclus: geef er één tegelijk op; de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }
 block-not-a-parameter = { $given } is geen parameter: schrijf een parameter zoals { $example }

@@ -40,6 +40,7 @@ cycle-one-of = een van { $allowed } verwacht
 cycle-tool-range = een gereedschapsnummer van 0 tot 99999,9, of een gereedschapsnaam van hoogstens 255 tekens
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } roept geen gereedschap op: geef het nummer, of de naam
+cycle-tool-empty = er is geen gereedschap genoemd: schrijf Q330=0 voor geen gereedschap
 cycle-tool-unquoted = { $text } is geen getal, en de naam van een gereedschap staat tussen aanhalingstekens
 cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter groter dan 0 nodig
 cycle-one-limit = { $given } is opgegeven zonder { $missing }: 0 zou de andere grens zijn

@@ -18,6 +18,7 @@ program-numbers = regelnummer { $number } volgt op { $previous }; regelnummers b
 program-label-again = LBL { $label } is al gedefinieerd in tekstregel { $first }
 program-unclosed-quote = het aanhalingsteken is niet gesloten
 program-open-end = de tekstregel eindigt op ~, maar er volgt niets meer
+program-cycle-cut-many = cyclus { $cycle } is in tekstregel { $line } geëindigd, omdat daar geen ~ aan het einde staat: de regels vanaf { $parameter } tot en met { $last } horen er niet bij en zouden worden toegekend. Elke regel van een cyclus eindigt op ~, behalve de laatste
 program-cycle-cut = cyclus { $cycle } is in tekstregel { $line } geëindigd, omdat daar geen ~ aan het einde staat: { $parameter } hoort er niet bij en zou worden toegekend
 program-no-star = de NC-regel eindigt niet op *
 program-iso-no-end = de laatste NC-regel ontbreekt: % met de naam van het programma
@@ -40,6 +41,7 @@ program-label-parameter = welk label { $label } bevat, is pas bekend terwijl het
 ## Waarom een NC-regel niet begrepen wordt
 program-missing = { $wanted } ontbreekt
 program-unexpected = { $wanted } verwacht, { $found } gevonden
+program-speed-in-move = { $found } staat in een rechte: het spiltoerental hoort in TOOL CALL
 program-left-over = onverwachte tekst { $found }
 program-unknown-function = { $found } is geen functie
 program-number-size = { $found } is te groot

@@ -81,6 +81,7 @@ cli-not-an-input = { $name } = { $value }: oczekiwana liczba lub tekst
 cli-given-twice = { $name } podano dwa razy
 cli-option-of-standard = --{ $option } nie działa z --source control: tabele sterowania mają jedno wydanie ISO 286
 cli-set-twice = { $name } ustawiono dwa razy
+cli-several-blocks = kilka cykli pomiarowych, w wierszach { $blocks }: wybierz jeden przez --at WIERSZ
 cli-other-cycle = to jest cykl { $given }, a nie { $wanted }
 cli-not-predef = PREDEF nie jest dozwolone dla parametru { $name }
 cli-no-probe = tabela sond nie ma sondy { $number }

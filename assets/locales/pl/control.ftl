@@ -97,6 +97,7 @@ table-short-row = wiersz kończy się przed kolumną { $name }: uzupełnić spac
 table-truncated = plik kończy się w tym wierszu i bez [END]: może być ucięty
 table-text-after-end = tekst po [END]: { $found }
 table-no-end = brakuje [END]
+table-no-lock = tabela narzędzi nie ma kolumny TL: złamane narzędzie nie zostanie w niej zablokowane
 table-no-unit = tabela nie podaje jednostki: jej długości odczytano w milimetrach
 table-begin-word = { $word } w linii BEGIN nie ma znanego znaczenia
 table-width = kolumna { $name } ma tu szerokość { $found }, a w opisie { $described } (w znakach); obowiązuje linia z nazwami kolumn
@@ -196,6 +197,7 @@ cycle-log-other-verdict = wartości protokołu, zaokrąglone do 0,0001 { $unit }
 ## The block of a probing cycle
 block-none = to nie cykl próbkowania: wiersz NC zaczyna się od TCH PROBE i numeru lub od G785
 block-inches = wiersz NC należy do programu w calach, a byłby czytany w mm: wykonać program
+block-none-at = ten wiersz nie należy do żadnego cyklu pomiarowego: zaczynają się w wierszach { $blocks }
 block-second = drugi cykl próbkowania: podawać po jednym; pierwszy zaczyna się w linii { $first }
 block-unknown-cycle = TCH PROBE { $given }: cykle to { $known }
 block-not-a-parameter = { $given } nie jest parametrem: wpisać jako { $example }

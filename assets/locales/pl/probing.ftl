@@ -43,6 +43,7 @@ cycle-one-of = oczekiwane jedno z { $allowed }
 cycle-tool-range = numer narzędzia od 0 do 99999,9 lub nazwa narzędzia do 255 znaków
 cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } nie wywołuje narzędzia: wpisać jego numer lub nazwę
+cycle-tool-empty = nie podano narzędzia: dla żadnego wpisz Q330=0
 cycle-tool-unquoted = { $text } nie jest liczbą, a nazwa narzędzia wymaga cudzysłowu
 cycle-no-diameter = { $key } { $name } = 0 mm: okrąg wymaga średnicy większej od 0
 cycle-one-limit = podano { $given } bez { $missing }: drugą granicą byłoby 0

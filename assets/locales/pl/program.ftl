@@ -23,6 +23,7 @@ program-numbers = wiersz NC numer { $number } następuje po { $previous }; numer
 program-label-again = LBL { $label } jest już zdefiniowany w linii { $first }
 program-unclosed-quote = cudzysłów nie jest zamknięty
 program-open-end = linia kończy się znakiem ~, ale nic po niej nie następuje
+program-cycle-cut-many = cykl { $cycle } skończył się w linii { $line }, która nie ma ~ na końcu: linie od { $parameter } do linii { $last } do niego nie należą i zostałyby przypisane. Każda linia cyklu kończy się znakiem ~, oprócz ostatniej
 program-cycle-cut = cykl { $cycle } skończył się w linii { $line }, która nie ma ~ na końcu: { $parameter } do niego nie należy i zostałby przypisany
 program-no-star = wiersz NC nie kończy się znakiem *
 program-iso-no-end = brakuje ostatniego wiersza NC: % z nazwą programu
@@ -45,6 +46,7 @@ program-label-parameter = label w { $label } jest znany dopiero podczas wykonani
 ## Why a block is not understood
 program-missing = brakuje: { $wanted }
 program-unexpected = oczekiwane: { $wanted }, jest { $found }
+program-speed-in-move = { $found } stoi w prostej: prędkość wrzeciona należy do TOOL CALL
 program-left-over = nieoczekiwany tekst { $found }
 program-unknown-function = { $found } nie jest funkcją
 program-number-size = { $found } jest za duże

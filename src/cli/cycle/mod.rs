@@ -26,7 +26,7 @@ use super::args::dialogue;
 use super::record::RecordArgs;
 use super::tools::ToolArgs;
 use super::{CliError, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, read_input};
-use crate::control::probe_block;
+use crate::control::probe_block::{self, ProbeBlockError, ProbeBlockFault};
 use crate::control::probe_table::ProbeTable;
 use crate::control::tool_table::{Changed, ToolChange};
 use crate::journal::entry::CycleCheck;
@@ -84,6 +84,9 @@ pub(super) struct Args {
     /// The cycle's block in an NC program, in any dialogue language; - reads standard input
     #[arg(long, value_name = "FILE.h", conflicts_with = "inputs")]
     block: Option<PathBuf>,
+    /// A line of the block to run, in a program with several
+    #[arg(long, value_name = "LINE", requires = "block")]
+    at: Option<usize>,
     #[command(flatten)]
     from: SourceArgs,
     /// Touch-probe table of a control, instead of the built-in one
@@ -283,7 +286,14 @@ impl Args {
     fn with_block(&self, inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
         let (name, bytes) = read_input(path, io)?;
         let text = decode(&bytes);
-        let block = probe_block::read(&text).about(&name)?;
+        let read = self.at.map_or_else(|| probe_block::read(&text), |line| probe_block::read_at(&text, line));
+        let block = match read {
+            Err(ProbeBlockError { what: ProbeBlockFault::SecondBlock { .. }, .. }) => {
+                let blocks = probe_block::beginnings(&text);
+                return Err(CliError::SeveralBlocks { blocks }).about(&name);
+            }
+            read => read.about(&name)?,
+        };
         if block.cycle.number != self.cycle.number {
             let other = CliError::OtherCycle { given: block.cycle.code, wanted: self.cycle.code };
             return Err(Located::in_line(block.line, other)).about(&name);

@@ -76,13 +76,7 @@ fn settings_of_machining_are_passed_over() {
         assert_eq!(passed(text), (words.to_owned(), Goes::default(), vec![]), "{text}");
     }
     // These touch files, run a program as a cycle, hand a value to the caller, or are unknown.
-    for text in [
-        "FN 37: EXPORT QS10",
-        "FUNCTION FILECOPY \"a\" TO \"b\"",
-        "FUNCTION FILEDELETE \"a\"",
-        "CYCL DEF 12.1 PGM A.H",
-        "PRESET COPY #1 TO #2",
-    ] {
+    for text in ["FN 37: EXPORT QS10", "FUNCTION FILECHECK \"a\"", "CYCL DEF 12.1 PGM A.H", "PRESET COPY #1 TO #2"] {
         assert_eq!(body(text), Body::Other, "{text}");
     }
 }

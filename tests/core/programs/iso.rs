@@ -142,7 +142,10 @@ fn d_functions_are_those_of_fn() {
         ("Q1 = Q2 * 3*", "Q1 = Q2 * 3"),
         ("Q1=SIN 30*(Q2-Q3)^2 *;area", "Q1 = SIN 30 * (Q2 - Q3)^2"),
         ("QS1 = \"a;b\" || QS2 *", "QS1 = \"a;b\" || QS2"),
-        ("D18 Q2 P01 1 *", "FN 18: SYSREAD Q2 = ID50 NR19 IDXQ1"),
+        ("D18 Q2 ID50 NR19 IDXQ1 *", "FN 18: SYSREAD Q2 = ID50 NR19 IDXQ1"),
+        ("D18 Q2 P01 1 *", "FN 18: SYSREAD Q2 = P01 1"),
+        ("D16 F-PRINT a.a/b.txt *", "FN 16: F-PRINT a.a / b.txt"),
+        ("D16 P01 F-PRINT a.a/SCREEN: *", "FN 16: F-PRINT a.a / SCREEN:"),
     ] {
         same(iso, klartext);
     }
@@ -341,7 +344,7 @@ fn what_is_not_understood_says_what_was_found() {
         ("G55 *", 1, "the ISO form of G55 is not known"),
         ("N10 G39 P01 12 *", 5, "the ISO form of G39 is not known"),
         ("D15 P01 +Q1 *", 2, "the ISO form of D15 is not known"),
-        ("D16 P01 F-PRINT a.a/b.txt *", 2, "the ISO form of D16 is not known"),
+        ("D26 P01 a.tab *", 2, "the ISO form of D26 is not known"),
         ("D26 TABOPEN a.tab *", 2, "the ISO form of D26 is not known"),
         ("N7 D28 Q1 *", 5, "the ISO form of D28 is not known"),
         ("G83 P01 5 *", 1, "G83 is not known"),

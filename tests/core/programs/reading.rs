@@ -3,7 +3,7 @@
 use fitcheck::control::variables::{Family, Parameter};
 use fitcheck::nc::program::{
     Axis, AxisWord, Body, Columns, Condition, CycleValue, Expression, Feed, MachineFunction, NumberFunction, Operand,
-    Operation, Program, Relation, Target, TextExpression, TextOperand, Tool, Unit,
+    Operation, Program, Relation, SystemDatum, Target, TextExpression, TextOperand, Tool, Unit,
 };
 
 /// The bodies between BEGIN and END; there must be no warning.
@@ -279,7 +279,12 @@ fn functions_for_errors_prints_and_tables() {
     check(&["FN 28: TABREAD Q10 = +Q22/QS1"], &read(q(22), Columns::Parameter(Parameter::qs(1))));
     let write = Body::TableWrite { row: number(40.0), columns: names(&["NAME"]), from: Parameter::qs(10) };
     check(&["FN 27: TABWRITE 40/\"NAME\" = QS10"], &write);
-    check(&["FN 18: SYSREAD Q1 = ID270 NR1 IDX1"], &Body::SystemRead { to: Parameter::q(1) });
+    let datum = SystemDatum { group: 270, number: Some(number(1.0)), index: Some(number(1.0)) };
+    let system = |datum| Body::SystemRead { to: Parameter::q(1), datum };
+    check(&["FN 18: SYSREAD Q1 = ID270 NR1 IDX1", "FN18 : SYSREAD Q1 = ID270 NR1 IDX+1"], &system(Some(datum)));
+    let by_parameter = SystemDatum { group: 50, number: Some(number(19.0)), index: Some(q(1)) };
+    check(&["FN 18: SYSREAD Q1 = ID50 NR19 IDXQ1"], &system(Some(by_parameter)));
+    check(&["FN 18: SYSREAD Q1 = SOMETHING ELSE"], &system(None));
     check(&["FN 25: PRESET", "FN 99: X"], &Body::Other);
 }
 

@@ -100,7 +100,10 @@ fn a_block_that_is_not_understood_tells_why() {
     check_block("1 TCH PROBE PLANE", "line 2, column 13: not understood: expected a number, found PLANE");
     check_block("1 TCH PROBE 421 A ~\n  Q5 ;x", "line 3, column 5: not understood: = is missing");
     check_block("1 TCH PROBE 421 A ~\n  Q5=* ;x", "line 3, column 6: not understood: expected a value, found *");
-    check_block("1 TCH PROBE 421 A ~\n5 M30", "line 3, column 1: not understood: expected a parameter, found 5");
+    check_block(
+        "1 TCH PROBE 421 A ~\n5 M30",
+        "line 3, column 1: the block above ends in ~, so this block would be part of it",
+    );
     check_block("1 Q1 = 5 + ~\n    foo", "line 3, column 5: not understood: foo is not a function");
     let large = format!("1 Q1 = {}", "9".repeat(400));
     check_block(&large, "line 2, column 8: not understood: 999999999999999999999999 is too large");
@@ -166,10 +169,15 @@ fn text_transfer_separates_lines_with_byte_0() {
 /// A hole of 25 H7 whose cycle lacks a `~` behind Q301, numbered and not: what was lost is said, and no run goes on.
 #[test]
 fn a_line_of_a_cycle_without_its_tilde_is_refused() {
-    let cut = |cycle: &str, parameter: &str, line: usize| {
+    let begins = |cycle: &str| format!("line 4, column 5: cycle {cycle} ended in line 3, which has no ~ at its end: ");
+    let cut = |cycle: &str, parameter: &str| {
+        format!("{}{parameter} is not part of it and would be assigned instead", begins(cycle))
+    };
+    let cut_many = |cycle: &str, parameter: &str| {
         format!(
-            "line {line}, column 5: cycle {cycle} ended in line 3, which has no ~ at its end: {parameter} is not part of it and \
-             would be assigned instead"
+            "{}the lines from {parameter} on, up to line 5, are not part of it and would be assigned instead. A ~ belongs at the \
+             end of every line of a cycle but its last",
+            begins(cycle)
         )
     };
     for (cycle, parameter) in [("421", "Q275"), ("422", "Q277"), ("427", "Q288"), ("444", "QS400")] {
@@ -181,15 +189,31 @@ fn a_line_of_a_cycle_without_its_tilde_is_refused() {
             );
             let (program, warnings) = Program::read(text.as_bytes()).unwrap();
             let said: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-            assert!(said.contains(&cut(cycle, parameter, 4)), "{text}{said:?}");
             assert_eq!(program.blocks()[2].body, Body::Other, "{text}");
-            // Without a ~ behind it, the next line is one more.
-            if !rest.ends_with('~') {
-                assert!(said.contains(&cut(cycle, "Q309", 5)), "{text}{said:?}");
+            // Without a ~ behind it, the next line is one more, and all of them are said once.
+            if rest.ends_with('~') {
+                assert!(said.contains(&cut(cycle, parameter)), "{text}{said:?}");
+            } else {
+                let cut: Vec<&String> = said.iter().filter(|said| said.contains("ended in line")).collect();
+                assert_eq!(cut, [&cut_many(cycle, parameter)], "{text}");
                 assert_eq!(program.blocks()[3].body, Body::Other, "{text}");
             }
         }
     }
+}
+
+#[test]
+fn a_tilde_too_many_at_the_end_of_a_cycle_is_said() {
+    let text = "0 BEGIN PGM a MM\n1 TCH PROBE 421 A ~\n Q273=+40 ~\n2 L Z+50 R0 FMAX\n3 END PGM a MM\n";
+    check(text, &["line 4, column 1: the block above ends in ~, so this block would be part of it"]);
+    let text = "BEGIN PGM a MM\nTCH PROBE 421 A ~\n Q273=+40 ~\nL Z+50 R0 FMAX\nEND PGM a MM\n";
+    check(text, &["line 4, column 1: the block above ends in ~, so this block would be part of it"]);
+}
+
+#[test]
+fn the_speed_of_another_control_is_said_to_belong_into_the_tool_call() {
+    let said = "line 2, column 18: not understood: S6000 stands in a straight line: the speed of the spindle belongs into TOOL CALL";
+    check_block("1 L X+10 R0 FMAX S6000 M3", said);
 }
 
 #[test]

@@ -8,9 +8,11 @@ use std::collections::BTreeMap;
 
 use fitcheck_core::message::{Located, Say};
 use fitcheck_core::probing::cycle::Control;
+use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::text::cut;
 
 use super::around::{Around, CarriedState, ChangingBlock, machining, reset_datum};
+use super::change::may_set_datum;
 use super::tool_call::Named;
 use crate::control::probe_block::ProbeBlock;
 use crate::program::{Block, Body, Course, MachineFunction, Operand, PassedOver, Program, Unread};
@@ -225,6 +227,13 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
             Some(number) => around.turning(number, made()),
             None => around.lose_system(made),
         },
+        Body::Probe(cycle) => {
+            let known = cycles_of(Control::Milling).find(|known| known.code == cycle.number);
+            if !known.map_or_else(|| may_set_datum(&cycle.number), |known| known.sets_datum()) {
+                return Before::Nothing;
+            }
+            around.lose_system(made);
+        }
         Body::Other => {
             return match program.unread(at) {
                 Unread::Flow => Before::Called,
@@ -254,10 +263,10 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
         | Body::ReadNoFurther
         | Body::Error(_)
         | Body::Print { .. }
+        | Body::File(_)
         | Body::TableOpen(_)
         | Body::TableRead { .. }
         | Body::TableWrite { .. }
-        | Body::Probe(_)
         | Body::GlobalDefinition(_)
         | Body::SystemRead { .. } => return Before::Nothing,
     }

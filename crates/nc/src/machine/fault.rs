@@ -101,6 +101,11 @@ pub enum FaultKind {
         /// The cycles that it runs.
         known: String,
     },
+    /// A program copies, moves or deletes the table that FN 26 has opened: what FN 27 has changed is not in its file yet.
+    FileOpen {
+        /// The file.
+        path: NcPath,
+    },
     /// The program has no end, or not even a beginning.
     Broken {
         /// The block that is missing.
@@ -122,6 +127,8 @@ pub enum FaultKind {
         /// What it holds.
         value: f64,
     },
+    /// A parameter that holds a measure of the tool in the spindle, which only a tool table knows.
+    NoToolData(#[say(name = "parameter")] Parameter),
     /// A parameter without a value.
     Undefined(#[say(name = "parameter")] Parameter),
     /// A parameter that a block may have set which was not run.

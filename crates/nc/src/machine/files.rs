@@ -108,6 +108,18 @@ impl Files {
         }
     }
 
+    /// Whether anything is written.
+    pub(super) fn writes(&self) -> bool {
+        self.store.writes()
+    }
+
+    /// Deletes a file that the run may write.
+    pub(super) fn remove(&mut self, path: &NcPath) -> Result<(), FaultKind> {
+        self.spend(LEAST)?;
+        self.origins.remove(path);
+        Ok(self.store.remove(path)?)
+    }
+
     /// Counts the folders on the way to a file: a program could make some thousand a second.
     fn enter(&mut self, path: &NcPath) -> Result<(), UsedUp> {
         let mut folder = String::new();

@@ -84,6 +84,26 @@ impl NcPath {
         normalised(path, &folder)
     }
 
+    /// A path on another device as one below the root: `RS232:\PRO1.A`, `PC325:\LOG\PRO1.TXT`, `\\server\share\PRO1.TXT`, `PRT:`. `None`
+    /// where a part of it is no name, or leads out.
+    ///
+    /// ```
+    /// use fitcheck_nc::machine::NcPath;
+    ///
+    /// assert_eq!(NcPath::tamed(r"PC325:\LOG\PRO1.TXT").unwrap().to_string(), r"TNC:\PC325\LOG\PRO1.TXT");
+    /// assert_eq!(NcPath::tamed("PRT:").unwrap().to_string(), r"TNC:\PRT.TXT");
+    /// assert_eq!(NcPath::tamed(r"PC325:\..\PRO1.TXT"), None);
+    /// ```
+    pub fn tamed(path: &str) -> Option<Self> {
+        let parts: Vec<&str> = path.trim().split(['\\', '/', ':']).filter(|part| !part.is_empty()).collect();
+        match parts.as_slice() {
+            [] => None,
+            parts if parts.iter().any(|part| matches!(*part, "." | "..")) => None,
+            [device] => Self::new(&format!("{DRIVE}\\{device}.TXT")).ok(),
+            parts => Self::new(&format!("{DRIVE}\\{}", parts.join("\\"))).ok(),
+        }
+    }
+
     /// Folders and file name, from the root.
     pub fn parts(&self) -> impl DoubleEndedIterator<Item = &str> {
         self.0.split('\\')

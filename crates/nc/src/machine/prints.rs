@@ -110,6 +110,13 @@ impl Prints {
         Ok(())
     }
 
+    /// A file is no longer there: what was printed to it is in no file.
+    pub(super) fn removed(&mut self, path: &NcPath) {
+        self.open.remove(path);
+        self.marked.remove(path);
+        self.outputs.iter_mut().filter(|output| output.path == *path).for_each(|output| output.is_saved = false);
+    }
+
     /// Keeps the text that was printed to a file.
     pub(super) fn keep(&mut self, output: Written) {
         self.outputs.push(output);
@@ -162,7 +169,13 @@ pub(super) fn rendered(
     files: &mut Files,
 ) -> Result<(Output, Vec<Remark>), FaultKind> {
     let broken = |error| FaultKind::Mask { mask: mask.clone(), error: Box::new(error) };
-    let (read, mut warnings) = Mask::read(&files.read(mask)?).map_err(broken)?;
+    let bytes = files.read(mask)?;
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        // Programs make an empty file with it.
+        let output = Output { text: String::new(), file: FileUse::Replace, close: false };
+        return Ok((output, vec![Remark::EmptyMask { mask: mask.clone() }]));
+    }
+    let (read, mut warnings) = Mask::read(&bytes).map_err(broken)?;
     // The masks of NC-Solution 8255 have such a line; nothing of it is lost.
     warnings.retain(|warning| warning.what != MaskWarningKind::NoSemicolon);
     let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };

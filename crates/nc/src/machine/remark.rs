@@ -149,6 +149,27 @@ pub enum Remark {
         /// The file.
         path: NcPath,
     },
+    /// A program deletes a file: it has done so.
+    Deleted {
+        /// The file.
+        path: NcPath,
+    },
+    /// A program deletes a file: no folder was chosen in which it may.
+    NotDeleted {
+        /// The file.
+        path: NcPath,
+    },
+    /// FN 16 prints to an interface, a network drive or a printer: that is a file below the output folder here.
+    OtherDevice {
+        /// As the program names it.
+        given: String,
+        /// The file.
+        path: NcPath,
+    },
+    /// FN 16 prints to `SCREEN` without its colon, which is a file.
+    ScreenMeant,
+    /// A mask has no line: what FN 16 prints is an empty file.
+    EmptyMask { mask: NcPath },
     /// A measuring log, or a table that FN 27 has changed before the run failed, could not be written.
     NotSaved {
         /// The file.

@@ -37,6 +37,20 @@ pub trait Store: Send {
     fn write(&mut self, _path: &NcPath, _bytes: &[u8], _how: FileUse) -> Result<usize, StoreError> {
         Err(StoreError::ReadOnly)
     }
+
+    /// Whether it writes at all. The default implementation does not.
+    fn writes(&self) -> bool {
+        false
+    }
+
+    /// Deletes a file that it may write. The default implementation deletes nothing.
+    ///
+    /// # Errors
+    /// [`StoreError::Elsewhere`] for a file that only is read, [`StoreError::ReadOnly`] if nothing is written, others if there is no such
+    /// file or deleting failed.
+    fn remove(&mut self, _path: &NcPath) -> Result<(), StoreError> {
+        Err(StoreError::ReadOnly)
+    }
 }
 
 /// Where a file comes from.
@@ -111,6 +125,8 @@ pub enum StoreError {
     Ambiguous { path: NcPath, names: String },
     /// No folder was chosen for outputs.
     ReadOnly,
+    /// A file to delete that is not in the folder for outputs.
+    Elsewhere { path: NcPath },
     /// The system reported an error.
     System {
         path: NcPath,
@@ -134,6 +150,14 @@ impl Store for Box<dyn Store> {
 
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
         self.as_mut().write(path, bytes, how)
+    }
+
+    fn writes(&self) -> bool {
+        self.as_ref().writes()
+    }
+
+    fn remove(&mut self, path: &NcPath) -> Result<(), StoreError> {
+        self.as_mut().remove(path)
     }
 }
 
@@ -220,5 +244,19 @@ impl Store for InMemory {
         let size = whole.len();
         self.0.insert(path.to_string().to_ascii_lowercase(), whole);
         Ok(size)
+    }
+
+    fn writes(&self) -> bool {
+        true
+    }
+
+    fn remove(&mut self, path: &NcPath) -> Result<(), StoreError> {
+        let whole = self.0.remove(&path.to_string().to_ascii_lowercase());
+        let removed = whole.or_else(|| self.0.remove(&path.file_name().to_ascii_lowercase()));
+        match removed {
+            Some(_bytes) => Ok(()),
+            None if Shipped.read(path).is_ok() => Err(StoreError::Elsewhere { path: path.clone() }),
+            None => Err(StoreError::missing(path)),
+        }
     }
 }

@@ -11,7 +11,9 @@ use super::around::ChangingBlock;
 use super::fault::{BlockPlace, FaultKind};
 use super::remark::{Remark, Remarks};
 use super::values::Values;
-use crate::control::tool_table::{Changed, Monitored, PROBE, ToolChange, ToolFault, ToolNumber, ToolTable};
+use crate::control::tool_table::{
+    Changed, Monitored, PROBE, Tool as TableTool, ToolChange, ToolFault, ToolNumber, ToolTable,
+};
 use crate::program::Tool;
 
 /// A change of the tool table, and the block of the cycle that made it.
@@ -28,13 +30,15 @@ pub(super) struct Tools {
     changes: Vec<ToolChanged>,
     /// The row of the tool that was called last, until a cycle has asked for it.
     called: Option<usize>,
+    /// The same, until another one is called.
+    in_spindle: Option<usize>,
     /// A block that was not run may have changed the table.
     lost: Option<Arc<ChangingBlock>>,
 }
 
 impl Tools {
     pub(super) const fn new(table: Option<ToolTable>) -> Self {
-        Self { table, changes: Vec::new(), called: None, lost: None }
+        Self { table, changes: Vec::new(), called: None, in_spindle: None, lost: None }
     }
 
     pub(super) const fn table(&self) -> Option<&ToolTable> {
@@ -68,12 +72,18 @@ impl Tools {
             }
         };
         self.called = row;
+        self.in_spindle = row;
         Ok(match self.called {
             // The number of a tool is a name: it keeps its point in every language.
             None => vec![Remark::NoSuchTool { tool: Arg::Text(shown) }],
             Some(_) if 0 < more => vec![Remark::SameName { tool: shown, more }],
             Some(_) => Vec::new(),
         })
+    }
+
+    /// What the table says of the tool that was called last.
+    pub(super) fn in_spindle(&self) -> Option<&TableTool> {
+        self.table.as_ref()?.tools().get(self.in_spindle?)
     }
 
     /// Remarks about the called tool before a cycle, made once per call.

@@ -43,6 +43,28 @@ impl fmt::Display for Unit {
     }
 }
 
+/// What FN 18 asks the control for: `ID50 NR2 IDX5`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SystemDatum {
+    /// ID: the group.
+    pub group: u32,
+    /// NR: which value of it.
+    pub number: Option<Operand>,
+    /// IDX: of which axis or tool.
+    pub index: Option<Operand>,
+}
+
+/// What a block does with files.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FileFunction {
+    /// `FUNCTION FILECOPY "a" TO "b"`
+    Copy { from: TextOperand, to: TextOperand },
+    /// `FUNCTION FILEMOVE "a" TO "b"`
+    Move { from: TextOperand, to: TextOperand },
+    /// `FUNCTION FILEDELETE "a"`
+    Delete(TextOperand),
+}
+
 /// What a block says.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
@@ -133,6 +155,8 @@ pub enum Body {
         /// `SCREEN:`, `SCLR:`, or the output's path.
         output: TextOperand,
     },
+    /// `FUNCTION FILECOPY`, `FILEMOVE`, `FILEDELETE`
+    File(FileFunction),
     /// `FN 26: TABOPEN path`
     TableOpen(TextOperand),
     /// `FN 28: TABREAD Q10 = 6/"X,Y,D"`
@@ -180,6 +204,8 @@ pub enum Body {
     SystemRead {
         /// The parameter that it goes to.
         to: Parameter,
+        /// What is asked for; `None` where it is written in another form.
+        datum: Option<SystemDatum>,
     },
     /// A block that changes nothing that a measurement depends on.
     PassedOver(PassedOver),

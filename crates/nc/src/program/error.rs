@@ -91,6 +91,16 @@ pub enum ProgramWarningKind {
         /// What is assigned.
         parameter: Parameter,
     },
+    /// Several lines of a cycle that do not belong to it, because the line before them has no `~`.
+    CycleCutMany {
+        cycle: String,
+        /// The cycle's last line.
+        line: usize,
+        /// What is assigned first.
+        parameter: Parameter,
+        /// The last of these lines.
+        last: usize,
+    },
     /// A block of an ISO program without the `*` at its end.
     NoStar,
     /// An ISO program without its last block, `N99999999 %NAME G71 *`.

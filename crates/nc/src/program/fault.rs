@@ -18,6 +18,8 @@ pub enum BlockFault {
     },
     /// The block is complete, but text follows.
     LeftOver { found: String },
+    /// `S6000` in a straight line: the speed stands in TOOL CALL.
+    SpeedInMove { found: String },
     /// A word in a formula that is not one of its functions.
     UnknownFunction {
         /// The word.

@@ -75,7 +75,7 @@ pub mod write;
 mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
-pub use block::{Block, Body, Columns, Condition, Target, Tool, Unit};
+pub use block::{Block, Body, Columns, Condition, FileFunction, SystemDatum, Target, Tool, Unit};
 pub use course::Course;
 pub use cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};

@@ -115,11 +115,11 @@ fn klartext(code: &str) -> Unread {
     Unread::Anything(named(code))
 }
 
-/// `FUNCTION FILECOPY`, `FUNCTION FILEDELETE`, `FUNCTION FILEMOVE`
+/// `FUNCTION FILECOPY` and its kin, where they are not understood.
 fn is_file_function(code: &str) -> bool {
     let mut cursor = Cursor::new(code);
     cursor.take_word("FUNCTION")
-        && ["FILE", "FILECOPY", "FILEDELETE", "FILEMOVE"].iter().any(|word| cursor.take_word(word))
+        && ["FILE", "FILECHECK", "FILECOPY", "FILEDELETE", "FILEMOVE"].iter().any(|word| cursor.take_word(word))
 }
 
 /// FN and D of a number.

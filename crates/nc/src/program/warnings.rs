@@ -41,8 +41,14 @@ pub(super) struct Warnings {
 
 impl Warnings {
     pub(super) fn add(&mut self, place: TextPlace, what: impl FnOnce() -> ProgramWarningKind) {
+        let what = what();
+        if let Some((_, kept)) = self.kept.last_mut()
+            && go_on(kept, &what, place.line)
+        {
+            return;
+        }
         if self.kept.len() < MOST_WARNINGS {
-            self.kept.push((place, what()));
+            self.kept.push((place, what));
         } else {
             self.dropped += 1;
         }
@@ -55,4 +61,18 @@ impl Warnings {
         }
         self.kept.into_iter().map(|(place, what)| ProgramWarning { what, place: place.into() }).collect()
     }
+}
+
+/// Whether a warning is another one of the same cycle that ended too early, in this line: one of them names the lines up to it.
+fn go_on(kept: &mut ProgramWarningKind, more: &ProgramWarningKind, last: usize) -> bool {
+    use ProgramWarningKind::{CycleCut, CycleCutMany};
+    let CycleCut { line: ended, .. } = more else { return false };
+    let (CycleCut { cycle, line, parameter } | CycleCutMany { cycle, line, parameter, .. }) = &*kept else {
+        return false;
+    };
+    if line != ended {
+        return false;
+    }
+    *kept = CycleCutMany { cycle: cycle.clone(), line: *line, parameter: *parameter, last };
+    true
 }

@@ -4,7 +4,7 @@
 //! signs, blanks in formulas, cycle lines indented by four, parameter and value padded to ten characters. The text
 //! reads back as the same body. A program that was read is not written here: it keeps its text.
 
-use super::block::{Body, Columns, Condition, Tool};
+use super::block::{Body, Columns, Condition, FileFunction, Tool};
 use super::cycle_block::{CycleBlock, CycleValue};
 use super::expression::TextExpression;
 use super::movement::{AxisWord, Feed, MachineFunction, Movement};
@@ -131,6 +131,13 @@ fn said(body: &Body) -> String {
         Body::Print { mask, output } => {
             format!("FN 16: F-PRINT {} / {}", path_operand(mask), path_operand(output))
         }
+        Body::File(FileFunction::Copy { from, to }) => {
+            format!("FUNCTION FILECOPY {} TO {}", text_operand(from), text_operand(to))
+        }
+        Body::File(FileFunction::Move { from, to }) => {
+            format!("FUNCTION FILEMOVE {} TO {}", text_operand(from), text_operand(to))
+        }
+        Body::File(FileFunction::Delete(path)) => format!("FUNCTION FILEDELETE {}", text_operand(path)),
         Body::TableOpen(path) => format!("FN 26: TABOPEN {}", path_operand(path)),
         Body::TableRead { to, row, columns } => format!("FN 28: TABREAD {to} = {}", cell(*row, columns)),
         Body::TableWrite { row, columns, from } => format!("FN 27: TABWRITE {} = {from}", cell(*row, columns)),

@@ -126,6 +126,26 @@ impl Store for Folders {
         written.map_err(|error| of_file(error, path))?;
         Ok(whole.len())
     }
+
+    fn writes(&self) -> bool {
+        self.writing.is_some()
+    }
+
+    fn remove(&mut self, path: &NcPath) -> Result<(), StoreError> {
+        let writing = self.writing.as_ref().ok_or(StoreError::ReadOnly)?;
+        let file = match self.find(path)? {
+            Some((folder, found)) if folder == writing => inside(folder, &found, path)?,
+            Some(_) => return Err(StoreError::Elsewhere { path: path.clone() }),
+            None if self.origin(path) == Origin::Given(None) || Shipped.read(path).is_ok() && !self.is_alone => {
+                return Err(StoreError::Elsewhere { path: path.clone() });
+            }
+            None => return Err(StoreError::Missing { path: path.clone() }),
+        };
+        if !file.is_file() {
+            return Err(StoreError::NoFile { path: path.clone() });
+        }
+        std::fs::remove_file(&file).map_err(|error| of_file(system(&file, &error), path))
+    }
 }
 
 /// A look-up of one path: nothing is asked of the system twice, however often the same folders come on the way.

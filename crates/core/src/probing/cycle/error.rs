@@ -17,6 +17,8 @@ pub(crate) enum ToolFault {
         /// The text.
         text: String,
     },
+    /// A name without a character.
+    Empty,
     /// A word in a block that is no number.
     Unquoted {
         /// The text.

@@ -259,7 +259,7 @@ impl Parameter {
                 (None, None) => Err(no_number(text).message()),
             },
             Range::Number { .. } => number(text).map(Value::Number).ok_or_else(|| no_number(text).message()),
-            Range::Tool if text.trim().is_empty() => Err(LengthError::Empty.message()),
+            Range::Tool if text.trim().is_empty() => Err(ToolFault::Empty.message()),
             Range::Tool => match number(text) {
                 Some(number) => Ok(Value::Number(number)),
                 None if is_tool_name(text.trim()) => Ok(Value::Text(text.trim().to_owned())),

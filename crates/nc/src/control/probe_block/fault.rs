@@ -22,6 +22,12 @@ pub enum ProbeBlockFault {
         /// The line of the first one.
         first: usize,
     },
+    /// No block of a probing cycle has this line.
+    #[say(id = "block-none-at")]
+    NoBlockAt {
+        /// The lines that blocks of probing cycles begin on, each with its cycle.
+        blocks: String,
+    },
     /// The block of a program in inches: its lengths would be taken as mm.
     #[say(id = "block-inches")]
     Inches,

@@ -15,7 +15,7 @@ mod read;
 mod write;
 
 pub use fault::{ProbeBlockError, ProbeBlockFault};
-pub use read::{read, read_or_lines};
+pub use read::{beginnings, read, read_at, read_or_lines};
 pub use write::write;
 
 use fitcheck_core::message::{Message, Say, display};

@@ -29,7 +29,46 @@ const EXAMPLE: &str = "Q263=+35";
 /// [`ProbeBlockError`]: no block or two, an unknown cycle, a line that is not a parameter, a parameter given twice, a
 /// block that is cut off.
 pub fn read(text: &str) -> Result<ProbeBlock, ProbeBlockError> {
-    let mut reader = Reader::default();
+    read_with(text, Reader::default())
+}
+
+/// As [`read()`], of a program with several blocks the one that this line is of, from 1.
+///
+/// ```
+/// use fitcheck_nc::control::probe_block::{beginnings, read_at};
+///
+/// let text = "1 TCH PROBE 421 A ~\n  Q262=+25\n2 L Z+50\n3 TCH PROBE 422 B ~\n  Q262=+10";
+/// assert_eq!(read_at(text, 5)?.line, 4);
+/// assert!(read_at(text, 3).is_err());
+/// assert_eq!(beginnings(text), "1 (421), 4 (422)");
+/// # Ok::<(), fitcheck_nc::control::probe_block::ProbeBlockError>(())
+/// ```
+///
+/// # Errors
+/// [`ProbeBlockFault::NoBlockAt`] where no block has the line; those of [`read()`] for this block.
+pub fn read_at(text: &str, line: usize) -> Result<ProbeBlock, ProbeBlockError> {
+    let none = || ProbeBlockFault::NoBlockAt { blocks: beginnings(text) }.at(line);
+    let begins = heads(text).map(|(at, _)| at).take_while(|at| *at <= line).last().ok_or_else(none)?;
+    let block = read_with(text, Reader { only: Some(begins), ..Reader::default() })?;
+    let last = block.settings.iter().map(|setting| setting.line).max();
+    if last.unwrap_or(block.line).max(block.line) < line { Err(none()) } else { Ok(block) }
+}
+
+/// The lines that the blocks of probing cycles in a text begin on, from 1, each with its cycle.
+pub fn beginnings(text: &str) -> String {
+    let listed: Vec<String> = heads(text).map(|(line, cycle)| format!("{line} ({})", cycle.code)).collect();
+    listed.join(", ")
+}
+
+fn heads(text: &str) -> impl Iterator<Item = (usize, &'static Cycle)> {
+    lines(text).flat_map(|(number, line)| {
+        let (segments, _) = segments(line);
+        let of = |segment: &Segment<'_>| head(body(segment.code)).ok().flatten().map(|(cycle, _)| cycle);
+        segments.iter().find_map(of).map(|cycle| (number, cycle))
+    })
+}
+
+fn read_with(text: &str, mut reader: Reader) -> Result<ProbeBlock, ProbeBlockError> {
     for (number, line) in lines(text) {
         let (segments, is_closed) = segments(line);
         if MOST_PARTS < segments.len() {
@@ -126,6 +165,8 @@ struct Reader {
     block: Option<ProbeBlock>,
     unused: Option<Unused>,
     last: usize,
+    /// The line of the one block that counts, where it is known; others are left out.
+    only: Option<usize>,
 }
 
 impl Reader {
@@ -159,6 +200,9 @@ impl Reader {
 
     fn outside(&mut self, segment: &Segment<'_>, line: usize) -> Result<(), ProbeBlockError> {
         let body = body(segment.code);
+        if self.only.is_some_and(|only| only != line) {
+            return self.beside(segment, line);
+        }
         let Some((cycle, words)) = head(body).map_err(|fault| fault.at(line))? else {
             return self.beside(segment, line);
         };

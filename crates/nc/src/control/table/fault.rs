@@ -96,6 +96,8 @@ pub enum TableWarningKind {
     NoEnd,
     /// The BEGIN line has no unit, and the table has lengths.
     NoUnit,
+    /// A tool table has no column TL.
+    NoLock,
     /// A word in the BEGIN line that is neither unit, version nor mark; it is kept as the mark.
     BeginWord {
         /// The word or words.

@@ -19,7 +19,7 @@ pub(super) struct Columns {
     radius: usize,
     pub(super) delta_length: usize,
     pub(super) delta_radius: usize,
-    pub(super) lock: usize,
+    pub(super) lock: Option<usize>,
     replacement: Option<usize>,
     length_breakage: Option<usize>,
     radius_breakage: Option<usize>,
@@ -39,7 +39,7 @@ impl Columns {
             radius: column("R")?,
             delta_length: column(DeltaColumn::Length.name())?,
             delta_radius: column(DeltaColumn::Radius.name())?,
-            lock: column("TL")?,
+            lock: file.table.column("TL"),
             replacement: file.table.column("RT"),
             length_breakage: file.table.column(DeltaColumn::Length.breakage()),
             radius_breakage: file.table.column(DeltaColumn::Radius.breakage()),
@@ -132,11 +132,11 @@ impl<'a> ToolRow<'a> {
         Ok((Length::ZERO < most).then_some(most))
     }
 
-    fn is_locked(&self, column: usize) -> Result<bool, ToolTableError> {
-        match self.text(Some(column), "TL")? {
-            None | Some("0") => Ok(false),
-            Some("L" | "1") => Ok(true),
-            Some(given) => Err(self.fault(column, ToolTableFault::NoLock { given: given.to_owned() })),
+    fn is_locked(&self, column: Option<usize>) -> Result<bool, ToolTableError> {
+        match (self.text(column, "TL")?, column) {
+            (None | Some("0"), _) | (_, None) => Ok(false),
+            (Some("L" | "1"), _) => Ok(true),
+            (Some(given), Some(column)) => Err(self.fault(column, ToolTableFault::NoLock { given: given.to_owned() })),
         }
     }
 

@@ -134,10 +134,14 @@ impl ToolTable {
         let name: Arc<str> = file.into();
         let mut file = ControlTable::read_with_short_rows(bytes, &name)?;
         if file.table.unit.is_none() {
-            let place = FilePlace { file: Some(name), ..FilePlace::default() };
+            let place = FilePlace { file: Some(Arc::clone(&name)), ..FilePlace::default() };
             file.warnings.push(Located { what: TableWarningKind::NoUnit, place });
         }
         let columns = Columns::of(&file)?;
+        if columns.lock.is_none() {
+            let place = FilePlace { file: Some(Arc::clone(&name)), ..FilePlace::default() };
+            file.warnings.push(Located { what: TableWarningKind::NoLock, place });
+        }
         let mut tools = Vec::new();
         let mut numbers = BTreeMap::new();
         let mut names = BTreeMap::<_, Vec<_>>::new();
@@ -224,7 +228,9 @@ impl ToolTable {
         let Some(tool) = self.tools.get_mut(row) else { return };
         if !tool.is_locked {
             tool.is_locked = true;
-            self.put(row, self.columns.lock, LOCKED.to_owned(), |_text, _unit| false);
+            if let Some(column) = self.columns.lock {
+                self.put(row, column, LOCKED.to_owned(), |_text, _unit| false);
+            }
         }
     }
 

@@ -208,7 +208,7 @@ impl ToolTable {
             what,
         };
         if let Some(most) = breakage.filter(|most| *most < by.abs()) {
-            let before = self.text(row, self.columns.lock).to_owned();
+            let before = self.columns.lock.map_or_else(String::new, |column| self.text(row, column).to_owned());
             self.lock(row);
             let broken = Breakage { tool: tool.number, column, by, most, replacement: tool.replacement };
             let now = if tool.is_locked { before.clone() } else { LOCKED.to_owned() };

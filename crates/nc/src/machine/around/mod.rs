@@ -48,6 +48,9 @@ pub(super) struct Around {
     tool: Called,
     /// The M function that turns the spindle.
     spindle: Option<u32>,
+    /// The one that did so last.
+    last_spindle: Option<u32>,
+    has_coolant: bool,
     mode: Mode,
     /// The values that PREDEF stands for, in mm or degrees, with the factor of their program's unit.
     globals: BTreeMap<(IsProbing, Parameter), Global>,
@@ -135,6 +138,8 @@ impl Around {
             plane: (notation == Notation::DinPlus).then(Plane::default),
             tool: Called::default(),
             spindle: None,
+            last_spindle: None,
+            has_coolant: false,
             mode: Mode::Mill,
             globals: BTreeMap::new(),
             datum: Datum::default(),
@@ -181,15 +186,58 @@ impl Around {
             match function.number {
                 3 | 4 | 13 | 14 => {
                     self.spindle = Some(function.number);
+                    self.last_spindle = self.spindle;
+                    self.has_coolant |= matches!(function.number, 13 | 14);
                     self.starts += 1;
                 }
                 5 => self.spindle = None,
+                8 => self.has_coolant = true,
+                9 => self.has_coolant = false,
                 // The control's own: coolant, tool change, ends, and those from 89 on.
-                2 | 6..=9 | 19 | 30 | 89..=199 => {}
+                2 | 6 | 7 | 19 | 30 | 89..=199 => {}
                 // Stops, and functions of the machine's builder: another pallet may be there.
                 _ => self.stops += 1,
             }
         }
+    }
+
+    /// 0 after M3, 1 after M4, 2 and 3 where M5 came behind them, -1 before all of them.
+    pub(super) const fn spindle_state(&self) -> f64 {
+        match (self.spindle, self.last_spindle) {
+            (Some(3 | 13), _) => 0.0,
+            (Some(_), _) => 1.0,
+            (None, Some(3 | 13)) => 2.0,
+            (None, Some(_)) => 3.0,
+            (None, None) => -1.0,
+        }
+    }
+
+    pub(super) const fn has_coolant(&self) -> bool {
+        self.has_coolant
+    }
+
+    /// The tool axis of the last TOOL CALL that named one.
+    pub(super) fn tool_axis(&self) -> Option<Axis> {
+        self.plane.map(|plane| match plane {
+            Plane::Xy => Axis::Z,
+            Plane::Zx => Axis::Y,
+            Plane::Yz => Axis::X,
+        })
+    }
+
+    /// The shift of cycle 7, mm.
+    pub(super) const fn shift_in_force(&self) -> [f64; 3] {
+        self.shift
+    }
+
+    /// The row of the preset table that is active, where a block has named it.
+    pub(super) const fn preset(&self) -> Option<f64> {
+        self.preset
+    }
+
+    /// A place of the workpiece in the coordinates in force; `None` where they are turned, scaled or not known.
+    pub(super) fn in_system(&self, place: [f64; 3]) -> Option<[f64; 3]> {
+        (self.changes.is_empty() && self.turned.is_empty()).then(|| along(place, self.zero(), -1.0))
     }
 
     /// STOP ends the turning of the spindle.

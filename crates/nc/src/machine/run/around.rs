@@ -6,7 +6,7 @@ use super::super::files::Files;
 use super::super::presets::row_number;
 use super::super::remark::Remark;
 use super::Run;
-use crate::program::{Body, CycleBlock, Frame, Operand};
+use crate::program::{Body, CycleBlock, Expression, Frame, Operand};
 use fitcheck_core::probing::cycle::{DatumTarget, NewDatum};
 
 impl Run {
@@ -25,7 +25,12 @@ impl Run {
             Body::Mode(mode) => self.around.set_mode(*mode),
             Body::Frame(Frame::Preset(number)) => self.activate(at, *number, files)?,
             Body::Frame(frame) => self.change(at, frame)?,
-            Body::SystemRead { to } => {
+            Body::SystemRead { to, datum } => {
+                if let Some(value) = datum.as_ref().and_then(|datum| self.system_value(datum)) {
+                    let given = self.values.assign(*to, &Expression::Value(Operand::Number(value)), self.is_main())?;
+                    self.note_given(at, *to, given);
+                    return Ok(());
+                }
                 let given = self.values.lose_system(*to, || self.flow.made(at), self.is_main());
                 let remark = given.is_none().then_some(Remark::NoSystemData { parameter: *to });
                 self.note_given(at, *to, given);

@@ -11,7 +11,7 @@ use super::super::cycles::{CycleRequest, CycleRun, cycle_of, hand_over};
 use super::super::fault::{BlockPlace, Counted, Fault, FaultKind};
 use super::super::files::Files;
 use super::super::logs::Log;
-use super::super::path::NcPath;
+use super::super::path::{NcPath, PathError};
 use super::super::prints::rendered;
 use super::super::remark::Remark;
 use super::super::step::{Pause, Step};
@@ -130,6 +130,7 @@ impl Run {
                 return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
             }
             Body::Print { mask, output } => self.print(at, mask, output, files, settings)?,
+            Body::File(function) => self.file(at, function, files)?,
             Body::TableOpen(_) | Body::TableRead { .. } | Body::TableWrite { .. } => {
                 self.table(at, &block.body, files)?;
             }
@@ -138,6 +139,9 @@ impl Run {
                 self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
                 let remarks = self.tools.call(tool.as_ref(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), remarks);
+                if self.flow.program().notation().control() == Control::Milling {
+                    self.take_tool(at, tool.as_ref(), rest)?;
+                }
             }
             Body::Move(movement) => {
                 self.around.turn(&movement.axes, &|operand| self.values.operand(operand));
@@ -197,7 +201,24 @@ impl Run {
 
     /// The path in an operand, relative to the running program.
     pub(super) fn path_of(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
-        Ok(self.flow.path().resolve(self.values.text_operand(operand)?)?)
+        let path = self.values.path_text(operand)?;
+        Ok(self.flow.path().resolve(&path)?)
+    }
+
+    /// The path of a file that FN 16 prints to. An interface, a network drive and a printer are folders beside the others: nothing is sent.
+    fn output_path(&mut self, at: usize, operand: &TextOperand) -> Result<NcPath, FaultKind> {
+        let given = self.values.path_text(operand)?;
+        if given.trim().eq_ignore_ascii_case("SCREEN") {
+            self.remark(at, Remark::ScreenMeant);
+        }
+        match self.flow.path().resolve(&given) {
+            Err(error @ PathError::OtherRoot { .. }) => {
+                let path = NcPath::tamed(&given).ok_or(error)?;
+                self.remark(at, Remark::OtherDevice { given: given.trim().to_owned(), path: path.clone() });
+                Ok(path)
+            }
+            path => Ok(path?),
+        }
     }
 
     fn end_program(&mut self) -> Result<Step, FaultKind> {
@@ -243,13 +264,13 @@ impl Run {
         files: &mut Files,
         settings: &Settings,
     ) -> Result<(), FaultKind> {
-        let to = self.values.text_operand(output)?;
+        let to = self.values.text_operand(output)?.to_owned();
         let is = |word: &str| to.trim().eq_ignore_ascii_case(word);
         if is("SCLR:") {
             self.prints.close_windows();
             return Ok(());
         }
-        let path = if is("SCREEN:") { None } else { Some(self.path_of(output)?) };
+        let path = if is("SCREEN:") { None } else { Some(self.output_path(at, output)?) };
         let mask = self.path_of(mask)?;
         self.check_file(&mask, ReadAs::Other)?;
         let call_path = self.flow.path().to_string();
@@ -323,6 +344,9 @@ impl Run {
     fn machine_functions(&mut self, at: usize, functions: &[MachineFunction], settings: &Settings) -> Step {
         self.around.machine_functions(functions);
         let is_milling = self.flow.program().notation().control() == Control::Milling;
+        if is_milling && functions.iter().any(|function| matches!(function.number, 3..=5 | 8 | 9 | 13 | 14)) {
+            self.put_spindle();
+        }
         if is_milling && reset_datum(functions) {
             self.around.lose_system(|| self.flow.made(at));
             self.remark(at, Remark::NotFollowed);

@@ -6,8 +6,10 @@
 mod around;
 mod blocks;
 mod data;
+mod file_functions;
 mod lathe;
 mod skipped;
+mod system;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -35,6 +37,7 @@ use crate::program::{Notation, Program, Unit, Unread};
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::verdict::Status;
 use skipped::UnknownFiles;
+use system::SpindleTool;
 
 /// The state of a run: what a restart clears.
 #[derive(Debug)]
@@ -46,6 +49,7 @@ struct Run {
     prints: Prints,
     cycles: Cycles,
     tools: Tools,
+    spindle_tool: SpindleTool,
     way: Way,
     around: Around,
     remarks: Remarks,
@@ -61,11 +65,14 @@ struct Run {
 impl Run {
     fn new(path: NcPath, program: Arc<Program>, contacts: Contacts, settings: &Settings) -> Self {
         let is_inch = program.unit() == Some(Unit::Inch);
-        let mut values = Values::new(settings);
+        let mut values = Values::new(settings, &path);
         let notation = program.notation();
         if notation != Notation::DinPlus {
-            // Q113 holds the unit of the main program.
-            values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
+            // Tool axis, spindle and coolant of a control that was just started, and the unit of the main program.
+            let unit = if is_inch { 1.0 } else { 0.0 };
+            for (number, value) in [(109, -1.0), (110, -1.0), (111, 0.0), (113, unit)] {
+                values.set(Parameter::q(number), Value::Number(value));
+            }
         }
         let cycles = Cycles::new(contacts, settings);
         Self {
@@ -76,6 +83,7 @@ impl Run {
             prints: Prints::new(settings.budget, cycles.is_simulated()),
             cycles,
             tools: Tools::new(settings.tool_table.clone()),
+            spindle_tool: SpindleTool::default(),
             way: Way::new(&settings.budget, notation),
             around: Around::new(notation),
             remarks: Remarks::new(&settings.budget),

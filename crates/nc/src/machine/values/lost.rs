@@ -118,7 +118,9 @@ impl Values {
 
     /// Why a parameter has no value.
     pub(super) fn missing(&self, parameter: Parameter) -> FaultKind {
-        self.check_known(parameter).err().unwrap_or(FaultKind::Undefined(parameter))
+        let is_of_tool = [108, 114].map(Parameter::q).contains(&parameter);
+        let undefined = if is_of_tool { FaultKind::NoToolData(parameter) } else { FaultKind::Undefined(parameter) };
+        self.check_known(parameter).err().unwrap_or(undefined)
     }
 }
 

@@ -18,6 +18,7 @@ use jiff::civil::DateTime;
 
 use super::budget::Settings;
 use super::fault::{Counted, FaultKind};
+use super::path::NcPath;
 use crate::control::variables::{FIRST_WHOLE_GLOBAL, Family, Parameter, Value, Variables};
 use crate::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
@@ -48,6 +49,8 @@ pub(super) struct Values {
     longest: usize,
     /// The time that `SYSSTR` gives.
     time: DateTime,
+    /// The main program, which `SYSSTR` gives, too.
+    main: NcPath,
     /// What the block has read of that which a lathe control's cycle has set.
     read: Cell<Option<Parameter>>,
     /// Whether blocks behind such a cycle may have been read before it has measured.
@@ -55,7 +58,7 @@ pub(super) struct Values {
 }
 
 impl Values {
-    pub(super) fn new(settings: &Settings) -> Self {
+    pub(super) fn new(settings: &Settings, main: &NcPath) -> Self {
         Self {
             variables: Variables::new(),
             changed: Vec::new(),
@@ -64,6 +67,7 @@ impl Values {
             locals: Vec::new(),
             longest: settings.budget.text,
             time: settings.time,
+            main: main.clone(),
             read: Cell::new(None),
             is_ahead: false,
         }
@@ -96,6 +100,13 @@ impl Values {
     pub(super) fn set(&mut self, parameter: Parameter, value: Value) {
         self.lost.known(parameter);
         self.variables.set(parameter, value);
+    }
+
+    /// Sets a Q parameter that the control itself sets.
+    pub(super) fn preassign(&mut self, number: u16, value: f64) {
+        let parameter = Parameter::q(number);
+        self.given.overwritten(parameter);
+        self.set(parameter, Value::Number(value));
     }
 
     /// Takes the values of Q parameters away.
@@ -214,6 +225,30 @@ impl Values {
             TextOperand::Text(text) => Ok(text),
             TextOperand::Parameter(parameter) => self.text(*parameter),
         }
+    }
+
+    /// A path, with the values of the parameters that stand in it: `TNC:\LOG\:'QS1'.TXT`; numbers have the decimals that they need.
+    pub(super) fn path_text(&self, operand: &TextOperand) -> Result<String, FaultKind> {
+        let text = self.text_operand(operand)?;
+        let TextOperand::Text(_) = operand else { return Ok(text.to_owned()) };
+        let mut pieces = text.split(":'");
+        let mut path = pieces.next().unwrap_or("").to_owned();
+        for piece in pieces {
+            let named = piece.split_once('\'').and_then(|(name, rest)| Some((name.parse::<Parameter>().ok()?, rest)));
+            let Some((parameter, rest)) = named else {
+                path.push_str(":'");
+                path.push_str(piece);
+                continue;
+            };
+            let value = if parameter.family.is_text() {
+                self.text(parameter)?.to_owned()
+            } else {
+                self.decimal(Operand::Parameter { parameter, is_negative: false }, None)?
+            };
+            path.push_str(&value);
+            path.push_str(rest);
+        }
+        Ok(path)
     }
 
     /// Sets a parameter that exists on a control to a value that it can hold.

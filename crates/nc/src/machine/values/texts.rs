@@ -5,7 +5,10 @@ use super::{Values, whole};
 use crate::control::variables::Parameter;
 use crate::program::{Operand, TextExpression, TextOperand};
 
-/// Date and time; the only group of `SYSSTR` that Fitcheck runs.
+/// Paths of programs: 1 is that of the main program (from memory).
+const PROGRAM: usize = 10_010;
+
+/// Date and time.
 const DATE_AND_TIME: usize = 10_321;
 
 /// The formats of date and time by their number, as far as known: from memory, a control may differ.
@@ -76,6 +79,9 @@ impl Values {
     fn system_text(&self, id: Operand, number: Operand) -> Result<String, FaultKind> {
         let id = self.operand(id)?;
         let number = self.operand(number)?;
+        if whole(id) == Some(PROGRAM) && whole(number) == Some(1) {
+            return Ok(self.main.to_string());
+        }
         let format = whole(id)
             .filter(|id| *id == DATE_AND_TIME)
             .and_then(|_| FORMATS.get(whole(number)?))

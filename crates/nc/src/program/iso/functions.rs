@@ -5,7 +5,7 @@ use super::super::cursor::{Cursor, Parsed, Stop};
 use super::super::expression::Expression;
 use super::super::fault::{BlockFault, ExpectedWord};
 use super::super::formula::binary;
-use super::super::klartext::label_number;
+use super::super::klartext::{label_number, print, system_datum};
 use super::super::operand::Operand;
 use super::super::words::{Computed, RELATIONS, computed};
 
@@ -22,16 +22,21 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Parsed<Body> {
         14 => Ok(Body::Error(operand(cursor, 1)?)),
         18 => {
             let to = cursor.number_parameter()?;
-            // Which value it is makes no difference: a simulator has none of them.
+            let datum = system_datum(&mut cursor.clone());
             cursor.take_rest();
-            Ok(Body::SystemRead { to })
+            Ok(Body::SystemRead { to, datum })
+        }
+        // `D16 F-PRINT mask/output`; with P01 as other functions have it. No page that we found has either.
+        16 => {
+            cursor.take_word("P01");
+            print(cursor)
         }
         // What is handed to the machine and to other computers.
         19 | 20 | 29 => {
             cursor.take_rest();
             Ok(still(format!("D{number:02}")))
         }
-        // Prints and tables: how their paths and columns are written in ISO is on no page that we found.
+        // Tables: how their columns are written in ISO is on no page that we found.
         _ => Err(Stop { at, reason: BlockFault::NoForm { found: format!("D{number:02}") } }),
     }
 }

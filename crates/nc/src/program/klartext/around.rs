@@ -6,7 +6,7 @@ use fitcheck_core::probing::cycle::Control;
 use fitcheck_core::probing::cycles::cycles_of;
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
-use super::super::block::{Body, still};
+use super::super::block::{Body, FileFunction, still};
 use super::super::cursor::{Cursor, Parsed};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleValue};
 use super::super::movement::MachineFunction;
@@ -107,6 +107,9 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
     if cursor.take_words(&["FUNCTION", "MODE"]) {
         return Ok(mode(cursor));
     }
+    if let Some(function) = file_function(cursor)? {
+        return Ok(Some(Body::File(function)));
+    }
     if cursor.take_word("FUNCTION") {
         let name = FUNCTIONS.into_iter().find(|name| cursor.take_prefix(name));
         let rest = cursor.take_rest();
@@ -147,6 +150,24 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
         Some((word, end)) => path(cursor, word.to_owned(), end).map(Some),
         None => Ok(None),
     }
+}
+
+/// `FUNCTION FILECOPY "a" TO "b"`; newer controls write `FUNCTION FILE COPY`. A path may stand in a QS parameter.
+fn file_function(cursor: &mut Cursor<'_>) -> Parsed<Option<FileFunction>> {
+    let mut ahead = cursor.clone();
+    let is_file = ahead.take_word("FUNCTION");
+    let does = ["COPY", "MOVE", "DELETE"]
+        .into_iter()
+        .find(|word| ahead.take_word(&format!("FILE{word}")) || ahead.take_words(&["FILE", word]));
+    let Some(does) = does.filter(|_| is_file) else { return Ok(None) };
+    *cursor = ahead;
+    let from = cursor.path(Some(' '))?;
+    if does == "DELETE" {
+        return Ok(Some(FileFunction::Delete(from)));
+    }
+    cursor.expect_word("TO")?;
+    let to = cursor.path(Some(' '))?;
+    Ok(Some(if does == "COPY" { FileFunction::Copy { from, to } } else { FileFunction::Move { from, to } }))
 }
 
 /// The rest of a path: axes and M functions are read, everything else is left.

@@ -63,7 +63,7 @@ pub(super) fn belongs(last: Option<&Block>, front: Front, first: &Piece<'_>) -> 
 }
 
 /// Whether a line is a block by itself.
-fn is_block(line: &str) -> bool {
+pub(super) fn is_block(line: &str) -> bool {
     let front = front(line);
     let code = until(behind(line, front.end), ';').trim_end_matches([' ', '~']);
     let is_cycle = |words: [&str; 2]| Cursor::new(code).take_words(&words);

@@ -1,7 +1,7 @@
 //! Blocks that begin with `FN`, and assignments.
 
 use super::super::around::Frame;
-use super::super::block::{Body, Columns, Condition, still};
+use super::super::block::{Body, Columns, Condition, SystemDatum, still};
 use super::super::cursor::{Cursor, Parsed};
 use super::super::expression::{Expression, NumberFunction, Operation};
 use super::super::fault::{BlockFault, ExpectedWord};
@@ -160,7 +160,8 @@ fn error(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     Ok(Body::Error(cursor.operand()?))
 }
 
-fn print(cursor: &mut Cursor<'_>) -> Parsed<Body> {
+/// `F-PRINT mask / output`
+pub(in super::super) fn print(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     if !cursor.take_prefix("F-PRINT") {
         return Err(cursor.stop(ExpectedWord::Word("F-PRINT")));
     }
@@ -182,8 +183,23 @@ fn system_read(cursor: &mut Cursor<'_>) -> Parsed<Body> {
     cursor.expect_word("SYSREAD")?;
     let to = cursor.number_parameter()?;
     cursor.expect('=', "=")?;
+    let datum = system_datum(&mut cursor.clone());
     cursor.take_rest();
-    Ok(Body::SystemRead { to })
+    Ok(Body::SystemRead { to, datum })
+}
+
+/// `ID50 NR19 IDXQ1`; a value of another form is one that only a control knows.
+pub(in super::super) fn system_datum(cursor: &mut Cursor<'_>) -> Option<SystemDatum> {
+    let mut word = |letters: &str| match cursor.take_prefix(letters) {
+        true => cursor.operand().map(Some).ok(),
+        false => Some(None),
+    };
+    let group = match word("ID")?? {
+        Operand::Number(group) => format!("{group}").parse().ok()?,
+        Operand::Parameter { .. } => return None,
+    };
+    let (number, index) = (word("NR")?, word("IDX")?);
+    cursor.is_at_end().then_some(SystemDatum { group, number, index })
 }
 
 /// `SYSWRITE ID50 NR1 IDXQ2 = Q1601`: presets, datum tables and rotations can be written, too. Only data of tools and pockets are known

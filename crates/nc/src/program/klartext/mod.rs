@@ -28,7 +28,7 @@ use super::source::Source;
 
 // What other notations have in common with Klartext.
 pub(super) use around::defined;
-pub(super) use functions::assignment;
+pub(super) use functions::{assignment, print, system_datum};
 pub(super) use label::{MOST_REPEATS, number as label_number};
 pub(super) use moves::tool;
 pub(super) use path_words::MOST_M;

@@ -1,7 +1,7 @@
 //! Straight lines and tool calls.
 
 use super::super::block::{Body, Tool};
-use super::super::cursor::{Cursor, Parsed, Stop};
+use super::super::cursor::{Cursor, Parsed, Stop, first_word};
 use super::super::fault::BlockFault;
 use super::super::movement::{Feed, Movement};
 use super::super::operand::{Operand, TextOperand};
@@ -22,6 +22,8 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Parsed<Body> {
             movement.axes.push(word);
         } else if let Some(word) = COMPENSATIONS.into_iter().find(|word| cursor.take_word(word)) {
             movement.compensation = Some(word.to_owned());
+        } else if let Some(found) = speed(cursor) {
+            return Err(Stop { at, reason: BlockFault::SpeedInMove { found } });
         } else if movement.feed.is_none() && cursor.take_prefix("F") {
             movement.feed = Some(feed(cursor)?);
         } else {
@@ -31,6 +33,13 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Parsed<Body> {
             }
         }
     }
+}
+
+/// `S6000`, as other controls have it here.
+fn speed(cursor: &Cursor<'_>) -> Option<String> {
+    let mut ahead = cursor.clone();
+    let is_speed = ahead.take_prefix("S") && ahead.next().is_some_and(|c| c.is_ascii_digit() || "+Qq".contains(c));
+    is_speed.then(|| first_word(cursor.rest()))
 }
 
 /// The value after the F.

@@ -3,6 +3,7 @@
 use super::super::block::Body;
 use super::super::cursor::{Cursor, Stop};
 use super::super::cycle_block::CycleBlock;
+use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
 use super::super::milling::{cycle_head, first_parameter, with_lines};
@@ -11,6 +12,7 @@ use super::super::warnings::{LONGEST, Odd};
 use super::super::words::DEEPEST;
 use super::around::defined;
 use super::body::body;
+use super::cut_off::is_block;
 use super::frames::dotted;
 
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
@@ -74,7 +76,11 @@ fn cycle(
     let cycle = cycle_head(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
     // The name ends where the first parameter begins.
     let at = first_parameter(&cycle.name, |cursor| cursor.take('=')).map(|(name, _)| name.len());
-    with_lines(cycle, at, first, more, place)
+    with_lines(cycle, at, first, more, place).map_err(|odd| {
+        // The `~` above it is one too many.
+        let is_swallowed = more.iter().any(|piece| piece.line == odd.line && is_block(piece.code));
+        if is_swallowed { Odd { what: ProgramWarningKind::BlockGoesOn, ..odd } } else { odd }
+    })
 }
 
 /// `* - text`: each two more blanks before or after the dash are one level more.

@@ -1,0 +1,70 @@
+//! `FUNCTION FILECOPY`, `FILEMOVE`, `FILEDELETE`: done in the folder that outputs go to, and nowhere else.
+//!
+//! A target that is there is replaced, and a source that is missing is an error (datum-cycles, section 10; not verified).
+
+use fitcheck_core::text::decode;
+
+use super::super::fault::FaultKind;
+use super::super::files::Files;
+use super::super::path::NcPath;
+use super::super::prints::{Written, save};
+use super::super::remark::Remark;
+use super::Run;
+use super::skipped::ReadAs;
+use crate::control::mask::FileUse;
+use crate::program::FileFunction;
+
+impl Run {
+    /// Copies, moves or deletes a file.
+    pub(super) fn file(&mut self, at: usize, function: &FileFunction, files: &mut Files) -> Result<(), FaultKind> {
+        match function {
+            FileFunction::Copy { from, to } => {
+                let (from, to) = (self.file_path(from)?, self.file_path(to)?);
+                self.copy(at, &from, to, files).map(|_is_done| ())
+            }
+            FileFunction::Move { from, to } => {
+                let (from, to) = (self.file_path(from)?, self.file_path(to)?);
+                if from == to || !self.copy(at, &from, to, files)? {
+                    return Ok(());
+                }
+                self.prints.removed(&from);
+                files.remove(&from)
+            }
+            FileFunction::Delete(path) => {
+                let path = self.file_path(path)?;
+                if files.writes() {
+                    files.remove(&path)?;
+                    self.prints.removed(&path);
+                    self.remark(at, Remark::Deleted { path });
+                } else {
+                    self.remark(at, Remark::NotDeleted { path });
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// A path of a file whose content is known.
+    fn file_path(&self, operand: &crate::program::TextOperand) -> Result<NcPath, FaultKind> {
+        let path = self.path_of(operand)?;
+        self.check_file(&path, ReadAs::Table)?;
+        if self.tables.path() == Some(&path) { Err(FaultKind::FileOpen { path }) } else { Ok(path) }
+    }
+
+    /// Whether the file was copied.
+    fn copy(&mut self, at: usize, from: &NcPath, to: NcPath, files: &mut Files) -> Result<bool, FaultKind> {
+        // What the run itself would have written is not there.
+        if !files.writes() {
+            self.remark(at, Remark::NotWritten { path: to });
+            return Ok(false);
+        }
+        let bytes = files.read(from)?;
+        let text = decode(&bytes).replace("\r\n", "\n");
+        self.prints.count_output(&to, &text)?;
+        self.prints.removed(&to);
+        let is_saved = save(&to, &bytes, FileUse::Replace, files)?;
+        let place = self.flow.place_of(at);
+        self.prints.keep(Written { place, path: to, text, how: FileUse::Replace, is_saved });
+        Ok(is_saved)
+    }
+}
