@@ -1,6 +1,6 @@
 //! The preset table of the control, where the program's folders have one: rows are read for cycle 247, and datum cycles write them.
 //!
-//! Its place and the names of its columns are those of a TNC 640; other controls have fewer columns or other names for the row and the
+//! Its place and the names of its columns are those of a TNC 640, from memory (`docs/SOURCES.md`, "Datum cycles"); other controls have fewer columns or other names for the row and the
 //! rotation, which are known here, too. What a value in the column of locked rows means is remembered: anything but a blank, `-` and 0
 //! counts as locked.
 
