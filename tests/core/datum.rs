@@ -340,6 +340,13 @@ fn what_the_preset_table_does_not_say_is_told() {
     let (machine, fault) = with_table(&format!("{}\n{row}\n{}\n{MEASURE}", preset(1), preset(5)));
     assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
     assert!(remarks(&machine).iter().any(|said| said.contains("preset 5: the workpiece is assumed to lie there")));
+    // A program that writes the table itself is not followed.
+    let own = format!(
+        "{}\nFN 26: TABOPEN TNC:\\table\\preset.pr\nQ50 = 1\nFN 27: TABWRITE 1/\"X\" = Q50\n{MEASURE}",
+        preset(1)
+    );
+    let fault = with_table(&own).1.unwrap();
+    assert!(fault.contains("an unknown datum has been active since line 8"), "{fault}");
     // Without cycle 247 before it is not known where the workpiece lies on the machine.
     let (machine, fault) = with_table(&format!("{row}\n{}\n{MEASURE}", preset(5)));
     assert_eq!((fault, machine.status()), (None, Some(Status::Good)));

@@ -57,6 +57,11 @@ pub(super) struct Presets {
     writes: usize,
 }
 
+/// Whether a file is the preset table, wherever a program looks for it.
+pub(super) fn is_preset_table(path: &NcPath) -> bool {
+    PLACE.rsplit_once('\\').is_some_and(|(_, name)| path.file_name().eq_ignore_ascii_case(name))
+}
+
 /// The row of a number, where it is one.
 pub(super) fn row_number(number: f64) -> Option<u32> {
     whole(number).and_then(|row| u32::try_from(row).ok())
@@ -162,6 +167,11 @@ impl Presets {
             };
         }
         Ok(self.table.as_mut())
+    }
+
+    /// Its path, once it was read.
+    pub(super) fn path(&self) -> Option<&NcPath> {
+        self.table.as_ref().map(|table| &table.path)
     }
 
     /// A row that a cycle writes: an error where it is locked.
