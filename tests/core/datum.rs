@@ -80,12 +80,13 @@ fn a_face_becomes_the_zero_of_the_probe_axis() {
     assert_eq!(verdicts(&machine), [None, GOOD]);
     assert_eq!(zero(&machine).as_deref(), Some("0 0 0.037"));
     // Without it the face is too high.
-    let (from, to) = (text.find("4  TCH PROBE 417").unwrap(), text.find("5  Q1").unwrap());
-    let without = format!("{}{}", &text[..from], text[to..].replace("Q1 = Q160", "Q1 = 0"));
+    let (head, rest) = text.split_once("4  TCH PROBE 417").unwrap();
+    let (lines, rest) = rest.split_once("5  Q1 = Q160").unwrap();
+    let without = format!("{head}5  Q1 = 0{rest}");
     assert_eq!(ran("s1_417_427", &without).status(), Some(Status::Rework));
     // The second one finds the face at zero.
-    let cycle = &text[from..to];
-    let machine = ran("s1_417_427", &text.replace(cycle, &format!("{cycle}{}", cycle.replace("4  TCH", "TCH"))));
+    let twice = format!("{head}4  TCH PROBE 417{lines}TCH PROBE 417{lines}5  Q1 = Q160{rest}");
+    let machine = ran("s1_417_427", &twice);
     check(&machine, &[(1, 0.0), (160, 0.0)]);
     assert_eq!(zero(&machine).as_deref(), Some("0 0 0.037"));
 }
@@ -123,9 +124,9 @@ fn in_inches(text: &str) -> String {
         let is_length = ["Q321", "Q322", "Q311", "Q261", "Q320", "Q260", "Q405"].iter().any(|q| line.contains(q));
         match line.split_once('=').filter(|_| is_length) {
             Some((name, rest)) => {
-                let end = rest.find([' ', ';']).unwrap_or(rest.len());
-                let mm: f64 = rest[..end].parse().unwrap();
-                format!("{name}={:+.9} {}", mm / 25.4, &rest[end..])
+                let (value, comment) = rest.split_once(';').unwrap();
+                let mm: f64 = value.trim().parse().unwrap();
+                format!("{name}={:+.9} ;{comment}", mm / 25.4)
             }
             None => line.replace("Z+60", "Z+2.5"),
         }
