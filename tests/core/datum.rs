@@ -290,12 +290,12 @@ fn the_tool_axis_says_which_axes_are_set() {
 
 const TABLE: &str = "BEGIN PRESET.PR MM\r\n\
     NO   DOC      X            Y            Z            SPC     LOCKED\r\n\
-    0             +0           +0           +0           +0      \r\n\
-    1    VICE     +100.5       +200         -50          +0      \r\n\
-    2    PLATE    +100.5       +250         -50.25       +0      \r\n\
+    0             +0           +0           +0           +0      -\r\n\
+    1    VICE     +100.5       +200         -50          +0      -\r\n\
+    2    PLATE    +100.5       +250         -50.25       +0      -\r\n\
     3    OLD      +0           +0           +0           +0      1\r\n\
-    4    TURNED   +0           +0           +0           +1.5    \r\n\
-    5    EMPTY    -            -            -                    \r\n\
+    4    TURNED   +0           +0           +0           +1.5    -\r\n\
+    5    EMPTY    -            -            -            -       -\r\n\
     [END]\r\n";
 
 fn with_table(blocks: &str) -> (Machine, Option<String>) {
