@@ -10,6 +10,7 @@ use fitcheck::probing::Contact;
 use fitcheck::probing::simulated::{Part, Simulation};
 use fitcheck::verdict::Status;
 use fitcheck::words::Dialogue;
+use proptest::prelude::*;
 
 fn sample(name: &str) -> String {
     let path = format!("{}/tests/data/samples/datum/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -79,12 +80,13 @@ fn a_face_becomes_the_zero_of_the_probe_axis() {
     assert_eq!(verdicts(&machine), [None, GOOD]);
     assert_eq!(zero(&machine).as_deref(), Some("0 0 0.037"));
     // Without it the face is too high.
-    let (from, to) = (text.find("4  TCH PROBE 417").unwrap(), text.find("5  Q1").unwrap());
-    let without = format!("{}{}", &text[..from], text[to..].replace("Q1 = Q160", "Q1 = 0"));
+    let (head, rest) = text.split_once("4  TCH PROBE 417").unwrap();
+    let (lines, rest) = rest.split_once("5  Q1 = Q160").unwrap();
+    let without = format!("{head}5  Q1 = 0{rest}");
     assert_eq!(ran("s1_417_427", &without).status(), Some(Status::Rework));
     // The second one finds the face at zero.
-    let cycle = &text[from..to];
-    let machine = ran("s1_417_427", &text.replace(cycle, &format!("{cycle}{}", cycle.replace("4  TCH", "TCH"))));
+    let twice = format!("{head}4  TCH PROBE 417{lines}TCH PROBE 417{lines}5  Q1 = Q160{rest}");
+    let machine = ran("s1_417_427", &twice);
     check(&machine, &[(1, 0.0), (160, 0.0)]);
     assert_eq!(zero(&machine).as_deref(), Some("0 0 0.037"));
 }
@@ -122,9 +124,9 @@ fn in_inches(text: &str) -> String {
         let is_length = ["Q321", "Q322", "Q311", "Q261", "Q320", "Q260", "Q405"].iter().any(|q| line.contains(q));
         match line.split_once('=').filter(|_| is_length) {
             Some((name, rest)) => {
-                let end = rest.find([' ', ';']).unwrap_or(rest.len());
-                let mm: f64 = rest[..end].parse().unwrap();
-                format!("{name}={:+.9} {}", mm / 25.4, &rest[end..])
+                let (value, comment) = rest.split_once(';').unwrap();
+                let mm: f64 = value.trim().parse().unwrap();
+                format!("{name}={:+.9} ;{comment}", mm / 25.4)
             }
             None => line.replace("Z+60", "Z+2.5"),
         }
@@ -288,12 +290,12 @@ fn the_tool_axis_says_which_axes_are_set() {
 
 const TABLE: &str = "BEGIN PRESET.PR MM\r\n\
     NO   DOC      X            Y            Z            SPC     LOCKED\r\n\
-    0             +0           +0           +0           +0      \r\n\
-    1    VICE     +100.5       +200         -50          +0      \r\n\
-    2    PLATE    +100.5       +250         -50.25       +0      \r\n\
+    0             +0           +0           +0           +0      -\r\n\
+    1    VICE     +100.5       +200         -50          +0      -\r\n\
+    2    PLATE    +100.5       +250         -50.25       +0      -\r\n\
     3    OLD      +0           +0           +0           +0      1\r\n\
-    4    TURNED   +0           +0           +0           +1.5    \r\n\
-    5    EMPTY    -            -            -                    \r\n\
+    4    TURNED   +0           +0           +0           +1.5    -\r\n\
+    5    EMPTY    -            -            -            -       -\r\n\
     [END]\r\n";
 
 fn with_table(blocks: &str) -> (Machine, Option<String>) {
@@ -339,8 +341,51 @@ fn what_the_preset_table_does_not_say_is_told() {
     let (machine, fault) = with_table(&format!("{}\n{row}\n{}\n{MEASURE}", preset(1), preset(5)));
     assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
     assert!(remarks(&machine).iter().any(|said| said.contains("preset 5: the workpiece is assumed to lie there")));
+    // A program that writes the table itself is not followed.
+    let own = format!(
+        "{}\nFN 26: TABOPEN TNC:\\table\\preset.pr\nQ50 = 1\nFN 27: TABWRITE 1/\"X\" = Q50\n{MEASURE}",
+        preset(1)
+    );
+    let fault = with_table(&own).1.unwrap();
+    assert!(fault.contains("an unknown datum has been active since line 8"), "{fault}");
     // Without cycle 247 before it is not known where the workpiece lies on the machine.
     let (machine, fault) = with_table(&format!("{row}\n{}\n{MEASURE}", preset(5)));
     assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
     assert!(remarks(&machine).iter().any(|said| said.contains("preset.pr stays as it is: no cycle 247 before")));
+}
+
+#[test]
+fn an_iso_program_sets_its_datum_as_well() {
+    let text = "%A G71 *\nN10 T100 G17 *\nN20 G412 Q321=+0 Q322=+0 Q262=+25 Q325=+0 Q247=+90 Q261=-3 Q320=+2 Q260=+15 Q301=+0 Q305=+0 \
+                Q331=+0 Q332=+0 Q303=+1 *\nN30 G421 Q273=+0 Q274=+0 Q262=+25 Q325=+0 Q247=+90 Q261=-5 Q320=+2 Q260=+15 Q301=+0 \
+                Q275=+25.021 Q276=+25 Q279=+0.02 Q280=+0.02 *\nN99999999 %A G71 *\n";
+    let (machine, fault) = over(machine(text, hole()));
+    assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
+    assert_eq!(zero(&machine).as_deref(), Some("0.4 -0.3 0"));
+}
+
+proptest! {
+    /// Wherever the hole is and whatever coordinates it gets: behind its datum it is where the program says.
+    #[test]
+    fn what_was_measured_has_the_wanted_coordinates(
+        centre in prop::array::uniform2(-0.9..0.9_f64),
+        wanted in prop::array::uniform2(-500_000..500_000_i64),
+        shift in prop::array::uniform2(-90_000..90_000_i64),
+    ) {
+        let mm = |thousandths: i64| format!("{:+}.{:03}", thousandths / 1_000, (thousandths % 1_000).abs());
+        let [x, y] = wanted.map(|at| if (-999..0).contains(&at) { -at } else { at }).map(mm);
+        let [by_x, by_y] = shift.map(|at| if (-999..0).contains(&at) { -at } else { at }).map(mm);
+        let set = SET.replace("Q331=+0", &format!("Q331={x}")).replace("Q332=+0", &format!("Q332={y}"));
+        let measure = MEASURE.replace("Q273=+0", &format!("Q273={x}")).replace("Q274=+0", &format!("Q274={y}"));
+        let [off_x, off_y] = centre;
+        let [at_x, at_y] = [(off_x, &by_x), (off_y, &by_y)].map(|(off, by)| off + by.parse::<f64>().unwrap());
+        let bore = format!("[bore]\ncentre = [{at_x}, {at_y}]\ndiameter = 25.01\n[probe]\nball_radius = 3\n");
+        let part = Contacts::Workpiece(Simulation::read(&bore).unwrap().into());
+        let (machine, fault) = run(&format!("CYCL DEF 7.1 X{by_x} Y{by_y}\n{set}\n{measure}"), part);
+        prop_assert_eq!(fault, None);
+        let found = machine.cycles().last().unwrap().result.circle.as_ref().unwrap().position.axes;
+        // Nanometres: the datum is one, and so is the centre.
+        prop_assert!(found.iter().all(|axis| axis.deviation.nanometres().abs() <= 1), "{found:?}");
+        prop_assert_eq!(machine.status(), Some(Status::Good));
+    }
 }

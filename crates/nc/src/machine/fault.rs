@@ -357,6 +357,7 @@ impl FaultKind {
         match self {
             Self::UnknownCycle { cycle, .. } => may_set_datum(cycle),
             Self::Changed { change, .. } => *change == Change::NotKnown,
+            Self::NoDatumTable { .. } | Self::ShiftedPreset { .. } => true,
             _ => false,
         }
     }

@@ -1,6 +1,6 @@
 //! The preset table of the control, where the program's folders have one: rows are read for cycle 247, and datum cycles write them.
 //!
-//! Its place and the names of its columns are those of a TNC 640; other controls have fewer columns or other names for the row and the
+//! Its place and the names of its columns are those of a TNC 640, from memory (`docs/SOURCES.md`, "Datum cycles"); other controls have fewer columns or other names for the row and the
 //! rotation, which are known here, too. What a value in the column of locked rows means is remembered: anything but a blank, `-` and 0
 //! counts as locked.
 
@@ -55,6 +55,11 @@ pub(super) struct Presets {
     table: Option<PresetTable>,
     /// How many times it was written.
     writes: usize,
+}
+
+/// Whether a file is the preset table, wherever a program looks for it.
+pub(super) fn is_preset_table(path: &NcPath) -> bool {
+    PLACE.rsplit_once('\\').is_some_and(|(_, name)| path.file_name().eq_ignore_ascii_case(name))
 }
 
 /// The row of a number, where it is one.
@@ -162,6 +167,11 @@ impl Presets {
             };
         }
         Ok(self.table.as_mut())
+    }
+
+    /// Its path, once it was read.
+    pub(super) fn path(&self) -> Option<&NcPath> {
+        self.table.as_ref().map(|table| &table.path)
     }
 
     /// A row that a cycle writes: an error where it is locked.

@@ -6,6 +6,7 @@ use super::super::files::Files;
 use super::super::presets::row_number;
 use super::super::remark::Remark;
 use super::Run;
+use super::skipped::ReadAs;
 use crate::program::{Body, CycleBlock, Expression, Frame, Operand};
 use fitcheck_core::probing::cycle::{DatumTarget, NewDatum};
 
@@ -60,6 +61,7 @@ impl Run {
             Some(row) => self.presets.row(row, files)?,
             None => None,
         };
+        self.check_presets()?;
         let remark = self.around.activate(number, table, self.flow.made(at));
         self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
         Ok(())
@@ -76,12 +78,18 @@ impl Run {
             DatumTarget::Preset { .. } => self.presets.unlocked(row, files)?,
             _ => None,
         };
+        self.check_presets()?;
         let (remarks, written) = self.around.set_datum(new, (row, table), self.flow.made(at))?;
         let place = self.flow.place_of(at);
         self.remarks.add_all(&place, remarks);
         let remark = self.presets.write(row, written, files)?;
         self.remarks.add_all(&place, remark.into_iter().collect());
         Ok(())
+    }
+
+    /// An error where a block may have changed the preset table that was not run.
+    fn check_presets(&self) -> Result<(), FaultKind> {
+        self.presets.path().map_or(Ok(()), |path| self.check_file(path, ReadAs::Table))
     }
 
     /// A change of the system that coordinates count in.

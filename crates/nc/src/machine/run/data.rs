@@ -2,6 +2,8 @@
 
 use super::super::fault::FaultKind;
 use super::super::files::Files;
+use super::super::presets::is_preset_table;
+use super::super::remark::Remark;
 use super::Run;
 use super::skipped::ReadAs;
 use crate::program::{Body, TextOperand};
@@ -34,6 +36,11 @@ impl Run {
             Body::TableWrite { row, columns, from } => {
                 let mut cells = self.tables.cells(*row, columns, *from, self.flow.unit(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), std::mem::take(&mut cells.remarks));
+                // Which presets it changes, and whether one of them is active, is not followed.
+                if self.tables.path().is_some_and(is_preset_table) {
+                    self.around.lose_system(|| self.flow.made(at));
+                    self.remark(at, Remark::NotFollowed);
+                }
                 self.tables.write(at, cells, files)
             }
             _ => Ok(()),
