@@ -79,6 +79,7 @@ mod materials;
 mod measured_contacts;
 mod measurements;
 mod memory;
+mod nc_cases;
 mod nc_cli;
 mod nc_given;
 mod nc_paths;
