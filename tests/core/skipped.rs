@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use assert_cmd::cargo::cargo_bin_cmd;
-use fitcheck::control::variables::Parameter;
+use fitcheck::control::variables::{Parameter, Value};
 use fitcheck::nc::machine::{Contacts, InMemory, Machine, Settings, Step};
 use fitcheck::nc::program::Program;
 use fitcheck::probing::Contact;
@@ -321,7 +321,6 @@ fn a_good_run_that_leaves_a_measurement_out_is_looked_at_first() {
     for skipped in [
         "TCH PROBE 430 MEAS. BOLT HOLE CIRC",
         "TCH PROBE 1411 PROBING TWO CIRCLES",
-        "TCH PROBE 461 TS CALIBRATION OF TOOL LENGTH",
         "TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5",
         "CYCL DEF 421 MEASURE HOLE ~\nQ1=+1",
         DATUM,
@@ -329,8 +328,33 @@ fn a_good_run_that_leaves_a_measurement_out_is_looked_at_first() {
     ] {
         exits(&format!("{HOLE}\n{skipped}"), 14);
     }
-    // Another datum behind all measurements changes none of them.
+    // No measurement of the workpiece is left out by these, and another datum behind all of them changes none.
+    exits(&format!("{HOLE}\nTCH PROBE 461 TS CALIBRATION OF TOOL LENGTH"), 0);
     exits(&format!("{HOLE}\nM104"), 0);
+}
+
+#[test]
+fn calibrations_and_tool_measurements_are_passed_over_and_return_what_was_given() {
+    let blocks = "Q150 = 1\nTCH PROBE 481 CALIBRATE TT LENGTH\nTCH PROBE 441 FAST PROBING ~\nQ396=+2000\nQ1 = Q115";
+    let machine = |blocks: &str| {
+        let settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
+        let text = format!("BEGIN PGM main MM\nTOOL CALL 1 Z\n{blocks}\nEND PGM main MM\n");
+        let program = Arc::new(Program::read(text.as_bytes()).unwrap().0);
+        Machine::new("main.h", program, InMemory::new(), Contacts::Perfect, settings)
+    };
+    let mut without = machine(blocks);
+    let fault = without.run(u64::MAX).unwrap_err().kind.to_string();
+    assert!(fault.starts_with("Q115 is undefined: line 4, TCH PROBE 481"), "{fault}");
+    let mut given = machine(blocks);
+    given.set(Parameter::q(115), Value::Number(-0.02)).unwrap();
+    assert_eq!(given.run(u64::MAX), Ok(Step::Ended));
+    assert_eq!(given.variables().get(Parameter::q(1)), Some(&Value::Number(-0.02)));
+    let said: Vec<String> = given.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(said[0].starts_with("this cycle calibrates the probe or measures a tool"), "{said:?}");
+    // What an earlier measurement has found is not that of a passed cycle either.
+    let mut stale = machine(&format!("{HOLE}\nTCH PROBE 483 MEASURE TOOL\nQ1 = Q153"));
+    assert!(stale.run(u64::MAX).unwrap_err().kind.to_string().starts_with("Q153 is undefined"));
 }
 
 #[test]

@@ -104,6 +104,7 @@ machine-file-from = { $path }: načteno z { $file }
 machine-file-given = { $path }: načteno
 machine-file-built-in = { $path }: vestavěný soubor
 machine-remark-skipped = neznámý blok přeskočen
+machine-remark-cycle-passed-over = tento cyklus kalibruje sondu nebo měří nástroj: byl vynechán. Co vrací, není odtud definováno, pokud to nebylo zadáno před spuštěním (--set Q115=0)
 machine-remark-measurement-skipped = toto měření bylo přeskočeno: jeho výsledky odtud nejsou definovány
 machine-remark-datum-skipped = toto měření bylo přeskočeno: jeho výsledky odtud nejsou definovány a dál se nic neměří, protože může nastavovat nulový bod
 machine-remark-not-followed = tento blok se neprovádí a může změnit nulový bod: dál se nic neměří

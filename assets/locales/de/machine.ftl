@@ -104,6 +104,7 @@ machine-file-from = { $path } wurde aus { $file } gelesen
 machine-file-given = { $path } wurde gelesen
 machine-file-built-in = { $path } ist mitgeliefert
 machine-remark-skipped = unbekannter NC-Satz übersprungen
+machine-remark-cycle-passed-over = dieser Zyklus kalibriert den Taster oder vermisst ein Werkzeug: er wurde übergangen. Was er zurückgibt, ist ab hier nicht definiert, wenn es nicht vor dem Lauf gegeben wurde (--set Q115=0)
 machine-remark-measurement-skipped = diese Messung wurde übersprungen: ihre Ergebnisse sind ab hier nicht definiert
 machine-remark-datum-skipped = diese Messung wurde übersprungen: ihre Ergebnisse sind ab hier nicht definiert, und danach wird nichts gemessen, da sie einen Bezugspunkt setzen kann
 machine-remark-not-followed = dieser NC-Satz wird nicht ausgeführt und ändert vielleicht den Bezugspunkt: danach wird nichts gemessen

@@ -104,6 +104,7 @@ machine-file-from = { $path } was read from { $file }
 machine-file-given = { $path } was read
 machine-file-built-in = { $path } is built in
 machine-remark-skipped = unknown block skipped
+machine-remark-cycle-passed-over = this cycle calibrates the probe or measures a tool: it was passed over. What it returns is undefined from here on, unless it was given before the run (--set Q115=0)
 machine-remark-measurement-skipped = this measurement was skipped: its results are undefined from here on
 machine-remark-datum-skipped = this measurement was skipped: its results are undefined from here on, and nothing is measured after it, because it may set a datum
 machine-remark-not-followed = this block is not run and may change the datum: nothing is measured after it

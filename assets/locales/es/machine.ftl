@@ -104,6 +104,7 @@ machine-file-from = { $path } se leyó de { $file }
 machine-file-given = { $path } se leyó
 machine-file-built-in = { $path } está integrado
 machine-remark-skipped = frase desconocida omitida
+machine-remark-cycle-passed-over = este ciclo calibra el palpador o mide una herramienta: se pasó por alto. Lo que devuelve no está definido desde aquí, salvo que se haya dado antes de la ejecución (--set Q115=0)
 machine-remark-measurement-skipped = esta medición se omitió: sus resultados no están definidos desde aquí
 machine-remark-datum-skipped = esta medición se omitió: sus resultados no están definidos desde aquí, y después no se mide nada, porque puede fijar un punto cero
 machine-remark-not-followed = esta frase no se ejecuta y puede cambiar el punto cero: después no se mide nada

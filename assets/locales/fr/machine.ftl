@@ -104,6 +104,7 @@ machine-file-from = { $path } a été lu dans { $file }
 machine-file-given = { $path } a été lu
 machine-file-built-in = { $path } est intégré
 machine-remark-skipped = séquence inconnue ignorée
+machine-remark-cycle-passed-over = ce cycle étalonne le palpeur ou mesure un outil : il a été ignoré. Ce qu'il renvoie n'est plus défini à partir d'ici, sauf si cela a été donné avant l'exécution (--set Q115=0)
 machine-remark-measurement-skipped = cette mesure a été ignorée : ses résultats ne sont plus définis à partir d'ici
 machine-remark-datum-skipped = cette mesure a été ignorée : ses résultats ne sont plus définis à partir d'ici, et rien n'est mesuré ensuite, car elle définit peut-être un point d'origine
 machine-remark-not-followed = cette séquence n'est pas exécutée et peut modifier le point d'origine : rien n'est mesuré ensuite

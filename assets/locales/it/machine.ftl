@@ -104,6 +104,7 @@ machine-file-from = { $path } è stato letto da { $file }
 machine-file-given = { $path } è stato letto
 machine-file-built-in = { $path } è integrato
 machine-remark-skipped = blocco sconosciuto saltato
+machine-remark-cycle-passed-over = questo ciclo calibra il tastatore o misura un utensile: è stato saltato. Ciò che restituisce non è definito da qui, se non è stato dato prima dell'esecuzione (--set Q115=0)
 machine-remark-measurement-skipped = questa misura è stata saltata: da qui i suoi risultati non sono definiti
 machine-remark-datum-skipped = questa misura è stata saltata: da qui i suoi risultati non sono definiti, e dopo non si misura nulla, perché può impostare un'origine
 machine-remark-not-followed = questo blocco non viene eseguito e può cambiare l'origine: dopo non si misura nulla

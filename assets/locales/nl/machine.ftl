@@ -104,6 +104,7 @@ machine-file-from = { $path } is gelezen uit { $file }
 machine-file-given = { $path } is gelezen
 machine-file-built-in = { $path } is ingebouwd
 machine-remark-skipped = onbekende NC-regel overgeslagen
+machine-remark-cycle-passed-over = deze cyclus kalibreert de taster of meet een gereedschap: hij is overgeslagen. Wat hij teruggeeft is vanaf hier niet gedefinieerd, tenzij het vóór de uitvoering is gegeven (--set Q115=0)
 machine-remark-measurement-skipped = deze meting is overgeslagen: de resultaten zijn vanaf hier niet gedefinieerd
 machine-remark-datum-skipped = deze meting is overgeslagen: de resultaten zijn vanaf hier niet gedefinieerd, en hierna wordt niet meer gemeten, omdat zij een nulpunt kan zetten
 machine-remark-not-followed = deze NC-regel wordt niet uitgevoerd en kan het nulpunt wijzigen: hierna wordt niet meer gemeten

@@ -114,6 +114,7 @@ machine-file-from = { $path } odczytano z { $file }
 machine-file-given = odczytano { $path }
 machine-file-built-in = { $path } jest wbudowany
 machine-remark-skipped = pominięto nieznany wiersz NC
+machine-remark-cycle-passed-over = ten cykl kalibruje sondę albo mierzy narzędzie: został pominięty. To, co zwraca, jest odtąd niezdefiniowane, chyba że podano to przed uruchomieniem (--set Q115=0)
 machine-remark-measurement-skipped = pominięto ten pomiar: jego wyniki są odtąd niezdefiniowane
 machine-remark-datum-skipped = pominięto ten pomiar: jego wyniki są odtąd niezdefiniowane i nic po nim nie jest mierzone, bo może ustawiać punkt odniesienia
 machine-remark-not-followed = ten wiersz NC nie jest wykonywany i może zmieniać punkt odniesienia: nic po nim nie jest mierzone

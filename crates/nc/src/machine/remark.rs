@@ -22,6 +22,8 @@ pub enum Remark {
     Skipped,
     /// A measuring cycle that nothing here runs was skipped: what it measures is undefined.
     MeasurementSkipped,
+    /// A cycle that calibrates the probe or measures a tool: no fit depends on it here.
+    CyclePassedOver,
     /// The same for one that may set a datum, too.
     DatumSkipped,
     /// A block that may change the system of coordinates was not run: nothing is measured behind it.

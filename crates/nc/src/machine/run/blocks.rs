@@ -292,6 +292,9 @@ impl Run {
         files: &mut Files,
         settings: &Settings,
     ) -> Result<Step, FaultKind> {
+        if let Some(passed) = self.pass_cycle(at, block) {
+            return passed.map(|()| Step::Went);
+        }
         let cycle = match cycle_of(&block.number, self.flow.program().notation().control()) {
             Err(_unknown) if settings.skip_unknown => return self.skip_cycle(at, block).map(|()| Step::Went),
             cycle => cycle?,

@@ -14,8 +14,16 @@ use crate::program::{Body, CycleBlock, Unread};
 
 /// Cycles of `TCH PROBE` that measure tools.
 fn measures_tools(number: u32) -> bool {
-    matches!(number, 30..=33 | 480..=484)
+    matches!(number, 30..=33 | 480..=484 | 580..=589)
 }
+
+/// Those that calibrate the probe.
+fn calibrates(number: u32) -> bool {
+    matches!(number, 2 | 9 | 460..=463)
+}
+
+/// Fast probing: it measures nothing, and sets nothing but how the others move.
+const FAST_PROBING: u32 = 441;
 
 /// Files that a block may have written, moved or removed which was not run.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -116,22 +124,34 @@ impl Run {
         }
     }
 
+    /// Passes over a cycle on which no fit depends here, whatever the user has chosen; `None` for another one. What it would return is that
+    /// which was given before the run, or undefined.
+    pub(super) fn pass_cycle(&mut self, at: usize, block: &CycleBlock) -> Option<Result<(), FaultKind>> {
+        let number = cycle_number(&block.number)?;
+        if number == FAST_PROBING {
+            self.around.pass_over("TCH PROBE 441");
+            return Some(self.around.stated(block, true, self.flow.unit(), &mut self.values));
+        }
+        if !measures_tools(number) && !calibrates(number) {
+            return None;
+        }
+        self.lose_measured(at, block);
+        self.values.give_results();
+        self.way.lose();
+        if measures_tools(number) {
+            self.tools.lose(|| Arc::new(self.flow.made(at)));
+        }
+        self.remark(at, Remark::CyclePassedOver);
+        Some(self.around.stated(block, true, self.flow.unit(), &mut self.values))
+    }
+
     /// Skips a measuring cycle that nothing here runs. What its block states can be read afterwards.
     pub(super) fn skip_cycle(&mut self, at: usize, block: &CycleBlock) -> Result<(), FaultKind> {
-        let number = cycle_number(&block.number);
-        // Fast probing measures nothing, and sets nothing but how the others move.
-        if number == Some(441) {
-            self.remark(at, Remark::Skipped);
-            return self.around.stated(block, true, self.flow.unit(), &mut self.values);
-        }
         self.lose_measured(at, block);
         self.around.stated(block, true, self.flow.unit(), &mut self.values)?;
         self.way.lose();
-        // Tools and calibrations have no contacts of the workpiece.
-        if !number.is_some_and(|number| measures_tools(number) || matches!(number, 2 | 9 | 460..=463)) {
-            self.cycles.lose(|| self.flow.made(at));
-        }
-        if number.is_none_or(measures_tools) {
+        self.cycles.lose(|| self.flow.made(at));
+        if cycle_number(&block.number).is_none() {
             self.tools.lose(|| Arc::new(self.flow.made(at)));
         }
         if may_set_datum(&block.number) {

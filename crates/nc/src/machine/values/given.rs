@@ -27,6 +27,18 @@ impl GivenValues {
         self.standing.remove(&parameter)
     }
 
+    /// The values of some parameters that no block has replaced yet.
+    pub(super) fn standing_of(&self, is_wanted: impl Fn(Parameter) -> bool) -> Vec<(Parameter, Value)> {
+        let wanted = self.standing.iter().filter(|(parameter, _)| is_wanted(**parameter));
+        wanted.map(|(parameter, value)| (*parameter, value.clone())).collect()
+    }
+
+    /// The value takes the place of a result, also where it was taken away before.
+    pub(super) fn gives(&mut self, parameter: Parameter) {
+        self.used(parameter);
+        self.lost.retain(|lost| *lost != parameter);
+    }
+
     /// The parameter was read, or its value took the place of an assignment.
     pub(super) fn used(&self, parameter: Parameter) {
         // In most runs nothing is left here after a few blocks.

@@ -105,6 +105,14 @@ impl Values {
         }
     }
 
+    /// Results that were given before the run are those of a cycle that is passed over.
+    pub(in crate::machine) fn give_results(&mut self) {
+        for (parameter, value) in self.given.standing_of(is_result) {
+            self.given.gives(parameter);
+            self.set(parameter, value);
+        }
+    }
+
     /// An error for a parameter that a block may have set which was not run.
     pub(in crate::machine) fn check_known(&self, parameter: Parameter) -> Result<(), FaultKind> {
         lost(parameter, self.lost.by.get(&parameter))
