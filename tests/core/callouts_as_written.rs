@@ -300,6 +300,15 @@ fn texts() -> impl Strategy<Value = String> {
     proptest::collection::vec(proptest::sample::select(pieces.to_vec()), 0..12).prop_map(|pieces| pieces.concat())
 }
 
+#[test]
+fn a_size_of_class_x_is_no_count() {
+    for (text, printed) in [("(E)2x", "2 x (E)"), ("2 x (+0.1 0)", "2 x (+0.1 0)")] {
+        let callout: Callout = text.parse().unwrap();
+        assert_eq!(callout.to_string().parse::<Callout>(), Ok(callout), "{text}");
+        assert_eq!(printed.parse::<Callout>().map(|callout| callout.to_string()).as_deref(), Ok(printed), "{text}");
+    }
+}
+
 proptest! {
     #[test]
     fn any_text_is_read_or_refused_and_what_is_read_reads_back(text in prop_oneof![texts(), ".{0,60}"]) {

@@ -6,7 +6,7 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Number, Value as Json};
 
-use super::row::ImportRow;
+use super::row::{ImportRow, RowKind};
 use crate::cli::people::{Aligned, Side, mm, um};
 use crate::cli::rows::csv_line;
 use crate::cli::rows::{Columns, names};
@@ -95,7 +95,7 @@ impl Printer {
     fn text(&mut self, row: &ImportRow, io: &mut Io<'_>) {
         self.summary.count(row);
         // What is missing is named in one sentence.
-        let Some(line) = row.line.filter(|_| !row.is_missing) else { return };
+        let Some(line) = row.line.filter(|_| row.kind != RowKind::Missing) else { return };
         for warning in &row.warnings {
             io.tell(format_args!("{}:{line}: warning: {warning}", row.file));
         }
@@ -103,7 +103,7 @@ impl Printer {
             let column = row.column.map_or(String::new(), |column| format!(":{column}"));
             io.tell(format_args!("{}:{line}{column}: {error}", row.file));
         }
-        if row.is_listed {
+        if row.kind == RowKind::Measured {
             self.table.add(cells(row), io);
         }
     }
@@ -282,7 +282,7 @@ struct Summary {
 
 impl Summary {
     fn count(&mut self, row: &ImportRow) {
-        if row.is_missing {
+        if row.kind == RowKind::Missing {
             self.missing += 1;
             return;
         }
@@ -291,8 +291,8 @@ impl Summary {
             *self.status.entry(status).or_default() += 1;
         }
         self.out_of_position += usize::from(row.position_word() == Some("OUT"));
-        self.not_judged += usize::from(row.error.is_some() && row.is_listed);
-        self.not_usable += usize::from(row.error.is_some() && !row.is_listed);
+        self.not_judged += usize::from(row.error.is_some() && row.kind == RowKind::Measured);
+        self.not_usable += usize::from(row.error.is_some() && row.kind == RowKind::Refused);
     }
 }
 

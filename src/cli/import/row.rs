@@ -15,6 +15,18 @@ use crate::part::{Plan, Size};
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 
+/// What a row is.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(in crate::cli) enum RowKind {
+    /// It cannot be read.
+    #[default]
+    Refused,
+    /// Something was measured, with a figure or without.
+    Measured,
+    /// A size of a plan that nothing measured.
+    Missing,
+}
+
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(in crate::cli) struct ImportRow {
@@ -40,10 +52,7 @@ pub(in crate::cli) struct ImportRow {
     /// Whether one of them asks somebody to look before the verdict counts.
     pub(in crate::cli) wants_a_look: bool,
     pub(in crate::cli) error: Option<String>,
-    /// Whether something was measured, with a figure or without; not so where it cannot be read.
-    pub(in crate::cli) is_listed: bool,
-    /// Whether it is a size of a plan that nothing measured.
-    pub(in crate::cli) is_missing: bool,
+    pub(in crate::cli) kind: RowKind,
     /// What its file says of it besides its name.
     pub(in crate::cli) labels: Labels,
     /// Whether nobody measured its value; `None` where it has none.
@@ -157,7 +166,7 @@ impl Rows<'_> {
             }
             Err(error) => {
                 let error = Some(error.to_string());
-                ImportRow { id, labels, measured, is_listed: true, is_simulated, error, ..ImportRow::default() }
+                ImportRow { id, labels, measured, kind: RowKind::Measured, is_simulated, error, ..ImportRow::default() }
             }
         }
     }
@@ -185,7 +194,7 @@ impl ImportRow {
             minimum: Some(limits.minimum()),
             maximum: Some(limits.maximum()),
             measured: Some(record.measurement.diameter),
-            is_listed: true,
+            kind: RowKind::Measured,
             deviation: Some(size.deviation),
             status: Some(size.status),
             remove: size.removal.map(|removal| removal.to_limit),
@@ -205,7 +214,7 @@ impl ImportRow {
         let row = Self {
             id: unjudged.id.clone(),
             measured: unjudged.measured,
-            is_listed: true,
+            kind: RowKind::Measured,
             position: unjudged.position,
             is_simulated: unjudged.measured.map(|_| unjudged.origin.is_simulated()),
             ..Self::default()
@@ -265,7 +274,7 @@ impl ImportRow {
             minimum: Some(size.limits.minimum()),
             maximum: Some(size.limits.maximum()),
             error: Some(error),
-            is_missing: true,
+            kind: RowKind::Missing,
             ..Self::default()
         }
     }

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::message::{Located, Say};
-use fitcheck_core::probing::cycle::Control;
+use fitcheck_core::probing::cycle::{Control, Cycle};
 use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::text::cut;
 
@@ -229,7 +229,7 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
         },
         Body::Probe(cycle) => {
             let known = cycles_of(Control::Milling).find(|known| known.code == cycle.number);
-            if !known.map_or_else(|| may_set_datum(&cycle.number), |known| known.sets_datum()) {
+            if !known.map_or_else(|| may_set_datum(&cycle.number), Cycle::sets_datum) {
                 return Before::Nothing;
             }
             around.lose_system(made);

@@ -13,7 +13,7 @@ use super::remark::{Remark, Remarks};
 use super::values::{Values, shown_arg};
 use crate::control::deviations::other_spelling;
 use crate::control::mask::FileUse;
-use crate::control::table::{TableFile, TableUnit, WriteError, is_blank, is_number};
+use crate::control::table::{Column, TableFile, TableUnit, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::program::{Columns, Operand, Unit};
 
@@ -146,7 +146,7 @@ impl OpenTable {
                 Some([of_table, of_program]) => Operand::Number(values.operand(operand)? * of_program / of_table),
                 None => operand,
             };
-            values.decimal(operand, column.decimals)?
+            signed(values.decimal(operand, column.decimals)?, column)
         };
         // At least one blank must remain between the columns.
         if column.width <= text.chars().count() {
@@ -155,6 +155,13 @@ impl OpenTable {
         }
         Ok(text)
     }
+}
+
+/// A number with decimals has its sign, `+115.0290`, where there is room for it.
+fn signed(text: String, column: &Column) -> String {
+    let has_decimals = column.decimals.is_some_and(|decimals| 0 < decimals);
+    let has_room = text.chars().count() + 1 < column.width;
+    if has_decimals && has_room && !text.starts_with('-') { format!("+{text}") } else { text }
 }
 
 /// What FN 27 writes: a row, and the text of each column by its number.

@@ -172,12 +172,12 @@ impl Reader<'_, '_> {
         if let Some(kind) = broken(text, is_open) {
             return self.sink.refuse(FilePlace::line(line), kind, shorten(text.trim_matches('\0').trim()));
         }
-        let read = CalypsoRow::read(line, text, columns, self.unit).and_then(|row| match &row.value {
-            Some(value) => Ok((value.clone(), row)),
-            None => {
-                let (column, _) = columns.named(Column::Actual);
-                Err(RefusedRow { kind: CalypsoFault::NoActual.into(), column, given: text })
+        let read = CalypsoRow::read(line, text, columns, self.unit).and_then(|row| {
+            if let Some(value) = &row.value {
+                return Ok((value.clone(), row));
             }
+            let (column, _) = columns.named(Column::Actual);
+            Err(RefusedRow { kind: CalypsoFault::NoActual.into(), column, given: text })
         });
         let (value, row) = match read {
             Ok(read) => read,

@@ -61,7 +61,7 @@ pub fn beginnings(text: &str) -> String {
 }
 
 fn heads(text: &str) -> impl Iterator<Item = (usize, &'static Cycle)> {
-    lines(text).flat_map(|(number, line)| {
+    lines(text).filter_map(|(number, line)| {
         let (segments, _) = segments(line);
         let of = |segment: &Segment<'_>| head(body(segment.code)).ok().flatten().map(|(cycle, _)| cycle);
         segments.iter().find_map(of).map(|cycle| (number, cycle))

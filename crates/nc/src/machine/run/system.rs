@@ -96,7 +96,9 @@ impl Run {
             }
             None if self.tools.table().is_some() => {
                 let by = Arc::new(self.flow.made(at));
-                of_measures.into_iter().for_each(|number| self.values.lose(Parameter::q(number), &by));
+                for number in of_measures {
+                    self.values.lose(Parameter::q(number), &by);
+                }
             }
             None => {}
         }

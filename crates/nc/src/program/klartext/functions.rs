@@ -190,9 +190,8 @@ fn system_read(cursor: &mut Cursor<'_>) -> Parsed<Body> {
 
 /// `ID50 NR19 IDXQ1`; a value of another form is one that only a control knows.
 pub(in super::super) fn system_datum(cursor: &mut Cursor<'_>) -> Option<SystemDatum> {
-    let mut word = |letters: &str| match cursor.take_prefix(letters) {
-        true => cursor.operand().map(Some).ok(),
-        false => Some(None),
+    let mut word = |letters: &str| {
+        if cursor.take_prefix(letters) { cursor.operand().map(Some).ok() } else { Some(None) }
     };
     let group = match word("ID")?? {
         Operand::Number(group) => format!("{group}").parse().ok()?,

@@ -124,10 +124,23 @@ impl Drawing<'_> {
         if has_bracket && self.chars.get(behind) != Some(&')') {
             return;
         }
-        // "2x" alone has no size, and in "2x45°" a number follows at once as in "2x8".
-        if self.take_count(&digits) {
+        // In "2x45°" a number follows at once as in "2x8"; what no size follows is a size of class x: "2 x (E)".
+        if self.has_size(behind) && self.take_count(&digits) {
             self.blank(start..if has_bracket { behind + 1 } else { at });
         }
+    }
+
+    /// Whether a size may stand behind a place: a figure that is in no bracket.
+    fn has_size(&self, at: usize) -> bool {
+        let mut depth = 0_usize;
+        self.chars.iter().skip(at).any(|c| {
+            match c {
+                '(' => depth += 1,
+                ')' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth == 0 && c.is_ascii_digit()
+        })
     }
 
     fn take_count(&mut self, digits: &str) -> bool {
