@@ -147,6 +147,6 @@ fn another_device_is_a_file_below_the_output_folder() {
 fn an_empty_mask_makes_an_empty_file() {
     let shop = Shop::new().with("in/empty.a", b"");
     let said = shop.run("FN 16: F-PRINT empty.a / OUT.TXT");
-    assert_eq!(said, [r"the mask TNC:\fit\empty.a is empty: the file has no text"]);
+    assert_eq!(said, [r"the mask TNC:\fit\empty.a is empty: so is what it prints"]);
     assert_eq!(shop.read("fit/OUT.TXT").as_deref(), Some(""));
 }

@@ -277,7 +277,7 @@ fn the_settings_say_how_many_texts_count_and_which_are_refused() {
     let mut session = Session::new(Language::Nl);
     send(&mut session, read("/shop/nl_OurShop.ftl", "measured-value = Maat\nstatus-god = PRIMA\n"));
     let lines = told(&session);
-    assert!(lines[0].starts_with("/shop/nl_OurShop.ftl: 1 of 3\u{a0}"), "{lines:?}");
+    assert!(lines[0].starts_with("/shop/nl_OurShop.ftl: 1 of 4\u{a0}"), "{lines:?}");
     assert_eq!(lines[1], "1 text is refused, and the built-in one is said:");
     assert!(
         lines[2].contains("The nearest name is status-good") && lines[2].ends_with("line 2, column 1"),
