@@ -230,7 +230,7 @@ fn own_texts_are_chosen_said_told_and_read_again_at_the_next_start() {
     press(&mut window, Key::Enter);
     window.get_by_label("Tongue");
     // In its row, and in a notice.
-    for said in ["en_OurShop.ftl: 2 of 3", "1 text is refused", "The nearest name is language: "] {
+    for said in ["en_OurShop.ftl: 2 of 4", "1 text is refused", "The nearest name is language: "] {
         assert!(window.query_all_by_label_contains(said).next().is_some(), "{said}");
     }
     eframe::App::on_exit(window.state_mut(), None);

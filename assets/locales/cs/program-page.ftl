@@ -120,7 +120,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, změněno
 program-page-pin = Držet { $parameter } nahoře
 program-page-unpin = Nedržet { $parameter } nahoře
+program-page-q108 = rádius nástroje
+program-page-q109 = osa nástroje: 0 X, 1 Y, 2 Z
+program-page-q110 = vřeteno: 0 M3, 1 M4, 2 nebo 3 poté zastaveno
+program-page-q111 = chladicí kapalina: 0 vypnuta, 1 zapnuta
 program-page-q113 = jednotka: 0 mm, 1 palec
+program-page-q114 = délka nástroje
 program-page-q115 = sejmutá poloha, X
 program-page-q116 = sejmutá poloha, Y
 program-page-q117 = sejmutá poloha, Z

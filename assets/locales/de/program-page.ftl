@@ -118,7 +118,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, geändert
 program-page-pin = { $parameter } oben halten
 program-page-unpin = { $parameter } nicht oben halten
+program-page-q108 = Radius des Werkzeugs
+program-page-q109 = Werkzeugachse: 0 X, 1 Y, 2 Z
+program-page-q110 = Spindel: 0 M3, 1 M4, 2 oder 3 danach gehalten
+program-page-q111 = Kühlmittel: 0 aus, 1 ein
 program-page-q113 = Maßeinheit: 0 mm, 1 Inch
+program-page-q114 = Länge des Werkzeugs
 program-page-q115 = Antastposition, X
 program-page-q116 = Antastposition, Y
 program-page-q117 = Antastposition, Z

@@ -118,7 +118,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, changed
 program-page-pin = Keep { $parameter } at the top
 program-page-unpin = Do not keep { $parameter } at the top
+program-page-q108 = radius of the tool
+program-page-q109 = tool axis: 0 X, 1 Y, 2 Z
+program-page-q110 = spindle: 0 M3, 1 M4, 2 or 3 stopped behind them
+program-page-q111 = coolant: 0 off, 1 on
 program-page-q113 = unit: 0 mm, 1 inch
+program-page-q114 = length of the tool
 program-page-q115 = probed position, X
 program-page-q116 = probed position, Y
 program-page-q117 = probed position, Z

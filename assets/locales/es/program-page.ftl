@@ -118,7 +118,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, cambiado
 program-page-pin = Mantener { $parameter } arriba
 program-page-unpin = No mantener { $parameter } arriba
+program-page-q108 = radio de la herramienta
+program-page-q109 = eje de herramienta: 0 X, 1 Y, 2 Z
+program-page-q110 = husillo: 0 M3, 1 M4, 2 o 3 parado después
+program-page-q111 = refrigerante: 0 apagado, 1 encendido
 program-page-q113 = unidad: 0 mm, 1 pulgada
+program-page-q114 = longitud de la herramienta
 program-page-q115 = posición palpada, X
 program-page-q116 = posición palpada, Y
 program-page-q117 = posición palpada, Z

@@ -118,7 +118,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, modifié
 program-page-pin = Garder { $parameter } en tête
 program-page-unpin = Ne plus garder { $parameter } en tête
+program-page-q108 = rayon de l'outil
+program-page-q109 = axe d'outil : 0 X, 1 Y, 2 Z
+program-page-q110 = broche : 0 M3, 1 M4, 2 ou 3 arrêtée ensuite
+program-page-q111 = arrosage : 0 arrêt, 1 marche
 program-page-q113 = unité : 0 mm, 1 pouce
+program-page-q114 = longueur de l'outil
 program-page-q115 = position palpée, X
 program-page-q116 = position palpée, Y
 program-page-q117 = position palpée, Z

@@ -118,7 +118,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, modificato
 program-page-pin = Tenere { $parameter } in alto
 program-page-unpin = Non tenere { $parameter } in alto
+program-page-q108 = raggio dell'utensile
+program-page-q109 = asse utensile: 0 X, 1 Y, 2 Z
+program-page-q110 = mandrino: 0 M3, 1 M4, 2 o 3 poi fermato
+program-page-q111 = refrigerante: 0 spento, 1 acceso
 program-page-q113 = unità: 0 mm, 1 pollici
+program-page-q114 = lunghezza dell'utensile
 program-page-q115 = posizione tastata, X
 program-page-q116 = posizione tastata, Y
 program-page-q117 = posizione tastata, Z

@@ -118,7 +118,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, gewijzigd
 program-page-pin = { $parameter } bovenaan houden
 program-page-unpin = { $parameter } niet bovenaan houden
+program-page-q108 = radius van het gereedschap
+program-page-q109 = gereedschapsas: 0 X, 1 Y, 2 Z
+program-page-q110 = spil: 0 M3, 1 M4, 2 of 3 daarna gestopt
+program-page-q111 = koelmiddel: 0 uit, 1 aan
 program-page-q113 = maateenheid: 0 mm, 1 inch
+program-page-q114 = lengte van het gereedschap
 program-page-q115 = tastpositie, X
 program-page-q116 = tastpositie, Y
 program-page-q117 = tastpositie, Z

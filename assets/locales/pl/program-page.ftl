@@ -122,7 +122,12 @@ program-page-parameter = { $parameter } { $name } = { $value }
 program-page-parameter-changed = { $parameter } { $name } = { $value }, zmieniony
 program-page-pin = Trzymaj { $parameter } na górze
 program-page-unpin = Nie trzymaj { $parameter } na górze
+program-page-q108 = promień narzędzia
+program-page-q109 = oś narzędzia: 0 X, 1 Y, 2 Z
+program-page-q110 = wrzeciono: 0 M3, 1 M4, 2 lub 3 potem zatrzymane
+program-page-q111 = chłodziwo: 0 wyłączone, 1 włączone
 program-page-q113 = jednostka: 0 mm, 1 cal
+program-page-q114 = długość narzędzia
 program-page-q115 = próbkowana pozycja, X
 program-page-q116 = próbkowana pozycja, Y
 program-page-q117 = próbkowana pozycja, Z

@@ -31,8 +31,13 @@ pub enum Name<'a> {
 }
 
 /// What the control itself puts into parameters, by the ids of their texts.
-const CONTROL: [(u16, &str); 16] = [
+const CONTROL: [(u16, &str); 21] = [
+    (108, "program-page-q108"),
+    (109, "program-page-q109"),
+    (110, "program-page-q110"),
+    (111, "program-page-q111"),
     (113, "program-page-q113"),
+    (114, "program-page-q114"),
     (115, "program-page-q115"),
     (116, "program-page-q116"),
     (117, "program-page-q117"),
@@ -50,8 +55,11 @@ const CONTROL: [(u16, &str); 16] = [
     (183, "found-status"),
 ];
 
+/// Those of them that tell tool, spindle and unit, whatever the program does with them.
+const SET_UP: std::ops::RangeInclusive<Parameter> = Parameter::q(108)..=Parameter::q(114);
+
 impl ProgramPage {
-    /// The parameters that pass the filter, the pinned ones first.
+    /// The parameters that pass the filter, the pinned ones first, and last what the control says of tool, spindle and unit.
     pub fn watched(&self) -> Vec<Watched<'_>> {
         let pinned = self.pinned.iter().map(|&parameter| self.watch(parameter, self.value(parameter), true));
         let run = self.run.iter().flat_map(|run| run.variables().iter());
@@ -60,7 +68,10 @@ impl ProgramPage {
         let filter = self.text(ProgramField::Filter).trim().to_lowercase();
         let rest = run.chain(given).filter(|(parameter, _)| !self.pinned.contains(parameter));
         let rest = rest.filter(|(parameter, value)| self.is_wanted(*parameter, value, &filter));
-        pinned.chain(rest.map(|(parameter, value)| self.watch(parameter, Some(value), false))).collect()
+        let mut rest: Vec<Watched<'_>> =
+            rest.map(|(parameter, value)| self.watch(parameter, Some(value), false)).collect();
+        rest.sort_by_key(|watched| SET_UP.contains(&watched.parameter));
+        pinned.chain(rest).collect()
     }
 
     fn watch<'a>(&self, parameter: Parameter, value: Option<&'a Value>, is_pinned: bool) -> Watched<'a> {
