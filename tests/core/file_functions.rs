@@ -106,6 +106,15 @@ fn without_an_output_folder_the_run_goes_on_and_says_what_was_not_done() {
 }
 
 #[test]
+fn nothing_is_measured_behind_another_preset_table() {
+    let hole = "TOOL CALL 1 Z\nTCH PROBE 421 MEASURE HOLE ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ261=-5 ~\nQ260=+15 ~\nQ275=+25.021 ~\nQ276=+25";
+    let shop = Shop::new().with("in/other.pr", b"BEGIN OTHER.PR MM\nNO X Y Z\n0 +0 +0 +0\n[END]\n");
+    assert_eq!(shop.run(hole).len(), 2);
+    let fault = shop.fault(&format!("FUNCTION FILECOPY \"other.pr\" TO \"TNC:\\table\\preset.pr\"\n{hole}"));
+    assert!(fault.contains("FUNCTION FILECOPY"), "{fault}");
+}
+
+#[test]
 fn a_table_that_is_open_is_not_copied() {
     let shop = Shop::new();
     let open = shop.fault("FN 26: TABOPEN 82553_hole.tab\nFUNCTION FILECOPY \"82553_hole.tab\" TO \"a.tab\"");

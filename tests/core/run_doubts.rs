@@ -186,7 +186,7 @@ fn a_value_that_is_rounded_into_a_table_is_told() {
         found.into_iter().filter(|remark| remark.contains("rounded")).collect::<Vec<_>>()
     };
     assert!(write("25.021").is_empty());
-    assert_eq!(write("25.0214"), ["table own.tab, column X: 25.0214 was rounded to 25.021"]);
+    assert_eq!(write("25.0214"), ["table own.tab, column X: 25.0214 was rounded to +25.021"]);
 }
 
 #[test]

@@ -140,7 +140,9 @@ impl Around {
         (row, table): (u32, Option<PresetRow>),
         made: ChangingBlock,
     ) -> Result<(Vec<Remark>, Row), FaultKind> {
-        let shift = self.shift.map(|mm| Length::from_mm_f64(mm).unwrap_or_default());
+        let in_range = |mm: f64| Length::from_mm_f64(mm).map_err(|_length| FaultKind::BeyondRange(mm));
+        let [by_x, by_y, by_z] = self.shift.map(in_range);
+        let shift = [by_x?, by_y?, by_z?];
         let [x, y, z] = by_machine_axis(&new.axes, self.plane());
         let ([to_x, to_y, to_z], [by_x, by_y, by_z]) = (self.datum.origin, shift);
         let moved = [moved(x, to_x, by_x), moved(y, to_y, by_y), moved(z, to_z, by_z)];

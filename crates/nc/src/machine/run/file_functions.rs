@@ -7,6 +7,7 @@ use fitcheck_core::text::decode;
 use super::super::fault::FaultKind;
 use super::super::files::Files;
 use super::super::path::NcPath;
+use super::super::presets::is_preset_table;
 use super::super::prints::{Written, save};
 use super::super::remark::Remark;
 use super::Run;
@@ -27,6 +28,7 @@ impl Run {
                 if from == to || !self.copy(at, &from, to, files)? {
                     return Ok(());
                 }
+                self.look_at_presets(at, &from);
                 self.prints.removed(&from);
                 files.remove(&from)
             }
@@ -34,6 +36,7 @@ impl Run {
                 let path = self.file_path(path)?;
                 if files.writes() {
                     files.remove(&path)?;
+                    self.look_at_presets(at, &path);
                     self.prints.removed(&path);
                     self.remark(at, Remark::Deleted { path });
                 } else {
@@ -51,6 +54,14 @@ impl Run {
         if self.tables.path() == Some(&path) { Err(FaultKind::FileOpen { path }) } else { Ok(path) }
     }
 
+    /// Which presets another file of the preset table has, and whether one of them is active, is not followed.
+    fn look_at_presets(&mut self, at: usize, path: &NcPath) {
+        if is_preset_table(path) {
+            self.around.lose_system(|| self.flow.made(at));
+            self.remark(at, Remark::NotFollowed);
+        }
+    }
+
     /// Whether the file was copied.
     fn copy(&mut self, at: usize, from: &NcPath, to: NcPath, files: &mut Files) -> Result<bool, FaultKind> {
         // What the run itself would have written is not there.
@@ -60,6 +71,7 @@ impl Run {
         }
         let bytes = files.read(from)?;
         let text = decode(&bytes).replace("\r\n", "\n");
+        self.look_at_presets(at, &to);
         self.prints.count_output(&to, &text)?;
         self.prints.removed(&to);
         let is_saved = save(&to, &bytes, FileUse::Replace, files)?;
