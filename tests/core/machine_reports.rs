@@ -282,6 +282,9 @@ fn half_a_line_of_a_gauge_is_no_value() {
         let is_error = |line: &String| line.starts_with("line ");
         assert!(read.iter().all(|line| is_error(line) || values.contains(line)), "{cut}: {read:?}");
     }
+    // As long as the line before it, but without the unit that this has.
+    let cut = gauged(b"1380, MM\r\n+  0.984", Some("unit=inch"));
+    assert!(cut.len() == 2 && cut[0] == "1  1380000000" && cut[1].starts_with("line 2"), "{cut:?}");
     let refused = gauged(b"01A+025.0120\r01A+024.99x0\r", Some("unit=mm"));
     assert_eq!(refused, ["1 01 25012000", "line 2: +024.99x0 is not a number"]);
 }

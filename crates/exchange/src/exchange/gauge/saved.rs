@@ -97,18 +97,19 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     }
     let file = Arc::clone(&source.context.file);
     let now = source.context.now;
-    let mut last = 0;
+    let mut before = None;
     each_line(source, &mut |line| {
         if sink.is_full(line.number) {
             return false;
         }
         let PrintedLine { number, text, .. } = line;
-        // As long as the line before it, it lacks nothing but its end.
-        let read = match line.broken(last == text.len()) {
+        // As long as the line before it, and with its unit if that has one, it lacks nothing but its end.
+        let shape = Some((text.len(), value(text, LineUnit::Said).is_ok()));
+        let read = match line.broken(before == shape) {
             Some(kind) => Err(kind),
             None => value(text, unit).map_err(ImportErrorKind::Gauge),
         };
-        last = text.len();
+        before = shape;
         match read {
             Ok((channel, gauged)) => sink.set_aside(Unjudged {
                 line: number,
