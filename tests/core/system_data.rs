@@ -69,6 +69,19 @@ fn measures_without_a_table_are_undefined_and_say_what_is_missing() {
 }
 
 #[test]
+fn behind_a_tool_measurement_that_was_passed_over_no_measure_of_a_tool_is_known() {
+    let measured = "TOOL CALL 5 Z\nTCH PROBE 483 MEASURE TOOL\n";
+    for asked in ["ID50 NR1 IDX5", "ID50 NR1", "ID200 NR2"] {
+        let blocks = format!("{measured}FN 18: SYSREAD Q1 = {asked}\nFN 18: SYSREAD Q2 = ID20 NR1");
+        check(&values(&blocks, Some(TABLE), &[1, 2]), &[f64::NAN, 5.0]);
+    }
+    for blocks in ["Q1 = Q114", "TOOL CALL 6 Z\nQ1 = Q108"] {
+        let fault = fault_of(&mut machine(&format!("{measured}{blocks}"), Some(TABLE)));
+        assert!(fault.contains(" is undefined"), "{fault}");
+    }
+}
+
+#[test]
 fn spindle_and_coolant_are_those_of_the_m_functions() {
     check(&values("Q1 = Q110\nQ2 = Q111\nQ3 = Q109", None, &[1, 2, 3]), &[-1.0, 0.0, -1.0]);
     for (blocks, spindle, coolant) in

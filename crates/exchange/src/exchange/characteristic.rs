@@ -228,7 +228,7 @@ impl Characteristics {
         }
     }
 
-    /// Those of a name.
+    /// The characteristics of this name so far, in the order of the file; several where they ask for different things.
     pub(super) fn of_name(&self, name: &str) -> impl Iterator<Item = &(usize, Characteristic)> {
         self.of_name.get(name).into_iter().flatten().filter_map(|at| self.found.get(*at))
     }

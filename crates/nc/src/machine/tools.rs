@@ -81,9 +81,14 @@ impl Tools {
         })
     }
 
+    /// The table, unless a block that was not run may have changed it.
+    pub(super) fn known(&self) -> Option<&ToolTable> {
+        self.table.as_ref().filter(|_| self.lost.is_none())
+    }
+
     /// What the table says of the tool that was called last.
     pub(super) fn in_spindle(&self) -> Option<&TableTool> {
-        self.table.as_ref()?.tools().get(self.in_spindle?)
+        self.known()?.tools().get(self.in_spindle?)
     }
 
     /// Remarks about the called tool before a cycle, made once per call.

@@ -27,7 +27,7 @@ pub(in crate::exchange) enum Figure {
     Beyond,
 }
 
-/// A row that was read.
+/// What a row says that its characteristic should be, what was measured of it, and what the report has computed of both.
 #[derive(Debug)]
 pub(in crate::exchange) struct PrintedRow {
     pub(in crate::exchange) characteristic: Characteristic,

@@ -150,7 +150,7 @@ impl Run {
             }
             Body::PassedOver(PassedOver { words, goes, machine }) => {
                 if words == "FN 17" {
-                    self.tools.lose(|| Arc::new(self.flow.made(at)));
+                    self.lose_tools(at);
                 }
                 self.around.pass_over(words);
                 self.around.turn(&goes.axes, &|operand| self.values.operand(operand));

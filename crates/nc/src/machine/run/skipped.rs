@@ -139,7 +139,7 @@ impl Run {
         self.values.give_results();
         self.way.lose();
         if measures_tools(number) {
-            self.tools.lose(|| Arc::new(self.flow.made(at)));
+            self.lose_tools(at);
         }
         self.remark(at, Remark::CyclePassedOver);
         Some(self.around.stated(block, true, self.flow.unit(), &mut self.values))
@@ -152,7 +152,7 @@ impl Run {
         self.way.lose();
         self.cycles.lose(|| self.flow.made(at));
         if cycle_number(&block.number).is_none() {
-            self.tools.lose(|| Arc::new(self.flow.made(at)));
+            self.lose_tools(at);
         }
         if may_set_datum(&block.number) {
             self.around.lose_system(|| self.flow.made(at));
@@ -176,8 +176,8 @@ impl Run {
         self.values.lose_results(&Arc::new(flow.made(at)));
         self.around.lose_system(|| flow.made(at));
         self.around.lose_globals();
-        self.tools.lose(|| Arc::new(flow.made(at)));
         self.way.lose();
+        self.lose_tools(at);
     }
 
     /// A block that is not run may have touched files.

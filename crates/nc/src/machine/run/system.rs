@@ -104,6 +104,16 @@ impl Run {
         }
     }
 
+    /// A block that was not run may have changed the tool table: what it says of any tool is not known any more.
+    pub(super) fn lose_tools(&mut self, at: usize) {
+        if self.tools.table().is_none() {
+            return;
+        }
+        self.tools.lose(|| Arc::new(self.flow.made(at)));
+        self.spindle_tool.of_table = None;
+        self.put_tool(at);
+    }
+
     /// Q110 and Q111.
     pub(super) fn put_spindle(&mut self) {
         self.values.preassign(110, self.around.spindle_state());
@@ -145,7 +155,7 @@ impl Run {
             (50, column) => {
                 let of_index = || {
                     let number = ToolNumber::of(index??).ok()?;
-                    let table = self.tools.table()?;
+                    let table = self.tools.known()?;
                     table.tools().get(table.row_of(number)?)
                 };
                 column_of(if index.is_some() { of_index()? } else { tool.of_table.as_ref()? }, column)
