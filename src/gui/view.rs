@@ -13,8 +13,10 @@ use super::key_names::{is_held, told};
 use super::shapes;
 use super::theme::{self, Icon, Weight, control};
 use crate::journal::Record;
+use crate::journal::entry::{BlockKept, DatumKept};
 use crate::length::{Length, Unit};
-use crate::message::{Say as _, message};
+use crate::message::{Message, Say as _, message};
+use crate::probing::cycle::Angle;
 use crate::session::PartsAction;
 use crate::session::{Action, Command, Session};
 use crate::verdict::{Doubt, Status};
@@ -329,11 +331,24 @@ pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
     ui.painter().layout(text.to_owned(), font, egui::Color32::PLACEHOLDER, width).size().y
 }
 
-/// Where the zero of a datum is, and the block that has set it.
-pub(super) fn datum_text(words: &Words, zero: [Length; 3], line: impl std::fmt::Display, block: &str) -> String {
-    let [x, y, z] = zero.map(|axis| words.mm(axis, 3));
-    let said = message!("records-page-datum-set").text("x", x).text("y", y).text("z", z);
-    words.say(&said.text("line", line).text("block", block))
+/// Where the zero of a datum is and how its axes lie, each with the block that has set it.
+pub(super) fn datum_lines(words: &Words, datum: &DatumKept) -> Vec<String> {
+    let [x, y, z] = datum.zero.map(|axis| words.mm(axis, 3));
+    let of_block = |said: Message, block: &BlockKept| said.text("line", block.line).text("block", &block.text);
+    let zero = |id: &'static str| Message::new(id).text("x", &x).text("y", &y).text("z", &z);
+    let angle = |degrees: f64| words.number(&Angle::nearest(degrees).to_string().replace('°', ""));
+    let set = match &datum.set_by {
+        Some(block) => of_block(zero("records-page-datum-set"), block),
+        None => zero("records-page-datum-at"),
+    };
+    let rotation = datum.rotation.as_ref().map(|(degrees, block)| {
+        of_block(message!("records-page-datum-rotation").text("angle", angle(*degrees)), block)
+    });
+    let tilt = datum.tilt.as_ref().map(|(angles, block)| {
+        let [a, b, c] = angles.map(angle);
+        of_block(message!("records-page-datum-tilt").text("a", a).text("b", b).text("c", c), block)
+    });
+    [Some(set), rotation, tilt].into_iter().flatten().map(|said| words.say(&said)).collect()
 }
 
 /// A doubt about a measured value as a sentence of its own.

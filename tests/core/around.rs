@@ -320,8 +320,8 @@ fn nothing_is_measured_under_a_rotation_and_its_like_until_it_ends() {
         ("CYCL DEF 11.1 SCL 0.99", "CYCL DEF 11.1 SCL1", "scaling"),
         ("CYCL DEF 26.1 X1 Y1.1", "CYCL DEF 26.1 X1 Y1", "scaling of single axes"),
         ("CYCL DEF 7.1 #5", "CYCL DEF 7.1 X+0 Y+0 Z+0", "a shift from a datum table"),
-        ("PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY", "PLANE RESET STAY", "a tilted plane"),
-        ("CYCL DEF 19.1 A+0 B-90 C+0", "CYCL DEF 19.1 A+0 B+0 C+0", "a tilted plane"),
+        ("PLANE AXIAL B+30 STAY", "PLANE RESET STAY", "a tilted plane"),
+        ("CYCL DEF 19.1 ABST50", "CYCL DEF 19.1 A+0 B+0 C+0", "a tilted plane"),
     ] {
         let told = format!("{told} has been active since line 3, {on}: Fitcheck does not measure while it is active");
         assert_eq!(fault(&format!("TOOL CALL 1 Z\n{on}\n{HOLE}")), told);

@@ -400,7 +400,7 @@ mod runs {
     #[test]
     fn a_measurement_that_was_skipped_behind_a_thousand_remarks_is_looked_at_first() {
         let mills = "L X+100 Y+20 Z-5 R0 FMAX\nL X+101 Y+20 Z-5 R0 FMAX\n".repeat(550);
-        let skipped = "TCH PROBE 420 MEASURE ANGLE ~\nQ263=+0 ~\nQ264=+0\n";
+        let skipped = "TCH PROBE 430 BOLT HOLE CIRC ~\nQ273=+0 ~\nQ274=+0\n";
         let blocks = format!("{mills}L Z+50 R0 FMAX\n{skipped}{}", bore(10, "+25.021"));
         let workpiece = "[[feature]]\nname = \"A\"\nkind = \"bore\"\ncentre = [10, 20]\ndiameter = 25.01\nbottom = -20\n\
             [[feature]]\nname = \"BOSS\"\nkind = \"boss\"\ncentre = [100, 20]\nlengths = [40, 40]\ntop = 0\nbottom = -20\n";

@@ -223,11 +223,13 @@ fn the_declaration_is_listed() {
 #[test]
 fn the_notes_of_a_cycle_are_listed_with_it() {
     let recommended = |cycle: &str| format!("where the control has cycle {cycle}, HEIDENHAIN recommends it instead");
+    let ends = || "a basic rotation that is active ends before the first contact, and stays off".to_owned();
     let notes = |code: &str| match code {
-        "421" => vec![recommended("1401")],
-        "423" | "424" => vec![recommended("1403")],
-        "425" => vec![recommended("1404")],
-        "427" => vec!["the control needs software option #17 / #1-05-1".to_owned(), recommended("1400")],
+        "421" => vec![ends(), recommended("1401")],
+        "423" | "424" => vec![ends(), recommended("1403")],
+        "425" => vec![ends(), recommended("1404")],
+        "422" | "426" => vec![ends()],
+        "427" => vec![ends(), "the control needs software option #17 / #1-05-1".to_owned(), recommended("1400")],
         "444" => vec![
             "an iTNC 530 does not have this cycle; TNC 320, TNC 620, TNC 640 and TNC7 have it".to_owned(),
             "the machine builder must enable and adapt this cycle: see the machine manual".to_owned(),

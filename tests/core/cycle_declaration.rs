@@ -16,8 +16,10 @@ use fitcheck::words::{Dialogue, Language, Words};
 /// A text that every cycle accepts for a parameter, from its declaration.
 fn usual(parameter: &Parameter) -> Value {
     match parameter.range {
-        // The two points of a ridge lie on either side of it.
-        Range::Length { .. } if matches!(parameter.meaning, Meaning::SecondPoint(_)) => length("0"),
+        // The two points of a ridge lie on either side of it, and those of a line at two places.
+        Range::Length { .. } if matches!(parameter.meaning, Meaning::SecondPoint(_) | Meaning::NextPoint(_)) => {
+            length("0")
+        }
         Range::Length { .. } => length("25"),
         Range::Angle { .. } => Value::Angle(Angle::from_degrees(60)),
         Range::OneOf(allowed) => Value::Whole(allowed[0]),

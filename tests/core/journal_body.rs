@@ -9,8 +9,8 @@ use fitcheck::journal::Record;
 use fitcheck::journal::body::{self, BodyError, read, write};
 use fitcheck::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck::journal::entry::{
-    About, Begin, Check, CheckRemark, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, DatumKept,
-    Entry, FileRole, Moment, Reported, Shown, UsedFile,
+    About, Begin, BlockKept, Check, CheckRemark, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin,
+    DatumKept, Entry, FileRole, Moment, Reported, Shown, UsedFile,
 };
 use fitcheck::journal::ranges::EntryRanges;
 use fitcheck::length::Length;
@@ -246,7 +246,7 @@ fn any_cycle() -> impl Strategy<Value = CycleCheck> {
         proptest::option::of(any_length(1_000)),
         proptest::option::of(select(Status::ALL.as_slice())),
         proptest::option::of((any_name(), 0..100_000_u64)),
-        proptest::option::of((any_length(999), any_length(999), 0..100_000_u64, any_name())),
+        proptest::option::of(any_datum()),
     );
     ((any::<u16>(), origin, any_contacts()), lists, answer).prop_map(
         |((cycle, origin, contacts), (parameters, figures, compared), (limits, measured, status, block, datum))| {
@@ -261,10 +261,24 @@ fn any_cycle() -> impl Strategy<Value = CycleCheck> {
                 measured,
                 status,
                 block,
-                datum: datum.map(|(x, y, line, text)| DatumKept { zero: [x, y, nm(0)], line, text }),
+                datum,
             }
         },
     )
+}
+
+fn any_datum() -> impl Strategy<Value = DatumKept> {
+    let block = || (0..100_000_u64, any_name()).prop_map(|(line, text)| BlockKept { line, text });
+    let angle = || -360.0..360.0_f64;
+    let rotation = proptest::option::of((angle(), block()));
+    let tilt = proptest::option::of(([angle(), angle(), angle()], block()));
+    let zero = [any_length(999), any_length(999), any_length(999)];
+    (zero, proptest::option::of(block()), rotation, tilt).prop_map(|(zero, set_by, rotation, tilt)| DatumKept {
+        zero,
+        set_by,
+        rotation,
+        tilt,
+    })
 }
 
 fn any_head() -> impl Strategy<Value = Head> {
@@ -372,7 +386,11 @@ proptest! {
         };
         let version = match &found.content {
             Content::Report(_) => '2',
-            Content::Check(check) if matches!(&check.what, Checked::Cycle(cycle) if cycle.datum.is_some()) => '4',
+            Content::Check(check) if matches!(&check.what, Checked::Cycle(cycle) if cycle.datum.is_some()) => {
+                let Checked::Cycle(cycle) = &check.what else { unreachable!() };
+                let DatumKept { set_by, rotation, tilt, .. } = cycle.datum.as_ref().unwrap();
+                if set_by.is_none() || rotation.is_some() || tilt.is_some() { '5' } else { '4' }
+            }
             Content::Check(check) if matches!(&check.what, Checked::Size(record) if !is_plain(record)) => '3',
             _ => '1',
         };
@@ -511,12 +529,12 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Json { .. }));
-    assert_eq!(changed("{\"v\":1,", "{\"v\":5,\"colour\":{},"), BodyError::Newer { version: 5 });
+    assert_eq!(changed("{\"v\":1,", "{\"v\":6,\"colour\":{},"), BodyError::Newer { version: 6 });
     // An entry has one body: what version 1 can hold is of version 1.
     assert_eq!(changed("{\"v\":1,", "{\"v\":2,"), BodyError::Contradiction { field: "v" });
     assert_eq!(
         refused("{\"v\":7}").to_string(),
-        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 4"
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 5"
     );
     assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
     for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]
@@ -568,8 +586,13 @@ fn a_size_that_is_neither_hole_nor_shaft_is_of_the_third_version_and_its_first_e
 
 #[test]
 fn a_cycle_behind_a_datum_is_of_the_fourth_version_and_says_what_set_it() {
-    let datum =
-        DatumKept { zero: [nm(400_000), nm(-300_000), nm(0)], line: 4, text: "TCH PROBE 412 DATUM ~".to_owned() };
+    let block = |line, text: &str| BlockKept { line, text: text.to_owned() };
+    let datum = DatumKept {
+        zero: [nm(400_000), nm(-300_000), nm(0)],
+        set_by: Some(block(4, "TCH PROBE 412 DATUM ~")),
+        rotation: None,
+        tilt: None,
+    };
     let cycle = CycleCheck {
         cycle: 421,
         parameters: Vec::new(),
@@ -581,16 +604,35 @@ fn a_cycle_behind_a_datum_is_of_the_fourth_version_and_says_what_set_it() {
         measured: None,
         status: Some(Status::Good),
         block: None,
-        datum: Some(datum),
+        datum: Some(datum.clone()),
     };
-    let what = Checked::Cycle(Box::new(cycle));
-    let content = Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None }));
-    let entry = Entry { about: about(), content };
+    let of_cycle = |cycle: &CycleCheck| {
+        let what = Checked::Cycle(Box::new(cycle.clone()));
+        let content = Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None }));
+        Entry { about: about(), content }
+    };
+    let entry = of_cycle(&cycle);
     let body = String::from_utf8(write(&entry).unwrap()).unwrap();
     assert!(body.starts_with("{\"v\":4,\"kind\":\"check\""), "{body}");
     let kept = "\"measured_nm\":null,\"datum\":{\"zero_nm\":[400000,-300000,0],\"line\":4,\"text\":\"TCH PROBE 412 DATUM ~\"}}";
     assert!(body.contains(kept), "{body}");
     assert_eq!(read(body.as_bytes()).unwrap(), entry);
+    // Where its axes are turned it is of the fifth.
+    let rotation = Some((0.4, block(6, "TCH PROBE 400 BASIC ROTATION ~")));
+    let tilt = Some(([0.0, 90.0, -30.5], block(9, "PLANE SPATIAL SPA+0 SPB+90 SPC-30.5")));
+    let turned = DatumKept { set_by: None, rotation, tilt, ..datum };
+    let entry = of_cycle(&CycleCheck { datum: Some(turned), ..cycle });
+    let body = String::from_utf8(write(&entry).unwrap()).unwrap();
+    assert!(body.starts_with("{\"v\":5,\"kind\":\"check\""), "{body}");
+    let kept = "\"datum\":{\"zero_nm\":[400000,-300000,0],\"line\":null,\"text\":null,\
+                \"rotation\":{\"degrees\":[\"0.4\"],\"line\":6,\"text\":\"TCH PROBE 400 BASIC ROTATION ~\"},\
+                \"tilt\":{\"degrees\":[\"0\",\"90\",\"-30.5\"],\"line\":9,\"text\":\"PLANE SPATIAL SPA+0 SPB+90 SPC-30.5\"}}}";
+    assert!(body.contains(kept), "{body}");
+    assert_eq!(read(body.as_bytes()).unwrap(), entry);
+    let half = body.replace("\"line\":null", "\"line\":3");
+    assert!(read(half.as_bytes()).is_err());
+    let short = body.replace("[\"0\",\"90\",", "[\"90\",");
+    assert!(read(short.as_bytes()).is_err());
 }
 
 #[test]

@@ -121,6 +121,7 @@ mod report_examples;
 mod report_parts;
 mod report_templates;
 
+mod rotation;
 mod rows;
 mod rules;
 mod run_cli;

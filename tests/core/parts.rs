@@ -354,7 +354,7 @@ fn moves_that_would_touch_are_told_once_for_a_block() {
     // The simulated stylus stands in Z: with another tool axis it is not looked at, and that is said once.
     assert_eq!(
         remarks(over, "TOOL CALL 1 X\nL X+80 Y+0 Z+0 FMAX\nL X+0\nL X+80\n"),
-        ["3 the stylus is not checked for collisions: the tool axis is not Z"]
+        ["3 the stylus is not checked for collisions: it does not stand along Z"]
     );
     // A file as before says nothing about heights: nothing is looked at.
     assert_eq!(remarks("[stud]\ncentre = [0, 0]\ndiameter = 20\n", "L X+80 Y+0 Z+5\nL X+0\n"), Vec::<String>::new());

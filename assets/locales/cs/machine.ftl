@@ -87,6 +87,7 @@ machine-mode = řídicí systém je v režimu { $mode }: měřicí cykly běží
 machine-changed = od řádku { $line }, { $text }, je aktivní { $change }: po tu dobu Fitcheck neměří
 machine-nothing-selected = před CALL SELECTED PGM není SEL PGM
 machine-no-datum-table = vztažný bod by přišel do řádku { $row } aktivní tabulky nulových bodů (Q303 = 0), kterou má jen řídicí systém: zde od něj nelze nic měřit
+machine-datum-in-tilt = od řádku { $line }, { $text }, je rovina naklopená: vztažný bod v ní Fitcheck nenastavuje, protože není známo, co v ní řídicí systém zapíše; rovinu před cyklem vraťte (PLANE RESET)
 machine-no-preset = { $table } nemá řádek { $row }
 machine-preset-locked = { $table }: řádek { $row } je uzamčen, cyklus do něj nemůže zapsat
 machine-shifted-preset = řádek { $row } je aktivní vztažný bod a je aktivní posunutí nulového bodu: co s ním řídicí systém udělá, není známo
@@ -98,6 +99,8 @@ machine-change-mirror = zrcadlení
 machine-change-scaling = změna měřítka
 machine-change-axis-scaling = změna měřítka jednotlivých os
 machine-change-tilt = naklopená rovina
+machine-change-tilted-shift = posunutí z roviny, která už není naklopená
+machine-change-axis-turned = natočení dílu rotační osou, po němž ještě nejsou nové vztažné body obou os roviny,
 
 ## Remarks
 machine-file-from = { $path }: načteno z { $file }
@@ -114,6 +117,9 @@ machine-remark-measured-again = po opravě přeměřeno: platí toto měření
 machine-remark-spindle-turns = vřeteno se otáčí od M{ $function }: řídicí systém by nesnímal
 machine-remark-rotary-moved = { $axes } se před tímto cyklem pohnulo: obrobek byl změřen, jako by nebyl otočen
 machine-remark-other-preset = vztažný bod { $number }: předpokládá se, že obrobek leží i tam
+machine-remark-rotation-ended = základní natočení { $angle } skončilo: tento cyklus měří bez něj, a zůstává vypnuté
+machine-remark-axes-as-tilted = rovina je naklopená: má se za to, že rotační osy stojí, jak to vyžaduje
+machine-remark-machine-zero-assumed = FN 18 se ptá na místo od nuly stroje: kde leží, zde není známo, a počítá se od nuly obrobku
 machine-remark-datum-set = vztažný bod nastaven: jeho nula je nyní v { $zero } mm v souřadnicích obrobku
 machine-remark-preset-set = řádek { $row } tabulky vztažných bodů nastaven na { $zero } mm v souřadnicích obrobku: působí s cyklem 247
 machine-remark-active-preset-set = řádek { $row } je aktivní vztažný bod: jeho nula je nyní v { $zero } mm v souřadnicích obrobku; na iTNC 530 až po cyklu 247
@@ -157,7 +163,7 @@ machine-remark-no-nominal = cyklus nemá jmenovitý rozměr: sonda narazí na do
 machine-remark-other-probe = nástroj { $tool } není v tabulce dotykových sond: použita byla sonda { $probe }
 machine-remark-collision = možná kolize: { $mover } a { $feature }, se středem kuličky na X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = pohyby se neprověřují úplně vůči { $features }
-machine-remark-stylus-unchecked = kolize snímacího hrotu se neprověřují: osa nástroje není Z
+machine-remark-stylus-unchecked = kolize snímacího hrotu se neprověřují: nestojí podél Z
 machine-remark-tool-offsets = { $offsets } v TOOL CALL simulovanou sondu nemění
 machine-remark-tool-locked = nástroj { $tool } je v tabulce nástrojů zablokován
 machine-remark-no-probe-tool = nástroj { $tool } není dotyková sonda: TYP = { $kind }, očekává se { $probe }

@@ -96,6 +96,7 @@ cycle-no-global = { $key } { $name } = PREDEF: žádné GLOBAL DEF neudává hod
 cycle-no-path = { $key } { $name } = 0 mm: dráha snímání potřebuje délku; její znaménko udává směr
 cycle-no-transfer = { $row-key } = { $row } při { $key } = -1: není uvedeno, ve které tabulce ten řádek je; { $key } musí být 0 nebo 1 (řídicí systém hlásí chybu 1078)
 cycle-no-normal = { $first }, { $second } a { $third } jsou všechny 0: normála potřebuje směr
+cycle-no-line = oba body leží na přímce na stejném místě: úhel potřebuje dvě různá místa
 cycle-apart = bod dotyku { $contact }: jeho dvě snímání leží { $difference } mm od sebe, { $key } dovoluje { $most } mm
 cycle-too-far = naměřená souřadnice je příliš velká: { $error }
 cycle-stop = zastavení programu podle Q309 = { $setting }: { $out }
@@ -114,6 +115,7 @@ found-coordinate-deviation = úchylka souřadnice
 found-position-1 = naměřená poloha, 1. osa
 found-position-2 = naměřená poloha, 2. osa
 found-position-3 = naměřená poloha, 3. osa
+found-angle = naměřený úhel
 found-deviation-1 = úchylka, 1. osa
 found-deviation-2 = úchylka, 2. osa
 found-deviation-3 = úchylka, 3. osa
@@ -134,6 +136,7 @@ cycle-note-not-on-itnc530 = iTNC 530 tento cyklus nemá; mají jej TNC 320, TNC 
 cycle-note-normal-from-cad = normálu převezměte ze systému CAD nebo CAM
 cycle-note-software-option = řídicí systém potřebuje volitelný software { $option }
 cycle-note-recommended = má-li řídicí systém cyklus { $cycle }, HEIDENHAIN doporučuje použít jej
+cycle-note-ends-rotation = aktivní základní natočení končí před prvním dotykem a zůstává vypnuté
 remark-without-effect = { $key } se přijímá, ale nemá účinek
 remark-tool-not-monitored = Q330 = { $tool }: nástroj se nesleduje: chybí tabulka nástrojů
 remark-outside-dimension = předpokládá se vnější rozměr: nad maximem oprava, pod minimem zmetek
@@ -150,6 +153,8 @@ remark-new-datum = nový vztažný bod, { $target }: { $axes } mm (naměřeno �
 datum-target-display = ihned aktivní
 datum-target-preset = řádek { $row } tabulky vztažných bodů
 datum-target-table = řádek { $row } tabulky nulových bodů
+remark-new-rotation = nové základní natočení { $angle }: { $target }
+remark-axis-turned = osa { $axis } natočí díl o { $angle }: kde leží její střed, ví jen stroj, a nulu osy Fitcheck nikam nezapisuje
 remark-variable-holds-diameter = #i99 se čte jako průměr: příručka neuvádí, kterou hodnotu obsahuje
 remark-no-tolerance = { $key } není tolerance: nic se neposuzuje
 

@@ -87,6 +87,7 @@ machine-mode = die Steuerung ist in der Betriebsart { $mode }: Messzyklen laufen
 machine-changed = { $change } wirkt seit Textzeile { $line }, { $text }: währenddessen misst Fitcheck nicht
 machine-nothing-selected = vor CALL SELECTED PGM steht kein SEL PGM
 machine-no-datum-table = der Bezugspunkt käme in Zeile { $row } der aktiven Nullpunkttabelle (Q303 = 0), die nur die Steuerung hat: hier kann von ihm aus nichts gemessen werden
+machine-datum-in-tilt = seit Textzeile { $line }, { $text }, ist die Ebene geschwenkt: darin setzt Fitcheck keinen Bezugspunkt, weil nicht bekannt ist, was eine Steuerung dort schreibt; vor dem Zyklus die Ebene zurücksetzen (PLANE RESET)
 machine-no-preset = { $table } hat keine Zeile { $row }
 machine-preset-locked = { $table }: Zeile { $row } ist gesperrt, der Zyklus kann sie nicht beschreiben
 machine-shifted-preset = Zeile { $row } ist der aktive Bezugspunkt, und eine Nullpunktverschiebung ist aktiv: was eine Steuerung aus ihr macht, ist nicht bekannt
@@ -98,6 +99,8 @@ machine-change-mirror = eine Spiegelung
 machine-change-scaling = ein Maßfaktor
 machine-change-axis-scaling = ein achsspezifischer Maßfaktor
 machine-change-tilt = eine geschwenkte Ebene
+machine-change-tilted-shift = eine Verschiebung aus einer Ebene, die nicht mehr geschwenkt ist
+machine-change-axis-turned = eine Drehung des Teils mit einer Drehachse, nach der noch nicht beide Achsen der Ebene einen neuen Bezugspunkt haben,
 
 ## Hinweise
 machine-file-from = { $path } wurde aus { $file } gelesen
@@ -114,6 +117,9 @@ machine-remark-measured-again = nach Nacharbeit neu gemessen: diese Messung zäh
 machine-remark-spindle-turns = die Spindel dreht seit M{ $function }: eine Steuerung würde nicht antasten
 machine-remark-rotary-moved = { $axes } vor diesem Zyklus bewegt: das Werkstück wurde gemessen, als wäre es nicht gedreht
 machine-remark-other-preset = Bezugspunkt { $number }: das Werkstück ist auch dort angenommen
+machine-remark-rotation-ended = die Grunddrehung von { $angle } ist beendet: dieser Zyklus misst ohne sie, und sie bleibt aus
+machine-remark-axes-as-tilted = die Ebene ist geschwenkt: es wird angenommen, dass die Drehachsen so stehen, wie sie es braucht
+machine-remark-machine-zero-assumed = FN 18 fragt nach einem Ort vom Nullpunkt der Maschine: wo der liegt, ist hier nicht bekannt, und es zählt der des Werkstücks
 machine-remark-datum-set = Bezugspunkt gesetzt: sein Nullpunkt liegt jetzt bei { $zero } mm in den Koordinaten des Werkstücks
 machine-remark-preset-set = Zeile { $row } der Bezugspunkttabelle auf { $zero } mm in den Koordinaten des Werkstücks gesetzt: sie wirkt mit Zyklus 247
 machine-remark-active-preset-set = Zeile { $row } ist der aktive Bezugspunkt: sein Nullpunkt liegt jetzt bei { $zero } mm in den Koordinaten des Werkstücks; auf einer iTNC 530 erst nach Zyklus 247
@@ -156,7 +162,7 @@ machine-remark-no-nominal = der Zyklus hat kein Nennmaß: das Tastsystem trifft 
 machine-remark-other-probe = Werkzeug { $tool } steht nicht in der Tastsystemtabelle: Tastsystem { $probe } wurde verwendet
 machine-remark-collision = Kollision: { $mover } würde { $feature } berühren, mit der Kugelmitte bei X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = Bewegungen werden nicht vollständig gegen { $features } geprüft
-machine-remark-stylus-unchecked = der Taststift wird nicht auf Kollisionen geprüft: die Werkzeugachse ist nicht Z
+machine-remark-stylus-unchecked = der Taststift wird nicht auf Kollisionen geprüft: er steht nicht in Richtung Z
 machine-remark-tool-offsets = { $offsets } des TOOL CALL ändert das simulierte Tastsystem nicht
 machine-remark-tool-locked = Werkzeug { $tool } ist in der Werkzeugtabelle gesperrt
 machine-remark-no-probe-tool = Werkzeug { $tool } ist kein Tastsystem: TYP = { $kind }, { $probe } erwartet

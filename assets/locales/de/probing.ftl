@@ -95,6 +95,7 @@ cycle-no-global = { $key } { $name } = PREDEF: kein GLOBAL DEF gibt einen Wert
 cycle-no-path = { $key } { $name } = 0 mm: ein Antastweg braucht eine Länge; ihr Vorzeichen gibt die Richtung
 cycle-no-transfer = { $row-key } = { $row } bei { $key } = -1: es ist nicht angegeben, in welcher Tabelle die Zeile steht; { $key } muss 0 oder 1 sein (eine Steuerung meldet Fehler 1078)
 cycle-no-normal = { $first }, { $second } und { $third } sind alle 0: eine Normale braucht eine Richtung
+cycle-no-line = beide Punkte liegen auf der Geraden an derselben Stelle: ein Winkel braucht zwei verschiedene
 cycle-apart = Antastpunkt { $contact }: seine beiden Antastungen liegen { $difference } mm auseinander, { $key } erlaubt { $most } mm
 cycle-too-far = die gemessene Koordinate ist zu groß: { $error }
 cycle-stop = Programmstopp durch Q309 = { $setting }: { $out }
@@ -113,6 +114,7 @@ found-coordinate-deviation = Abweichung der Koordinate
 found-position-1 = gemessene Position, 1. Achse
 found-position-2 = gemessene Position, 2. Achse
 found-position-3 = gemessene Position, 3. Achse
+found-angle = gemessener Winkel
 found-deviation-1 = Abweichung, 1. Achse
 found-deviation-2 = Abweichung, 2. Achse
 found-deviation-3 = Abweichung, 3. Achse
@@ -133,6 +135,7 @@ cycle-note-not-on-itnc530 = eine iTNC 530 hat diesen Zyklus nicht; TNC 320, TNC 
 cycle-note-normal-from-cad = die Normale aus einem CAD- oder CAM-System übernehmen
 cycle-note-software-option = die Steuerung braucht die Software-Option { $option }
 cycle-note-recommended = wo die Steuerung Zyklus { $cycle } hat, empfiehlt HEIDENHAIN ihn stattdessen
+cycle-note-ends-rotation = eine aktive Grunddrehung endet vor der ersten Antastung und bleibt aus
 remark-without-effect = { $key } ist zulässig, hat aber keine Wirkung
 remark-tool-not-monitored = Q330 = { $tool }: das Werkzeug wird nicht überwacht: keine Werkzeugtabelle
 remark-outside-dimension = ein Außenmaß ist angenommen: über dem Höchstmaß ist Nacharbeit, unter dem Mindestmaß ist Ausschuss
@@ -148,6 +151,8 @@ remark-new-datum = neuer Bezugspunkt, { $target }: { $axes } mm (gemessen → ge
 datum-target-display = sofort aktiv
 datum-target-preset = Zeile { $row } der Bezugspunkttabelle
 datum-target-table = Zeile { $row } der Nullpunkttabelle
+remark-new-rotation = neue Grunddrehung { $angle }: { $target }
+remark-axis-turned = Achse { $axis } dreht das Teil um { $angle }: wo ihre Mitte liegt, weiß nur die Maschine, und ihren Nullpunkt schreibt Fitcheck in keine Tabelle
 remark-variable-holds-diameter = #i99 wird als Durchmesser gelesen: das Handbuch sagt nicht, welchen Wert sie enthält
 remark-no-tolerance = { $key } ist keine Toleranz: nichts wird beurteilt
 

@@ -87,6 +87,7 @@ machine-mode = the control is in { $mode } mode: measuring cycles run in milling
 machine-changed = { $change } has been active since line { $line }, { $text }: Fitcheck does not measure while it is active
 machine-nothing-selected = no SEL PGM comes before CALL SELECTED PGM
 machine-no-datum-table = the datum would go into row { $row } of the active datum table (Q303 = 0), which only the control has: nothing can be measured from it here
+machine-datum-in-tilt = the plane has been tilted since line { $line }, { $text }: Fitcheck sets no datum in it, because what a control writes there is not known; reset the plane before the cycle (PLANE RESET)
 machine-no-preset = { $table } has no row { $row }
 machine-preset-locked = { $table }: row { $row } is locked, so the cycle cannot write it
 machine-shifted-preset = row { $row } is the active preset, and a datum shift is active: what a control makes of the shift is not known
@@ -98,6 +99,8 @@ machine-change-mirror = mirroring
 machine-change-scaling = scaling
 machine-change-axis-scaling = scaling of single axes
 machine-change-tilt = a tilted plane
+machine-change-tilted-shift = a shift from a plane that is no longer tilted
+machine-change-axis-turned = a turn of the part by a rotary axis, without a new datum in both axes of the plane since,
 
 ## Remarks
 machine-file-from = { $path } was read from { $file }
@@ -114,6 +117,9 @@ machine-remark-measured-again = measured again after rework: this measurement co
 machine-remark-spindle-turns = the spindle turns since M{ $function }: a control would not probe
 machine-remark-rotary-moved = { $axes } moved before this cycle: the workpiece was measured as if it had not been turned
 machine-remark-other-preset = preset { $number }: the workpiece is assumed to lie there, too
+machine-remark-rotation-ended = the basic rotation of { $angle } has ended: this cycle measures without it, and it stays off
+machine-remark-axes-as-tilted = the plane is tilted: the rotary axes are taken to stand as it needs them
+machine-remark-machine-zero-assumed = FN 18 asks for a place from the zero of the machine: where that is is not known here, and the place counts from the zero of the workpiece
 machine-remark-datum-set = datum set: its zero is now at { $zero } mm in the coordinates of the workpiece
 machine-remark-preset-set = row { $row } of the preset table set to { $zero } mm in the coordinates of the workpiece: it acts with cycle 247
 machine-remark-active-preset-set = row { $row } is the active preset: its zero is now at { $zero } mm in the coordinates of the workpiece; on an iTNC 530 only after cycle 247
@@ -156,7 +162,7 @@ machine-remark-no-nominal = the cycle has no nominal size: the probe meets the p
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
 machine-remark-collision = the { $mover } would touch { $feature }, with the centre of the ball at X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = moves are not checked in full against { $features }
-machine-remark-stylus-unchecked = the stylus is not checked for collisions: the tool axis is not Z
+machine-remark-stylus-unchecked = the stylus is not checked for collisions: it does not stand along Z
 machine-remark-tool-offsets = { $offsets } of the TOOL CALL does not change the simulated probe
 machine-remark-tool-locked = tool { $tool } is locked in the tool table
 machine-remark-no-probe-tool = tool { $tool } is not a touch probe: TYP = { $kind }, expected { $probe }

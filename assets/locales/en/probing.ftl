@@ -95,6 +95,7 @@ cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
 cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
 cycle-no-transfer = { $row-key } = { $row } with { $key } = -1: it is not stated which table has that row; { $key } must be 0 or 1 (a control reports error 1078)
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
+cycle-no-line = both points are at one place along the line: an angle needs two
 cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
 cycle-too-far = the measured coordinate is too large: { $error }
 cycle-stop = program stop by Q309 = { $setting }: { $out }
@@ -113,6 +114,7 @@ found-coordinate-deviation = deviation of the coordinate
 found-position-1 = measured position, 1st axis
 found-position-2 = measured position, 2nd axis
 found-position-3 = measured position, 3rd axis
+found-angle = measured angle
 found-deviation-1 = deviation, 1st axis
 found-deviation-2 = deviation, 2nd axis
 found-deviation-3 = deviation, 3rd axis
@@ -133,6 +135,7 @@ cycle-note-not-on-itnc530 = an iTNC 530 does not have this cycle; TNC 320, TNC 6
 cycle-note-normal-from-cad = take the normal from a CAD or CAM system
 cycle-note-software-option = the control needs software option { $option }
 cycle-note-recommended = where the control has cycle { $cycle }, HEIDENHAIN recommends it instead
+cycle-note-ends-rotation = a basic rotation that is active ends before the first contact, and stays off
 remark-without-effect = { $key } is accepted but has no effect
 remark-tool-not-monitored = Q330 = { $tool }: the tool is not monitored: no tool table
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
@@ -148,6 +151,8 @@ remark-new-datum = new datum, { $target }: { $axes } mm (measured → wanted)
 datum-target-display = active at once
 datum-target-preset = row { $row } of the preset table
 datum-target-table = row { $row } of the datum table
+remark-new-rotation = new basic rotation of { $angle }: { $target }
+remark-axis-turned = axis { $axis } turns the part by { $angle }: only the machine knows where its centre is, and Fitcheck writes its zero into no table
 remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds
 remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 

@@ -87,6 +87,7 @@ machine-mode = el control está en modo { $mode }: los ciclos de medición funci
 machine-changed = desde la línea { $line }, { $text }, está en vigor { $change }: mientras tanto Fitcheck no mide
 machine-nothing-selected = ningún SEL PGM precede a CALL SELECTED PGM
 machine-no-datum-table = el punto de referencia iría a la fila { $row } de la tabla de puntos cero activa (Q303 = 0), que solo tiene el control: aquí no se puede medir nada desde él
+machine-datum-in-tilt = desde la línea { $line }, { $text }, el plano está inclinado: Fitcheck no fija en él ningún punto de referencia, porque no se sabe qué escribe ahí un control; anule el plano antes del ciclo (PLANE RESET)
 machine-no-preset = { $table } no tiene la fila { $row }
 machine-preset-locked = { $table }: la fila { $row } está bloqueada, el ciclo no puede escribirla
 machine-shifted-preset = la fila { $row } es el punto de referencia activo y hay un desplazamiento del punto cero activo: no se sabe qué hace un control con él
@@ -98,6 +99,8 @@ machine-change-mirror = un espejo
 machine-change-scaling = un factor de escala
 machine-change-axis-scaling = un factor de escala específico de cada eje
 machine-change-tilt = un plano de mecanizado inclinado
+machine-change-tilted-shift = un desplazamiento de un plano que ya no está inclinado
+machine-change-axis-turned = un giro de la pieza con un eje rotativo, sin un punto de referencia nuevo en los dos ejes del plano desde entonces,
 
 ## Remarks
 machine-file-from = { $path } se leyó de { $file }
@@ -114,6 +117,9 @@ machine-remark-measured-again = remedido después del retrabajo: cuenta esta med
 machine-remark-spindle-turns = el cabezal gira desde M{ $function }: un control no palparía
 machine-remark-rotary-moved = { $axes } se movió antes de este ciclo: la pieza de trabajo se midió como si no se hubiera girado
 machine-remark-other-preset = punto de referencia { $number }: se supone que la pieza de trabajo está también allí
+machine-remark-rotation-ended = el giro básico de { $angle } ha terminado: este ciclo mide sin él, y no vuelve
+machine-remark-axes-as-tilted = el plano está inclinado: se supone que los ejes rotativos están como este los necesita
+machine-remark-machine-zero-assumed = FN 18 pide un lugar desde el cero de la máquina: aquí no se sabe dónde está, y se cuenta desde el de la pieza
 machine-remark-datum-set = punto de referencia fijado: su cero está ahora en { $zero } mm en las coordenadas de la pieza de trabajo
 machine-remark-preset-set = fila { $row } de la tabla de puntos de referencia fijada en { $zero } mm en las coordenadas de la pieza de trabajo: actúa con el ciclo 247
 machine-remark-active-preset-set = la fila { $row } es el punto de referencia activo: su cero está ahora en { $zero } mm en las coordenadas de la pieza de trabajo; en una iTNC 530 solo tras el ciclo 247
@@ -156,7 +162,7 @@ machine-remark-no-nominal = el ciclo no tiene medida nominal: el palpador encuen
 machine-remark-other-probe = la herramienta { $tool } no está en la tabla de palpación: se usó el palpador { $probe }
 machine-remark-collision = { $mover } tocaría { $feature }, con el centro de la bola en X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = los movimientos no se revisan por completo frente a { $features }
-machine-remark-stylus-unchecked = el vástago no se revisa por colisiones: el eje de la herramienta no es Z
+machine-remark-stylus-unchecked = el vástago no se revisa por colisiones: no está a lo largo de Z
 machine-remark-tool-offsets = { $offsets } del TOOL CALL no cambia el palpador simulado
 machine-remark-tool-locked = la herramienta { $tool } está bloqueada en la tabla de herramientas
 machine-remark-no-probe-tool = la herramienta { $tool } no es un palpador: TYP = { $kind }, se esperaba { $probe }

@@ -95,6 +95,7 @@ cycle-no-global = { $key } { $name } = PREDEF: ningún GLOBAL DEF da un valor
 cycle-no-path = { $key } { $name } = 0 mm: un recorrido de palpación necesita una longitud; su signo da el sentido
 cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: no se indica en qué tabla está esa fila; { $key } debe ser 0 o 1 (un control muestra el error 1078)
 cycle-no-normal = { $first }, { $second } y { $third } son todos 0: una normal necesita una dirección
+cycle-no-line = los dos puntos están en el mismo lugar de la recta: un ángulo necesita dos distintos
 cycle-apart = punto de palpación { $contact }: sus dos palpaciones distan { $difference } mm, { $key } permite { $most } mm
 cycle-too-far = la coordenada medida es demasiado grande: { $error }
 cycle-stop = parada del programa por Q309 = { $setting }: { $out }
@@ -113,6 +114,7 @@ found-coordinate-deviation = desviación de la coordenada
 found-position-1 = posición medida, 1.er eje
 found-position-2 = posición medida, 2.º eje
 found-position-3 = posición medida, 3.er eje
+found-angle = ángulo medido
 found-deviation-1 = desviación, 1.er eje
 found-deviation-2 = desviación, 2.º eje
 found-deviation-3 = desviación, 3.er eje
@@ -133,6 +135,7 @@ cycle-note-not-on-itnc530 = un iTNC 530 no tiene este ciclo; lo tienen TNC 320, 
 cycle-note-normal-from-cad = tome la normal de un sistema CAD o CAM
 cycle-note-software-option = el control necesita la opción de software { $option }
 cycle-note-recommended = si el control tiene el ciclo { $cycle }, HEIDENHAIN recomienda ese
+cycle-note-ends-rotation = un giro básico activo termina antes del primer contacto y no vuelve
 remark-without-effect = { $key } se admite pero no tiene efecto
 remark-tool-not-monitored = Q330 = { $tool }: la herramienta no se supervisa: no hay tabla de herramientas
 remark-outside-dimension = se supone una medida exterior: por encima del máximo es retrabajo, por debajo del mínimo es desecho
@@ -148,6 +151,8 @@ remark-new-datum = nuevo punto de referencia, { $target }: { $axes } mm (medido 
 datum-target-display = activo de inmediato
 datum-target-preset = fila { $row } de la tabla de puntos de referencia
 datum-target-table = fila { $row } de la tabla de puntos cero
+remark-new-rotation = nuevo giro básico de { $angle }: { $target }
+remark-axis-turned = el eje { $axis } gira la pieza { $angle }: solo la máquina sabe dónde está su centro, y Fitcheck no escribe su cero en ninguna tabla
 remark-variable-holds-diameter = #i99 se lee como el diámetro: el manual no dice qué valor contiene
 remark-no-tolerance = { $key } no es una tolerancia: no se evalúa nada
 

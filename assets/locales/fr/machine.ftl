@@ -87,6 +87,7 @@ machine-mode = la commande est en mode { $mode } : les cycles de mesure ne s'ex
 machine-changed = { $change } : actif depuis la ligne { $line }, { $text } ; Fitcheck ne mesure pas pendant ce temps
 machine-nothing-selected = aucun SEL PGM ne précède CALL SELECTED PGM
 machine-no-datum-table = le point d'origine irait dans la ligne { $row } du tableau de points zéro actif (Q303 = 0), que seule la commande possède : rien ne peut être mesuré ici à partir de lui
+machine-datum-in-tilt = depuis la ligne { $line }, { $text }, le plan est incliné : Fitcheck n'y initialise aucun point d'origine, car on ignore ce qu'une commande y écrit ; réinitialiser le plan avant le cycle (PLANE RESET)
 machine-no-preset = { $table } n'a pas de ligne { $row }
 machine-preset-locked = { $table } : la ligne { $row } est verrouillée, le cycle ne peut pas y écrire
 machine-shifted-preset = la ligne { $row } est le point d'origine actif et un décalage du point zéro est actif : ce qu'une commande en fait n'est pas connu
@@ -98,6 +99,8 @@ machine-change-mirror = une image miroir
 machine-change-scaling = un facteur d'échelle
 machine-change-axis-scaling = un facteur d'échelle par axe
 machine-change-tilt = un plan incliné
+machine-change-tilted-shift = un décalage d'un plan qui n'est plus incliné
+machine-change-axis-turned = une rotation de la pièce par un axe rotatif, sans nouveau point d'origine dans les deux axes du plan depuis,
 
 ## Remarques
 machine-file-from = { $path } a été lu dans { $file }
@@ -114,6 +117,9 @@ machine-remark-measured-again = remesuré après retouche : cette mesure compte
 machine-remark-spindle-turns = la broche tourne depuis M{ $function } : une commande ne palperait pas
 machine-remark-rotary-moved = { $axes } déplacé avant ce cycle : la pièce a été mesurée comme si elle n'avait pas tourné
 machine-remark-other-preset = point d'origine { $number } : la pièce y est supposée aussi
+machine-remark-rotation-ended = la rotation de base de { $angle } a pris fin : ce cycle mesure sans elle, et elle ne revient pas
+machine-remark-axes-as-tilted = le plan est incliné : les axes rotatifs sont supposés être là où il le demande
+machine-remark-machine-zero-assumed = FN 18 demande un lieu depuis le zéro de la machine : on ignore ici où il est, et le lieu est compté depuis celui de la pièce
 machine-remark-datum-set = point d'origine fixé : son zéro est maintenant en { $zero } mm dans les coordonnées de la pièce
 machine-remark-preset-set = ligne { $row } du tableau de points d'origine fixée à { $zero } mm dans les coordonnées de la pièce : elle agit avec le cycle 247
 machine-remark-active-preset-set = la ligne { $row } est le point d'origine actif : son zéro est maintenant en { $zero } mm dans les coordonnées de la pièce ; sur une iTNC 530 seulement après le cycle 247
@@ -156,7 +162,7 @@ machine-remark-no-nominal = le cycle n'a pas de cote nominale : le palpeur renc
 machine-remark-other-probe = l'outil { $tool } n'est pas dans le tableau de palpeurs : le palpeur { $probe } a été utilisé
 machine-remark-collision = { $mover } : contact avec { $feature } possible, centre de la bille à X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = les déplacements ne sont pas entièrement vérifiés par rapport à { $features }
-machine-remark-stylus-unchecked = la tige de palpage n'est pas vérifiée quant aux collisions : l'axe d'outil n'est pas Z
+machine-remark-stylus-unchecked = la tige de palpage n'est pas vérifiée quant aux collisions : elle n'est pas dirigée selon Z
 machine-remark-tool-offsets = { $offsets } du TOOL CALL ne modifie pas le palpeur simulé
 machine-remark-tool-locked = l'outil { $tool } est bloqué dans le tableau d'outils
 machine-remark-no-probe-tool = l'outil { $tool } n'est pas un palpeur : TYP = { $kind }, { $probe } attendu

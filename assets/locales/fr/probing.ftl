@@ -95,6 +95,7 @@ cycle-no-global = { $key } { $name } = PREDEF : aucun GLOBAL DEF ne donne de va
 cycle-no-path = { $key } { $name } = 0 mm : une course de palpage demande une longueur ; son signe donne le sens
 cycle-no-transfer = { $row-key } = { $row } avec { $key } = -1 : il n'est pas indiqué dans quel tableau est cette ligne ; { $key } doit être 0 ou 1 (une commande signale l'erreur 1078)
 cycle-no-normal = { $first }, { $second } et { $third } sont tous 0 : une normale demande une direction
+cycle-no-line = les deux points sont au même endroit de la droite : un angle en demande deux
 cycle-apart = point de palpage { $contact } : ses deux palpages sont à { $difference } mm l'un de l'autre, { $key } admet { $most } mm
 cycle-too-far = la coordonnée mesurée est trop grande : { $error }
 cycle-stop = arrêt du programme par Q309 = { $setting } : { $out }
@@ -113,6 +114,7 @@ found-coordinate-deviation = écart de la coordonnée
 found-position-1 = position mesurée, 1er axe
 found-position-2 = position mesurée, 2e axe
 found-position-3 = position mesurée, 3e axe
+found-angle = angle mesuré
 found-deviation-1 = écart, 1er axe
 found-deviation-2 = écart, 2e axe
 found-deviation-3 = écart, 3e axe
@@ -133,6 +135,7 @@ cycle-note-not-on-itnc530 = une iTNC 530 n'a pas ce cycle ; TNC 320, TNC 620, T
 cycle-note-normal-from-cad = reprendre la normale d'un système CAO ou FAO
 cycle-note-software-option = la commande demande l'option logicielle { $option }
 cycle-note-recommended = là où la commande a le cycle { $cycle }, HEIDENHAIN le recommande à la place
+cycle-note-ends-rotation = une rotation de base active prend fin avant le premier palpage et ne revient pas
 remark-without-effect = { $key } est accepté mais n'a pas d'effet
 remark-tool-not-monitored = Q330 = { $tool } : l'outil n'est pas surveillé : pas de tableau d'outils
 remark-outside-dimension = une cote extérieure est supposée : au-dessus du maximum retouche, sous le minimum rebut
@@ -148,6 +151,8 @@ remark-new-datum = nouveau point d'origine, { $target } : { $axes } mm (mesuré 
 datum-target-display = actif aussitôt
 datum-target-preset = ligne { $row } du tableau de points d'origine
 datum-target-table = ligne { $row } du tableau de points zéro
+remark-new-rotation = nouvelle rotation de base de { $angle } : { $target }
+remark-axis-turned = l'axe { $axis } tourne la pièce de { $angle } : seule la machine sait où est son centre, et Fitcheck n'écrit son zéro dans aucun tableau
 remark-variable-holds-diameter = #i99 est lu comme le diamètre : le manuel ne dit pas quelle valeur il contient
 remark-no-tolerance = { $key } n'est pas une tolérance : rien n'est jugé
 

@@ -87,6 +87,7 @@ machine-mode = il controllo numerico è in modalità { $mode }: i cicli di misur
 machine-changed = dalla linea { $line }, { $text }, è in vigore { $change }: nel frattempo Fitcheck non misura
 machine-nothing-selected = prima di CALL SELECTED PGM non c'è un SEL PGM
 machine-no-datum-table = l'origine andrebbe nella riga { $row } della tabella punti zero attiva (Q303 = 0), che ha solo il controllo numerico: qui da essa non si può misurare nulla
+machine-datum-in-tilt = dalla linea { $line }, { $text }, il piano è ruotato: Fitcheck non vi imposta alcuna origine, perché non si sa che cosa vi scriva un controllo numerico; annullare il piano prima del ciclo (PLANE RESET)
 machine-no-preset = { $table } non ha la riga { $row }
 machine-preset-locked = { $table }: la riga { $row } è bloccata, il ciclo non può scriverla
 machine-shifted-preset = la riga { $row } è l'origine attiva ed è attivo uno spostamento del punto zero: non è noto che cosa ne fa un controllo numerico
@@ -98,6 +99,8 @@ machine-change-mirror = una specularità
 machine-change-scaling = un fattore di scala
 machine-change-axis-scaling = un fattore di scala di singoli assi
 machine-change-tilt = un piano di lavoro ruotato
+machine-change-tilted-shift = uno spostamento di un piano che non è più ruotato
+machine-change-axis-turned = una rotazione del pezzo con un asse rotativo, senza una nuova origine nei due assi del piano da allora,
 
 ## Note
 machine-file-from = { $path } è stato letto da { $file }
@@ -114,6 +117,9 @@ machine-remark-measured-again = rimisurato dopo la ripresa: vale questa misura
 machine-remark-spindle-turns = il mandrino gira da M{ $function }: un controllo numerico non tasterebbe
 machine-remark-rotary-moved = { $axes } si sono mossi prima di questo ciclo: il pezzo in lavorazione è stato misurato come se non fosse stato ruotato
 machine-remark-other-preset = origine { $number }: si suppone che il pezzo in lavorazione stia anche lì
+machine-remark-rotation-ended = la rotazione base di { $angle } è terminata: questo ciclo misura senza di essa, e resta disattivata
+machine-remark-axes-as-tilted = il piano è ruotato: si presume che gli assi rotativi stiano come esso richiede
+machine-remark-machine-zero-assumed = FN 18 chiede un luogo dallo zero della macchina: qui non si sa dove sia, e si conta da quello del pezzo
 machine-remark-datum-set = origine impostata: il suo zero è ora a { $zero } mm nelle coordinate del pezzo in lavorazione
 machine-remark-preset-set = riga { $row } della tabella origini impostata a { $zero } mm nelle coordinate del pezzo in lavorazione: agisce con il ciclo 247
 machine-remark-active-preset-set = la riga { $row } è l'origine attiva: il suo zero è ora a { $zero } mm nelle coordinate del pezzo in lavorazione; su una iTNC 530 solo dopo il ciclo 247
@@ -156,7 +162,7 @@ machine-remark-no-nominal = il ciclo non ha una quota nominale: il sistema di ta
 machine-remark-other-probe = l'utensile { $tool } non è nella tabella di tastatura: è stato usato il sistema di tastatura { $probe }
 machine-remark-collision = { $mover } toccherebbe { $feature }, con il centro della sfera a X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = gli spostamenti non sono esaminati del tutto rispetto a { $features }
-machine-remark-stylus-unchecked = lo stilo non è esaminato per collisioni: l'asse utensile non è Z
+machine-remark-stylus-unchecked = lo stilo non è esaminato per collisioni: non sta lungo Z
 machine-remark-tool-offsets = { $offsets } del TOOL CALL non modifica il sistema di tastatura simulato
 machine-remark-tool-locked = l'utensile { $tool } è bloccato nella tabella utensili
 machine-remark-no-probe-tool = l'utensile { $tool } non è un sistema di tastatura: TYP = { $kind }, atteso { $probe }

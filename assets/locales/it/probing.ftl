@@ -95,6 +95,7 @@ cycle-no-global = { $key } { $name } = PREDEF: nessun GLOBAL DEF dà un valore
 cycle-no-path = { $key } { $name } = 0 mm: una corsa di tastatura richiede una lunghezza; il segno dà la direzione
 cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: non è indicato in quale tabella è quella riga; { $key } deve essere 0 o 1 (un controllo numerico segnala l'errore 1078)
 cycle-no-normal = { $first }, { $second } e { $third } sono tutti 0: una normale richiede una direzione
+cycle-no-line = i due punti stanno nello stesso posto della retta: un angolo ne richiede due
 cycle-apart = contatto { $contact }: le sue due tastature distano { $difference } mm, { $key } ammette { $most } mm
 cycle-too-far = la coordinata misurata è troppo grande: { $error }
 cycle-stop = arresto del programma per Q309 = { $setting }: { $out }
@@ -113,6 +114,7 @@ found-coordinate-deviation = scostamento della coordinata
 found-position-1 = posizione misurata, 1° asse
 found-position-2 = posizione misurata, 2° asse
 found-position-3 = posizione misurata, 3° asse
+found-angle = angolo misurato
 found-deviation-1 = scostamento, 1° asse
 found-deviation-2 = scostamento, 2° asse
 found-deviation-3 = scostamento, 3° asse
@@ -133,6 +135,7 @@ cycle-note-not-on-itnc530 = un iTNC 530 non ha questo ciclo; TNC 320, TNC 620, T
 cycle-note-normal-from-cad = ricavare la normale da un sistema CAD o CAM
 cycle-note-software-option = il controllo numerico richiede l'opzione software { $option }
 cycle-note-recommended = dove il controllo numerico ha il ciclo { $cycle }, HEIDENHAIN consiglia quello
+cycle-note-ends-rotation = una rotazione base attiva termina prima del primo contatto e resta disattivata
 remark-without-effect = { $key } è accettato ma non ha effetto
 remark-tool-not-monitored = Q330 = { $tool }: l'utensile non viene controllato: nessuna tabella utensili
 remark-outside-dimension = si suppone una quota esterna: sopra il massimo è ripresa, sotto il minimo è scarto
@@ -148,6 +151,8 @@ remark-new-datum = nuova origine, { $target }: { $axes } mm (misurato → voluto
 datum-target-display = subito attiva
 datum-target-preset = riga { $row } della tabella origini
 datum-target-table = riga { $row } della tabella punti zero
+remark-new-rotation = nuova rotazione base di { $angle }: { $target }
+remark-axis-turned = l'asse { $axis } ruota il pezzo di { $angle }: solo la macchina sa dov'è il suo centro, e Fitcheck non scrive il suo zero in nessuna tabella
 remark-variable-holds-diameter = #i99 viene letto come diametro: il manuale non dice quale valore contenga
 remark-no-tolerance = { $key } non è una tolleranza: nulla viene valutato
 

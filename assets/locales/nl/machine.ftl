@@ -87,6 +87,7 @@ machine-mode = de besturing staat in { $mode }: meetcycli worden alleen in het f
 machine-changed = { $change } is actief sinds tekstregel { $line }, { $text }: zolang dat zo is, meet Fitcheck niet
 machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
 machine-no-datum-table = het referentiepunt zou in regel { $row } van de actieve nulpunttabel komen (Q303 = 0), die alleen de besturing heeft: hier kan van daaruit niets worden gemeten
+machine-datum-in-tilt = sinds tekstregel { $line }, { $text }, is het vlak gezwenkt: daarin zet Fitcheck geen referentiepunt, omdat niet bekend is wat een besturing daar schrijft; zet het vlak vóór de cyclus terug (PLANE RESET)
 machine-no-preset = { $table } heeft geen regel { $row }
 machine-preset-locked = { $table }: regel { $row } is vergrendeld, de cyclus kan die niet beschrijven
 machine-shifted-preset = regel { $row } is het actieve referentiepunt en er is een nulpuntverschuiving actief: wat een besturing daarvan maakt is niet bekend
@@ -98,6 +99,8 @@ machine-change-mirror = een spiegeling
 machine-change-scaling = een maatfactor
 machine-change-axis-scaling = schaling van afzonderlijke assen
 machine-change-tilt = een gezwenkt bewerkingsvlak
+machine-change-tilted-shift = een verschuiving uit een vlak dat niet meer gezwenkt is
+machine-change-axis-turned = een draaiing van het werkstuk met een rotatieas, waarna nog niet beide assen van het vlak een nieuw referentiepunt hebben,
 
 ## Opmerkingen
 machine-file-from = { $path } is gelezen uit { $file }
@@ -114,6 +117,9 @@ machine-remark-measured-again = opnieuw gemeten na nabewerking: deze meting telt
 machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturing zou niet tasten
 machine-remark-rotary-moved = { $axes } zijn eerder verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
 machine-remark-other-preset = referentiepunt { $number }: aangenomen is dat het werkstuk ook daar ligt
+machine-remark-rotation-ended = de basisrotatie van { $angle } is beëindigd: deze cyclus meet zonder, en ze blijft uit
+machine-remark-axes-as-tilted = het vlak is gezwenkt: er wordt aangenomen dat de rotatieassen staan zoals het vlak dat vraagt
+machine-remark-machine-zero-assumed = FN 18 vraagt een plaats vanaf het nulpunt van de machine: waar dat ligt, is hier niet bekend, en er wordt geteld vanaf dat van het werkstuk
 machine-remark-datum-set = referentiepunt gezet: het nulpunt ligt nu op { $zero } mm in de coördinaten van het werkstuk
 machine-remark-preset-set = regel { $row } van de referentiepunttabel op { $zero } mm in de coördinaten van het werkstuk gezet: die werkt met cyclus 247
 machine-remark-active-preset-set = regel { $row } is het actieve referentiepunt: het nulpunt ligt nu op { $zero } mm in de coördinaten van het werkstuk; op een iTNC 530 pas na cyclus 247
@@ -156,7 +162,7 @@ machine-remark-no-nominal = de cyclus heeft geen nominale maat: het tastsysteem 
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastsysteemtabel: tastsysteem { $probe } is gebruikt
 machine-remark-collision = de { $mover } zou { $feature } raken, met het midden van de kogel op X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = bewegingen zijn niet volledig gecontroleerd op { $features }
-machine-remark-stylus-unchecked = de taststift is niet op botsingen gecontroleerd: de gereedschapsas is niet Z
+machine-remark-stylus-unchecked = de taststift is niet op botsingen gecontroleerd: hij staat niet langs Z
 machine-remark-tool-offsets = { $offsets } van de TOOL CALL verandert het gesimuleerde tastsysteem niet
 machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
 machine-remark-no-probe-tool = gereedschap { $tool } is geen tastsysteem: TYP = { $kind }, { $probe } verwacht

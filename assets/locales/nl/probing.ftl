@@ -95,6 +95,7 @@ cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF geeft een waarde
 cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig; het teken geeft de richting
 cycle-no-transfer = { $row-key } = { $row } bij { $key } = -1: er staat niet bij in welke tabel die regel staat; { $key } moet 0 of 1 zijn (een besturing meldt fout 1078)
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
+cycle-no-line = beide punten liggen op dezelfde plaats langs de lijn: voor een hoek zijn er twee nodig
 cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
 cycle-too-far = de gemeten coördinaat is te groot: { $error }
 cycle-stop = programmastop door Q309 = { $setting }: { $out }
@@ -113,6 +114,7 @@ found-coordinate-deviation = afwijking van de coördinaat
 found-position-1 = gemeten positie, 1e as
 found-position-2 = gemeten positie, 2e as
 found-position-3 = gemeten positie, 3e as
+found-angle = gemeten hoek
 found-deviation-1 = afwijking, 1e as
 found-deviation-2 = afwijking, 2e as
 found-deviation-3 = afwijking, 3e as
@@ -133,6 +135,7 @@ cycle-note-not-on-itnc530 = een iTNC 530 heeft deze cyclus niet; TNC 320, TNC 62
 cycle-note-normal-from-cad = neem de normaal uit een CAD- of CAM-systeem
 cycle-note-software-option = de besturing heeft softwareoptie { $option } nodig
 cycle-note-recommended = waar de besturing cyclus { $cycle } heeft, raadt HEIDENHAIN die in plaats van deze aan
+cycle-note-ends-rotation = een actieve basisrotatie eindigt vóór het eerste contact en blijft uit
 remark-without-effect = { $key } is toegestaan maar heeft geen werking
 remark-tool-not-monitored = Q330 = { $tool }: het gereedschap wordt niet bewaakt: geen gereedschapstabel
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
@@ -148,6 +151,8 @@ remark-new-datum = nieuw referentiepunt, { $target }: { $axes } mm (gemeten → 
 datum-target-display = meteen actief
 datum-target-preset = regel { $row } van de referentiepunttabel
 datum-target-table = regel { $row } van de nulpunttabel
+remark-new-rotation = nieuwe basisrotatie van { $angle }: { $target }
+remark-axis-turned = as { $axis } draait het werkstuk over { $angle }: alleen de machine weet waar het midden ervan ligt, en Fitcheck schrijft het nulpunt van de as in geen enkele tabel
 remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat
 remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld
 

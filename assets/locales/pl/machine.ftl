@@ -97,6 +97,7 @@ machine-mode = sterowanie jest w trybie { $mode }: cykle pomiarowe działają ty
 machine-changed = od linii { $line }, { $text }, działa { $change }: w tym czasie Fitcheck nie mierzy
 machine-nothing-selected = przed CALL SELECTED PGM nie ma SEL PGM
 machine-no-datum-table = punkt odniesienia trafiłby do wiersza { $row } aktywnej tabeli punktów zerowych (Q303 = 0), którą ma tylko sterowanie: tutaj nie można od niego nic mierzyć
+machine-datum-in-tilt = od linii { $line }, { $text }, płaszczyzna jest nachylona: Fitcheck nie ustawia w niej punktu odniesienia, bo nie wiadomo, co sterowanie tam zapisuje; przed cyklem należy zresetować płaszczyznę (PLANE RESET)
 machine-no-preset = { $table } nie ma wiersza { $row }
 machine-preset-locked = { $table }: wiersz { $row } jest zablokowany, cykl nie może go zapisać
 machine-shifted-preset = wiersz { $row } jest aktywnym punktem odniesienia i aktywne jest przesunięcie punktu zerowego: nie wiadomo, co robi z nim sterowanie
@@ -108,6 +109,8 @@ machine-change-mirror = odbicie lustrzane
 machine-change-scaling = skalowanie
 machine-change-axis-scaling = skalowanie poszczególnych osi
 machine-change-tilt = nachylona płaszczyzna
+machine-change-tilted-shift = przesunięcie z płaszczyzny, która nie jest już nachylona
+machine-change-axis-turned = obrót detalu osią obrotową, po którym obie osie płaszczyzny nie mają jeszcze nowego punktu odniesienia,
 
 ## Remarks
 machine-file-from = { $path } odczytano z { $file }
@@ -124,6 +127,9 @@ machine-remark-measured-again = powtórzono pomiar po poprawce: liczy się ten p
 machine-remark-spindle-turns = wrzeciono obraca się od M{ $function }: sterowanie by nie próbkowało
 machine-remark-rotary-moved = przed tym cyklem poruszono { $axes }: detal zmierzono tak, jakby nie został obrócony
 machine-remark-other-preset = punkt odniesienia { $number }: przyjęto, że detal leży także tam
+machine-remark-rotation-ended = obrót podstawowy { $angle } zakończył się: ten cykl mierzy bez niego, i pozostaje on wyłączony
+machine-remark-axes-as-tilted = płaszczyzna jest nachylona: przyjęto, że osie obrotowe stoją tak, jak ona tego wymaga
+machine-remark-machine-zero-assumed = FN 18 pyta o miejsce od zera maszyny: nie wiadomo tu, gdzie ono leży, i miejsce liczy się od zera detalu
 machine-remark-datum-set = punkt odniesienia ustawiony: jego zero leży teraz w { $zero } mm we współrzędnych detalu
 machine-remark-preset-set = wiersz { $row } tabeli punktów odniesienia ustawiony na { $zero } mm we współrzędnych detalu: działa z cyklem 247
 machine-remark-active-preset-set = wiersz { $row } jest aktywnym punktem odniesienia: jego zero leży teraz w { $zero } mm we współrzędnych detalu; na iTNC 530 dopiero po cyklu 247
@@ -168,7 +174,7 @@ machine-remark-no-nominal = cykl nie ma wymiaru nominalnego: sonda trafia w idea
 machine-remark-other-probe = narzędzia { $tool } nie ma w tabeli sond: użyto sondy { $probe }
 machine-remark-collision = kolizja: { $mover } dotknie elementu { $feature }, przy środku kulki w X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = ruchy nie są w pełni sprawdzone względem { $features }
-machine-remark-stylus-unchecked = trzpień nie jest sprawdzany pod kątem kolizji: oś narzędzia to nie Z
+machine-remark-stylus-unchecked = trzpień nie jest sprawdzany pod kątem kolizji: nie stoi wzdłuż Z
 machine-remark-tool-offsets = { $offsets } z TOOL CALL nie zmienia symulowanej sondy
 machine-remark-tool-locked = narzędzie { $tool } jest zablokowane w tabeli narzędzi
 machine-remark-no-probe-tool = narzędzie { $tool } nie jest sondą: TYP = { $kind }, oczekiwane { $probe }

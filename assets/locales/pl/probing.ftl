@@ -102,6 +102,7 @@ cycle-no-global = { $key } { $name } = PREDEF: żadne GLOBAL DEF nie podaje wart
 cycle-no-path = { $key } { $name } = 0 mm: droga próbkowania wymaga długości; jej znak podaje kierunek
 cycle-no-transfer = { $row-key } = { $row } przy { $key } = -1: nie podano, w której tabeli jest ten wiersz; { $key } musi być 0 lub 1 (sterowanie zgłasza błąd 1078)
 cycle-no-normal = { $first }, { $second } i { $third } są równe 0: normalna wymaga kierunku
+cycle-no-line = oba punkty leżą w tym samym miejscu prostej: kąt wymaga dwóch różnych miejsc
 cycle-apart = punkt pomiarowy { $contact }: jego dwa próbkowania różnią się o { $difference } mm, { $key } dopuszcza { $most } mm
 cycle-too-far = zmierzona współrzędna jest za duża: { $error }
 cycle-stop = zatrzymanie programu przez Q309 = { $setting }: { $out }
@@ -120,6 +121,7 @@ found-coordinate-deviation = odchyłka współrzędnej
 found-position-1 = zmierzona pozycja, oś 1
 found-position-2 = zmierzona pozycja, oś 2
 found-position-3 = zmierzona pozycja, oś 3
+found-angle = zmierzony kąt
 found-deviation-1 = odchyłka, oś 1
 found-deviation-2 = odchyłka, oś 2
 found-deviation-3 = odchyłka, oś 3
@@ -140,6 +142,7 @@ cycle-note-not-on-itnc530 = iTNC 530 nie ma tego cyklu; mają go TNC 320, TNC 62
 cycle-note-normal-from-cad = normalną wziąć z systemu CAD lub CAM
 cycle-note-software-option = sterowanie wymaga opcji software { $option }
 cycle-note-recommended = jeśli sterowanie ma cykl { $cycle }, HEIDENHAIN zaleca ten cykl
+cycle-note-ends-rotation = aktywny obrót podstawowy kończy się przed pierwszym kontaktem i pozostaje wyłączony
 remark-without-effect = { $key } jest przyjmowane, ale nie ma skutku
 remark-tool-not-monitored = Q330 = { $tool }: narzędzie nie jest monitorowane: bez tabeli narzędzi
 remark-outside-dimension = przyjęto wymiar zewnętrzny: powyżej maksimum poprawka, poniżej minimum brak
@@ -157,6 +160,8 @@ remark-new-datum = nowy punkt odniesienia, { $target }: { $axes } mm (zmierzono 
 datum-target-display = od razu aktywny
 datum-target-preset = wiersz { $row } tabeli punktów odniesienia
 datum-target-table = wiersz { $row } tabeli punktów zerowych
+remark-new-rotation = nowy obrót podstawowy o { $angle }: { $target }
+remark-axis-turned = oś { $axis } obraca detal o { $angle }: tylko maszyna wie, gdzie leży jej środek, a zera osi Fitcheck nie zapisuje w żadnej tabeli
 remark-variable-holds-diameter = #i99 jest czytane jako średnica: instrukcja nie mówi, jaką wartość zawiera
 remark-no-tolerance = { $key } nie jest tolerancją: nic nie jest oceniane
 

@@ -303,7 +303,7 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         Meaning::Difference => "difference-of-two-contacts",
         Meaning::MeasuringHeight => "measuring-height",
         Meaning::SetUpClearance | Meaning::ClearanceHeight | Meaning::Retract => "safe-distances",
-        Meaning::Point(_) => "measured-point",
+        Meaning::Point(_) | Meaning::NextPoint(_) => "measured-point",
         Meaning::MaximumCoordinate | Meaning::MinimumCoordinate => "limits-of-the-coordinate",
         Meaning::Normal(_) => "surface-normal",
         Meaning::Band => "tolerance-band",

@@ -8,7 +8,10 @@ use crate::cli::people::mm;
 use crate::cli::said::decided;
 use crate::journal::Record;
 use crate::journal::chain::{ChainId, Head};
-use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry, Reported};
+use crate::journal::entry::{
+    About, Begin, BlockKept, Check, Checked, Content, Correction, CycleCheck, Entry, Reported,
+};
+use crate::probing::cycle::Angle;
 use crate::store::local::ListedEntry;
 use crate::tolerance::{Feature, FigureWarning};
 
@@ -183,7 +186,16 @@ fn print_cycle(cycle: &CycleCheck, io: &mut Io<'_>) {
     }
     if let Some(datum) = &cycle.datum {
         let [x, y, z] = datum.zero.map(mm);
-        line("datum", format_args!("zero at X {x}, Y {y}, Z {z} mm, set in line {}: {}", datum.line, datum.text), io);
+        let by = |block: &BlockKept| format!("line {}: {}", block.line, block.text);
+        let set = datum.set_by.as_ref().map_or_else(String::new, |block| format!(", set in {}", by(block)));
+        line("datum", format_args!("zero at X {x}, Y {y}, Z {z} mm{set}"), io);
+        if let Some((angle, block)) = &datum.rotation {
+            line("datum", format_args!("axes turned by {}, since {}", Angle::nearest(*angle), by(block)), io);
+        }
+        if let Some((angles, block)) = &datum.tilt {
+            let [a, b, c] = angles.map(Angle::nearest);
+            line("datum", format_args!("plane tilted by A {a}, B {b}, C {c}, since {}", by(block)), io);
+        }
     }
     for (name, value) in &cycle.parameters {
         line("parameter", format_args!("{name} = {value}"), io);

@@ -14,7 +14,7 @@ use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::message::Say as _;
 use crate::nc::machine::{
-    BlockPlace, CycleRun, DatumInForce, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written,
+    BlockPlace, CycleRun, DatumInForce, Fault, Machine, NcPath, Origin, SetBy, ToolChanged, Window, Written,
 };
 use crate::probing::cycle::ResultParameter;
 use crate::text::cut;
@@ -145,8 +145,16 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
 
 /// The datum that a cycle counted from.
 fn in_force(datum: &DatumInForce) -> Json {
-    let set_by = json!({"line": datum.set_by.line, "text": datum.set_by.text});
-    json!({"zero_mm": datum.zero.map(Length::to_mm_f64), "set_by": set_by})
+    let by = |by: &SetBy| json!({"line": by.line, "text": by.text});
+    let mut said = json!({"zero_mm": datum.zero.map(Length::to_mm_f64), "set_by": datum.set_by.as_ref().map(by)});
+    let turns = [
+        ("rotation", datum.rotation.as_ref().map(|turn| json!({"degrees": turn.degrees, "set_by": by(&turn.set_by)}))),
+        ("tilt", datum.tilt.as_ref().map(|turn| json!({"degrees": turn.degrees, "set_by": by(&turn.set_by)}))),
+    ];
+    if let Some(entry) = said.as_object_mut() {
+        entry.extend(turns.into_iter().filter_map(|(name, turn)| Some((name.to_owned(), turn?))));
+    }
+    said
 }
 
 fn fault(fault: &Fault) -> Json {

@@ -4,8 +4,9 @@
 use eframe::egui::Ui;
 
 use crate::gui::cycles::picture::{Surroundings, path_picture};
-use crate::gui::view::{View, datum_text, heading, quiet};
-use crate::nc::machine::{CycleRun, DatumInForce};
+use crate::gui::view::{View, datum_lines, heading, quiet};
+use crate::journal::entry::DatumKept;
+use crate::nc::machine::CycleRun;
 use crate::session::program::{Run, WorkpieceFrom};
 
 /// Whether the open program gets room for a path: it has one, or may get one.
@@ -26,12 +27,13 @@ pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
     }
     let path = run.map_or_else(Vec::new, Run::path);
     let last = run.and_then(|run| run.cycles().last());
-    if let Some(DatumInForce { zero, set_by }) = last.and_then(|cycle| cycle.datum.as_ref()) {
-        let said = datum_text(view.words, *zero, set_by.line, &set_by.text);
+    let datum = last.and_then(|cycle| cycle.datum.as_ref());
+    for said in datum.into_iter().flat_map(|datum| datum_lines(view.words, &DatumKept::from(datum))) {
         quiet(ui, format!("{}: {said}", view.text("records-page-datum")));
     }
     let nominal = last.and_then(CycleRun::nominal);
+    let system = last.and_then(CycleRun::axes);
     let features = part.map_or([].as_slice(), |part| part.features.as_slice());
     let ball_radius = part.map_or(0.0, |part| part.probe.ball_radius);
-    path_picture(ui, view, &path, path.len(), Surroundings { nominal, features, ball_radius });
+    path_picture(ui, view, &path, path.len(), Surroundings { nominal, features, ball_radius, system });
 }

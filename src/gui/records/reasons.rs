@@ -1,7 +1,7 @@
 //! Everything that a record says, line by line.
 
 use crate::gui::check::{distances, worth_lines, worth_reasons};
-use crate::gui::view::{Digits, View, datum_text, doubt_text};
+use crate::gui::view::{Digits, View, datum_lines, doubt_text};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, Reported, UsedFile};
 use crate::length::Length;
@@ -153,7 +153,7 @@ fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
         lines.push(named("records-page-program", words.say(&said)));
     }
     if let Some(datum) = &cycle.datum {
-        lines.push(named("records-page-datum", datum_text(words, datum.zero, datum.line, &datum.text)));
+        lines.extend(datum_lines(words, datum).into_iter().map(|said| named("records-page-datum", said)));
     }
     for compared in &cycle.compared {
         let mm = |length| words.mm(length, 3);

@@ -7,10 +7,12 @@
 //! | here | the tests, one for each format |
 //! | `case` | a file and the table of what is right of it |
 //! | `place` | a file in a folder of its own, for the tests of `field_files` |
+//! | `contacts` | files of contacts |
 //! | `points` | logs of points in 3-D |
 //! | `ways` | the ways, each as the program goes it |
 
 mod case;
+mod contacts;
 pub(crate) mod place;
 mod points;
 mod ways;

@@ -91,8 +91,9 @@ fn a_block_may_begin_with_its_axis() {
 
 #[test]
 fn changes_of_the_system_are_understood() {
-    use Axis::{X, Y, Z};
+    use Axis::{A, B, C, X, Y, Z};
     let q = Operand::Parameter { parameter: Parameter::q(5), is_negative: false };
+    let tilt = |angles: [AxisWord; 3], axes_stay| Frame::Tilt { angles: angles.to_vec(), axes_stay };
     let incremental = AxisWord { axis: X, is_incremental: true, value: number(5.0) };
     for (text, frame) in [
         ("CYCL DEF 7.0 DATUM SHIFT", Frame::Title),
@@ -110,7 +111,7 @@ fn changes_of_the_system_are_understood() {
         ("CYCL DEF 247 PRESETTING ~\n    Q339=+1 ;PRESET NUMBER", Frame::Preset(Some(number(1.0)))),
         ("PRESET SELECT #3", Frame::Preset(Some(number(3.0)))),
         ("PLANE RESET TURN FMAX", Frame::TurnedBack),
-        ("PLANE SPATIAL SPB+0 SPA+30 SPC+0 STAY", Frame::Tilt(vec![number(0.0), number(30.0), number(0.0)])),
+        ("PLANE SPATIAL SPB+0 SPA+30 SPC+0 STAY", tilt([at(B, 0.0), at(A, 30.0), at(C, 0.0)], true)),
         ("PLANE SPATIAL STAY", Frame::OtherTilt),
         ("CYCL DEF 19.1 ABST50", Frame::OtherTilt),
         ("CYCL DEF 19.2 ABST50 F500", Frame::Title),
@@ -124,15 +125,12 @@ fn changes_of_the_system_are_understood() {
         ("CYCL DEF 11.1 SCL 0.99", Frame::Scaling(number(0.99))),
         ("TRANS SCALE RESET", Frame::Scaling(number(1.0))),
         ("CYCL DEF 26.1 X1.4 Y0.6 CCX+15 CCY+20", Frame::AxisScaling(vec![number(1.4), number(0.6)])),
-        (
-            "PLANE SPATIAL SPA+0 SPB+30 SPC+0 TURN MB MAX FMAX",
-            Frame::Tilt(vec![number(0.0), number(30.0), number(0.0)]),
-        ),
-        ("PLANE SPATIAL SPA0 SPB0 SPC0 STAY SEQ+ TABLE ROT", Frame::Tilt(vec![number(0.0); 3])),
+        ("PLANE SPATIAL SPA+0 SPB+30 SPC+0 TURN MB MAX FMAX", tilt([at(A, 0.0), at(B, 30.0), at(C, 0.0)], false)),
+        ("PLANE SPATIAL SPA0 SPB0 SPC0 STAY SEQ+ TABLE ROT", tilt([at(A, 0.0), at(B, 0.0), at(C, 0.0)], true)),
         ("PLANE AXIAL B+45 TURN FMAX", Frame::OtherTilt),
         ("PLANE RESET STAY", Frame::NoTilt),
-        ("CYCL DEF 19.1 A+0 B-90 C+0", Frame::Tilt(vec![number(0.0), number(-90.0), number(0.0)])),
-        ("CYCL DEF 19.1", Frame::Tilt(vec![])),
+        ("CYCL DEF 19.1 A+0 B-90 C+0", tilt([at(A, 0.0), at(B, -90.0), at(C, 0.0)], true)),
+        ("CYCL DEF 19.1", Frame::Tilt { angles: vec![], axes_stay: true }),
     ] {
         assert_eq!(body(text), Body::Frame(frame), "{text}");
     }

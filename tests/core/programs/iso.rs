@@ -286,7 +286,7 @@ fn changes_of_the_system_are_those_of_klartext() {
     same("G73 G91 H+30 *", "CYCL DEF 10.1 IROT+30");
     same("G80 A+0 B-90 C+Q1 *", "CYCL DEF 19.1 A+0 B-90 C+Q1");
     same("N10 G247 Q339=+1 *", "CYCL DEF 247 PRESET ~\nQ339=+1");
-    assert_eq!(body("G80 *"), Body::Frame(Frame::Tilt(Vec::new())));
+    assert_eq!(body("G80 *"), Body::Frame(Frame::Tilt { angles: Vec::new(), axes_stay: true }));
     assert_eq!(body("G28 *"), Body::Frame(Frame::Mirror(Vec::new())));
 }
 

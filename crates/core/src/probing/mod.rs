@@ -6,6 +6,7 @@
 //! | `circle` | least-squares and other reference circles |
 //! | `measurement` | the outcome: diameter, centre, contacts, and what they cannot tell |
 //! | `noted` | what a measurement leaves open of the notes beside a callout |
+//! | `orientation` | systems of coordinates that are turned |
 //! | `cycle` | what a measuring cycle declares: parameters, ranges, results |
 //! | `cycles` | the cycles, one file each |
 //! | `measure` | from limits and a position to a measurement |
@@ -23,6 +24,7 @@ pub mod cycles;
 pub mod measure;
 pub mod measurement;
 pub mod noted;
+pub mod orientation;
 pub mod simulated;
 pub mod source;
 pub mod touch_probe;
@@ -31,5 +33,6 @@ pub mod vector;
 pub use circle::Circle;
 pub use contact::{Contact, NoContact, Prober, Recorded, Touch};
 pub use measurement::{Caveat, Measurement, Origin, measure_contacts};
+pub use orientation::Orientation;
 pub use source::{Source, SourceError};
 pub use touch_probe::TouchProbe;

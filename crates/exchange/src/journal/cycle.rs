@@ -2,9 +2,9 @@
 
 use fitcheck_core::probing::cycle::{Check, Cycle, CycleResult, Value};
 use fitcheck_core::text::long;
-use fitcheck_nc::machine::CycleRun;
+use fitcheck_nc::machine::{CycleRun, DatumInForce, SetBy, Turn};
 
-use super::entry::{Compared, CycleCheck, CycleOrigin, DatumKept};
+use super::entry::{BlockKept, Compared, CycleCheck, CycleOrigin, DatumKept};
 
 impl CycleCheck {
     /// What a cycle found, on contacts from somewhere.
@@ -42,12 +42,19 @@ impl CycleCheck {
 
     /// The same of a cycle that a program has run, with the datum that it counted from.
     pub fn of_run(run: &CycleRun, origin: CycleOrigin) -> Self {
-        let datum = run.datum.as_ref().map(|datum| DatumKept {
+        Self { datum: run.datum.as_ref().map(DatumKept::from), ..Self::of(run.cycle, &run.result, origin) }
+    }
+}
+
+impl From<&DatumInForce> for DatumKept {
+    fn from(datum: &DatumInForce) -> Self {
+        let block = |by: &SetBy| BlockKept { line: long(by.line), text: by.text.clone() };
+        Self {
             zero: datum.zero,
-            line: long(datum.set_by.line),
-            text: datum.set_by.text.clone(),
-        });
-        Self { datum, ..Self::of(run.cycle, &run.result, origin) }
+            set_by: datum.set_by.as_ref().map(block),
+            rotation: datum.rotation.as_ref().map(|Turn { degrees: [angle], set_by }| (*angle, block(set_by))),
+            tilt: datum.tilt.as_ref().map(|Turn { degrees, set_by }| (*degrees, block(set_by))),
+        }
     }
 }
 

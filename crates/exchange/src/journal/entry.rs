@@ -189,12 +189,23 @@ pub struct CycleCheck {
     pub datum: Option<DatumKept>,
 }
 
-/// A datum, and the block that has set it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// A datum, and what has set it.
+#[derive(Debug, Clone, PartialEq)]
 pub struct DatumKept {
     /// Where its zero is in the coordinates of the workpiece: X, Y, Z.
     pub zero: [Length; 3],
-    /// The block's line in its program, from 1.
+    /// The block that has set the zero; `None` where one has only turned the axes.
+    pub set_by: Option<BlockKept>,
+    /// How its axes are turned in the plane, degrees, and the block that has done so.
+    pub rotation: Option<(f64, BlockKept)>,
+    /// The spatial angles A, B and C of its plane, degrees, and the block that has tilted it.
+    pub tilt: Option<([f64; 3], BlockKept)>,
+}
+
+/// A block of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BlockKept {
+    /// Its line in its program, from 1.
     pub line: u64,
     /// Its first line.
     pub text: String,

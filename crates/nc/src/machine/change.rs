@@ -10,6 +10,10 @@ pub enum Change {
     NotKnown,
     /// A row of a datum table, which only the control has.
     DatumTable,
+    /// A shift that was made in a tilted plane which has ended since.
+    TiltedShift,
+    /// The part, turned by a rotary axis whose centre only the machine knows: until both axes of the plane have a new datum.
+    AxisTurned,
     /// Cycle 10.
     Rotation,
     /// Cycle 8.

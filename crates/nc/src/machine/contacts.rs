@@ -1,12 +1,12 @@
 //! Where the cycles of a run get their contacts from.
 
-use fitcheck_core::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase, Plane};
+use fitcheck_core::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase};
 use fitcheck_core::probing::simulated::{self, Mover, Part};
 use fitcheck_core::probing::{Contact, Recorded, Source, SourceError};
 
 use super::fault::FaultKind;
 use super::moves::{Travel, TravelKind};
-use super::placement::{Placed, Placement};
+use super::placement::{Placed, Placement, System};
 use super::remark::Remark;
 
 /// What the probe touches.
@@ -82,15 +82,15 @@ impl Probed {
     }
 
     /// What a move of the ball would touch on a simulated part. The moves that end or begin at a contact are no such
-    /// moves: they are answered by the contact. Only with the tool axis Z the stylus stands on the ball.
-    pub(super) fn collision(&mut self, travel: &Travel, plane: Plane) -> Option<Remark> {
+    /// moves: they are answered by the contact. Only an upright probe has its stylus along Z.
+    pub(super) fn collision(&mut self, travel: &Travel, is_upright: bool) -> Option<Remark> {
         if let TravelKind::Cycle(Phase::Approach | Phase::Contact | Phase::Retract) = travel.kind {
             return None;
         }
         // A workpiece that cannot be is told by the cycle that measures it.
         self.switch_on().ok()?;
         let Self::Machine(machine) = self else { return None };
-        let movers: &[Mover] = if plane == Plane::Xy { &[Mover::Ball, Mover::Stylus] } else { &[Mover::Ball] };
+        let movers: &[Mover] = if is_upright { &[Mover::Ball, Mover::Stylus] } else { &[Mover::Ball] };
         machine.collision_of(movers, travel.from, travel.to, travel.about).map(Remark::from)
     }
 
@@ -123,7 +123,7 @@ impl Probed {
             }
             // Contacts were recorded from the zero in force, as a control shows them.
             Self::Recorded(recorded) => {
-                let placement = Placement { zero: [0.0; 3], ..placement };
+                let placement = Placement { system: System::default(), ..placement };
                 Ok(cycle.measure_along(inputs, &mut Placed { prober: recorded, placement }))
             }
             Self::Perfect | Self::Workpiece(_) => match Source::Perfect.prober(cycle, inputs) {

@@ -11,7 +11,7 @@ use super::around::{Around, ChangingBlock, DatumInForce, Global, INCH, Moment};
 use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
-use super::placement::Placement;
+use super::placement::{Placement, System};
 use super::remark::Remark;
 use super::values::{Values, length_of, whole};
 use crate::control::cycle_status::variable;
@@ -43,10 +43,19 @@ impl CycleRun {
         Self { place, cycle, result, is_reworked: false, datum, moment }
     }
 
-    /// The surface that it expected, in the coordinates of the workpiece; `None` where the tool axis is not Z.
+    /// The surface that it expected, in the coordinates of the workpiece; `None` where the tool axis is not Z, and for what would not stand
+    /// along Z in a tilted plane.
     pub fn nominal(&self) -> Option<Surface> {
-        let zero = self.moment.zero_of_plane_xy()?;
-        Some(self.cycle.nominal(&self.result.inputs).ok()?.moved(zero))
+        let system = self.moment.system_of_plane_xy()?;
+        Some(self.cycle.nominal(&self.result.inputs).ok()?.turned(system.axes)?.moved(system.zero))
+    }
+
+    /// The zero that it counted from, mm in the coordinates of the workpiece, and the unit vectors of its axes there; `None` where no block
+    /// has set them.
+    pub fn axes(&self) -> Option<([f64; 3], [[f64; 3]; 3])> {
+        self.datum.as_ref()?;
+        let System { zero, axes } = self.moment.system();
+        Some((zero, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| axes.out(axis))))
     }
 
     /// Whether both were run with the same values; where the ball came from does not count.

@@ -341,6 +341,12 @@ pub enum FaultKind {
     },
     /// A datum for a row of the active datum table, which only the control has.
     NoDatumTable { row: u32 },
+    /// A cycle sets a datum in a tilted plane.
+    DatumInTilt {
+        /// The line of the block that tilts it, in its program, from 1.
+        line: usize,
+        text: String,
+    },
     /// A row that the preset table lacks.
     NoPreset { table: String, row: u32 },
     /// A row of the preset table that is locked.
@@ -357,7 +363,7 @@ impl FaultKind {
         match self {
             Self::UnknownCycle { cycle, .. } => may_set_datum(cycle),
             Self::Changed { change, .. } => *change == Change::NotKnown,
-            Self::NoDatumTable { .. } | Self::ShiftedPreset { .. } => true,
+            Self::NoDatumTable { .. } | Self::DatumInTilt { .. } | Self::ShiftedPreset { .. } => true,
             _ => false,
         }
     }

@@ -49,7 +49,7 @@ mod tools;
 mod values;
 
 pub use alone::{Alone, alone};
-pub use around::{DatumInForce, SetBy};
+pub use around::{DatumInForce, SetBy, Turn};
 pub use budget::{Budget, Settings, UsedUp};
 pub use change::Change;
 pub use contacts::Contacts;

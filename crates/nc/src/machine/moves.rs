@@ -5,6 +5,7 @@ use fitcheck_core::probing::cycle::{Move, Phase, Plane};
 use super::around::{Around, millimetres};
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
+use super::placement::System;
 use super::values::Values;
 use crate::program::{Axis, AxisWord, Feed, Goes, Movement, Notation, Unit};
 
@@ -39,7 +40,9 @@ pub enum TravelKind {
 /// Their Y is 0, the middle of the part, until a block moves it (`docs/SOURCES.md`, "DIN PLUS").
 #[derive(Debug)]
 pub(super) struct Way {
+    /// The position in this system, as far as it is known.
     position: [Option<f64>; 3],
+    system: System,
     travels: Vec<Travel>,
     most: usize,
     /// Whether X counts as a diameter.
@@ -50,11 +53,12 @@ impl Way {
     pub(super) fn new(budget: &Budget, notation: Notation) -> Self {
         let is_turned = notation == Notation::DinPlus;
         let position = [None, is_turned.then_some(0.0), None];
-        Self { position, travels: Vec::new(), most: budget.path, is_turned }
+        Self { position, system: System::default(), travels: Vec::new(), most: budget.path, is_turned }
     }
 
-    pub(super) const fn position(&self) -> [Option<f64>; 3] {
-        self.position
+    /// The position in the coordinates of the workpiece, as far as it is known.
+    pub(super) fn position(&self) -> [Option<f64>; 3] {
+        self.system.out_of_known(self.position)
     }
 
     pub(super) fn travels(&self) -> &[Travel] {
@@ -64,7 +68,7 @@ impl Way {
     /// The place, if all three axes are known.
     pub(super) fn place(&self) -> Option<[f64; 3]> {
         let [x, y, z] = self.position;
-        Some([x?, y?, z?])
+        Some(self.system.out([x?, y?, z?]))
     }
 
     /// A block that was not run may have moved all axes.
@@ -82,9 +86,10 @@ impl Way {
         values: &Values,
     ) -> Result<(), FaultKind> {
         let has = |functions: [u32; 2]| movement.machine.iter().any(|function| functions.contains(&function.number));
+        self.enter(around.system());
         // M91 and M92 count from the machine's own zero, which is unknown here.
         let is_known = !has([91, 92]) && around.is_plain();
-        let to = self.end(&movement.axes, is_known, unit, around.zero(), values)?;
+        let to = self.end(&movement.axes, is_known, unit, values)?;
         let kind = match movement.feed {
             Some(Feed::Rapid) => TravelKind::Rapid,
             Some(Feed::Value(feed)) => {
@@ -95,6 +100,10 @@ impl Way {
         };
         let from = self.place();
         self.position = to;
+        // An axis of the machine is none of a system that is turned.
+        if has([91, 92]) && !self.system.axes.is_level() {
+            self.position = [None; 3];
+        }
         // M140 retracts along the tool axis, as far as only the machine knows.
         if has([140, 140]) {
             let [x, y, z] = &mut self.position;
@@ -126,32 +135,39 @@ impl Way {
         around: &Around,
         values: &Values,
     ) -> Result<(), FaultKind> {
+        self.enter(around.system());
         if goes.is_unknown {
             // A lathe goes there in X and Z: Y stays.
             let [_, y, _] = self.position;
             self.position = [None, y.filter(|_| self.is_turned), None];
         }
-        self.position = self.end(&goes.axes, around.is_plain(), unit, around.zero(), values)?;
+        self.position = self.end(&goes.axes, around.is_plain(), unit, values)?;
         Ok(())
     }
 
-    /// Where axes end, mm from the preset: as they are written, or nowhere that is known.
+    /// Counts in the system in force from here on.
+    fn enter(&mut self, system: System) {
+        if self.system != system {
+            self.position = self.system.into(system, self.position);
+            self.system = system;
+        }
+    }
+
+    /// Where axes end, mm in the system in force: as they are written, or nowhere that is known.
     fn end(
         &self,
         axes: &[AxisWord],
         is_known: bool,
         unit: Option<Unit>,
-        zero: [f64; 3],
         values: &Values,
     ) -> Result<[Option<f64>; 3], FaultKind> {
         let mut to = self.position;
-        let [zero_x, zero_y, zero_z] = zero;
         for word in axes {
             let [x, y, z] = &mut to;
-            let (axis, zero) = match word.axis {
-                Axis::X => (x, zero_x),
-                Axis::Y => (y, zero_y),
-                Axis::Z => (z, zero_z),
+            let axis = match word.axis {
+                Axis::X => x,
+                Axis::Y => y,
+                Axis::Z => z,
                 // Only the three linear axes are followed; PLANE sets parameters for the others that nobody here knows.
                 Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
             };
@@ -160,7 +176,7 @@ impl Way {
             *axis = match (*axis, word.is_incremental) {
                 _ if !is_known => None,
                 (old, true) => old.map(|old| old + value),
-                (_, false) => Some(value + zero),
+                (_, false) => Some(value),
             };
         }
         Ok(to)
@@ -171,7 +187,7 @@ impl Way {
         for step in moves {
             let Move { phase, from, to, about, .. } = *step;
             self.went(Travel { place: block.clone(), from, to, about, kind: TravelKind::Cycle(phase) })?;
-            self.position = to.map(Some);
+            (self.position, self.system) = (to.map(Some), System::default());
         }
         Ok(())
     }

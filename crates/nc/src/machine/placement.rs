@@ -1,10 +1,11 @@
-//! Where a cycle measures: the tool axis makes its plane, the datum its zero.
+//! Where a cycle measures: the tool axis makes its plane, datum, rotation and tilt the system that it counts in.
 //!
-//! A cycle counts in its first and second axis and the probe axis, from the zero in force. The workpiece and the path count in
-//! X, Y and Z from the preset.
+//! A cycle counts in its first and second axis and the probe axis, from the zero in force. The workpiece and the path count in X, Y and Z
+//! of the workpiece, which are those of the preset that is active first.
 
 use fitcheck_core::probing::cycle::{Move, Plane};
-use fitcheck_core::probing::{Contact, NoContact, Prober, Touch};
+use fitcheck_core::probing::vector::along;
+use fitcheck_core::probing::{Contact, NoContact, Orientation, Prober, Touch};
 
 use crate::program::Axis;
 
@@ -18,28 +19,67 @@ pub(super) const fn plane(tool_axis: Axis) -> Option<Plane> {
     }
 }
 
-/// The plane, and where the zero in force is, mm from the preset.
+/// The system that coordinates count in: where its zero is, mm in the coordinates of the workpiece, and how its axes lie.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct System {
+    pub zero: [f64; 3],
+    pub axes: Orientation,
+}
+
+impl System {
+    /// A place of the system in the coordinates of the workpiece.
+    pub(super) fn out(self, place: [f64; 3]) -> [f64; 3] {
+        along(self.axes.out(place), self.zero, 1.0)
+    }
+
+    /// A place of the workpiece in the coordinates of the system.
+    pub(super) fn within(self, place: [f64; 3]) -> [f64; 3] {
+        self.axes.within(along(place, self.zero, -1.0))
+    }
+
+    /// A place of the system, as far as it is known, in the coordinates of the workpiece.
+    pub(super) fn out_of_known(self, place: [Option<f64>; 3]) -> [Option<f64>; 3] {
+        moved(self.axes.out_of_known(place), self.zero, 1.0)
+    }
+
+    /// The same place of one system in another; what is known stays known between systems whose axes lie alike.
+    pub(super) fn into(self, other: Self, place: [Option<f64>; 3]) -> [Option<f64>; 3] {
+        if self.axes == other.axes {
+            let by = self.axes.within(along(self.zero, other.zero, -1.0));
+            return moved(place, by, 1.0);
+        }
+        other.axes.within_known(moved(self.out_of_known(place), other.zero, -1.0))
+    }
+}
+
+fn moved([x, y, z]: [Option<f64>; 3], [by_x, by_y, by_z]: [f64; 3], times: f64) -> [Option<f64>; 3] {
+    [(x, by_x), (y, by_y), (z, by_z)].map(|(part, by)| Some(part? + times * by))
+}
+
+/// The plane, and the system in force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Placement {
     pub plane: Plane,
-    pub zero: [f64; 3],
+    pub system: System,
 }
 
 impl Placement {
-    /// A place from the preset as the cycle counts it.
-    pub(super) fn into_cycle(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
-        let [to_x, to_y, to_z] = self.zero;
-        self.plane.within([x - to_x, y - to_y, z - to_z])
+    /// A place of the workpiece as the cycle counts it.
+    pub(super) fn into_cycle(self, place: [f64; 3]) -> [f64; 3] {
+        self.plane.within(self.system.within(place))
     }
 
-    /// A place of the cycle from the preset.
+    /// A place of the cycle in the coordinates of the workpiece.
     pub(super) fn out_of_cycle(self, place: [f64; 3]) -> [f64; 3] {
-        let [x, y, z] = self.plane.place(place);
-        let [from_x, from_y, from_z] = self.zero;
-        [x + from_x, y + from_y, z + from_z]
+        self.system.out(self.plane.place(place))
     }
 
-    /// The moves of a cycle from the preset.
+    /// Whether the stylus stands along Z of the workpiece.
+    pub(super) fn is_upright(self) -> bool {
+        self.plane == Plane::Xy && self.system.axes.is_upright()
+    }
+
+    /// The moves of a cycle in the coordinates of the workpiece.
     pub(super) fn moves(self, moves: &[Move]) -> Vec<Move> {
         let placed = |step: &Move| Move {
             from: self.out_of_cycle(step.from),
@@ -60,11 +100,11 @@ pub(super) struct Placed<'a, P> {
 impl<P: Prober> Prober for Placed<'_, P> {
     fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
         let Self { prober, placement } = self;
-        let direction = placement.plane.place(touch.direction);
+        let direction = placement.system.axes.out(placement.plane.place(touch.direction));
         let from = placement.out_of_cycle(touch.from);
         let contact = prober.touch(&Touch { from, direction, longest: touch.longest })?;
         // Z is an axis of every plane but X/Y.
-        if placement.plane != Plane::Xy && !prober.has_heights() {
+        if !placement.is_upright() && !prober.has_heights() {
             return Err(NoContact::NoHeight { number: 1 });
         }
         Ok(Contact::at(placement.into_cycle(contact.place())))

@@ -1,7 +1,7 @@
 //! The preset table of the control, where the program's folders have one: rows are read for cycle 247, and datum cycles write them.
 //!
-//! Its place and the names of its columns are those of a TNC 640, from memory (`docs/SOURCES.md`, "Datum cycles"); other controls have fewer columns or other names for the row and the
-//! rotation, which are known here, too. What a value in the column of locked rows means is remembered: anything but a blank, `-` and 0
+//! Its place and the names of its columns are those of a TNC 640, from memory (`docs/SOURCES.md`, "Datum cycles"); other controls have fewer columns or other names for the row and
+//! the rotation, which are known here, too. What a value in the column of locked rows means is remembered: anything but a blank, `-` and 0
 //! counts as locked.
 
 use std::collections::BTreeMap;
@@ -24,16 +24,29 @@ const PLACE: &str = r"TNC:\table\preset.pr";
 const NUMBERS: [&str; 2] = ["NO", "NR"];
 /// The zero in each axis of the machine.
 const AXES: [&str; 3] = ["X", "Y", "Z"];
-/// Rotations of the system: none is followed.
-const ROTATIONS: [&str; 4] = ["ROT", "SPA", "SPB", "SPC"];
+/// The basic rotation, about Z: the first that is there.
+const ROTATIONS: [&str; 2] = ["SPC", "ROT"];
+/// Rotations about the other axes, which are not followed.
+const TILTS: [&str; 2] = ["SPA", "SPB"];
 const LOCKED: &str = "LOCKED";
 
 /// A row of the table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PresetRow {
     /// Where its zero is, from that of the machine; `None` where a cell is blank.
     pub zero: [Option<Length>; 3],
-    pub is_rotated: bool,
+    /// Its rotation about Z, degrees; `None` where the table has none.
+    pub turned: Option<f64>,
+    pub is_tilted: bool,
+}
+
+/// What is written into a row: cells that have no value stay.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct TableRow {
+    /// Where its zero is, from that of the machine.
+    pub zero: [Option<Length>; 3],
+    /// Its rotation about Z, degrees.
+    pub turned: Option<f64>,
 }
 
 /// The table as it was read, and what was written into it since.
@@ -121,13 +134,35 @@ impl PresetTable {
     fn row(&self, number: u32) -> Result<PresetRow, FaultKind> {
         let row = self.row_of(number)?;
         let [x, y, z] = self.axes.map(|column| self.value(row, column));
-        let columns = ROTATIONS.into_iter().filter_map(|name| self.file.table.column(name));
+        let mut tilts = TILTS.into_iter().filter_map(|name| self.file.table.column(name));
         let turns = |column: usize| {
             let cell = self.text(row, column);
             !is_blank(cell) && !cell.parse::<f64>().is_ok_and(|angle| angle.abs() <= 0.0)
         };
-        let is_rotated = columns.into_iter().any(turns);
-        Ok(PresetRow { zero: [x?, y?, z?], is_rotated })
+        let is_tilted = tilts.any(turns);
+        let turned = self.rotation().map(|column| self.angle(row, column)).transpose()?.flatten();
+        Ok(PresetRow { zero: [x?, y?, z?], turned, is_tilted })
+    }
+
+    /// The column of the rotation about Z.
+    fn rotation(&self) -> Option<usize> {
+        ROTATIONS.into_iter().find_map(|name| self.file.table.column(name))
+    }
+
+    /// Degrees in a cell; `None` where it is blank.
+    fn angle(&self, row: usize, column: usize) -> Result<Option<f64>, FaultKind> {
+        let cell = self.text(row, column);
+        let table = self.name();
+        let name = || self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
+        if self.file.touches(row, column) {
+            return Err(FaultKind::Touches { table, row, column: name() });
+        }
+        if is_blank(cell) {
+            return Ok(None);
+        }
+        let angle = cell.parse::<f64>().ok().filter(|angle| angle.abs() <= 360.0);
+        let no_number = || FaultKind::NoNumberInCell { table, row, column: name(), cell: cell.to_owned() };
+        angle.map(Some).ok_or_else(no_number)
     }
 
     fn check_unlocked(&self, number: u32) -> Result<(), FaultKind> {
@@ -139,8 +174,8 @@ impl PresetTable {
         Err(FaultKind::PresetLocked { table: self.name(), row: number })
     }
 
-    /// Puts a zero into the axes that have one.
-    fn put(&mut self, number: u32, zero: [Option<Length>; 3]) -> Result<(), FaultKind> {
+    /// Puts a zero into the axes that have one, and a rotation.
+    fn put(&mut self, number: u32, TableRow { zero, turned }: TableRow) -> Result<(), FaultKind> {
         let row = self.row_of(number)?;
         let unit = self.unit();
         for (column, zero) in self.axes.into_iter().zip(zero) {
@@ -150,8 +185,21 @@ impl PresetTable {
             let sign = if zero < Length::ZERO { "" } else { "+" };
             self.changed.insert((row, column), format!("{sign}{text}"));
         }
+        if let (Some(column), Some(turned)) = (self.rotation(), turned) {
+            let before = self.angle(row, column)?.unwrap_or_default();
+            if 0.0 < (turned - before).abs() {
+                let width = self.file.table.columns.get(column).map_or(0, |column| column.width);
+                self.changed.insert((row, column), fitting(turned, width));
+            }
+        }
         Ok(())
     }
+}
+
+/// An angle with as many decimals as a cell has room for, at most six.
+fn fitting(degrees: f64, width: usize) -> String {
+    let texts = [6, 5, 4, 3, 2, 1, 0].map(|decimals: usize| format!("{degrees:+.decimals$}"));
+    texts.into_iter().find(|text| text.len() < width).unwrap_or_else(|| format!("{degrees:+.0}"))
 }
 
 impl Presets {
@@ -186,11 +234,11 @@ impl Presets {
         self.table(files)?.map(|table| table.row(number)).transpose()
     }
 
-    /// Writes a zero, from that of the machine, into a row and the table into the output folder.
+    /// Writes a zero, from that of the machine, and a rotation into a row and the table into the output folder.
     pub(super) fn write(
         &mut self,
         number: u32,
-        zero: [Option<Length>; 3],
+        written: TableRow,
         files: &mut Files,
     ) -> Result<Option<Remark>, FaultKind> {
         self.table(files)?;
@@ -199,10 +247,10 @@ impl Presets {
         if number == 0 && !table.rows.contains_key(&0) {
             return Ok(None);
         }
-        if zero == [None; 3] {
+        if written.zero == [None; 3] && written.turned.is_none() {
             return Ok(Some(Remark::PresetsLeft { path: table.path.clone() }));
         }
-        table.put(number, zero)?;
+        table.put(number, written)?;
         let written = table.file.patched(&table.bytes, &table.changed);
         let bytes = written.map_err(|error| FaultKind::TableWrite { table: table.name(), error })?;
         let path = table.path.clone();

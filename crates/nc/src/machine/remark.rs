@@ -62,6 +62,12 @@ pub enum Remark {
     },
     /// The preset table stays as it is: where the workpiece lies on the machine is not known.
     PresetsLeft { path: NcPath },
+    /// A measuring cycle has ended the basic rotation, for good.
+    RotationEnded { angle: Arg },
+    /// A plane is tilted, and the rotary axes were taken to stand as it needs them.
+    AxesAsTilted,
+    /// FN 18 asks for a place from the zero of the machine: that of the workpiece was taken.
+    MachineZeroAssumed,
     /// The datum shift ended with a new datum, also in axes that the cycle did not measure.
     ShiftEnded { axes: String },
     /// A file is not among those that were given, and the built-in one of that name was read.
@@ -288,7 +294,7 @@ impl Remark {
         let doubtful = doubtful.map(|warning| Self::Measured { what: warning.message() });
         let mut remarks: Vec<_> = said.chain(doubtful).collect();
         remarks.extend(Self::filled(cycle, result));
-        let is_unjudged = cycle.control == Control::Milling && !cycle.sets_datum() && result.verdict().is_none();
+        let is_unjudged = cycle.control == Control::Milling && cycle.judges() && result.verdict().is_none();
         remarks.extend(is_unjudged.then_some(Self::NotJudged));
         remarks
     }

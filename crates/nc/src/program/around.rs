@@ -75,8 +75,13 @@ pub enum Frame {
     Scaling(Operand),
     /// `CYCL DEF 26.1 X0.99 Y1.01`: scaling axis by axis.
     AxisScaling(Vec<Operand>),
-    /// `PLANE SPATIAL SPA+0 SPB+30 SPC+0`, `CYCL DEF 19.1 A+0 B-90`, `G80`: the angles as written; all 0, or none, ends it.
-    Tilt(Vec<Operand>),
+    /// `PLANE SPATIAL SPA+0 SPB+30 SPC+0`, `CYCL DEF 19.1 A+0 B-90`, `G80`: spatial angles; all 0, or none, ends it.
+    Tilt {
+        /// A, B and C in degrees, as far as they are written.
+        angles: Vec<AxisWord>,
+        /// Whether the rotary axes stay where they are (`STAY`).
+        axes_stay: bool,
+    },
     /// A tilt by anything other than angles: `PLANE VECTOR`, `PLANE POINTS`.
     OtherTilt,
     /// `PLANE RESET STAY`: the rotary axes stay where they are.

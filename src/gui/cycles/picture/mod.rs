@@ -6,6 +6,7 @@
 //! | `tile` | the small picture of a cycle, by which it is chosen |
 //! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
 //! | `path`, `scale` | the path of the ball's centre, from above and from the side; one view of it |
+//! | `system` | the zero and the axes of a program in such a view |
 //! | `part` | the features of a simulated part in such a view |
 //! | `contacts` | contacts about a circle, deviations magnified; `bar`: one deviation between its limits |
 //! | `criteria` | every criterion of a circle side by side |
@@ -26,6 +27,7 @@ mod plan;
 mod scale;
 mod scene;
 mod section;
+mod system;
 #[cfg(test)]
 mod tests;
 mod tile;

@@ -6,7 +6,8 @@ use super::canvas::Canvas;
 use super::criteria::plain;
 use super::part;
 use super::scale::{Scale, legend};
-use super::way::{Eye, Way, phase_id, place};
+use super::system;
+use super::way::{Eye, System, Way, phase_id, place};
 use crate::gui::spoken;
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
@@ -24,6 +25,8 @@ pub(in crate::gui) struct Surroundings<'a> {
     pub features: &'a [PartFeature],
     /// The ball to scale, mm; 0 where contacts are points of the surface.
     pub ball_radius: f64,
+    /// The zero and the axes that the program counts in, where a block has set them.
+    pub system: Option<System>,
 }
 
 impl Surroundings<'_> {
@@ -41,8 +44,8 @@ pub(in crate::gui) fn path_picture(ui: &mut Ui, view: &View<'_>, path: &[Move], 
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height(ui)), Sense::hover());
     if ui.is_rect_visible(rect) {
         let canvas = Canvas::new(ui.painter(), palette(ui.ctx()), rect);
-        let Surroundings { nominal, features, ball_radius } = around;
-        let way = Way { moves: &moves, step, nominal, features, ball_radius: ball_radius.abs().min(1e6) };
+        let Surroundings { nominal, features, ball_radius, system } = around;
+        let way = Way { moves: &moves, step, nominal, features, ball_radius: ball_radius.abs().min(1e6), system };
         draw(&canvas, &way, view.words);
     }
     let said = [describe(view.words, &moves, step), describe_part(view.words, around.features)].concat();
@@ -107,6 +110,8 @@ fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
     };
     let beside = if way.features.is_empty() { Eye::beside(way.nominal) } else { Eye::Side };
     for (eye, rect) in [(Eye::Above, above), (beside, side)] {
-        Scale::of(way, eye, rect).view(canvas, way, words, part::draw);
+        let scale = Scale::of(way, eye, rect);
+        scale.view(canvas, way, words, part::draw);
+        system::draw(canvas, &scale, way);
     }
 }

@@ -45,7 +45,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::FirstAngle => plan.first_angle(),
         Meaning::Step => plan.step(),
         Meaning::Path => plan.path(),
-        Meaning::Point(axis) => plan.point(axis),
+        Meaning::Point(axis) | Meaning::NextPoint(axis) => plan.point(axis),
         Meaning::MaximumCoordinate => plan.coordinate(14.0),
         Meaning::MinimumCoordinate => plan.coordinate(-14.0),
         Meaning::Normal(axis) => plan.normal(axis),

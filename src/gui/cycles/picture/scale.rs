@@ -4,7 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::Canvas;
-use super::way::{Eye, Way, part_places, phase_id, place, trace};
+use super::way::{Eye, Way, ends, part_places, phase_id, place, trace};
 use crate::gui::shapes::screen;
 use crate::gui::theme::{sizes, space};
 use crate::message::Message;
@@ -41,6 +41,7 @@ impl Scale {
     pub(super) fn of(way: &Way<'_>, eye: Eye, rect: Rect) -> Self {
         let mut places = way.places(eye);
         let ball = way.ball_radius;
+        places.extend(way.zero_beside(eye, &places));
         let mut around = ball;
         places.extend(way.features.iter().flat_map(|feature| part_places(feature, eye)));
         if places.is_empty() {
@@ -90,6 +91,11 @@ impl Scale {
 
     pub(super) const fn eye(&self) -> Eye {
         self.eye
+    }
+
+    /// Where things are drawn.
+    pub(super) const fn room(&self) -> Rect {
+        self.room
     }
 
     pub(super) const fn rect(&self) -> Rect {
@@ -307,12 +313,6 @@ fn extent_of(way: &Way<'_>) -> f64 {
     };
     let first = reach(Eye::Above, |[x, _]| *x);
     first.max(reach(Eye::Above, |[_, y]| *y)).max(reach(Eye::Side, |[_, y]| *y))
-}
-
-/// Between which values places lie along an axis.
-fn ends(places: &[[f64; 2]], axis: fn(&[f64; 2]) -> f64) -> (f64, f64) {
-    let none = (f64::INFINITY, f64::NEG_INFINITY);
-    places.iter().map(axis).fold(none, |(least, most), value| (least.min(value), most.max(value)))
 }
 
 /// Whether a place can be drawn at all.

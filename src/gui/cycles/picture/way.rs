@@ -27,6 +27,9 @@ pub(super) fn place(moves: &[Move], step: usize) -> Option<[f64; 3]> {
     }
 }
 
+/// A zero, mm, and the unit vectors of its axes.
+pub(in crate::gui) type System = ([f64; 3], [[f64; 3]; 3]);
+
 /// The path and what is shown with it.
 pub(super) struct Way<'a> {
     pub(super) moves: &'a [Move],
@@ -34,6 +37,7 @@ pub(super) struct Way<'a> {
     pub(super) nominal: Option<Surface>,
     pub(super) features: &'a [PartFeature],
     pub(super) ball_radius: f64,
+    pub(super) system: Option<System>,
 }
 
 impl Way<'_> {
@@ -49,6 +53,27 @@ impl Way<'_> {
     pub(super) fn places(&self, eye: Eye) -> Vec<[f64; 2]> {
         self.moves.iter().flat_map(|one| trace(one, self.plane())).map(|place| eye.see(place)).collect()
     }
+
+    /// The zero of the system, where it is no farther from these places than they reach.
+    pub(super) fn zero_beside(&self, eye: Eye, places: &[[f64; 2]]) -> Option<[f64; 2]> {
+        let (zero, _) = self.system?;
+        let zero = eye.see(self.plane().within(zero));
+        is_beside(places, zero).then_some(zero)
+    }
+}
+
+/// Whether a place is no farther from others than these reach.
+fn is_beside(places: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let ((left, right), (low, high)) = (ends(places, |[x, _]| *x), ends(places, |[_, y]| *y));
+    let reach = (right - left).max(high - low);
+    let is_in = |at: f64, least: f64, most: f64| least - reach <= at && at <= most + reach;
+    reach.is_finite() && is_in(x, left, right) && is_in(y, low, high)
+}
+
+/// Between which values places lie along an axis.
+pub(super) fn ends(places: &[[f64; 2]], axis: fn(&[f64; 2]) -> f64) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    places.iter().map(axis).fold(none, |(least, most), value| (least.min(value), most.max(value)))
 }
 
 /// The places of a move in plane coordinates: two ends, or the points of an arc the shorter way round.

@@ -1,8 +1,8 @@
-//! The datum that a cycle sets: which coordinates the measured place gets, and where that is written.
+//! The datum that a cycle sets: which coordinates the measured place gets, and where that is written; and how it turns the system.
 
 use super::meaning::Axis;
 use crate::length::Length;
-use crate::message::{Arg, Say};
+use crate::message::{Arg, Say, as_text};
 
 /// What a cycle makes of the place that it has measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,6 +23,52 @@ pub struct DatumAxis {
     /// The coordinate that it gets.
     pub wanted: Length,
 }
+
+/// How a cycle turns the system, or the part in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NewRotation {
+    /// Degrees about the probe axis, plus from the first axis to the second.
+    pub degrees: f64,
+    /// What turns.
+    pub by: TurnedBy,
+}
+
+/// What a cycle turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TurnedBy {
+    /// The system, about the active datum: a basic rotation, which goes to the display or into a row.
+    Rotation(DatumTarget),
+    /// The part, with a rotary axis.
+    Axis {
+        /// The axis.
+        axis: RotaryAxis,
+        /// Whether the place that it comes to is its new zero.
+        is_zeroed: bool,
+    },
+}
+
+/// A rotary axis of a machine: about X, Y and Z.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RotaryAxis {
+    /// About X.
+    A,
+    /// About Y.
+    B,
+    /// About Z.
+    C,
+}
+
+impl std::fmt::Display for RotaryAxis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::A => "A",
+            Self::B => "B",
+            Self::C => "C",
+        })
+    }
+}
+
+as_text!(RotaryAxis);
 
 /// Where a datum goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]

@@ -115,6 +115,8 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
     },
+    /// Two points that are one on the line whose angle is measured.
+    NoLine,
     /// A normal without a direction.
     NoNormal {
         /// Its component in the first axis.

@@ -87,6 +87,11 @@ impl Inputs {
         if let Some(Value::Angle(angle)) = self.value(key) { *angle } else { Angle::default() }
     }
 
+    /// An angle from checked inputs in degrees; zero if there is none.
+    pub(in crate::probing) fn degrees(&self, key: impl Into<Key>) -> f64 {
+        self.angle(key).to_degrees_f64()
+    }
+
     pub(in crate::probing) fn whole(&self, key: impl Into<Key>) -> i64 {
         if let Some(Value::Whole(whole)) = self.value(key) { *whole } else { 0 }
     }

@@ -38,6 +38,8 @@ pub enum Meaning {
     FirstPoint(Axis),
     /// The second point of a ridge, in one axis.
     SecondPoint(Axis),
+    /// The second point of a line, in one axis.
+    NextPoint(Axis),
     /// The diameter of the circle on which the probe waits before each contact.
     StartDiameter,
     /// The angle of the first contact.
@@ -152,6 +154,7 @@ impl Meaning {
             | Self::Start(_)
             | Self::FirstPoint(_)
             | Self::SecondPoint(_)
+            | Self::NextPoint(_)
             | Self::Point(_)
             | Self::Normal(_)
             | Self::Plane
@@ -273,6 +276,8 @@ impl Meaning {
             Self::FirstPoint(_) => "cycle-picture-first-point-2",
             Self::SecondPoint(Axis::First) => "cycle-picture-second-point-1",
             Self::SecondPoint(_) => "cycle-picture-second-point-2",
+            Self::NextPoint(Axis::First) => "cycle-picture-next-point-1",
+            Self::NextPoint(_) => "cycle-picture-next-point-2",
             Self::Point(Axis::First) => "cycle-picture-point-1",
             Self::Point(Axis::Second) => "cycle-picture-point-2",
             Self::Point(Axis::Third) => "cycle-picture-point-3",

@@ -45,7 +45,7 @@ mod value;
 pub use correction::{Corrected, Correction, Corrects};
 pub(in crate::probing) use course::nearest;
 pub use course::{Course, Move, Phase};
-pub use datum::{DatumAxis, DatumTarget, NewDatum};
+pub use datum::{DatumAxis, DatumTarget, NewDatum, NewRotation, RotaryAxis, TurnedBy};
 pub use error::CycleError;
 pub use inputs::Inputs;
 pub use key::Key;
@@ -119,6 +119,7 @@ pub struct Measured {
     pub(in crate::probing) stop: Option<Stop>,
     pub(in crate::probing) remarks: Vec<Remark>,
     pub(in crate::probing) datum: Option<NewDatum>,
+    pub(in crate::probing) rotation: Option<NewRotation>,
 }
 
 /// Cycles are told apart by their names.
@@ -161,9 +162,19 @@ impl Cycle {
         if let Some(Value::Length(length)) = self.value_of(inputs, meaning) { Some(*length) } else { None }
     }
 
-    /// Whether it sets a datum: such a cycle measures and judges nothing.
+    /// Whether it sets a datum or a rotation: such a cycle judges nothing.
     pub fn sets_datum(&self) -> bool {
         self.meant(Meaning::TableRow).is_some()
+    }
+
+    /// Whether it judges what it measures.
+    pub fn judges(&self) -> bool {
+        self.parameters.iter().any(|parameter| parameter.meaning.group() == ParameterGroup::Tolerance)
+    }
+
+    /// Whether a basic rotation in force ends before its contacts.
+    pub fn ends_rotation(&self) -> bool {
+        self.notes.contains(&Note::EndsRotation)
     }
 
     /// The top that a cycle probes besides its surface, where its inputs ask for that.
@@ -223,6 +234,7 @@ impl Cycle {
             remarks.extend(measured.remarks);
             let set = measured.datum.as_ref();
             remarks.extend(set.map(|new| Remark::NewDatum { axes: new.listed(), target: new.target }));
+            remarks.extend(measured.rotation.as_ref().map(Remark::of_rotation));
             remarks.extend(self.zone_remarks(&measured.checks));
             remarks.extend(astray);
             let result = CycleResult {
@@ -235,6 +247,7 @@ impl Cycle {
                 stop: measured.stop,
                 log: self.log_target(&inputs),
                 datum: measured.datum,
+                rotation: measured.rotation,
                 remarks,
                 inputs,
             };

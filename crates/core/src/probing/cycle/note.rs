@@ -17,6 +17,8 @@ pub enum Note {
         /// Its numbers, before and since they were ordered anew: `#17 / #1-05-1`.
         option: &'static str,
     },
+    /// A basic rotation in force ends before the contacts.
+    EndsRotation,
     /// The maker recommends another cycle where the control has it.
     Recommended {
         /// The number of the other cycle.

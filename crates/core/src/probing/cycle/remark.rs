@@ -1,7 +1,8 @@
 //! What is worth knowing about the run of a cycle.
 
-use super::datum::DatumTarget;
+use super::datum::{DatumTarget, NewRotation, RotaryAxis, TurnedBy};
 use super::key::Key;
+use super::value::Angle;
 use crate::length::Length;
 use crate::message::{Arg, Say};
 use crate::probing::Caveat;
@@ -62,6 +63,20 @@ pub enum Remark {
         /// Where it goes.
         target: DatumTarget,
     },
+    /// The basic rotation that the cycle sets.
+    NewRotation {
+        /// The rotation.
+        angle: Arg,
+        /// Where it goes.
+        target: DatumTarget,
+    },
+    /// A rotary axis turns by an angle about a centre that only the machine knows.
+    AxisTurned {
+        /// The axis.
+        axis: RotaryAxis,
+        /// The angle.
+        angle: Arg,
+    },
     /// What `#i99` holds is not documented.
     VariableHoldsDiameter,
     /// A tolerance text was given that is not a tolerance, such as `0.1+0.1`.
@@ -72,6 +87,15 @@ pub enum Remark {
 }
 
 impl Remark {
+    /// How the cycle turns the system, or the part.
+    pub(super) fn of_rotation(new: &NewRotation) -> Self {
+        let angle = Arg::Number(Angle::nearest(new.degrees).to_string());
+        match new.by {
+            TurnedBy::Rotation(target) => Self::NewRotation { angle, target },
+            TurnedBy::Axis { axis, .. } => Self::AxisTurned { axis, angle },
+        }
+    }
+
     /// Whether it stands against what the cycle says: limits out of all proportion, contacts of somewhere else or of no circle, or a
     /// tolerance that was written and not understood.
     pub const fn stands_against(&self) -> bool {

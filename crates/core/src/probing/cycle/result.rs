@@ -1,11 +1,11 @@
 //! What a cycle found: one type for all cycles.
 
 use super::course::Move;
-use super::datum::NewDatum;
+use super::datum::{NewDatum, NewRotation};
 use super::inputs::Inputs;
 use super::key::Key;
 use super::remark::Remark;
-use super::value::Value;
+use super::value::{Angle, Value};
 use crate::length::Length;
 use crate::message::{Message, Say, display, message};
 use crate::probing::Caveat;
@@ -39,6 +39,8 @@ pub struct CycleResult {
     pub remarks: Vec<Remark>,
     /// The datum that it sets.
     pub datum: Option<NewDatum>,
+    /// How it turns the system.
+    pub rotation: Option<NewRotation>,
 }
 
 impl CycleResult {
@@ -166,6 +168,10 @@ impl ResultParameter {
         Self { key: Some(key.into()), name, value: Value::Length(value) }
     }
 
+    pub(in crate::probing) fn angle(key: impl Into<Key>, name: ResultName, value: Angle) -> Self {
+        Self { key: Some(key.into()), name, value: Value::Angle(value) }
+    }
+
     /// A length without a parameter of the control.
     pub(in crate::probing) const fn without_key(name: ResultName, value: Length) -> Self {
         Self { key: None, name, value: Value::Length(value) }
@@ -223,6 +229,8 @@ impl ResultName {
     pub const COORDINATE: Self = Self::new("found-coordinate");
     /// Deviation of a coordinate in the measured axis.
     pub const COORDINATE_DEVIATION: Self = Self::new("found-coordinate-deviation");
+    /// Measured angle.
+    pub const ANGLE: Self = Self::new("found-angle");
     /// Measured position, first axis.
     pub const POSITION_1: Self = Self::new("found-position-1");
     /// Measured position, second axis.

@@ -45,6 +45,27 @@ pub(in crate::probing) const POINT_3: Parameter = Parameter::coordinate(Key::Q(2
     ])
     .means(Meaning::Point(Axis::Third));
 
+/// The second of two points, first and second axis.
+pub(in crate::probing) const SECOND_POINT_1: Parameter = Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS")
+    .named(&[(Nl, "2E PUNT 1E AS"), (De, "2. PUNKT 1. ACHSE"), (It, "2. PUNTO 1. ASSE")])
+    .asked(&[
+        (En, "2nd meas. point 1st axis?"),
+        (Nl, "2e meetpunt 1e as?"),
+        (De, "2. Messpunkt 1. Achse?"),
+        (It, "2. punto misurato sul 1. asse?"),
+    ])
+    .means(Meaning::NextPoint(Axis::First));
+/// The second axis.
+pub(in crate::probing) const SECOND_POINT_2: Parameter = Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS")
+    .named(&[(Nl, "2E PUNT 2E AS"), (De, "2. PUNKT 2. ACHSE"), (It, "2. PUNTO 2. ASSE")])
+    .asked(&[
+        (En, "2nd meas. point 2nd axis?"),
+        (Nl, "2e meetpunt 2e as?"),
+        (De, "2. Messpunkt 2. Achse?"),
+        (It, "2. punto misurato sul 2. asse?"),
+    ])
+    .means(Meaning::NextPoint(Axis::Second));
+
 /// The measured axis, one of three.
 pub(in crate::probing) const MEASURED_AXIS: Parameter = Parameter::choice(Key::Q(272), "MEASURING AXIS", &[1, 2, 3])
     .named(&[(Nl, "MEETAS"), (De, "MESSACHSE"), (It, "ASSE MISURATO")])

@@ -21,6 +21,13 @@ impl Angle {
         Self(degrees as i64 * 10_000)
     }
 
+    /// The nearest of an angle in degrees; zero for what is no number.
+    pub fn nearest(degrees: f64) -> Self {
+        // A degree is counted like a millimetre of ten thousand parts.
+        let rounded = Length::from_mm_f64((degrees * 10_000.0).round() / 10_000.0);
+        Self(rounded.map_or(0, |rounded| (rounded.nanometres() + 50).div_euclid(100)))
+    }
+
     /// Ten-thousandths of a degree.
     pub const fn ten_thousandths(self) -> i64 {
         self.0

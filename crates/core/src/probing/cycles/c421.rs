@@ -31,7 +31,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "421",
     control: Control::Milling,
     names: &[(En, "MEASURE HOLE"), (Nl, "METEN BORING"), (De, "MESSEN BOHRUNG"), (It, "MISURARE FORO")],
-    notes: &[Note::Recommended { cycle: "1401" }],
+    notes: &[Note::EndsRotation, Note::Recommended { cycle: "1401" }],
     parameters: &PARAMETERS,
     surface: |inputs| SIDE.circle().surface(inputs),
     run: |inputs, course| run(&SIDE, inputs, course),

@@ -1,7 +1,7 @@
 //! Cycle 422, measure circle outside: limits in Q277 and Q278.
 
 use super::circle_cycle::{Side, corrects, figures, parameters, run, subject};
-use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Parameter, TextLog, Window};
+use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Note, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
 
@@ -36,7 +36,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         (De, "MESSEN KREIS AUSSEN"),
         (It, "MIS. CERCHIO ESTERNO"),
     ],
-    notes: &[],
+    notes: &[Note::EndsRotation],
     parameters: &PARAMETERS,
     surface: |inputs| SIDE.circle().surface(inputs),
     run: |inputs, course| run(&SIDE, inputs, course),

@@ -18,7 +18,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         (De, "MESSEN RECHTECK INN."),
         (It, "MIS. RETTANGOLO INT."),
     ],
-    notes: &[Note::Recommended { cycle: "1403" }],
+    notes: &[Note::EndsRotation, Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
     surface: |inputs| rectangle(Feature::Hole).surface(inputs),
     run: |inputs, course| run(Feature::Hole, inputs, course),

@@ -18,7 +18,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         (De, "MESSEN RECHTECK AUS."),
         (It, "MIS. RETTANGOLO EST."),
     ],
-    notes: &[Note::Recommended { cycle: "1403" }],
+    notes: &[Note::EndsRotation, Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
     surface: |inputs| rectangle(Feature::Shaft).surface(inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),

@@ -32,7 +32,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         (De, "MESSEN BREITE INNEN"),
         (It, "MIS. LARGHEZZA INT."),
     ],
-    notes: &[Note::Recommended { cycle: "1404" }],
+    notes: &[Note::EndsRotation, Note::Recommended { cycle: "1404" }],
     parameters: &[
         Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS")
             .named(&[(Nl, "STARTPUNT 1E AS"), (De, "STARTPUNKT 1. ACHSE"), (It, "PUNTO INIZ. 1. ASSE")])

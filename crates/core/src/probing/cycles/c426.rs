@@ -8,10 +8,11 @@
 use super::probed::met_at;
 use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, corrects, measured, subject, surface};
 use crate::probing::cycle::shared::{
-    CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
+    CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, SECOND_POINT_1, SECOND_POINT_2,
+    SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, limits,
+    Axis, Control, Course, Cycle, CycleError, Inputs, Log, Meaning, Measured, Note, TextLog, Window, limits,
 };
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -29,28 +30,12 @@ pub(super) const CYCLE: Cycle = Cycle {
         (De, "MESSEN STEG AUSSEN"),
         (It, "MIS. ISOLA ESTERNA"),
     ],
-    notes: &[],
+    notes: &[Note::EndsRotation],
     parameters: &[
         POINT_1.means(Meaning::FirstPoint(Axis::First)),
         POINT_2.means(Meaning::FirstPoint(Axis::Second)),
-        Parameter::coordinate(Key::Q(265), "2ND POINT 1ST AXIS")
-            .named(&[(Nl, "2E PUNT 1E AS"), (De, "2. PUNKT 1. ACHSE"), (It, "2. PUNTO 1. ASSE")])
-            .asked(&[
-                (En, "2nd meas. point 1st axis?"),
-                (Nl, "2e meetpunt 1e as?"),
-                (De, "2. Messpunkt 1. Achse?"),
-                (It, "2. punto misurato sul 1. asse?"),
-            ])
-            .means(Meaning::SecondPoint(Axis::First)),
-        Parameter::coordinate(Key::Q(266), "2ND POINT 2ND AXIS")
-            .named(&[(Nl, "2E PUNT 2E AS"), (De, "2. PUNKT 2. ACHSE"), (It, "2. PUNTO 2. ASSE")])
-            .asked(&[
-                (En, "2nd meas. point 2nd axis?"),
-                (Nl, "2e meetpunt 2e as?"),
-                (De, "2. Messpunkt 2. Achse?"),
-                (It, "2. punto misurato sul 2. asse?"),
-            ])
-            .means(Meaning::SecondPoint(Axis::Second)),
+        SECOND_POINT_1.means(Meaning::SecondPoint(Axis::First)),
+        SECOND_POINT_2.means(Meaning::SecondPoint(Axis::Second)),
         AXIS,
         MEASURING_HEIGHT,
         SET_UP_CLEARANCE,

@@ -37,7 +37,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         (De, "MESSEN KOORDINATE"),
         (It, "MISURAZ. COORDINATA"),
     ],
-    notes: &[Note::SoftwareOption { option: "#17 / #1-05-1" }, Note::Recommended { cycle: "1400" }],
+    notes: &[Note::EndsRotation, Note::SoftwareOption { option: "#17 / #1-05-1" }, Note::Recommended { cycle: "1400" }],
     parameters: &[
         POINT_1,
         POINT_2,

@@ -7,6 +7,7 @@
 //! | `circle_probing` | the contacts of a circle, for these four |
 //! | `rectangle_cycle` | what 423 and 424 share |
 //! | `rectangle_datum_cycle` | what 410 and 411 share |
+//! | `line_probing` | the contacts of a line, and its angle, for 400, 403 and 420 |
 //! | `walls_probing` | the contacts of walls about a centre |
 //! | `width_cycle` | what 425 and 426 share |
 //! | `width_datum_cycle` | what 408 and 409 share |
@@ -14,6 +15,8 @@
 //! | `round` | the circle through contacts |
 //! | `judged` | sizes and centres against their limits |
 //! | `probed` | the clearance before a surface, the point where the ball met the surface, and along which axis |
+//! | `c400` | 400, basic rotation |
+//! | `c403` | 403, rotation in a rotary axis |
 //! | `c408` | 408, datum at the centre line of a slot |
 //! | `c409` | 409, datum at the centre line of a ridge |
 //! | `c410` | 410, datum at the centre of a pocket |
@@ -22,6 +25,7 @@
 //! | `c413` | 413, datum at the centre of a stud |
 //! | `c417` | 417, datum in the probe axis |
 //! | `c419` | 419, datum in one axis |
+//! | `c420` | 420, measure angle |
 //! | `c421` | 421, measure hole |
 //! | `c422` | 422, measure circle outside |
 //! | `c423` | 423, measure rectangle inside |
@@ -52,7 +56,10 @@
 //! | `window` | the mask of the status window |
 //! | `corrects` | the correction of the tool of Q330 |
 //! | `Measured::datum` | where the zero of NC programs is from there on |
+//! | `Measured::rotation` | how their system is turned from there on |
 
+mod c400;
+mod c403;
 mod c408;
 mod c409;
 mod c410;
@@ -61,6 +68,7 @@ mod c412;
 mod c413;
 mod c417;
 mod c419;
+mod c420;
 mod c421;
 mod c422;
 mod c423;
@@ -75,6 +83,7 @@ mod circle_probing;
 mod datum_cycle;
 mod g785;
 mod judged;
+mod line_probing;
 mod probed;
 mod rectangle_cycle;
 mod rectangle_datum_cycle;
@@ -86,7 +95,7 @@ mod width_datum_cycle;
 use super::cycle::{Control, Cycle};
 use crate::tolerance::Feature;
 
-/// All cycles: those that measure by number, then those that set a datum.
+/// All cycles: those that judge by number, then those that set a datum or a rotation, then 420, which judges nothing.
 pub const CYCLES: &[&Cycle] = &[
     &c421::CYCLE,
     &c422::CYCLE,
@@ -97,6 +106,8 @@ pub const CYCLES: &[&Cycle] = &[
     &c427::CYCLE,
     &c444::CYCLE,
     &g785::CYCLE,
+    &c400::CYCLE,
+    &c403::CYCLE,
     &c408::CYCLE,
     &c409::CYCLE,
     &c410::CYCLE,
@@ -105,6 +116,7 @@ pub const CYCLES: &[&Cycle] = &[
     &c413::CYCLE,
     &c417::CYCLE,
     &c419::CYCLE,
+    &c420::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.
@@ -120,9 +132,9 @@ pub fn cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
     CYCLES.iter().copied().filter(move |cycle| cycle.control == control)
 }
 
-/// Those of them that measure a feature and judge it, and set no datum.
+/// Those of them that measure a feature and judge it.
 pub fn measuring_cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
-    cycles_of(control).filter(|cycle| !cycle.sets_datum())
+    cycles_of(control).filter(|cycle| cycle.judges())
 }
 
 /// A cycle by its number.

@@ -6,6 +6,7 @@ use super::nearest::{least, trace};
 use super::reading::exactly;
 use super::{FARTHEST, Figure, Shape, Walls, Workpiece, WorkpieceError, in_range};
 use crate::probing::cycle::Plane;
+use crate::probing::orientation::Orientation;
 use crate::probing::vector::{along, dot, norm, unit};
 use crate::tolerance::Feature;
 
@@ -198,6 +199,41 @@ impl Surface {
             Self::Point(point) => Self::Point(FreePoint { point: along(point.point, by, 1.0), ..point }),
             Self::Walls(walls) => Self::Walls(Walls { centre: in_plane(walls.centre), ..walls }),
         }
+    }
+
+    /// The same surface turned about the workpiece's zero; `None` where a round one or walls would no longer stand along Z.
+    #[must_use]
+    pub fn turned(self, orientation: Orientation) -> Option<Self> {
+        let in_plane = |[x, y]: [f64; 2]| {
+            let [x, y, _] = orientation.out([x, y, 0.0]);
+            [x, y]
+        };
+        Some(match self {
+            Self::Face(face) => {
+                let wave = face.wave.map(|wave| Wave { direction: orientation.out(wave.direction), ..wave });
+                Self::Face(Face {
+                    point: orientation.out(face.point),
+                    normal: orientation.out(face.normal),
+                    wave,
+                    ..face
+                })
+            }
+            Self::Point(point) => Self::Point(FreePoint {
+                point: orientation.out(point.point),
+                normal: orientation.out(point.normal),
+                ..point
+            }),
+            _ if orientation.is_level() => self,
+            Self::Round(round, Plane::Xy) if orientation.is_upright() => {
+                Self::Round(Workpiece { centre: in_plane(round.centre), ..round }, Plane::Xy)
+            }
+            Self::Walls(walls) if orientation.is_upright() => Self::Walls(Walls {
+                centre: in_plane(walls.centre),
+                angle: walls.angle + orientation.about_z(),
+                ..walls
+            }),
+            Self::Round(..) | Self::Walls(_) => return None,
+        })
     }
 
     /// Whether a ball at this place is outside the material.

@@ -27,7 +27,7 @@ use serde::Deserialize;
 use super::entry::{Checked, Content, Entry};
 
 /// The newest version of the format: every version up to it is read.
-pub const VERSION: u64 = 4;
+pub const VERSION: u64 = 5;
 
 /// The longest body, bytes.
 pub const LONGEST: usize = 16 << 20;
@@ -112,6 +112,7 @@ struct Head {
 /// The version that an entry is written as: the smallest that can hold it, so that older versions of Fitcheck read all that they know.
 fn version_of(content: &Content) -> u64 {
     match content {
+        Content::Check(check) if is_turned(&check.what) => 5,
         Content::Check(check) if has_datum(&check.what) => 4,
         Content::Check(check) if is_of_third(&check.what) => 3,
         Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => 1,
@@ -128,6 +129,13 @@ fn is_of_third(what: &Checked) -> bool {
 /// Whether a cycle counted from a datum that another one had set.
 fn has_datum(what: &Checked) -> bool {
     matches!(what, Checked::Cycle(cycle) if cycle.datum.is_some())
+}
+
+/// Whether the axes of that datum are turned, or no cycle has set it.
+fn is_turned(what: &Checked) -> bool {
+    let Checked::Cycle(cycle) = what else { return false };
+    let datum = cycle.datum.as_ref();
+    datum.is_some_and(|datum| datum.set_by.is_none() || datum.rotation.is_some() || datum.tilt.is_some())
 }
 
 /// The bytes of an entry.

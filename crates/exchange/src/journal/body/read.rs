@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use fitcheck_core::verdict::Status;
 
-use super::texts::{bounded, length, long, name, of_contacts, printed, seed, some_length, two_lengths, whole};
+use super::texts::{
+    bounded, length, long, name, of_contacts, of_fractions, printed, seed, some_length, two_lengths, whole,
+};
 use super::{BodyError, size, version_of, wire};
 use crate::journal::chain::Head;
 use crate::journal::entry::{
-    About, Begin, Check, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, DatumKept, Entry, FileRole,
-    Moment, Reported, Shown, UsedFile,
+    About, Begin, BlockKept, Check, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, DatumKept, Entry,
+    FileRole, Moment, Reported, Shown, UsedFile,
 };
 use crate::journal::ranges::EntryRanges;
 
@@ -164,11 +166,24 @@ fn check(check: wire::Check) -> Result<Check, BodyError> {
 
 fn datum(datum: &wire::Datum) -> Result<DatumKept, BodyError> {
     let [x, y, z] = datum.zero_nm.map(|nm| length("check.cycle.datum.zero_nm", nm));
-    Ok(DatumKept {
-        zero: [x?, y?, z?],
-        line: whole("check.cycle.datum.line", datum.line)?,
-        text: name("check.cycle.datum.text", &datum.text)?,
-    })
+    let set_by = match (datum.line, &datum.text) {
+        (None, None) => None,
+        (Some(line), Some(text)) => Some(block_of_datum(line, text)?),
+        _ => return Err(BodyError::Contradiction { field: "check.cycle.datum.line" }),
+    };
+    let rotation = datum.rotation.as_ref().map(turn).transpose()?;
+    let tilt = datum.tilt.as_ref().map(turn).transpose()?;
+    Ok(DatumKept { zero: [x?, y?, z?], set_by, rotation: rotation.map(|([angle], by)| (angle, by)), tilt })
+}
+
+fn block_of_datum(line: u64, text: &str) -> Result<BlockKept, BodyError> {
+    Ok(BlockKept { line: whole("check.cycle.datum.line", line)?, text: name("check.cycle.datum.text", text)? })
+}
+
+fn turn<const N: usize>(turn: &wire::Turn) -> Result<([f64; N], BlockKept), BodyError> {
+    let field = "check.cycle.datum.degrees";
+    let degrees = turn.degrees.clone().try_into().map_err(|_count| BodyError::Contradiction { field })?;
+    Ok((of_fractions(field, &degrees)?, block_of_datum(turn.line, &turn.text)?))
 }
 
 fn cycle(cycle: &wire::Cycle, status: Option<Status>) -> Result<CycleCheck, BodyError> {

@@ -14,7 +14,7 @@ use fitcheck_core::verdict::{
 use fitcheck_nc::control::shipped_tables;
 
 use super::texts::{
-    bounded, length, long, name, of_contacts, of_three, printed, seed, some_length, two_lengths, whole,
+    bounded, length, long, name, of_contacts, of_fractions, printed, seed, some_length, two_lengths, whole,
 };
 use super::{BodyError, wire};
 use crate::journal::Record;
@@ -82,7 +82,7 @@ fn live(recorded: &Limits, callout: Option<&Callout>, origin: &Origin) -> Option
 fn measurement(measurement: &wire::Measurement) -> Result<Measurement, BodyError> {
     let file = |file: &str| Ok::<_, BodyError>(name("check.size.measurement.origin.file", file)?.into());
     let circle = measurement.circle_mm.as_ref().map(|texts| {
-        let [x, y, diameter] = of_three("check.size.measurement.circle_mm", texts)?;
+        let [x, y, diameter] = of_fractions("check.size.measurement.circle_mm", texts)?;
         Ok(Circle { x, y, diameter })
     });
     Ok(Measurement {

@@ -78,7 +78,7 @@ fn at_most<T>(field: &'static str, list: &[T], most: usize) -> Result<(), BodyEr
 }
 
 /// Binary fractions as the shortest texts that read back as the same.
-pub(super) fn three(field: &'static str, numbers: [f64; 3]) -> Result<Three, BodyError> {
+pub(super) fn fractions<const N: usize>(field: &'static str, numbers: [f64; N]) -> Result<[String; N], BodyError> {
     let texts = numbers.map(|number| number.to_string());
     match texts.iter().zip(numbers).find(|(text, number)| !number.is_finite() || LONGEST_FRACTION < text.len()) {
         Some((text, _)) => Err(BodyError::value(field, text)),
@@ -87,8 +87,8 @@ pub(super) fn three(field: &'static str, numbers: [f64; 3]) -> Result<Three, Bod
 }
 
 /// Binary fractions from their texts.
-pub(super) fn of_three(field: &'static str, texts: &Three) -> Result<[f64; 3], BodyError> {
-    let mut numbers = [0.0; 3];
+pub(super) fn of_fractions<const N: usize>(field: &'static str, texts: &[String; N]) -> Result<[f64; N], BodyError> {
+    let mut numbers = [0.0; N];
     for (number, text) in numbers.iter_mut().zip(texts) {
         let is_plain = text.len() <= LONGEST_FRACTION && text.bytes().all(|b| b.is_ascii_digit() || b"-.".contains(&b));
         let read = is_plain.then(|| text.parse::<f64>().ok()).flatten().filter(|read| read.is_finite());
@@ -99,10 +99,10 @@ pub(super) fn of_three(field: &'static str, texts: &Three) -> Result<[f64; 3], B
 
 pub(super) fn contacts(field: &'static str, contacts: &[Contact]) -> Result<Vec<Three>, BodyError> {
     at_most(field, contacts, MOST_CONTACTS)?;
-    contacts.iter().map(|contact| three(field, contact.place())).collect()
+    contacts.iter().map(|contact| fractions(field, contact.place())).collect()
 }
 
 pub(super) fn of_contacts(field: &'static str, texts: &[Three]) -> Result<Vec<Contact>, BodyError> {
     at_most(field, texts, MOST_CONTACTS)?;
-    texts.iter().map(|texts| of_three(field, texts).map(Contact::at)).collect()
+    texts.iter().map(|texts| of_fractions(field, texts).map(Contact::at)).collect()
 }

@@ -155,7 +155,17 @@ objects! {
         datum: Option<Datum>,
     }
     /// The datum that a cycle counted from.
-    Datum { zero_nm: [i64; 3], line: u64, text: String }
+    Datum {
+        zero_nm: [i64; 3],
+        line: Option<u64>,
+        text: Option<String>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        rotation: Option<Turn>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        tilt: Option<Turn>,
+    }
+    /// Angles, and the block that has set them.
+    Turn { degrees: Vec<String>, line: u64, text: String }
     Block { file: String, line: u64 }
     Compared { what: String, measured_nm: i64, min_nm: i64, max_nm: i64, status: Status }
 }

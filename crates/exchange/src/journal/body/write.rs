@@ -8,13 +8,13 @@ use fitcheck_core::tolerance::fit::thermal::{self, Warm};
 use fitcheck_core::verdict::rules::Uncertainty;
 use fitcheck_core::verdict::{AxisPosition, Doubt, Rule, Undecided, Verdict};
 
-use super::texts::{bounded, contacts, long, name, three, whole};
+use super::texts::{bounded, contacts, fractions, long, name, whole};
 use super::{BodyError, version_of, wire};
 use crate::journal::Record;
 use crate::journal::chain::Head;
 use crate::journal::entry::{
-    About, Begin, Check, Checked, Content, Correction, CycleCheck, CycleOrigin, DatumKept, Entry, Reported, Shown,
-    UsedFile,
+    About, Begin, BlockKept, Check, Checked, Content, Correction, CycleCheck, CycleOrigin, DatumKept, Entry, Reported,
+    Shown, UsedFile,
 };
 
 pub(super) fn body(entry: &Entry) -> Result<wire::Body, BodyError> {
@@ -151,7 +151,7 @@ fn measurement(measurement: &Measurement) -> Result<wire::Measurement, BodyError
     let file = |file: &str| name("check.size.measurement.origin.file", file);
     let circle = measurement.circle.map(|circle| {
         let numbers = [circle.x, circle.y, circle.diameter];
-        three("check.size.measurement.circle_mm", numbers)
+        fractions("check.size.measurement.circle_mm", numbers)
     });
     Ok(wire::Measurement {
         diameter_nm: measurement.diameter.nanometres(),
@@ -241,11 +241,21 @@ fn doubt(doubt: Doubt) -> wire::Doubt {
 }
 
 fn datum(datum: &DatumKept) -> Result<wire::Datum, BodyError> {
-    Ok(wire::Datum {
-        zero_nm: datum.zero.map(Length::nanometres),
-        line: whole("check.cycle.datum.line", datum.line)?,
-        text: name("check.cycle.datum.text", &datum.text)?,
-    })
+    let block = datum.set_by.as_ref().map(block_of_datum).transpose()?;
+    let (line, text) = block.unzip();
+    let rotation = datum.rotation.as_ref().map(|(angle, by)| turn([*angle], by)).transpose()?;
+    let tilt = datum.tilt.as_ref().map(|(angles, by)| turn(*angles, by)).transpose()?;
+    Ok(wire::Datum { zero_nm: datum.zero.map(Length::nanometres), line, text, rotation, tilt })
+}
+
+fn block_of_datum(block: &BlockKept) -> Result<(u64, String), BodyError> {
+    Ok((whole("check.cycle.datum.line", block.line)?, name("check.cycle.datum.text", &block.text)?))
+}
+
+fn turn<const N: usize>(angles: [f64; N], by: &BlockKept) -> Result<wire::Turn, BodyError> {
+    let (line, text) = block_of_datum(by)?;
+    let degrees = fractions("check.cycle.datum.degrees", angles)?.to_vec();
+    Ok(wire::Turn { degrees, line, text })
 }
 
 fn cycle(cycle: &CycleCheck) -> Result<wire::Cycle, BodyError> {

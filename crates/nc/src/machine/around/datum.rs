@@ -1,46 +1,57 @@
-//! The datum: where the zero of the active preset lies, and what cycles and cycle 247 make of it.
+//! The datum: where the zero of the active preset lies and how its axes are turned, and what cycle 247 makes of it; `set` has what cycles do.
 //!
-//! All places count from the zero in which the workpiece is given, which is that of the preset that is active first. What a datum cycle
-//! writes is kept for the run, and written into the preset table where the program's folders have one (`docs/SOURCES.md`, "Datum cycles"):
+//! All places count from the zero in which the workpiece is given, which is that of the preset that is active first, with its rotation. What
+//! a datum cycle writes is kept for the run, and written into the preset table where the program's folders have one (`docs/SOURCES.md`,
+//! "Datum cycles"):
 //!
 //! | target | what happens | how sure |
 //! |---|---|---|
 //! | the display (Q305 = 0) | the measured place gets its coordinates, the shift ends, the datum is that of row 0 | TNC7; an iTNC 530 may keep the shift |
 //! | a row of the preset table | acts with cycle 247 of that row; at once where the row is active | the latter TNC 640 and TNC7, from memory |
 //! | a row of the datum table | refused: that table is on the control only | |
+//!
+//! A basic rotation goes the same ways; it turns the axes about the zero ("Angle and rotation").
 
 use std::collections::BTreeMap;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Arg;
-use fitcheck_core::probing::cycle::{Axis, DatumAxis, DatumTarget, NewDatum, Plane};
+use fitcheck_core::probing::Orientation;
+use fitcheck_core::probing::cycle::Plane;
 
 use super::super::fault::FaultKind;
 use super::super::presets::PresetRow;
-use super::super::remark::Remark;
-use super::{Around, ChangingBlock};
+use super::ChangingBlock;
+use super::system::is_other;
 
-/// The axes of the machine.
-const NAMES: [&str; 3] = ["X", "Y", "Z"];
+/// A zero as far as it is known.
+pub(super) type Row = [Option<Length>; 3];
 
-/// A row of the preset table as far as cycles have written it.
-type Row = [Option<Length>; 3];
-
-/// Such a row, and what has written it last.
+/// A row of the preset table as far as cycles have written it, and what has done so last.
 #[derive(Debug, Clone, Default)]
-struct Written {
-    zero: Row,
-    by: Option<SetBy>,
+pub(super) struct Written {
+    pub zero: Row,
+    /// Degrees against the axes of the machine.
+    pub turned: Option<f64>,
+    pub by: Option<SetBy>,
 }
 
 /// Where the zero of the preset is, and the rows that cycles have written.
 #[derive(Debug, Default)]
 pub(super) struct Datum {
-    origin: [Length; 3],
-    rows: BTreeMap<u32, Written>,
+    pub(super) origin: [Length; 3],
+    pub(super) set_by: Option<SetBy>,
+    /// How the axes are turned against those of the workpiece: degrees in a plane.
+    pub(super) turned: f64,
+    pub(super) plane: Plane,
+    pub(super) turned_by: Option<SetBy>,
+    pub(super) rows: BTreeMap<u32, Written>,
     /// The zero of the workpiece from that of the machine, once a row of the preset table was active.
-    base: Row,
-    set_by: Option<SetBy>,
+    pub(super) base: Row,
+    /// How the workpiece is turned against the axes of the machine, degrees: as the row of the preset table that was active first, and by
+    /// rotary axes since.
+    pub(super) base_turned: Option<f64>,
+    /// Whether a rotary axis has turned the part: rows that no cycle has written since lie anywhere on it.
+    pub(super) is_moved: bool,
 }
 
 /// What a datum comes from.
@@ -52,39 +63,48 @@ pub struct SetBy {
     pub text: String,
 }
 
-/// The datum that a measurement counts from, where a cycle has set it.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct DatumInForce {
-    /// Where its zero is in the coordinates of the workpiece; without a shift.
-    pub zero: [Length; 3],
-    pub set_by: SetBy,
-}
-
-/// Where the zero of the preset comes to in one axis: the place without the shift gets the coordinate. `None` where it was not measured.
-fn moved(of: Option<DatumAxis>, origin: Length, shift: Length) -> Option<Length> {
-    let DatumAxis { measured, wanted, .. } = of?;
-    Some(plus(origin, plus(measured, shift).saturating_sub(wanted)))
-}
-
-fn plus(one: Length, other: Length) -> Length {
-    one.saturating_sub(other.negated())
-}
-
-/// The axes of the machine, as the tool axis makes them the axes of a cycle.
-fn by_machine_axis(axes: &[DatumAxis], plane: Plane) -> [Option<DatumAxis>; 3] {
-    let [first, second, third] = [Axis::First, Axis::Second, Axis::Third]
-        .map(|wanted| axes.iter().copied().find(|measured| measured.axis == wanted));
-    match plane {
-        Plane::Xy => [first, second, third],
-        Plane::Zx => [second, third, first],
-        Plane::Yz => [third, first, second],
+impl From<ChangingBlock> for SetBy {
+    fn from(made: ChangingBlock) -> Self {
+        Self { line: made.line, text: made.text }
     }
 }
 
-/// `X 50.12, Y 29.93`, of the axes that have a value.
-fn named(row: Row) -> Arg {
-    let named = NAMES.into_iter().zip(row).filter_map(|(name, at)| Some(format!("{name} {}", at?)));
-    Arg::Number(named.collect::<Vec<_>>().join(", "))
+/// A tilted plane.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tilt {
+    /// The spatial angles A, B and C, degrees.
+    pub angles: [f64; 3],
+    /// The shift of cycle 7 within it, mm.
+    pub shift: [f64; 3],
+    pub set_by: SetBy,
+}
+
+/// The system that a measurement counts in, where a block has set it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DatumInForce {
+    /// Where its zero is in the coordinates of the workpiece; without a shift.
+    pub zero: [Length; 3],
+    /// The cycle that has set it.
+    pub set_by: Option<SetBy>,
+    /// How its axes are turned in the plane.
+    pub rotation: Option<Turn<1>>,
+    /// How its plane is tilted: A, B and C.
+    pub tilt: Option<Turn<3>>,
+}
+
+/// Angles in degrees, and the block that has set them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Turn<const COUNT: usize> {
+    pub degrees: [f64; COUNT],
+    pub set_by: SetBy,
+}
+
+pub(super) fn plus(one: Length, other: Length) -> Length {
+    one.saturating_sub(other.negated())
+}
+
+pub(super) fn in_range(mm: f64) -> Result<Length, FaultKind> {
+    Length::from_mm_f64(mm).map_err(|_length| FaultKind::BeyondRange(mm))
 }
 
 impl Datum {
@@ -92,100 +112,82 @@ impl Datum {
         self.origin.map(Length::to_mm_f64)
     }
 
+    /// How its axes lie in the workpiece.
+    pub(super) fn rotation(&self) -> Orientation {
+        if self.turned.abs() <= 0.0 { Orientation::default() } else { Orientation::in_plane(self.plane, self.turned) }
+    }
+
+    /// The basic rotation: how its axes are turned against those of the machine, degrees.
+    pub(super) fn basic_rotation(&self) -> f64 {
+        self.turned + self.base_turned()
+    }
+
+    pub(super) fn base_turned(&self) -> f64 {
+        self.base_turned.unwrap_or_default()
+    }
+
     /// Cycle 247: the row that a cycle has written, the one of the preset table, or the zero of the workpiece. Says whether all of it is
-    /// known.
-    pub(super) fn activate(&mut self, number: Option<u32>, table: Option<PresetRow>) -> bool {
+    /// known, and whether the part has moved since it was.
+    pub(super) fn activate(
+        &mut self,
+        number: Option<u32>,
+        table: Option<PresetRow>,
+        made: &ChangingBlock,
+    ) -> [bool; 2] {
         let written = number.and_then(|row| self.rows.get(&row)).cloned();
         let from_table = self.row_of(table);
-        // The workpiece lies at the row that is active first.
-        let lies = table.filter(|_| written.is_none()).map_or([None; 3], |row| row.zero);
-        for (base, lies) in self.base.iter_mut().zip(lies) {
-            *base = base.or(lies);
+        let in_table = table.and_then(|row| row.turned);
+        // The workpiece lies at the row that is active first, and as that is turned.
+        if written.is_none() {
+            for (base, lies) in self.base.iter_mut().zip(table.map_or([None; 3], |row| row.zero)) {
+                *base = base.or(lies);
+            }
+            self.base_turned = self.base_turned.or(in_table);
         }
         let zero = written.as_ref().map(|written| written.zero).or(from_table);
         self.origin = zero.unwrap_or_default().map(Option::unwrap_or_default);
+        let of_row = written.as_ref().and_then(|written| written.turned).or(in_table);
+        self.turn(of_row.unwrap_or_default(), Plane::Xy, made.clone().into());
+        let is_moved = self.is_moved && written.is_none();
         self.set_by = written.and_then(|written| written.by);
-        zero.is_some_and(|axes| axes.iter().all(Option::is_some))
+        [zero.is_some_and(|axes| axes.iter().all(Option::is_some)), is_moved]
+    }
+
+    /// Turns the axes to an angle against those of the machine.
+    pub(super) fn turn(&mut self, degrees: f64, plane: Plane, by: SetBy) {
+        self.turned = degrees - self.base_turned();
+        self.plane = plane;
+        self.turned_by = is_other(self.turned, 0.0).then_some(by);
+    }
+
+    pub(super) fn base_axes(&self) -> Orientation {
+        Orientation::in_plane(Plane::Xy, self.base_turned())
     }
 
     /// Where the zero of a row of the preset table is, in the axes in which one was active before.
-    fn row_of(&self, table: Option<PresetRow>) -> Option<Row> {
+    pub(super) fn row_of(&self, table: Option<PresetRow>) -> Option<Row> {
         let [x, y, z] = table?.zero;
         let [base_x, base_y, base_z] = self.base;
-        Some([(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(at?.saturating_sub(base?))))
+        let off = [(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(at?.saturating_sub(base?)));
+        let axes = self.base_axes();
+        if axes.is_level() {
+            return Some(off);
+        }
+        let off = axes.within_known(off.map(|off| off.map(Length::to_mm_f64)));
+        Some(off.map(|off| in_range(off?).ok()))
     }
 
-    /// A zero as the preset table has it, from that of the machine.
-    fn in_table(&self, zero: Row) -> Row {
+    /// A zero as the preset table has it, from that of the machine; `None` in an axis of which it is not known.
+    pub(super) fn in_table(&self, zero: Row) -> Row {
+        let axes = self.base_axes();
+        let zero = if axes.is_level() {
+            zero
+        } else {
+            let off = axes.out_of_known(zero.map(|off| off.map(Length::to_mm_f64)));
+            off.map(|off| in_range(off?).ok())
+        };
         let [base_x, base_y, base_z] = self.base;
         let [x, y, z] = zero;
         [(x, base_x), (y, base_y), (z, base_z)].map(|(at, base)| Some(plus(at?, base?)))
-    }
-}
-
-impl Around {
-    /// The datum in force, where a cycle has set it.
-    pub(in crate::machine) fn datum(&self) -> Option<DatumInForce> {
-        let set_by = self.datum.set_by.clone()?;
-        Some(DatumInForce { zero: self.datum.origin, set_by })
-    }
-
-    /// Sets what a cycle has found, for a row that the preset table may have: what is to be said of it, and what is written into that row.
-    ///
-    /// # Errors
-    /// [`FaultKind`] where it is not known what a control would do.
-    pub(in crate::machine) fn set_datum(
-        &mut self,
-        new: &NewDatum,
-        (row, table): (u32, Option<PresetRow>),
-        made: ChangingBlock,
-    ) -> Result<(Vec<Remark>, Row), FaultKind> {
-        let in_range = |mm: f64| Length::from_mm_f64(mm).map_err(|_length| FaultKind::BeyondRange(mm));
-        let [by_x, by_y, by_z] = self.shift.map(in_range);
-        let shift = [by_x?, by_y?, by_z?];
-        let [x, y, z] = by_machine_axis(&new.axes, self.plane());
-        let ([to_x, to_y, to_z], [by_x, by_y, by_z]) = (self.datum.origin, shift);
-        let moved = [moved(x, to_x, by_x), moved(y, to_y, by_y), moved(z, to_z, by_z)];
-        let by = Some(SetBy { line: made.line, text: made.text });
-        let is_display = new.target == DatumTarget::Display;
-        let is_active = self.preset.is_some_and(|active| (active - f64::from(row)).abs() <= 0.0);
-        if !is_display && !is_active {
-            let from_table = self.datum.row_of(table).unwrap_or_default();
-            let fresh = || Written { zero: from_table, by: None };
-            let written = self.datum.rows.entry(row).or_insert_with(fresh);
-            for (axis, moved) in written.zero.iter_mut().zip(moved) {
-                *axis = moved.or(*axis);
-            }
-            written.by = by;
-            return Ok((vec![Remark::PresetSet { row, zero: named(moved) }], self.datum.in_table(moved)));
-        }
-        if !is_display && shift.iter().any(|shift| *shift != Length::ZERO) {
-            return Err(FaultKind::ShiftedPreset { row });
-        }
-        let mut remarks = self.end_shift(&moved, shift);
-        for (axis, moved) in self.datum.origin.iter_mut().zip(moved) {
-            *axis = moved.unwrap_or(*axis);
-        }
-        let zero = self.datum.origin.map(Some);
-        self.datum.rows.insert(row, Written { zero, by: by.clone() });
-        self.datum.set_by = by;
-        self.preset = Some(f64::from(row));
-        let said = named(zero);
-        remarks.push(if is_display {
-            Remark::DatumSet { zero: said }
-        } else {
-            Remark::ActivePresetSet { row, zero: said }
-        });
-        Ok((remarks, self.datum.in_table(zero)))
-    }
-
-    /// The display is set: the shift ends in all axes. Those that were measured read what is wanted all the same.
-    fn end_shift(&mut self, moved: &Row, shift: [Length; 3]) -> Vec<Remark> {
-        self.shift = [0.0; 3];
-        let lost = NAMES.into_iter().zip(moved).zip(shift);
-        let lost = lost.filter(|((_, moved), shift)| moved.is_none() && *shift != Length::ZERO);
-        let axes: Vec<&str> = lost.map(|((name, _), _)| name).collect();
-        let axes = axes.join(", ");
-        if axes.is_empty() { Vec::new() } else { vec![Remark::ShiftEnded { axes }] }
     }
 }

@@ -3,7 +3,8 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `datum` | the datum, and what sets it |
+//! | `datum` | the datum, and the presets |
+//! | `set` | what cycles make of it |
 //! | `globals` | the values of GLOBAL DEF |
 //! | `system` | what changes the system that coordinates count in |
 //!
@@ -11,12 +12,14 @@
 
 mod datum;
 mod globals;
+mod set;
 mod system;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use datum::Datum;
-pub use datum::{DatumInForce, SetBy};
+use datum::{Datum, Tilt};
+pub use datum::{DatumInForce, SetBy, Turn};
+use fitcheck_core::probing::Orientation;
 use fitcheck_core::probing::cycle::Plane;
 use fitcheck_core::probing::vector::along;
 pub(super) use globals::Global;
@@ -26,7 +29,7 @@ use system::is_other;
 use super::change::Change;
 use super::fault::FaultKind;
 use super::path::NcPath;
-use super::placement::{Placement, plane};
+use super::placement::{Placement, System, plane};
 use super::remark::Remark;
 use super::tool_call::{Called, Named};
 use crate::control::variables::Parameter;
@@ -55,13 +58,18 @@ pub(super) struct Around {
     /// The values that PREDEF stands for, in mm or degrees, with the factor of their program's unit.
     globals: BTreeMap<(IsProbing, Parameter), Global>,
     datum: Datum,
-    /// The shift of cycle 7, mm from the zero of the preset.
+    /// The shift of cycle 7, mm from the zero of the preset, along the axes of the basic rotation.
     shift: [f64; 3],
+    tilt: Option<Tilt>,
+    /// Which axes of the plane have no datum since a rotary axis has turned the part.
+    not_set: [bool; 2],
     preset: Option<f64>,
     /// Changes in force, and the block that made each.
     changes: BTreeMap<Change, ChangingBlock>,
     /// Rotary axes that are not known to be at zero.
     turned: BTreeSet<Axis>,
+    /// Those of them that a cycle has turned and left where they are.
+    held: BTreeSet<Axis>,
     selected: Option<NcPath>,
     stops: u64,
     starts: u64,
@@ -72,7 +80,7 @@ pub(super) struct Around {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Moment {
     plane: Plane,
-    zero: [f64; 3],
+    system: System,
     preset: Option<f64>,
     is_turned: bool,
     /// How often the program had stopped: the workpiece may have been changed.
@@ -82,9 +90,14 @@ pub(super) struct Moment {
 }
 
 impl Moment {
-    /// The zero in force, mm in the coordinates of the workpiece; `None` in another plane than X/Y.
-    pub(super) fn zero_of_plane_xy(&self) -> Option<[f64; 3]> {
-        (self.plane == Plane::Xy).then_some(self.zero)
+    /// The system in force.
+    pub(super) const fn system(&self) -> System {
+        self.system
+    }
+
+    /// The system in force; `None` in another plane than X/Y.
+    pub(super) fn system_of_plane_xy(&self) -> Option<System> {
+        (self.plane == Plane::Xy).then_some(self.system)
     }
 
     /// Whether the same workpiece can have been machined between.
@@ -144,9 +157,12 @@ impl Around {
             globals: BTreeMap::new(),
             datum: Datum::default(),
             shift: [0.0; 3],
+            tilt: None,
+            not_set: [false; 2],
             preset: None,
             changes: BTreeMap::new(),
             turned: BTreeSet::new(),
+            held: BTreeSet::new(),
             selected: None,
             stops: 0,
             starts: 0,
@@ -225,9 +241,9 @@ impl Around {
         })
     }
 
-    /// The shift of cycle 7, mm.
-    pub(super) const fn shift_in_force(&self) -> [f64; 3] {
-        self.shift
+    /// The shift of cycle 7, mm; `None` in a tilted plane.
+    pub(super) fn shift_in_force(&self) -> Option<[f64; 3]> {
+        self.tilt.is_none().then_some(self.shift)
     }
 
     /// The row of the preset table that is active, where a block has named it.
@@ -235,9 +251,9 @@ impl Around {
         self.preset
     }
 
-    /// A place of the workpiece in the coordinates in force; `None` where they are turned, scaled or not known.
+    /// A place of the workpiece in the coordinates in force; `None` where they are mirrored, scaled or not known.
     pub(super) fn in_system(&self, place: [f64; 3]) -> Option<[f64; 3]> {
-        (self.changes.is_empty() && self.turned.is_empty()).then(|| along(place, self.zero(), -1.0))
+        (self.changes.is_empty() && self.turned.is_empty()).then(|| self.system().within(place))
     }
 
     /// STOP ends the turning of the spindle.
@@ -249,7 +265,7 @@ impl Around {
     /// What tells whether two measurements are of one feature.
     pub(super) fn moment(&self) -> Moment {
         let Self { preset, stops, starts, .. } = *self;
-        Moment { plane: self.plane(), zero: self.zero(), preset, is_turned: !self.turned.is_empty(), stops, starts }
+        Moment { plane: self.plane(), system: self.system(), preset, is_turned: !self.turned.is_empty(), stops, starts }
     }
 
     pub(super) const fn set_mode(&mut self, mode: Mode) {
@@ -267,17 +283,24 @@ impl Around {
 
     /// What is in force that is not so at the beginning of a program.
     pub(super) fn kept(&self) -> impl Iterator<Item = CarriedState> {
-        let zero = self.zero().into_iter().any(|part| is_other(part, 0.0)).then_some(CarriedState::Zero);
+        let zero = along(self.datum.origin(), self.shift, 1.0);
+        let zero = zero.into_iter().any(|part| is_other(part, 0.0)).then_some(CarriedState::Zero);
+        let tilt = self.tilt.is_some().then_some(CarriedState::Change(Change::Tilt));
         let turned = (!self.turned.is_empty()).then_some(CarriedState::Turned);
         let plane = (self.plane() != Plane::default()).then_some(CarriedState::Plane);
         let mode = (self.mode != Mode::Mill).then_some(CarriedState::Mode);
         let changes = self.changes.keys().copied().map(CarriedState::Change);
-        zero.into_iter().chain(changes).chain(turned).chain(plane).chain(mode)
+        zero.into_iter().chain(changes).chain(tilt).chain(turned).chain(plane).chain(mode)
     }
 
-    /// Whether coordinates can be followed: under a rotation and its like they cannot.
+    /// Whether coordinates can be followed: under mirroring and its like they cannot.
     pub(super) fn is_plain(&self) -> bool {
-        self.changes.is_empty()
+        self.changes.keys().all(|change| *change == Change::AxisTurned)
+    }
+
+    /// Whether a plane is tilted, or rotary axes are not known to be at zero.
+    pub(super) fn is_turned(&self) -> bool {
+        self.tilt.is_some() || !self.turned.is_empty()
     }
 
     /// The plane of the tool axis; X and Y before any tool call.
@@ -285,25 +308,30 @@ impl Around {
         self.plane.unwrap_or(Plane::Xy)
     }
 
-    /// The zero in force, mm in the coordinates of the workpiece.
-    pub(super) fn zero(&self) -> [f64; 3] {
-        along(self.datum.origin(), self.shift, 1.0)
+    /// The system in force: basic rotation about the datum, the shift along its axes, then the tilt and a shift within it.
+    pub(super) fn system(&self) -> System {
+        let rotation = self.datum.rotation();
+        let shifted = along(self.datum.origin(), rotation.out(self.shift), 1.0);
+        let Some(tilt) = &self.tilt else { return System { zero: shifted, axes: rotation } };
+        let axes = rotation.then(Orientation::spatial(tilt.angles));
+        System { zero: along(shifted, axes.out(tilt.shift), 1.0), axes }
     }
 
-    /// Where a cycle measures.
+    /// Where a cycle measures; one that sets a datum does so where the part was turned, too.
     ///
     /// # Errors
     /// [`FaultKind`] outside milling mode, without a tool axis unless Z is assumed, and under a change of the system.
-    pub(super) fn placement(&self, assumes_tool: bool) -> Result<Placement, FaultKind> {
+    pub(super) fn placement(&self, assumes_tool: bool, sets_datum: bool) -> Result<Placement, FaultKind> {
         if self.mode != Mode::Mill {
             return Err(FaultKind::Mode(self.mode));
         }
-        if let Some((change, ChangingBlock { line, text })) = self.changes.first_key_value() {
+        let refused = |change: &Change| !(sets_datum && *change == Change::AxisTurned);
+        if let Some((change, ChangingBlock { line, text })) = self.changes.iter().find(|(change, _)| refused(change)) {
             return Err(FaultKind::Changed { change: *change, line: *line, text: text.clone() });
         }
         match self.plane {
             None if !assumes_tool => Err(FaultKind::NoToolCall),
-            _ => Ok(Placement { plane: self.plane(), zero: self.zero() }),
+            _ => Ok(Placement { plane: self.plane(), system: self.system() }),
         }
     }
 
@@ -312,7 +340,10 @@ impl Around {
         let assumed = self.plane.is_none().then_some(Remark::AxisAssumed);
         let spindle = self.spindle.map(|function| Remark::SpindleTurns { function });
         let axes: Vec<String> = self.turned.iter().map(|axis| format!("{axis:?}")).collect();
-        let turned = (!axes.is_empty()).then(|| Remark::RotaryMoved { axes: axes.join(", ") });
+        let turned = (!axes.is_empty()).then(|| match self.tilt {
+            Some(_) => Remark::AxesAsTilted,
+            None => Remark::RotaryMoved { axes: axes.join(", ") },
+        });
         assumed.into_iter().chain(spindle).chain(turned).chain(self.tool.odd()).collect()
     }
 }

@@ -4,6 +4,7 @@ use super::super::change::Change;
 use super::super::fault::FaultKind;
 use super::super::presets::{PresetRow, row_number};
 use super::super::remark::Remark;
+use super::datum::Tilt;
 use super::{Around, ChangingBlock, millimetres};
 use crate::program::{Axis, AxisWord, Frame, Operand, Unit};
 
@@ -24,13 +25,19 @@ impl Around {
             }
             if matches!(word.axis, Axis::A | Axis::B | Axis::C) {
                 let is_zero = !word.is_incremental && value(word.value).is_ok_and(|value| value.abs() < 1e-9);
-                if is_zero {
+                if is_zero && !self.held.contains(&word.axis) {
                     self.turned.remove(&word.axis);
                 } else {
                     self.turned.insert(word.axis);
                 }
             }
         }
+    }
+
+    /// An axis that a cycle has turned and that does not count as zero there; moving it to zero turns the part back, which nobody measures.
+    pub(in crate::machine) fn leave_turned(&mut self, axis: Axis) {
+        self.turned.insert(axis);
+        self.held.insert(axis);
     }
 
     /// Changes the system; `made` is the block.
@@ -44,11 +51,8 @@ impl Around {
         let is_not = |operand: Operand, neutral: f64| Ok::<_, FaultKind>(is_other(value(operand)?, neutral));
         match frame {
             Frame::Title => {}
-            Frame::Shift(axes) => self.shift(axes, unit, value)?,
-            Frame::NoShift => {
-                self.shift = [0.0; 3];
-                self.changes.remove(&Change::DatumTable);
-            }
+            Frame::Shift(axes) => self.shift_by(axes, unit, value)?,
+            Frame::NoShift => self.end_shifts(made),
             Frame::ShiftFromTable => self.set(Change::DatumTable, true, made),
             Frame::Preset(number) => {
                 let number = number.map(value).transpose()?;
@@ -68,15 +72,27 @@ impl Around {
                 let changed: Result<Vec<bool>, _> = factors.iter().map(|factor| is_not(*factor, 1.0)).collect();
                 self.set(Change::AxisScaling, changed?.contains(&true), made);
             }
-            Frame::Tilt(angles) => {
-                let changed: Result<Vec<bool>, _> = angles.iter().map(|angle| is_not(*angle, 0.0)).collect();
-                self.tilt(changed?.contains(&true), made);
+            Frame::Tilt { angles, axes_stay } => {
+                let mut tilt = [0.0; 3];
+                for word in angles {
+                    let [a, b, c] = &mut tilt;
+                    *match word.axis {
+                        Axis::A => a,
+                        Axis::B => b,
+                        _ => c,
+                    } = value(word.value)?;
+                }
+                self.tilt(tilt, *axes_stay, made);
             }
-            Frame::OtherTilt => self.tilt(true, made),
-            Frame::NoTilt => self.set(Change::Tilt, false, made),
+            Frame::OtherTilt => {
+                self.end_tilt(&made);
+                self.turned.extend([Axis::A, Axis::B, Axis::C]);
+                self.set(Change::Tilt, true, made);
+            }
+            Frame::NoTilt => self.end_tilt(&made),
             Frame::TurnedBack => {
-                self.set(Change::Tilt, false, made);
-                self.turned.clear();
+                self.end_tilt(&made);
+                self.turned.clone_from(&self.held);
             }
             Frame::NotFollowed => {
                 self.lose_system(|| made);
@@ -86,12 +102,30 @@ impl Around {
         Ok(None)
     }
 
-    /// A tilt may have turned the axes; its end does not turn them back.
-    fn tilt(&mut self, is_in_force: bool, made: ChangingBlock) {
-        if is_in_force {
-            self.turned.extend([Axis::A, Axis::B, Axis::C]);
+    /// Tilts the plane by spatial angles; all 0 ends a tilt. Where the axes do not stay they turn as the plane needs it.
+    fn tilt(&mut self, angles: [f64; 3], axes_stay: bool, made: ChangingBlock) {
+        self.end_tilt(&made);
+        if !axes_stay {
+            self.turned.clone_from(&self.held);
         }
-        self.set(Change::Tilt, is_in_force, made);
+        if angles.iter().any(|angle| is_other(*angle, 0.0)) {
+            if axes_stay {
+                self.turned.extend([Axis::A, Axis::B, Axis::C]);
+            }
+            self.tilt = Some(Tilt { angles, shift: [0.0; 3], set_by: made.into() });
+        }
+    }
+
+    /// The end of a tilt does not turn the axes back.
+    fn end_tilt(&mut self, made: &ChangingBlock) {
+        self.set(Change::Tilt, false, made.clone());
+        if let Some(tilt) = self.tilt.take() {
+            self.turned.extend([Axis::A, Axis::B, Axis::C]);
+            let is_shifted = tilt.shift.iter().any(|by| is_other(*by, 0.0));
+            if is_shifted {
+                self.set(Change::TiltedShift, true, made.clone());
+            }
+        }
     }
 
     /// A block was not run that may have set a datum, a rotation or whatever else: nothing ends that, because a preset or datum table
@@ -117,10 +151,23 @@ impl Around {
         }
     }
 
-    fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, value: &ValueOf<'_>) -> Result<(), FaultKind> {
+    /// Ends the shift of the plane in force; what of one before a tilt is left then is not known.
+    fn end_shifts(&mut self, made: ChangingBlock) {
+        let before = std::mem::take(&mut self.shift);
+        self.changes.remove(&Change::DatumTable);
+        self.changes.remove(&Change::TiltedShift);
+        if let Some(tilt) = &mut self.tilt {
+            tilt.shift = [0.0; 3];
+            let is_shifted = before.iter().any(|by| is_other(*by, 0.0));
+            self.set(Change::TiltedShift, is_shifted, made);
+        }
+    }
+
+    /// A shift in a tilted plane is one along its axes.
+    fn shift_by(&mut self, axes: &[AxisWord], unit: Option<Unit>, value: &ValueOf<'_>) -> Result<(), FaultKind> {
         for word in axes {
             let by = value(word.value)? * millimetres(unit);
-            let [x, y, z] = &mut self.shift;
+            let [x, y, z] = self.tilt.as_mut().map_or(&mut self.shift, |tilt| &mut tilt.shift);
             let zero = match word.axis {
                 Axis::X => x,
                 Axis::Y => y,
@@ -132,8 +179,9 @@ impl Around {
         self.turn(axes, value);
         // A shift that is written takes the place of one from a table in the axes that it names.
         let is_written = |axis| axes.iter().any(|word| word.axis == axis && !word.is_incremental);
-        if [Axis::X, Axis::Y, Axis::Z].into_iter().all(is_written) {
+        if [Axis::X, Axis::Y, Axis::Z].into_iter().all(is_written) && self.tilt.is_none() {
             self.changes.remove(&Change::DatumTable);
+            self.changes.remove(&Change::TiltedShift);
         }
         Ok(())
     }
@@ -150,9 +198,18 @@ impl Around {
         // A preset that is not named may be any.
         self.stops += u64::from(number.is_none());
         self.shift = [0.0; 3];
-        let is_known = self.datum.activate(number.and_then(row_number), table);
-        self.changes.retain(|change, _| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning));
-        self.set(Change::Rotation, table.is_some_and(|row| row.is_rotated), made);
+        if let Some(tilt) = &mut self.tilt {
+            tilt.shift = [0.0; 3];
+        }
+        let [is_known, is_moved] = self.datum.activate(number.and_then(row_number), table, &made);
+        let stays =
+            |change: &Change| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning | Change::AxisTurned);
+        self.changes.retain(|change, _| stays(change));
+        if is_moved {
+            self.set(Change::AxisTurned, true, made.clone());
+            self.not_set = [true; 2];
+        }
+        self.set(Change::Rotation, table.is_some_and(|row| row.is_tilted), made);
         self.preset = number.or(self.preset);
         number.filter(|_| is_other && !is_known).map(|number| Remark::OtherPreset { number: number.to_string() })
     }

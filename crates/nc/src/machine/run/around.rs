@@ -3,12 +3,12 @@
 use super::super::around::machining;
 use super::super::fault::FaultKind;
 use super::super::files::Files;
-use super::super::presets::row_number;
+use super::super::presets::{PresetRow, row_number};
 use super::super::remark::Remark;
 use super::Run;
 use super::skipped::ReadAs;
-use crate::program::{Body, CycleBlock, Expression, Frame, Operand};
-use fitcheck_core::probing::cycle::{DatumTarget, NewDatum};
+use crate::program::{Axis, Body, CycleBlock, Expression, Frame, Operand};
+use fitcheck_core::probing::cycle::{DatumTarget, NewDatum, NewRotation, Plane, RotaryAxis, TurnedBy};
 
 impl Run {
     /// Does what such a block says; others do nothing here.
@@ -30,6 +30,10 @@ impl Run {
                 if let Some(value) = datum.as_ref().and_then(|datum| self.system_value(datum)) {
                     let given = self.values.assign(*to, &Expression::Value(Operand::Number(value)), self.is_main())?;
                     self.note_given(at, *to, given);
+                    let is_assumed = datum.as_ref().is_some_and(|datum| self.assumes_machine_zero(datum));
+                    let place = self.flow.place_of(at);
+                    self.remarks
+                        .add_all(&place, is_assumed.then_some(Remark::MachineZeroAssumed).into_iter().collect());
                     return Ok(());
                 }
                 let given = self.values.lose_system(*to, || self.flow.made(at), self.is_main());
@@ -69,22 +73,63 @@ impl Run {
 
     /// The datum that a cycle has found: what follows counts from there.
     pub(super) fn set_datum(&mut self, at: usize, new: &NewDatum, files: &mut Files) -> Result<(), FaultKind> {
-        let row = match new.target {
-            DatumTarget::Preset { row } => row,
-            DatumTarget::Display => 0,
-            DatumTarget::Table { row } => return Err(FaultKind::NoDatumTable { row }),
-        };
-        let table = match new.target {
-            DatumTarget::Preset { .. } => self.presets.unlocked(row, files)?,
-            _ => None,
-        };
-        self.check_presets()?;
+        let (row, table) = self.row_for(new.target, files)?;
         let (remarks, written) = self.around.set_datum(new, (row, table), self.flow.made(at))?;
         let place = self.flow.place_of(at);
         self.remarks.add_all(&place, remarks);
         let remark = self.presets.write(row, written, files)?;
         self.remarks.add_all(&place, remark.into_iter().collect());
         Ok(())
+    }
+
+    /// The row that a cycle writes into, and what the preset table has there.
+    fn row_for(&mut self, target: DatumTarget, files: &mut Files) -> Result<(u32, Option<PresetRow>), FaultKind> {
+        let found = match target {
+            DatumTarget::Preset { row } => (row, self.presets.unlocked(row, files)?),
+            DatumTarget::Display => (0, None),
+            DatumTarget::Table { row } => return Err(FaultKind::NoDatumTable { row }),
+        };
+        self.check_presets()?;
+        Ok(found)
+    }
+
+    /// How a cycle has turned the system, or the part in it: what follows counts in that.
+    pub(super) fn set_rotation(&mut self, at: usize, new: &NewRotation, files: &mut Files) -> Result<(), FaultKind> {
+        let target = match new.by {
+            TurnedBy::Rotation(target) => target,
+            TurnedBy::Axis { axis, is_zeroed } => {
+                self.turn_part(at, axis, is_zeroed, new.degrees);
+                return Ok(());
+            }
+        };
+        let (row, _) = self.row_for(target, files)?;
+        let written = self.around.set_rotation(new.degrees, (target, row), self.flow.made(at));
+        let remark = self.presets.write(row, written, files)?;
+        self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
+        Ok(())
+    }
+
+    /// A rotary axis has turned the part: about the tool axis that is followed, about another nothing is known behind it.
+    fn turn_part(&mut self, at: usize, axis: RotaryAxis, is_zeroed: bool, degrees: f64) {
+        let about = match axis {
+            RotaryAxis::A => Axis::A,
+            RotaryAxis::B => Axis::B,
+            RotaryAxis::C => Axis::C,
+        };
+        let is_about_tool = matches!(
+            (self.around.plane(), axis),
+            (Plane::Xy, RotaryAxis::C) | (Plane::Zx, RotaryAxis::B) | (Plane::Yz, RotaryAxis::A)
+        );
+        self.way.lose();
+        if is_about_tool {
+            self.around.turn_part(degrees, self.flow.made(at));
+            if !is_zeroed {
+                self.around.leave_turned(about);
+            }
+        } else {
+            self.around.lose_system(|| self.flow.made(at));
+            self.remark(at, Remark::NotFollowed);
+        }
     }
 
     /// An error where a block may have changed the preset table that was not run.
@@ -94,8 +139,14 @@ impl Run {
 
     /// A change of the system that coordinates count in.
     fn change(&mut self, at: usize, frame: &Frame) -> Result<(), FaultKind> {
+        let was_turned = self.around.is_turned();
         let remark =
             self.around.change(frame, self.flow.made(at), self.flow.unit(), &|operand| self.values.operand(operand))?;
+        // Where rotary axes turn the part, the ball is elsewhere on it.
+        let turns = matches!(frame, Frame::Tilt { axes_stay: false, .. } | Frame::TurnedBack | Frame::OtherTilt);
+        if turns && (was_turned || self.around.is_turned()) {
+            self.way.lose();
+        }
         self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
         Ok(())
     }

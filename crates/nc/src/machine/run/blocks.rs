@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::message::Say as _;
-use fitcheck_core::probing::cycle::{Control, LogTarget, Plane};
+use fitcheck_core::probing::cycle::{Control, LogTarget};
 
 use super::super::around::reset_datum;
 use super::super::budget::{Settings, UsedUp};
@@ -12,6 +12,7 @@ use super::super::fault::{BlockPlace, Counted, Fault, FaultKind};
 use super::super::files::Files;
 use super::super::logs::Log;
 use super::super::path::{NcPath, PathError};
+use super::super::placement::Placement;
 use super::super::prints::rendered;
 use super::super::remark::Remark;
 use super::super::step::{Pause, Step};
@@ -52,17 +53,18 @@ impl Run {
     /// not looked at with.
     fn look_at_travels(&mut self, place: &BlockPlace, before: usize, settings: &Settings) {
         // Where no tool was called, its axis is Z.
-        let plane = self.around.placement(settings.assumes_tool).map_or(Plane::Xy, |placement| placement.plane);
+        let placement = self.around.placement(settings.assumes_tool, true);
+        let is_upright = placement.ok().is_none_or(Placement::is_upright);
         let Some(travels) = self.way.travels().get(before..) else { return };
         let probed = self.cycles.probed();
         if before == 0 && !travels.is_empty() {
             self.remarks.add_all(place, probed.unchecked().into_iter().collect());
         }
-        if plane != Plane::Xy && !travels.is_empty() && probed.has_stylus() {
+        if !is_upright && !travels.is_empty() && probed.has_stylus() {
             self.remarks.add_once(place, Remark::StylusUnchecked);
         }
         if !self.remarks.has_collision(place) {
-            let found = travels.iter().find_map(|travel| probed.collision(travel, plane));
+            let found = travels.iter().find_map(|travel| probed.collision(travel, is_upright));
             self.remarks.add_all(place, found.into_iter().collect());
         }
     }
@@ -301,8 +303,11 @@ impl Run {
         };
         self.cycles.check_count()?;
         let place = self.flow.place_of(at);
-        let placement = self.around.placement(settings.assumes_tool)?;
-        self.remarks.add_all(&place, self.around.odd());
+        let placement = self.around.placement(settings.assumes_tool, cycle.sets_datum())?;
+        let ended = cycle.ends_rotation().then(|| self.around.end_rotation(self.flow.made(at))).flatten();
+        let placement =
+            if ended.is_some() { Placement { system: self.around.system(), ..placement } } else { placement };
+        self.remarks.add_all(&place, ended.into_iter().chain(self.around.odd()).collect());
         if let Some(other) = self.cycles.other_probe() {
             self.remark(at, other);
         }
@@ -334,6 +339,9 @@ impl Run {
         };
         if let Some(new) = &result.datum {
             self.set_datum(at, new, files)?;
+        }
+        if let Some(new) = &result.rotation {
+            self.set_rotation(at, new, files)?;
         }
         // The last step: what was measured stands, even if the tool is broken.
         let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);

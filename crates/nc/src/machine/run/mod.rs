@@ -286,7 +286,7 @@ impl Machine {
     }
 
     /// Where the ball's centre is, mm, in X, Y and Z as far as known.
-    pub const fn position(&self) -> [Option<f64>; 3] {
+    pub fn position(&self) -> [Option<f64>; 3] {
         self.run.way.position()
     }
 

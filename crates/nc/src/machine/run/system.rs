@@ -19,6 +19,9 @@ use crate::program::{Axis, SystemDatum, Tool};
 /// Axes by their index in FN 18.
 const AXES: [Axis; 9] = [Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C, Axis::U, Axis::V, Axis::W];
 
+/// The group of places from the zero of the machine.
+const IN_MACHINE: u32 = 240;
+
 /// The tool in the spindle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct SpindleTool {
@@ -130,7 +133,12 @@ impl Run {
         }
     }
 
-    /// What FN 18 answers, mm; `None` for what only a control knows.
+    /// Whether an answer counts from the zero of the machine, and no preset table has said where that is.
+    pub(super) fn assumes_machine_zero(&self, datum: &SystemDatum) -> bool {
+        datum.group == IN_MACHINE && !self.around.knows_machine_zero()
+    }
+
+    /// What FN 18 answers, mm or degrees; `None` for what only a control knows.
     pub(super) fn system_value(&self, datum: &SystemDatum) -> Option<f64> {
         let value = |operand| self.values.operand(operand).ok();
         let number = datum.number.map_or(Some(0), |number| whole(value(number)?))?;
@@ -162,7 +170,12 @@ impl Run {
             }
             (200, 1) => tool.measures().map(|[_, radius]| radius),
             (200, 2) => tool.measures().map(|[length, _]| length),
-            (220, 2) => place(self.around.shift_in_force()),
+            (210, 1) => Some(self.around.basic_rotation()),
+            (210, 2) => self.around.is_plain().then_some(0.0),
+            (210, 5) => self.around.tilted().get(whole(index??)?.checked_sub(1)?).copied(),
+            (210, 6) => Some(if self.around.tilted() == [0.0; 3] { 0.0 } else { -1.0 }),
+            (220, 2) => place(self.around.shift_in_force()?),
+            (IN_MACHINE, 1) => place(self.around.in_machine(self.way.place()?)),
             (270, 1) => place(self.around.in_system(self.way.place()?)?),
             (530, 1) => self.around.preset(),
             _ => None,

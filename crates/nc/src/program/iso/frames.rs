@@ -5,6 +5,7 @@
 use super::super::around::Frame;
 use super::super::cursor::{Parsed, Stop};
 use super::super::fault::{BlockFault, ExpectedWord};
+use super::super::movement::AxisWord;
 use super::g_block::{ALL_AXES, Block, measure_unknown, needed};
 use super::modes::{Measure, Modes};
 use super::words::Function;
@@ -46,9 +47,11 @@ pub(super) fn frame(block: &Block<'_, '_>, main: Function, modes: &Modes) -> Par
         _ => {
             words.only("ABC")?;
             let angle = |word: &super::words::AxisAt| {
-                word.value.ok_or(Stop { at: word.at, reason: BlockFault::Missing(ExpectedWord::Value) })
+                let value = word.value.ok_or(Stop { at: word.at, reason: BlockFault::Missing(ExpectedWord::Value) })?;
+                Ok(AxisWord { axis: word.axis, value, is_incremental: false })
             };
-            words.axes.iter().map(angle).collect::<Parsed<_>>().map(Frame::Tilt)
+            let angles = words.axes.iter().map(angle).collect::<Parsed<_>>()?;
+            Ok(Frame::Tilt { angles, axes_stay: true })
         }
     }
 }

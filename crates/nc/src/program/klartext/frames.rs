@@ -37,14 +37,14 @@ pub(super) fn plane(cursor: &mut Cursor<'_>) -> Parsed<Frame> {
         return Ok(Frame::OtherTilt);
     }
     let mut angles = Vec::new();
-    let mut left = vec!["SPA", "SPB", "SPC"];
-    while let Some(at) = left.iter().position(|word| cursor.take_prefix(word)) {
-        left.remove(at);
-        angles.push(cursor.operand()?);
+    let mut left = vec![("SPA", Axis::A), ("SPB", Axis::B), ("SPC", Axis::C)];
+    while let Some(at) = left.iter().position(|(word, _)| cursor.take_prefix(word)) {
+        let (_, axis) = left.remove(at);
+        angles.push(AxisWord { axis, value: cursor.operand()?, is_incremental: false });
     }
-    cursor.take_rest();
+    let axes_stay = stays(cursor);
     // Without all three it is not known what the plane is.
-    Ok(if left.is_empty() { Frame::Tilt(angles) } else { Frame::OtherTilt })
+    Ok(if left.is_empty() { Frame::Tilt { angles, axes_stay } } else { Frame::OtherTilt })
 }
 
 /// `PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ1 …`, after the words: the base along X and the normal along Z tilt nothing.
@@ -63,8 +63,13 @@ fn vectors(cursor: &mut Cursor<'_>) -> Parsed<Frame> {
                 Operand::Parameter { .. } => false,
             };
     }
-    cursor.take_rest();
-    Ok(if is_level { Frame::Tilt(vec![Operand::Number(0.0)]) } else { Frame::OtherTilt })
+    let axes_stay = stays(cursor);
+    Ok(if is_level { Frame::Tilt { angles: Vec::new(), axes_stay } } else { Frame::OtherTilt })
+}
+
+/// Whether the rotary axes stay, in the rest of a PLANE block.
+fn stays(cursor: &mut Cursor<'_>) -> bool {
+    cursor.take_rest().split_whitespace().any(|word| word.eq_ignore_ascii_case("STAY"))
 }
 
 /// `TRANS …`, after the word: the newer form of cycles 7, 8, 10 and 11.
@@ -141,6 +146,10 @@ fn axes_among(cursor: &mut Cursor<'_>, known: &[&str]) -> Parsed<(Vec<AxisWord>,
     Ok((found, is_known))
 }
 
+const fn is_rotary(axis: Axis) -> bool {
+    matches!(axis, Axis::A | Axis::B | Axis::C)
+}
+
 /// Letters of axes, up to the first word that is none.
 fn letters(cursor: &mut Cursor<'_>) -> Vec<Axis> {
     let mut found = Vec::new();
@@ -200,14 +209,15 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Parsed<Option<Body>> {
         ("10", "1") => rotated(cursor)?,
         ("11", "1") => scaled(cursor)?,
         ("19", "1") => {
-            let angles: Vec<Operand> = axes(cursor)?.into_iter().map(|word| word.value).collect();
+            let angles = axes(cursor)?;
             let is_alone = cursor.is_at_end();
             let (more, is_known) = axes_among(cursor, &["ABST", "DIST", "F"])?;
-            // Spatial angles and others are not looked at: only a line without words ends a tilt.
-            if !is_known || !more.is_empty() || angles.is_empty() && !is_alone {
+            let are_angles = angles.iter().all(|word| is_rotary(word.axis) && !word.is_incremental);
+            // Only a line without words ends a tilt. How the axes get there is said elsewhere.
+            if !is_known || !are_angles || !more.is_empty() || angles.is_empty() && !is_alone {
                 return Ok(Some(Body::Frame(Frame::OtherTilt)));
             }
-            Frame::Tilt(angles)
+            Frame::Tilt { angles, axes_stay: true }
         }
         // How the axes get there.
         ("19", _) => {
