@@ -229,7 +229,9 @@ fn files_are_written_whole_in_one_place() {
 fn no_cycle_is_named_outside_its_own_file() {
     let others =
         |name: &str| !is_of_tests(name) && !name.starts_with("probing/cycles/") && !name.starts_with("tolerance/");
-    let cycles: Vec<String> = fitcheck::probing::cycles::CYCLES.iter().map(|cycle| cycle.number.to_string()).collect();
+    let numbers = fitcheck::probing::cycles::CYCLES.iter().map(|cycle| cycle.number);
+    // 400 is a round number, too.
+    let cycles: Vec<String> = numbers.filter(|number| *number != 400).map(|number| number.to_string()).collect();
     let is_cycle = |word: &&str| {
         let word = word.trim_start_matches(['G', 'Q']).trim_end_matches("_u16");
         cycles.iter().any(|cycle| cycle == word)

@@ -103,6 +103,7 @@ mod plan_judging;
 mod plans;
 mod point_cycles;
 mod point_log;
+mod point_probe;
 mod press_fits;
 mod printed_reports;
 mod probe_blocks;

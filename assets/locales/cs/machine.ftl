@@ -88,6 +88,8 @@ machine-changed = od řádku { $line }, { $text }, je aktivní { $change }: po t
 machine-nothing-selected = před CALL SELECTED PGM není SEL PGM
 machine-no-datum-table = vztažný bod by přišel do řádku { $row } aktivní tabulky nulových bodů (Q303 = 0), kterou má jen řídicí systém: zde od něj nelze nic měřit
 machine-datum-in-tilt = od řádku { $line }, { $text }, je rovina naklopená: vztažný bod v ní Fitcheck nenastavuje, protože není známo, co v ní řídicí systém zapíše; rovinu před cyklem vraťte (PLANE RESET)
+machine-point-without-part = cykly 0 a 1 snímají jediný bod a ideální obrobek žádný nemá: zvolte simulovaný obrobek nebo zaznamenané dotyky
+machine-point-from-nowhere = odkud se snímá, není známo ve všech osách: uveďte v bloku X, Y a Z
 machine-no-preset = { $table } nemá řádek { $row }
 machine-preset-locked = { $table }: řádek { $row } je uzamčen, cyklus do něj nemůže zapsat
 machine-shifted-preset = řádek { $row } je aktivní vztažný bod a je aktivní posunutí nulového bodu: co s ním řídicí systém udělá, není známo

@@ -88,6 +88,8 @@ machine-changed = { $change } wirkt seit Textzeile { $line }, { $text }: währen
 machine-nothing-selected = vor CALL SELECTED PGM steht kein SEL PGM
 machine-no-datum-table = der Bezugspunkt käme in Zeile { $row } der aktiven Nullpunkttabelle (Q303 = 0), die nur die Steuerung hat: hier kann von ihm aus nichts gemessen werden
 machine-datum-in-tilt = seit Textzeile { $line }, { $text }, ist die Ebene geschwenkt: darin setzt Fitcheck keinen Bezugspunkt, weil nicht bekannt ist, was eine Steuerung dort schreibt; vor dem Zyklus die Ebene zurücksetzen (PLANE RESET)
+machine-point-without-part = die Zyklen 0 und 1 tasten einen einzelnen Punkt an, und ein ideales Werkstück hat keinen: ein simuliertes Werkstück oder aufgezeichnete Antastpunkte wählen
+machine-point-from-nowhere = von wo angetastet wird, ist nicht in allen Achsen bekannt: X, Y und Z in den Satz schreiben
 machine-no-preset = { $table } hat keine Zeile { $row }
 machine-preset-locked = { $table }: Zeile { $row } ist gesperrt, der Zyklus kann sie nicht beschreiben
 machine-shifted-preset = Zeile { $row } ist der aktive Bezugspunkt, und eine Nullpunktverschiebung ist aktiv: was eine Steuerung aus ihr macht, ist nicht bekannt

@@ -88,6 +88,8 @@ machine-changed = { $change } has been active since line { $line }, { $text }: F
 machine-nothing-selected = no SEL PGM comes before CALL SELECTED PGM
 machine-no-datum-table = the datum would go into row { $row } of the active datum table (Q303 = 0), which only the control has: nothing can be measured from it here
 machine-datum-in-tilt = the plane has been tilted since line { $line }, { $text }: Fitcheck sets no datum in it, because what a control writes there is not known; reset the plane before the cycle (PLANE RESET)
+machine-point-without-part = cycles 0 and 1 probe a single point, and a perfect workpiece has none: choose a simulated workpiece or recorded contacts
+machine-point-from-nowhere = where the probing begins is not known in all axes: write X, Y and Z in the block
 machine-no-preset = { $table } has no row { $row }
 machine-preset-locked = { $table }: row { $row } is locked, so the cycle cannot write it
 machine-shifted-preset = row { $row } is the active preset, and a datum shift is active: what a control makes of the shift is not known

@@ -88,6 +88,8 @@ machine-changed = desde la línea { $line }, { $text }, está en vigor { $change
 machine-nothing-selected = ningún SEL PGM precede a CALL SELECTED PGM
 machine-no-datum-table = el punto de referencia iría a la fila { $row } de la tabla de puntos cero activa (Q303 = 0), que solo tiene el control: aquí no se puede medir nada desde él
 machine-datum-in-tilt = desde la línea { $line }, { $text }, el plano está inclinado: Fitcheck no fija en él ningún punto de referencia, porque no se sabe qué escribe ahí un control; anule el plano antes del ciclo (PLANE RESET)
+machine-point-without-part = los ciclos 0 y 1 palpan un único punto, y una pieza perfecta no tiene ninguno: elija una pieza simulada o contactos registrados
+machine-point-from-nowhere = el lugar donde empieza la palpación no se conoce en todos los ejes: escriba X, Y y Z en la frase
 machine-no-preset = { $table } no tiene la fila { $row }
 machine-preset-locked = { $table }: la fila { $row } está bloqueada, el ciclo no puede escribirla
 machine-shifted-preset = la fila { $row } es el punto de referencia activo y hay un desplazamiento del punto cero activo: no se sabe qué hace un control con él

@@ -88,6 +88,8 @@ machine-changed = { $change } : actif depuis la ligne { $line }, { $text } ; F
 machine-nothing-selected = aucun SEL PGM ne précède CALL SELECTED PGM
 machine-no-datum-table = le point d'origine irait dans la ligne { $row } du tableau de points zéro actif (Q303 = 0), que seule la commande possède : rien ne peut être mesuré ici à partir de lui
 machine-datum-in-tilt = depuis la ligne { $line }, { $text }, le plan est incliné : Fitcheck n'y initialise aucun point d'origine, car on ignore ce qu'une commande y écrit ; réinitialiser le plan avant le cycle (PLANE RESET)
+machine-point-without-part = les cycles 0 et 1 palpent un seul point, et une pièce parfaite n'en a pas : choisir une pièce simulée ou des contacts enregistrés
+machine-point-from-nowhere = le point de départ du palpage n'est pas connu dans tous les axes : écrire X, Y et Z dans la séquence
 machine-no-preset = { $table } n'a pas de ligne { $row }
 machine-preset-locked = { $table } : la ligne { $row } est verrouillée, le cycle ne peut pas y écrire
 machine-shifted-preset = la ligne { $row } est le point d'origine actif et un décalage du point zéro est actif : ce qu'une commande en fait n'est pas connu

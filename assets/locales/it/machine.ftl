@@ -88,6 +88,8 @@ machine-changed = dalla linea { $line }, { $text }, è in vigore { $change }: ne
 machine-nothing-selected = prima di CALL SELECTED PGM non c'è un SEL PGM
 machine-no-datum-table = l'origine andrebbe nella riga { $row } della tabella punti zero attiva (Q303 = 0), che ha solo il controllo numerico: qui da essa non si può misurare nulla
 machine-datum-in-tilt = dalla linea { $line }, { $text }, il piano è ruotato: Fitcheck non vi imposta alcuna origine, perché non si sa che cosa vi scriva un controllo numerico; annullare il piano prima del ciclo (PLANE RESET)
+machine-point-without-part = i cicli 0 e 1 tastano un singolo punto, e un pezzo perfetto non ne ha: scegliere un pezzo simulato o contatti registrati
+machine-point-from-nowhere = il punto di partenza della tastatura non è noto in tutti gli assi: scrivere X, Y e Z nel blocco
 machine-no-preset = { $table } non ha la riga { $row }
 machine-preset-locked = { $table }: la riga { $row } è bloccata, il ciclo non può scriverla
 machine-shifted-preset = la riga { $row } è l'origine attiva ed è attivo uno spostamento del punto zero: non è noto che cosa ne fa un controllo numerico

@@ -88,6 +88,8 @@ machine-changed = { $change } is actief sinds tekstregel { $line }, { $text }: z
 machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
 machine-no-datum-table = het referentiepunt zou in regel { $row } van de actieve nulpunttabel komen (Q303 = 0), die alleen de besturing heeft: hier kan van daaruit niets worden gemeten
 machine-datum-in-tilt = sinds tekstregel { $line }, { $text }, is het vlak gezwenkt: daarin zet Fitcheck geen referentiepunt, omdat niet bekend is wat een besturing daar schrijft; zet het vlak vóór de cyclus terug (PLANE RESET)
+machine-point-without-part = cyclus 0 en 1 tasten één punt, en een perfect werkstuk heeft er geen: kies een gesimuleerd werkstuk of vastgelegde contacten
+machine-point-from-nowhere = vanwaar wordt getast, is niet in alle assen bekend: schrijf X, Y en Z in de regel
 machine-no-preset = { $table } heeft geen regel { $row }
 machine-preset-locked = { $table }: regel { $row } is vergrendeld, de cyclus kan die niet beschrijven
 machine-shifted-preset = regel { $row } is het actieve referentiepunt en er is een nulpuntverschuiving actief: wat een besturing daarvan maakt is niet bekend

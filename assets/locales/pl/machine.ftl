@@ -98,6 +98,8 @@ machine-changed = od linii { $line }, { $text }, działa { $change }: w tym czas
 machine-nothing-selected = przed CALL SELECTED PGM nie ma SEL PGM
 machine-no-datum-table = punkt odniesienia trafiłby do wiersza { $row } aktywnej tabeli punktów zerowych (Q303 = 0), którą ma tylko sterowanie: tutaj nie można od niego nic mierzyć
 machine-datum-in-tilt = od linii { $line }, { $text }, płaszczyzna jest nachylona: Fitcheck nie ustawia w niej punktu odniesienia, bo nie wiadomo, co sterowanie tam zapisuje; przed cyklem należy zresetować płaszczyznę (PLANE RESET)
+machine-point-without-part = cykle 0 i 1 próbkują pojedynczy punkt, a idealny detal go nie ma: należy wybrać symulowany detal lub zapisane kontakty
+machine-point-from-nowhere = nie wiadomo we wszystkich osiach, skąd zaczyna się próbkowanie: należy wpisać w bloku X, Y i Z
 machine-no-preset = { $table } nie ma wiersza { $row }
 machine-preset-locked = { $table }: wiersz { $row } jest zablokowany, cykl nie może go zapisać
 machine-shifted-preset = wiersz { $row } jest aktywnym punktem odniesienia i aktywne jest przesunięcie punktu zerowego: nie wiadomo, co robi z nim sterowanie

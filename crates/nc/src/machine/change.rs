@@ -29,9 +29,9 @@ pub enum Change {
 }
 
 /// Cycles of `TCH PROBE` that set no datum and no rotation: one point, angles, calibration, tools, bolt circles, planes, fast probing
-/// (datum-cycles, sections 4 to 6).
+/// (datum-cycles, sections 5 and 6).
 fn sets_no_datum(number: u32) -> bool {
-    matches!(number, 0..=4 | 9 | 30..=33 | 420 | 430 | 431 | 441 | 460..=463 | 480..=484 | 580..=589)
+    matches!(number, 0..=4 | 9 | 30..=33 | 430 | 431 | 441 | 460..=463 | 480..=484 | 580..=589)
 }
 
 /// Whether a cycle that is not run may have set a datum: nothing is measured after it.

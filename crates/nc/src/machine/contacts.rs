@@ -2,7 +2,7 @@
 
 use fitcheck_core::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Move, Phase};
 use fitcheck_core::probing::simulated::{self, Mover, Part};
-use fitcheck_core::probing::{Contact, Recorded, Source, SourceError};
+use fitcheck_core::probing::{Contact, NoContact, Prober, Recorded, Source, SourceError, Touch, TouchProbe};
 
 use super::fault::FaultKind;
 use super::moves::{Travel, TravelKind};
@@ -105,6 +105,35 @@ impl Probed {
         let Self::Machine(machine) = self else { return None };
         let features = machine.unchecked().join(", ");
         (!features.is_empty()).then_some(Remark::Unchecked { features })
+    }
+
+    /// One contact, in the coordinates of the system, and the radius of the ball that made it; `None` where every cycle meets what it
+    /// expects: a single point expects nothing.
+    pub(super) fn touch(
+        &mut self,
+        touch: &Touch,
+        probe: TouchProbe,
+        placement: Placement,
+    ) -> Result<Option<Result<(Contact, f64), NoContact>>, FaultKind> {
+        self.switch_on()?;
+        Ok(match self {
+            Self::Machine(machine) => {
+                **machine = machine.as_ref().clone().calibrated(&probe);
+                let mut prober = Placed { prober: machine.as_mut(), placement };
+                Some(prober.touch(touch).map(|contact| (contact, prober.ball_radius())))
+            }
+            Self::Recorded(recorded) => {
+                let placement = Placement { system: System::default(), ..placement };
+                let mut prober = Placed { prober: recorded, placement };
+                Some(prober.touch(touch).map(|contact| (contact, prober.ball_radius())))
+            }
+            Self::Perfect | Self::Workpiece(_) => None,
+        })
+    }
+
+    /// Whether its contacts have heights.
+    pub(super) fn has_heights(&self) -> bool {
+        !matches!(self, Self::Recorded(recorded) if !recorded.has_heights())
     }
 
     /// Runs a cycle.

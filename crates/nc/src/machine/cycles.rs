@@ -1,10 +1,10 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::probing::TouchProbe;
 use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::probing::simulated::Surface;
+use fitcheck_core::probing::{Contact, NoContact, Touch, TouchProbe};
 use fitcheck_core::verdict::Status;
 
 use super::around::{Around, ChangingBlock, DatumInForce, Global, INCH, Moment};
@@ -154,6 +154,19 @@ impl Cycles {
     /// A remark that another probe measures than the tool that was called; made once per call.
     pub(super) fn other_probe(&mut self) -> Option<Remark> {
         self.other_tool.take().map(|tool| Remark::OtherProbe { tool, probe: self.probe.number })
+    }
+
+    /// One contact, from a place in a direction of the system.
+    pub(super) fn touch(
+        &mut self,
+        (from, direction): ([f64; 3], [f64; 3]),
+        placement: Placement,
+    ) -> Result<Option<Result<(Contact, f64), NoContact>>, FaultKind> {
+        if let Some(ChangingBlock { line, text }) = self.lost.clone() {
+            return Err(FaultKind::ContactsUnknown { line, text });
+        }
+        let touch = Touch { from, direction, longest: self.probe.longest_path.to_mm_f64() };
+        self.probed.touch(&touch, self.probe, placement)
     }
 
     /// Whether one more cycle may be run.
@@ -307,6 +320,14 @@ fn accepted(
     }
 }
 
+/// A length in the unit of a program.
+fn in_unit(value: Value, unit: Option<Unit>) -> Value {
+    match value {
+        Value::Length(length) if unit == Some(Unit::Inch) => Value::Number(length.to_mm_f64() / INCH),
+        value => value,
+    }
+}
+
 /// Puts the results into their parameters, in the unit of the program; on milling controls also the cycle's number into Q198, and
 /// the last contact, counted from the preset, into Q115 to Q117 (nc-programs, section 12). Results of an earlier cycle that this
 /// one does not give become undefined, so that nothing stale passes as measured.
@@ -317,22 +338,23 @@ pub(super) fn hand_over(
     unit: Option<Unit>,
     values: &mut Values,
 ) -> Result<(), FaultKind> {
-    let in_unit = |value: Value| match value {
-        Value::Length(length) if unit == Some(Unit::Inch) => Value::Number(length.to_mm_f64() / INCH),
-        value => value,
-    };
     values.forget(RESULTS);
     for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key?, &found.value)) {
-        values.put(parameter, in_unit(value))?;
+        values.put(parameter, in_unit(value, unit))?;
     }
     if cycle.control == Control::Lathe {
         return Ok(());
     }
     values.put(Parameter::q(198), Value::Number(f64::from(cycle.number)))?;
+    put_contact(path, unit, values)
+}
+
+/// The last contact, in the coordinates of the workpiece, into the parameters that a control has for it.
+pub(super) fn put_contact(path: &[Move], unit: Option<Unit>, values: &mut Values) -> Result<(), FaultKind> {
     let last = path.iter().rev().find(|step: &&Move| step.phase == Phase::Contact);
     for (number, place) in (115..).zip(last.into_iter().flat_map(|step| step.to)) {
         if let Ok(length) = Length::from_mm_f64(place) {
-            values.put(Parameter::q(number), in_unit(Value::Length(length)))?;
+            values.put(Parameter::q(number), in_unit(Value::Length(length), unit))?;
         }
     }
     Ok(())

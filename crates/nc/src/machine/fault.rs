@@ -347,6 +347,10 @@ pub enum FaultKind {
         line: usize,
         text: String,
     },
+    /// Cycle 0 or 1, where every cycle meets what it expects.
+    PointWithoutPart,
+    /// Cycle 0 or 1, from a place that is not known in all axes.
+    PointFromNowhere,
     /// A row that the preset table lacks.
     NoPreset { table: String, row: u32 },
     /// A row of the preset table that is locked.

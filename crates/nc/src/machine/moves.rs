@@ -145,6 +145,19 @@ impl Way {
         Ok(())
     }
 
+    /// Where a probing begins in the system in force, mm; `None` where not all of it is known.
+    pub(super) fn start(
+        &mut self,
+        axes: &[AxisWord],
+        unit: Option<Unit>,
+        around: &Around,
+        values: &Values,
+    ) -> Result<Option<[f64; 3]>, FaultKind> {
+        self.enter(around.system());
+        let [x, y, z] = self.end(axes, around.is_plain(), unit, values)?;
+        Ok(x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]))
+    }
+
     /// Counts in the system in force from here on.
     fn enter(&mut self, system: System) {
         if self.system != system {

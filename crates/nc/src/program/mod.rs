@@ -6,6 +6,7 @@
 //! | `movement` | a straight line: axes, feed, M functions |
 //! | `operand`, `expression` | numbers and texts, or what holds them; formulas |
 //! | `place` | a place in the text |
+//! | `point_probe` | cycles 0 and 1 |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
 //! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
 //! | `milling` | what Klartext and ISO have in common |
@@ -64,6 +65,7 @@ mod notation;
 mod numbering;
 mod operand;
 mod place;
+mod point_probe;
 mod read;
 mod source;
 mod text_formula;
@@ -85,6 +87,7 @@ pub use movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
 pub use notation::Notation;
 pub use operand::{Operand, TextOperand};
 pub use place::TextPlace;
+pub use point_probe::PointProbe;
 pub use unread::Unread;
 
 use fitcheck_core::text;

@@ -95,7 +95,7 @@ mod width_datum_cycle;
 use super::cycle::{Control, Cycle};
 use crate::tolerance::Feature;
 
-/// All cycles: those that judge by number, then those that set a datum or a rotation, then 420, which judges nothing.
+/// All cycles: those that judge by number, then 420, which judges nothing, then those that set a datum or a rotation.
 pub const CYCLES: &[&Cycle] = &[
     &c421::CYCLE,
     &c422::CYCLE,
@@ -106,6 +106,7 @@ pub const CYCLES: &[&Cycle] = &[
     &c427::CYCLE,
     &c444::CYCLE,
     &g785::CYCLE,
+    &c420::CYCLE,
     &c400::CYCLE,
     &c403::CYCLE,
     &c408::CYCLE,
@@ -116,7 +117,6 @@ pub const CYCLES: &[&Cycle] = &[
     &c413::CYCLE,
     &c417::CYCLE,
     &c419::CYCLE,
-    &c420::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.

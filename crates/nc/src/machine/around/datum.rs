@@ -20,8 +20,7 @@ use fitcheck_core::probing::cycle::Plane;
 
 use super::super::fault::FaultKind;
 use super::super::presets::PresetRow;
-use super::ChangingBlock;
-use super::system::is_other;
+use super::{ChangingBlock, is_other};
 
 /// A zero as far as it is known.
 pub(super) type Row = [Option<Length>; 3];

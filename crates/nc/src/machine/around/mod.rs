@@ -24,7 +24,6 @@ use fitcheck_core::probing::cycle::Plane;
 use fitcheck_core::probing::vector::along;
 pub(super) use globals::Global;
 use globals::IsProbing;
-use system::is_other;
 
 use super::change::Change;
 use super::fault::FaultKind;
@@ -41,6 +40,11 @@ pub(super) const INCH: f64 = 25.4;
 /// Millimetres in one unit of a program.
 pub(super) fn millimetres(unit: Option<Unit>) -> f64 {
     if unit == Some(Unit::Inch) { INCH } else { 1.0 }
+}
+
+/// Whether a value is another one than that which changes nothing.
+fn is_other(value: f64, neutral: f64) -> bool {
+    value.is_nan() || 0.0 < (value - neutral).abs()
 }
 
 /// What a program has set up.

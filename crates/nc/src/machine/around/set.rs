@@ -10,9 +10,8 @@ use super::super::change::Change;
 use super::super::fault::FaultKind;
 use super::super::presets::{PresetRow, TableRow};
 use super::super::remark::Remark;
-use super::datum::{DatumInForce, Row, Turn, Written, in_range, plus};
-use super::system::is_other;
-use super::{Around, ChangingBlock};
+use super::datum::{Datum, DatumInForce, Row, Turn, Written, in_range, plus};
+use super::{Around, ChangingBlock, is_other};
 
 /// The axes of the machine.
 const NAMES: [&str; 3] = ["X", "Y", "Z"];

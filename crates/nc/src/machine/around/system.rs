@@ -5,16 +5,11 @@ use super::super::fault::FaultKind;
 use super::super::presets::{PresetRow, row_number};
 use super::super::remark::Remark;
 use super::datum::Tilt;
-use super::{Around, ChangingBlock, millimetres};
+use super::{Around, ChangingBlock, is_other, millimetres};
 use crate::program::{Axis, AxisWord, Frame, Operand, Unit};
 
 /// The value of an operand in a block; not a number where nobody knows it: it is then never neutral, and no zero.
 type ValueOf<'a> = dyn Fn(Operand) -> Result<f64, FaultKind> + 'a;
-
-/// Whether a value is another one than that which changes nothing.
-pub(super) fn is_other(value: f64, neutral: f64) -> bool {
-    value.is_nan() || 0.0 < (value - neutral).abs()
-}
 
 impl Around {
     /// Rotary axes of a move, or of a shift: at zero they change nothing. A move along U, V or W may bring another workpiece.

@@ -297,6 +297,9 @@ impl Run {
         if let Some(passed) = self.pass_cycle(at, block) {
             return passed.map(|()| Step::Went);
         }
+        if let Some(probed) = self.probe_point(at, block, settings) {
+            return probed.map(|()| Step::Went);
+        }
         let cycle = match cycle_of(&block.number, self.flow.program().notation().control()) {
             Err(_unknown) if settings.skip_unknown => return self.skip_cycle(at, block).map(|()| Step::Went),
             cycle => cycle?,

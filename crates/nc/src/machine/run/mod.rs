@@ -1,13 +1,15 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
 //!
 //! `blocks` has what each block does; `data` parameters and tables, `around` what sets something up, `lathe` what only lathe
-//! controls have, `skipped` what is unknown behind blocks that are not run.
+//! controls have, `point` cycles 0 and 1,
+//! `skipped` what is unknown behind blocks that are not run.
 
 mod around;
 mod blocks;
 mod data;
 mod file_functions;
 mod lathe;
+mod point;
 mod skipped;
 mod system;
 
@@ -36,6 +38,7 @@ use crate::control::variables::{Parameter, Value, Variables};
 use crate::program::{Notation, Program, Unit, Unread};
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::verdict::Status;
+use point::PointStart;
 use skipped::UnknownFiles;
 use system::SpindleTool;
 
@@ -50,6 +53,7 @@ struct Run {
     cycles: Cycles,
     tools: Tools,
     spindle_tool: SpindleTool,
+    point: Option<PointStart>,
     way: Way,
     around: Around,
     remarks: Remarks,
@@ -84,6 +88,7 @@ impl Run {
             cycles,
             tools: Tools::new(settings.tool_table.clone()),
             spindle_tool: SpindleTool::default(),
+            point: None,
             way: Way::new(&settings.budget, notation),
             around: Around::new(notation),
             remarks: Remarks::new(&settings.budget),

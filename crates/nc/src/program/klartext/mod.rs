@@ -31,7 +31,7 @@ pub(super) use around::defined;
 pub(super) use functions::{assignment, print, system_datum};
 pub(super) use label::{MOST_REPEATS, number as label_number};
 pub(super) use moves::tool;
-pub(super) use path_words::MOST_M;
+pub(super) use path_words::{MOST_M, axis};
 pub(super) use understand::heading;
 
 /// Reads the blocks of a program.

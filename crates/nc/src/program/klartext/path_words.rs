@@ -62,7 +62,7 @@ pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
 }
 
 /// `X+10`, `IY - 5`, if it comes next.
-pub(super) fn axis(cursor: &mut Cursor<'_>) -> Parsed<Option<AxisWord>> {
+pub(in super::super) fn axis(cursor: &mut Cursor<'_>) -> Parsed<Option<AxisWord>> {
     let mut ahead = cursor.clone();
     ahead.take_prefix("I");
     let is_value =
