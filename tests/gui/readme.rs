@@ -160,13 +160,13 @@ fn the_operators_window_on_three_panels_in_four_languages() {
     }
 }
 
-/// A whole program with the contacts that were recorded for it, run to its end.
-fn program(name: &str, program: &str, contacts: &str) {
+/// A whole program with what it measures, run to its end.
+fn program(name: &str, program: &str, (kind, measured): (CycleFile, &str)) {
     taken(name, Theme::Light, DESK, |window| {
         let file = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples").join(name);
         send(window, FilesCommand::Open(Purpose::OpenProgram, file(program)));
         send(window, Command::OpenPage(Page::Program));
-        send(window, FilesCommand::Open(Purpose::OpenCycleFile(CycleFile::Contacts), file(contacts)));
+        send(window, FilesCommand::Open(Purpose::OpenCycleFile(kind), file(measured)));
         press(window, Key::F5);
         while window.state().session().program().is_running() {
             window.run_steps(1);
@@ -177,12 +177,17 @@ fn program(name: &str, program: &str, contacts: &str) {
 
 #[test]
 fn a_plate_is_milled_measured_and_reworked() {
-    program("program_plate", "plate_fit.h", "plate_fit.csv");
+    program("program_plate", "plate_fit.h", (CycleFile::Contacts, "plate_fit.csv"));
 }
 
 #[test]
 fn a_flange_is_turned_and_measured() {
-    program("program_flange", "flange_fit.nc", "flange_fit.csv");
+    program("program_flange", "flange_fit.nc", (CycleFile::Contacts, "flange_fit.csv"));
+}
+
+#[test]
+fn a_part_as_it_was_clamped_is_aligned_and_measured() {
+    program("program_datum", "clamped_fit.h", (CycleFile::Workpiece, "clamped_fit.toml"));
 }
 
 /// Pictures of the documents that other tests take, too.
