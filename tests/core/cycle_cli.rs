@@ -223,7 +223,7 @@ fn the_declaration_is_listed() {
 #[test]
 fn the_notes_of_a_cycle_are_listed_with_it() {
     let recommended = |cycle: &str| format!("where the control has cycle {cycle}, HEIDENHAIN recommends it instead");
-    let ends = || "a basic rotation that is active ends before the first contact, and stays off".to_owned();
+    let ends = || "ends a basic rotation that is active".to_owned();
     let notes = |code: &str| match code {
         "421" => vec![ends(), recommended("1401")],
         "423" | "424" => vec![ends(), recommended("1403")],

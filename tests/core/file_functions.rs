@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use fitcheck::nc::machine::{Contacts, Machine};
+use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::nc::machine::{Contacts, Machine, Settings};
 use fitcheck::store::programs::Folders;
 
 use crate::machine::{fault_of, program, settings, text, to_end};
@@ -28,6 +29,13 @@ impl Shop {
     fn machine(&self, blocks: &str) -> Machine {
         let store = Folders::new().reading(self.folder.path().join("in")).writing(self.folder.path().join("out"));
         Machine::new(r"TNC:\fit\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, settings())
+    }
+
+    /// The same, which skips what it does not know.
+    fn skipping(&self, blocks: &str) -> Machine {
+        let store = Folders::new().reading(self.folder.path().join("in"));
+        let settings = Settings { skip_unknown: true, ..settings() };
+        Machine::new(r"TNC:\fit\main.h", program(text(blocks).as_bytes()), store, Contacts::Perfect, settings)
     }
 
     /// What it says to blocks that run to their end.
@@ -158,4 +166,21 @@ fn an_empty_mask_makes_an_empty_file() {
     let said = shop.run("FN 16: F-PRINT empty.a / OUT.TXT");
     assert_eq!(said, [r"the mask TNC:\fit\empty.a is empty: so is what it prints"]);
     assert_eq!(shop.read("fit/OUT.TXT").as_deref(), Some(""));
+}
+
+#[test]
+fn a_program_asks_whether_a_file_is_there() {
+    let shop = Shop::new();
+    let asks = |path: &str| format!("QS5 = \"{path}\"\nFN 18: SYSREAD Q1 = ID10 NR110 IDX5");
+    for (path, right) in [("plan.txt", 1.0), ("none.txt", 0.0)] {
+        let mut machine = shop.machine(&asks(path));
+        to_end(&mut machine);
+        assert_eq!(machine.variables().get(Parameter::q(1)), Some(&Value::Number(right)), "{path}");
+    }
+    // What a skipped block may have done with it is not known, nor what no file can be called.
+    for blocks in [format!("FUNCTION FILECHECK \"plan.txt\"\n{}", asks("plan.txt")), asks("a?b.txt")] {
+        let mut machine = shop.skipping(&blocks);
+        to_end(&mut machine);
+        assert_eq!(machine.variables().get(Parameter::q(1)), None, "{blocks}");
+    }
 }

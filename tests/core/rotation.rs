@@ -8,9 +8,7 @@ use fitcheck::probing::simulated::{Part, Simulation};
 use fitcheck::verdict::Status;
 use proptest::prelude::*;
 
-use crate::datum::{
-    GOOD, MEASURE, SET, check, hole, over, ran, refused, remarks, run, sample, verdicts, with_table, zero,
-};
+use crate::datum::{GOOD, MEASURE, SET, check, hole, ran, refused, remarks, run, sample, verdicts, with_table, zero};
 
 /// A point turned about the zero by an angle in degrees, plus from X to Y.
 fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {

@@ -136,7 +136,7 @@ cycle-note-not-on-itnc530 = iTNC 530 tento cyklus nemá; mají jej TNC 320, TNC 
 cycle-note-normal-from-cad = normálu převezměte ze systému CAD nebo CAM
 cycle-note-software-option = řídicí systém potřebuje volitelný software { $option }
 cycle-note-recommended = má-li řídicí systém cyklus { $cycle }, HEIDENHAIN doporučuje použít jej
-cycle-note-ends-rotation = aktivní základní natočení končí před prvním dotykem a zůstává vypnuté
+cycle-note-ends-rotation = ukončí aktivní základní natočení
 remark-without-effect = { $key } se přijímá, ale nemá účinek
 remark-tool-not-monitored = Q330 = { $tool }: nástroj se nesleduje: chybí tabulka nástrojů
 remark-outside-dimension = předpokládá se vnější rozměr: nad maximem oprava, pod minimem zmetek

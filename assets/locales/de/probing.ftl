@@ -135,7 +135,7 @@ cycle-note-not-on-itnc530 = eine iTNC 530 hat diesen Zyklus nicht; TNC 320, TNC 
 cycle-note-normal-from-cad = die Normale aus einem CAD- oder CAM-System übernehmen
 cycle-note-software-option = die Steuerung braucht die Software-Option { $option }
 cycle-note-recommended = wo die Steuerung Zyklus { $cycle } hat, empfiehlt HEIDENHAIN ihn stattdessen
-cycle-note-ends-rotation = eine aktive Grunddrehung endet vor der ersten Antastung und bleibt aus
+cycle-note-ends-rotation = beendet eine aktive Grunddrehung
 remark-without-effect = { $key } ist zulässig, hat aber keine Wirkung
 remark-tool-not-monitored = Q330 = { $tool }: das Werkzeug wird nicht überwacht: keine Werkzeugtabelle
 remark-outside-dimension = ein Außenmaß ist angenommen: über dem Höchstmaß ist Nacharbeit, unter dem Mindestmaß ist Ausschuss

@@ -135,7 +135,7 @@ cycle-note-not-on-itnc530 = an iTNC 530 does not have this cycle; TNC 320, TNC 6
 cycle-note-normal-from-cad = take the normal from a CAD or CAM system
 cycle-note-software-option = the control needs software option { $option }
 cycle-note-recommended = where the control has cycle { $cycle }, HEIDENHAIN recommends it instead
-cycle-note-ends-rotation = a basic rotation that is active ends before the first contact, and stays off
+cycle-note-ends-rotation = ends a basic rotation that is active
 remark-without-effect = { $key } is accepted but has no effect
 remark-tool-not-monitored = Q330 = { $tool }: the tool is not monitored: no tool table
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap

@@ -135,7 +135,7 @@ cycle-note-not-on-itnc530 = un iTNC 530 no tiene este ciclo; lo tienen TNC 320, 
 cycle-note-normal-from-cad = tome la normal de un sistema CAD o CAM
 cycle-note-software-option = el control necesita la opción de software { $option }
 cycle-note-recommended = si el control tiene el ciclo { $cycle }, HEIDENHAIN recomienda ese
-cycle-note-ends-rotation = un giro básico activo termina antes del primer contacto y no vuelve
+cycle-note-ends-rotation = termina un giro básico activo
 remark-without-effect = { $key } se admite pero no tiene efecto
 remark-tool-not-monitored = Q330 = { $tool }: la herramienta no se supervisa: no hay tabla de herramientas
 remark-outside-dimension = se supone una medida exterior: por encima del máximo es retrabajo, por debajo del mínimo es desecho

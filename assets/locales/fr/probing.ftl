@@ -135,7 +135,7 @@ cycle-note-not-on-itnc530 = une iTNC 530 n'a pas ce cycle ; TNC 320, TNC 620, T
 cycle-note-normal-from-cad = reprendre la normale d'un système CAO ou FAO
 cycle-note-software-option = la commande demande l'option logicielle { $option }
 cycle-note-recommended = là où la commande a le cycle { $cycle }, HEIDENHAIN le recommande à la place
-cycle-note-ends-rotation = une rotation de base active prend fin avant le premier palpage et ne revient pas
+cycle-note-ends-rotation = met fin à une rotation de base active
 remark-without-effect = { $key } est accepté mais n'a pas d'effet
 remark-tool-not-monitored = Q330 = { $tool } : l'outil n'est pas surveillé : pas de tableau d'outils
 remark-outside-dimension = une cote extérieure est supposée : au-dessus du maximum retouche, sous le minimum rebut

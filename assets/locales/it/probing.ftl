@@ -135,7 +135,7 @@ cycle-note-not-on-itnc530 = un iTNC 530 non ha questo ciclo; TNC 320, TNC 620, T
 cycle-note-normal-from-cad = ricavare la normale da un sistema CAD o CAM
 cycle-note-software-option = il controllo numerico richiede l'opzione software { $option }
 cycle-note-recommended = dove il controllo numerico ha il ciclo { $cycle }, HEIDENHAIN consiglia quello
-cycle-note-ends-rotation = una rotazione base attiva termina prima del primo contatto e resta disattivata
+cycle-note-ends-rotation = termina una rotazione base attiva
 remark-without-effect = { $key } è accettato ma non ha effetto
 remark-tool-not-monitored = Q330 = { $tool }: l'utensile non viene controllato: nessuna tabella utensili
 remark-outside-dimension = si suppone una quota esterna: sopra il massimo è ripresa, sotto il minimo è scarto

@@ -135,7 +135,7 @@ cycle-note-not-on-itnc530 = een iTNC 530 heeft deze cyclus niet; TNC 320, TNC 62
 cycle-note-normal-from-cad = neem de normaal uit een CAD- of CAM-systeem
 cycle-note-software-option = de besturing heeft softwareoptie { $option } nodig
 cycle-note-recommended = waar de besturing cyclus { $cycle } heeft, raadt HEIDENHAIN die in plaats van deze aan
-cycle-note-ends-rotation = een actieve basisrotatie eindigt vóór het eerste contact en blijft uit
+cycle-note-ends-rotation = beëindigt een actieve basisrotatie
 remark-without-effect = { $key } is toegestaan maar heeft geen werking
 remark-tool-not-monitored = Q330 = { $tool }: het gereedschap wordt niet bewaakt: geen gereedschapstabel
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur

@@ -142,7 +142,7 @@ cycle-note-not-on-itnc530 = iTNC 530 nie ma tego cyklu; mają go TNC 320, TNC 62
 cycle-note-normal-from-cad = normalną wziąć z systemu CAD lub CAM
 cycle-note-software-option = sterowanie wymaga opcji software { $option }
 cycle-note-recommended = jeśli sterowanie ma cykl { $cycle }, HEIDENHAIN zaleca ten cykl
-cycle-note-ends-rotation = aktywny obrót podstawowy kończy się przed pierwszym kontaktem i pozostaje wyłączony
+cycle-note-ends-rotation = kończy aktywny obrót podstawowy
 remark-without-effect = { $key } jest przyjmowane, ale nie ma skutku
 remark-tool-not-monitored = Q330 = { $tool }: narzędzie nie jest monitorowane: bez tabeli narzędzi
 remark-outside-dimension = przyjęto wymiar zewnętrzny: powyżej maksimum poprawka, poniżej minimum brak

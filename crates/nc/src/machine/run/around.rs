@@ -27,7 +27,8 @@ impl Run {
             Body::Frame(Frame::Preset(number)) => self.activate(at, *number, files)?,
             Body::Frame(frame) => self.change(at, frame)?,
             Body::SystemRead { to, datum } => {
-                if let Some(value) = datum.as_ref().and_then(|datum| self.system_value(datum)) {
+                let value = datum.as_ref().and_then(|datum| self.system_value(datum));
+                if let Some(value) = value.or_else(|| self.file_is_there(datum.as_ref()?, files)) {
                     let given = self.values.assign(*to, &Expression::Value(Operand::Number(value)), self.is_main())?;
                     self.note_given(at, *to, given);
                     let is_assumed = datum.as_ref().is_some_and(|datum| self.assumes_machine_zero(datum));

@@ -10,10 +10,13 @@ use super::super::path::NcPath;
 use super::super::presets::is_preset_table;
 use super::super::prints::{Written, save};
 use super::super::remark::Remark;
+use super::super::store::StoreError;
+use super::super::values::whole;
 use super::Run;
 use super::skipped::ReadAs;
 use crate::control::mask::FileUse;
-use crate::program::FileFunction;
+use crate::control::variables::Parameter;
+use crate::program::{FileFunction, SystemDatum, TextOperand};
 
 impl Run {
     /// Copies, moves or deletes a file.
@@ -47,8 +50,25 @@ impl Run {
         }
     }
 
+    /// What FN 18 answers about a file whose path is in a QS parameter: 1 where it is there, else 0 (TNC7 basic, system data ID10 NR110);
+    /// `None` for another question, and where a block that was not run may have made it or removed it.
+    pub(super) fn file_is_there(&self, datum: &SystemDatum, files: &mut Files) -> Option<f64> {
+        let number = |operand| self.values.operand(operand).ok().and_then(whole);
+        if datum.group != 10 || datum.number.and_then(number) != Some(110) {
+            return None;
+        }
+        let path = Parameter::qs(u16::try_from(number(datum.index?)?).ok()?);
+        let path = self.path_of(&TextOperand::Parameter(path)).ok()?;
+        self.check_file(&path, ReadAs::Table).ok()?;
+        match files.read(&path) {
+            Ok(_) => Some(1.0),
+            Err(FaultKind::Store(StoreError::Missing { .. })) => Some(0.0),
+            Err(_) => None,
+        }
+    }
+
     /// A path of a file whose content is known.
-    fn file_path(&self, operand: &crate::program::TextOperand) -> Result<NcPath, FaultKind> {
+    fn file_path(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
         let path = self.path_of(operand)?;
         self.check_file(&path, ReadAs::Table)?;
         if self.tables.path() == Some(&path) { Err(FaultKind::FileOpen { path }) } else { Ok(path) }
