@@ -12,7 +12,7 @@ use fitcheck::verdict::Status;
 use fitcheck::words::Dialogue;
 use proptest::prelude::*;
 
-fn sample(name: &str) -> String {
+pub(crate) fn sample(name: &str) -> String {
     let path = format!("{}/tests/data/samples/datum/{name}", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(path).unwrap()
 }
@@ -21,13 +21,13 @@ fn part(name: &str) -> Contacts {
     Contacts::Workpiece(Part::read(&sample(&format!("{name}.toml"))).unwrap())
 }
 
-fn machine(text: &str, contacts: Contacts) -> Machine {
+pub(crate) fn machine(text: &str, contacts: Contacts) -> Machine {
     let settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
     Machine::new("main.h", Arc::new(Program::read(text.as_bytes()).unwrap().0), InMemory::new(), contacts, settings)
 }
 
 /// Runs to the end or to a fault.
-fn over(mut machine: Machine) -> (Machine, Option<String>) {
+pub(crate) fn over(mut machine: Machine) -> (Machine, Option<String>) {
     loop {
         match machine.run(u64::MAX) {
             Ok(Step::Ended) => return (machine, None),
@@ -38,14 +38,14 @@ fn over(mut machine: Machine) -> (Machine, Option<String>) {
 }
 
 #[track_caller]
-fn ran(name: &str, text: &str) -> Machine {
+pub(crate) fn ran(name: &str, text: &str) -> Machine {
     let (machine, fault) = over(machine(text, part(name)));
     assert_eq!(fault, None, "{name}");
     machine
 }
 
 #[track_caller]
-fn check(machine: &Machine, values: &[(u16, f64)]) {
+pub(crate) fn check(machine: &Machine, values: &[(u16, f64)]) {
     for &(number, wanted) in values {
         let found = match machine.variables().get(Parameter::q(number)) {
             Some(Value::Number(number)) => *number,
@@ -56,17 +56,17 @@ fn check(machine: &Machine, values: &[(u16, f64)]) {
     }
 }
 
-fn verdicts(machine: &Machine) -> Vec<Option<Status>> {
+pub(crate) fn verdicts(machine: &Machine) -> Vec<Option<Status>> {
     machine.cycles().iter().map(|run| run.result.verdict()).collect()
 }
 
 /// Where the zero of the datum is that the last cycle counted from.
-fn zero(machine: &Machine) -> Option<String> {
+pub(crate) fn zero(machine: &Machine) -> Option<String> {
     let datum = machine.cycles().last()?.datum.as_ref()?;
     Some(datum.zero.map(|axis| axis.to_string()).join(" "))
 }
 
-fn remarks(machine: &Machine) -> Vec<String> {
+pub(crate) fn remarks(machine: &Machine) -> Vec<String> {
     machine.remarks().iter().map(|(place, remark)| format!("{}: {remark}", place.block)).collect()
 }
 

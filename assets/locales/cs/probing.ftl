@@ -95,6 +95,9 @@ cycle-value-no-tolerance = bez tolerance
 cycle-no-global = { $key } { $name } = PREDEF: žádné GLOBAL DEF neudává hodnotu
 cycle-no-path = { $key } { $name } = 0 mm: dráha snímání potřebuje délku; její znaménko udává směr
 cycle-no-transfer = { $row-key } = { $row } při { $key } = -1: není uvedeno, ve které tabulce ten řádek je; { $key } musí být 0 nebo 1 (řídicí systém hlásí chybu 1078)
+cycle-other-feature = { $key } { $name } = { $given }: třída neodpovídá { $geometry }: velká písmena platí pro díru, malá pro čep
+cycle-not-measured = { $key } { $name } = { $given }: cyklus tuto hodnotu neměří: zapište ji bez tolerance
+cycle-inch-tolerance = { $key } { $name } = { $given }: v programu v palcích není jednotka tolerance známa: napište program v mm, nebo číslo bez tolerance
 cycle-no-normal = { $first }, { $second } a { $third } jsou všechny 0: normála potřebuje směr
 cycle-apart = bod dotyku { $contact }: jeho dvě snímání leží { $difference } mm od sebe, { $key } dovoluje { $most } mm
 cycle-too-far = naměřená souřadnice je příliš velká: { $error }
@@ -148,6 +151,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = úchylka zde nemá parametr: podle příručky ji řídicí systém ukládá, ale neuvádí kam
 remark-new-datum = nový vztažný bod, { $target }: { $axes } mm (naměřeno → žádáno)
 datum-target-display = ihned aktivní
+datum-target-active = korekce aktivního vztažného bodu
 datum-target-preset = řádek { $row } tabulky vztažných bodů
 datum-target-table = řádek { $row } tabulky nulových bodů
 remark-variable-holds-diameter = #i99 se čte jako průměr: příručka neuvádí, kterou hodnotu obsahuje

@@ -94,6 +94,9 @@ cycle-value-no-tolerance = keine Toleranz
 cycle-no-global = { $key } { $name } = PREDEF: kein GLOBAL DEF gibt einen Wert
 cycle-no-path = { $key } { $name } = 0 mm: ein Antastweg braucht eine Länge; ihr Vorzeichen gibt die Richtung
 cycle-no-transfer = { $row-key } = { $row } bei { $key } = -1: es ist nicht angegeben, in welcher Tabelle die Zeile steht; { $key } muss 0 oder 1 sein (eine Steuerung meldet Fehler 1078)
+cycle-other-feature = { $key } { $name } = { $given }: die Klasse passt nicht zu { $geometry }: Großbuchstaben gelten für eine Bohrung, Kleinbuchstaben für einen Zapfen
+cycle-not-measured = { $key } { $name } = { $given }: der Zyklus misst diesen Wert nicht: schreiben Sie ihn ohne Toleranz
+cycle-inch-tolerance = { $key } { $name } = { $given }: in einem Programm in Zoll ist die Einheit einer Toleranz nicht bekannt: schreiben Sie ein Programm in mm oder die Zahl ohne Toleranz
 cycle-no-normal = { $first }, { $second } und { $third } sind alle 0: eine Normale braucht eine Richtung
 cycle-apart = Antastpunkt { $contact }: seine beiden Antastungen liegen { $difference } mm auseinander, { $key } erlaubt { $most } mm
 cycle-too-far = die gemessene Koordinate ist zu groß: { $error }
@@ -146,6 +149,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = die Abweichung hat hier keinen Parameter: laut Handbuch speichert eine Steuerung sie, aber nicht gesagt ist, in welchem
 remark-new-datum = neuer Bezugspunkt, { $target }: { $axes } mm (gemessen → gewünscht)
 datum-target-display = sofort aktiv
+datum-target-active = Korrektur des aktiven Bezugspunkts
 datum-target-preset = Zeile { $row } der Bezugspunkttabelle
 datum-target-table = Zeile { $row } der Nullpunkttabelle
 remark-variable-holds-diameter = #i99 wird als Durchmesser gelesen: das Handbuch sagt nicht, welchen Wert sie enthält

@@ -94,6 +94,9 @@ cycle-value-no-tolerance = no tolerance
 cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
 cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
 cycle-no-transfer = { $row-key } = { $row } with { $key } = -1: it is not stated which table has that row; { $key } must be 0 or 1 (a control reports error 1078)
+cycle-other-feature = { $key } { $name } = { $given }: the class does not agree with { $geometry }: a class in capitals is for a hole, one in small letters for a stud
+cycle-not-measured = { $key } { $name } = { $given }: the cycle does not measure this value: write it without a tolerance
+cycle-inch-tolerance = { $key } { $name } = { $given }: in a program in inches the unit of a tolerance is not known: write a program in mm, or the number without a tolerance
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
 cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
 cycle-too-far = the measured coordinate is too large: { $error }
@@ -146,6 +149,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = the deviation has no parameter here: the manual says that a control stores it, but not in which one
 remark-new-datum = new datum, { $target }: { $axes } mm (measured → wanted)
 datum-target-display = active at once
+datum-target-active = correction of the active preset
 datum-target-preset = row { $row } of the preset table
 datum-target-table = row { $row } of the datum table
 remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds

@@ -94,6 +94,9 @@ cycle-value-no-tolerance = sin tolerancia
 cycle-no-global = { $key } { $name } = PREDEF: ningún GLOBAL DEF da un valor
 cycle-no-path = { $key } { $name } = 0 mm: un recorrido de palpación necesita una longitud; su signo da el sentido
 cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: no se indica en qué tabla está esa fila; { $key } debe ser 0 o 1 (un control muestra el error 1078)
+cycle-other-feature = { $key } { $name } = { $given }: la clase no concuerda con { $geometry }: las mayúsculas son para un agujero, las minúsculas para una isla
+cycle-not-measured = { $key } { $name } = { $given }: el ciclo no mide este valor: escríbalo sin tolerancia
+cycle-inch-tolerance = { $key } { $name } = { $given }: en un programa en pulgadas no se conoce la unidad de una tolerancia: escriba un programa en mm o el número sin tolerancia
 cycle-no-normal = { $first }, { $second } y { $third } son todos 0: una normal necesita una dirección
 cycle-apart = punto de palpación { $contact }: sus dos palpaciones distan { $difference } mm, { $key } permite { $most } mm
 cycle-too-far = la coordenada medida es demasiado grande: { $error }
@@ -146,6 +149,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = la desviación no tiene parámetro aquí: el manual dice que un control la guarda, pero no en cuál
 remark-new-datum = nuevo punto de referencia, { $target }: { $axes } mm (medido → deseado)
 datum-target-display = activo de inmediato
+datum-target-active = corrección del punto de referencia activo
 datum-target-preset = fila { $row } de la tabla de puntos de referencia
 datum-target-table = fila { $row } de la tabla de puntos cero
 remark-variable-holds-diameter = #i99 se lee como el diámetro: el manual no dice qué valor contiene

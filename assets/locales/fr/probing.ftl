@@ -94,6 +94,9 @@ cycle-value-no-tolerance = sans tolérance
 cycle-no-global = { $key } { $name } = PREDEF : aucun GLOBAL DEF ne donne de valeur
 cycle-no-path = { $key } { $name } = 0 mm : une course de palpage demande une longueur ; son signe donne le sens
 cycle-no-transfer = { $row-key } = { $row } avec { $key } = -1 : il n'est pas indiqué dans quel tableau est cette ligne ; { $key } doit être 0 ou 1 (une commande signale l'erreur 1078)
+cycle-other-feature = { $key } { $name } = { $given } : la classe ne correspond pas à { $geometry } : les majuscules valent pour un alésage, les minuscules pour un tenon
+cycle-not-measured = { $key } { $name } = { $given } : le cycle ne mesure pas cette valeur : écrivez-la sans tolérance
+cycle-inch-tolerance = { $key } { $name } = { $given } : dans un programme en pouces, l'unité d'une tolérance n'est pas connue : écrivez un programme en mm, ou le nombre sans tolérance
 cycle-no-normal = { $first }, { $second } et { $third } sont tous 0 : une normale demande une direction
 cycle-apart = point de palpage { $contact } : ses deux palpages sont à { $difference } mm l'un de l'autre, { $key } admet { $most } mm
 cycle-too-far = la coordonnée mesurée est trop grande : { $error }
@@ -146,6 +149,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = l'écart n'a pas de paramètre ici : le manuel dit qu'une commande le mémorise, mais pas dans lequel
 remark-new-datum = nouveau point d'origine, { $target } : { $axes } mm (mesuré → voulu)
 datum-target-display = actif aussitôt
+datum-target-active = correction du point d'origine actif
 datum-target-preset = ligne { $row } du tableau de points d'origine
 datum-target-table = ligne { $row } du tableau de points zéro
 remark-variable-holds-diameter = #i99 est lu comme le diamètre : le manuel ne dit pas quelle valeur il contient

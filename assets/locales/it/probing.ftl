@@ -94,6 +94,9 @@ cycle-value-no-tolerance = nessuna tolleranza
 cycle-no-global = { $key } { $name } = PREDEF: nessun GLOBAL DEF dà un valore
 cycle-no-path = { $key } { $name } = 0 mm: una corsa di tastatura richiede una lunghezza; il segno dà la direzione
 cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: non è indicato in quale tabella è quella riga; { $key } deve essere 0 o 1 (un controllo numerico segnala l'errore 1078)
+cycle-other-feature = { $key } { $name } = { $given }: la classe non corrisponde a { $geometry }: le maiuscole valgono per un foro, le minuscole per un’isola
+cycle-not-measured = { $key } { $name } = { $given }: il ciclo non misura questo valore: scriverlo senza tolleranza
+cycle-inch-tolerance = { $key } { $name } = { $given }: in un programma in pollici l’unità di una tolleranza non è nota: scrivere un programma in mm o il numero senza tolleranza
 cycle-no-normal = { $first }, { $second } e { $third } sono tutti 0: una normale richiede una direzione
 cycle-apart = contatto { $contact }: le sue due tastature distano { $difference } mm, { $key } ammette { $most } mm
 cycle-too-far = la coordinata misurata è troppo grande: { $error }
@@ -146,6 +149,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = lo scostamento qui non ha un parametro: il manuale dice che un controllo numerico lo memorizza, ma non in quale
 remark-new-datum = nuova origine, { $target }: { $axes } mm (misurato → voluto)
 datum-target-display = subito attiva
+datum-target-active = correzione dell’origine attiva
 datum-target-preset = riga { $row } della tabella origini
 datum-target-table = riga { $row } della tabella punti zero
 remark-variable-holds-diameter = #i99 viene letto come diametro: il manuale non dice quale valore contenga

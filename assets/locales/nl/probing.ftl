@@ -94,6 +94,9 @@ cycle-value-no-tolerance = geen tolerantie
 cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF geeft een waarde
 cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig; het teken geeft de richting
 cycle-no-transfer = { $row-key } = { $row } bij { $key } = -1: er staat niet bij in welke tabel die regel staat; { $key } moet 0 of 1 zijn (een besturing meldt fout 1078)
+cycle-other-feature = { $key } { $name } = { $given }: de klasse past niet bij { $geometry }: hoofdletters gelden voor een boring, kleine letters voor een tap
+cycle-not-measured = { $key } { $name } = { $given }: de cyclus meet deze waarde niet: schrijf ze zonder tolerantie
+cycle-inch-tolerance = { $key } { $name } = { $given }: in een programma in inches is de eenheid van een tolerantie niet bekend: schrijf een programma in mm, of het getal zonder tolerantie
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
 cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
 cycle-too-far = de gemeten coördinaat is te groot: { $error }
@@ -146,6 +149,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = de afwijking heeft hier geen parameter: het handboek zegt dat een besturing haar opslaat, maar niet in welke
 remark-new-datum = nieuw referentiepunt, { $target }: { $axes } mm (gemeten → gewenst)
 datum-target-display = meteen actief
+datum-target-active = correctie van het actieve referentiepunt
 datum-target-preset = regel { $row } van de referentiepunttabel
 datum-target-table = regel { $row } van de nulpunttabel
 remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat

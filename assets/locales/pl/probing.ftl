@@ -101,6 +101,9 @@ cycle-value-no-tolerance = bez tolerancji
 cycle-no-global = { $key } { $name } = PREDEF: żadne GLOBAL DEF nie podaje wartości
 cycle-no-path = { $key } { $name } = 0 mm: droga próbkowania wymaga długości; jej znak podaje kierunek
 cycle-no-transfer = { $row-key } = { $row } przy { $key } = -1: nie podano, w której tabeli jest ten wiersz; { $key } musi być 0 lub 1 (sterowanie zgłasza błąd 1078)
+cycle-other-feature = { $key } { $name } = { $given }: klasa nie zgadza się z { $geometry }: wielkie litery dotyczą otworu, małe czopa
+cycle-not-measured = { $key } { $name } = { $given }: cykl nie mierzy tej wartości: zapisz ją bez tolerancji
+cycle-inch-tolerance = { $key } { $name } = { $given }: w programie w calach jednostka tolerancji nie jest znana: napisz program w mm albo liczbę bez tolerancji
 cycle-no-normal = { $first }, { $second } i { $third } są równe 0: normalna wymaga kierunku
 cycle-apart = punkt pomiarowy { $contact }: jego dwa próbkowania różnią się o { $difference } mm, { $key } dopuszcza { $most } mm
 cycle-too-far = zmierzona współrzędna jest za duża: { $error }
@@ -155,6 +158,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = odchyłka nie ma tu parametru: instrukcja mówi, że sterowanie ją zapisuje, ale nie podaje gdzie
 remark-new-datum = nowy punkt odniesienia, { $target }: { $axes } mm (zmierzono → żądano)
 datum-target-display = od razu aktywny
+datum-target-active = korekta aktywnego punktu odniesienia
 datum-target-preset = wiersz { $row } tabeli punktów odniesienia
 datum-target-table = wiersz { $row } tabeli punktów zerowych
 remark-variable-holds-diameter = #i99 jest czytane jako średnica: instrukcja nie mówi, jaką wartość zawiera

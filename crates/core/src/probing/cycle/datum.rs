@@ -30,6 +30,8 @@ pub struct DatumAxis {
 pub enum DatumTarget {
     /// It is active at once.
     Display,
+    /// The active preset is corrected at once.
+    Active,
     /// A row of the preset table.
     Preset {
         /// The row.

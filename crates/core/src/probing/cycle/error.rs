@@ -99,6 +99,35 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
     },
+    /// A class of a hole for a shaft, or the other way round.
+    OtherFeature {
+        /// The parameter.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+        /// The nominal value with its class.
+        given: String,
+        /// The parameter that says hole or shaft.
+        geometry: Key,
+    },
+    /// A tolerance for a value that the cycle does not measure.
+    NotMeasured {
+        /// The parameter.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+        /// The nominal value with its tolerance.
+        given: String,
+    },
+    /// A tolerance in a program in inches, whose unit is not known.
+    InchTolerance {
+        /// The parameter.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+        /// The nominal value with its tolerance.
+        given: String,
+    },
     /// A row of a table is named, and not which table: controls without that parameter had another kind of table.
     NoTransfer {
         /// The parameter that says which table.

@@ -11,6 +11,7 @@
 //! | `width_cycle` | what 425 and 426 share |
 //! | `width_datum_cycle` | what 408 and 409 share |
 //! | `datum_cycle` | what all cycles share that set a datum |
+//! | `nominal_cycle` | what cycles 14xx share |
 //! | `round` | the circle through contacts |
 //! | `judged` | sizes and centres against their limits |
 //! | `probed` | the clearance before a surface, the point where the ball met the surface, and along which axis |
@@ -31,6 +32,7 @@
 //! | `c427` | 427, measure coordinate |
 //! | `c444` | 444, probing in 3-D |
 //! | `g785` | G785 of lathe controls, circle measurement |
+//! | `c1401` | 1401, circle probing |
 //!
 //! To add a cycle:
 //!
@@ -53,6 +55,7 @@
 //! | `corrects` | the correction of the tool of Q330 |
 //! | `Measured::datum` | where the zero of NC programs is from there on |
 
+mod c1401;
 mod c408;
 mod c409;
 mod c410;
@@ -75,6 +78,7 @@ mod circle_probing;
 mod datum_cycle;
 mod g785;
 mod judged;
+mod nominal_cycle;
 mod probed;
 mod rectangle_cycle;
 mod rectangle_datum_cycle;
@@ -86,7 +90,7 @@ mod width_datum_cycle;
 use super::cycle::{Control, Cycle};
 use crate::tolerance::Feature;
 
-/// All cycles: those that measure by number, then those that set a datum.
+/// All cycles: those that measure by number, then those that set a datum, then those with nominal values as texts.
 pub const CYCLES: &[&Cycle] = &[
     &c421::CYCLE,
     &c422::CYCLE,
@@ -105,6 +109,7 @@ pub const CYCLES: &[&Cycle] = &[
     &c413::CYCLE,
     &c417::CYCLE,
     &c419::CYCLE,
+    &c1401::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.
@@ -120,9 +125,9 @@ pub fn cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
     CYCLES.iter().copied().filter(move |cycle| cycle.control == control)
 }
 
-/// Those of them that measure a feature and judge it, and set no datum.
+/// Those of them that measure a feature and judge it by limits of their own, and set no datum.
 pub fn measuring_cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
-    cycles_of(control).filter(|cycle| !cycle.sets_datum())
+    cycles_of(control).filter(|cycle| !cycle.sets_datum() && !cycle.takes_nominals())
 }
 
 /// A cycle by its number.

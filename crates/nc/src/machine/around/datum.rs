@@ -7,6 +7,7 @@
 //! |---|---|---|
 //! | the display (Q305 = 0) | the measured place gets its coordinates, the shift ends, the datum is that of row 0 | TNC7; an iTNC 530 may keep the shift |
 //! | a row of the preset table | acts with cycle 247 of that row; at once where the row is active | the latter TNC 640 and TNC7, from memory |
+//! | the active preset (Q1120) | as a row that is active; where no block has named it, as the display | from memory |
 //! | a row of the datum table | refused: that table is on the control only | |
 
 use std::collections::BTreeMap;
@@ -130,14 +131,15 @@ impl Around {
         Some(DatumInForce { zero: self.datum.origin, set_by })
     }
 
-    /// Sets what a cycle has found, for a row that the preset table may have: what is to be said of it, and what is written into that row.
+    /// Sets what a cycle has found, for a row that the preset table may have or for the display, which is row 0: what is to be said of it,
+    /// and what is written into that row.
     ///
     /// # Errors
     /// [`FaultKind`] where it is not known what a control would do.
     pub(in crate::machine) fn set_datum(
         &mut self,
         new: &NewDatum,
-        (row, table): (u32, Option<PresetRow>),
+        (row, table): (Option<u32>, Option<PresetRow>),
         made: ChangingBlock,
     ) -> Result<(Vec<Remark>, Row), FaultKind> {
         let in_range = |mm: f64| Length::from_mm_f64(mm).map_err(|_length| FaultKind::BeyondRange(mm));
@@ -147,7 +149,8 @@ impl Around {
         let ([to_x, to_y, to_z], [by_x, by_y, by_z]) = (self.datum.origin, shift);
         let moved = [moved(x, to_x, by_x), moved(y, to_y, by_y), moved(z, to_z, by_z)];
         let by = Some(SetBy { line: made.line, text: made.text });
-        let is_display = new.target == DatumTarget::Display;
+        let is_display = row.is_none();
+        let row = row.unwrap_or(0);
         let is_active = self.preset.is_some_and(|active| (active - f64::from(row)).abs() <= 0.0);
         if !is_display && !is_active {
             let from_table = self.datum.row_of(table).unwrap_or_default();
@@ -171,7 +174,8 @@ impl Around {
         self.datum.set_by = by;
         self.preset = Some(f64::from(row));
         let said = named(zero);
-        remarks.push(if is_display {
+        // The controls that correct the active preset by a cycle do so at once.
+        remarks.push(if is_display || new.target == DatumTarget::Active {
             Remark::DatumSet { zero: said }
         } else {
             Remark::ActivePresetSet { row, zero: said }

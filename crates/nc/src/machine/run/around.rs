@@ -70,19 +70,21 @@ impl Run {
     /// The datum that a cycle has found: what follows counts from there.
     pub(super) fn set_datum(&mut self, at: usize, new: &NewDatum, files: &mut Files) -> Result<(), FaultKind> {
         let row = match new.target {
-            DatumTarget::Preset { row } => row,
-            DatumTarget::Display => 0,
+            DatumTarget::Preset { row } => Some(row),
+            // Where no block has named the active row: as where the display is set.
+            DatumTarget::Active => self.around.preset().and_then(row_number),
+            DatumTarget::Display => None,
             DatumTarget::Table { row } => return Err(FaultKind::NoDatumTable { row }),
         };
-        let table = match new.target {
-            DatumTarget::Preset { .. } => self.presets.unlocked(row, files)?,
-            _ => None,
+        let table = match row {
+            Some(row) => self.presets.unlocked(row, files)?,
+            None => None,
         };
         self.check_presets()?;
         let (remarks, written) = self.around.set_datum(new, (row, table), self.flow.made(at))?;
         let place = self.flow.place_of(at);
         self.remarks.add_all(&place, remarks);
-        let remark = self.presets.write(row, written, files)?;
+        let remark = self.presets.write(row.unwrap_or(0), written, files)?;
         self.remarks.add_all(&place, remark.into_iter().collect());
         Ok(())
     }

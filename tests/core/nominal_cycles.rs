@@ -1,0 +1,221 @@
+//! Cycles 14xx: nominal values with their tolerances as texts, what is judged, what corrects the preset. The figures of the sample were worked
+//! out apart from the program; those of the classes are cells of ISO 286.
+
+use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::nc::machine::{Contacts, Machine};
+use fitcheck::probing::cycle::Plane;
+use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Phase, ResultName};
+use fitcheck::probing::cycles::cycle_named;
+use fitcheck::probing::simulated::{Part, Simulation, Surface, Workpiece};
+use fitcheck::tolerance::{Feature, Nominal};
+use fitcheck::verdict::Status;
+
+use crate::datum::{check, machine, over, ran, remarks, sample, verdicts, zero};
+
+const CIRCLE: &str = "QS1100=25 QS1101=50 QS1102=-5 QS1116=25H7";
+
+fn inputs(cycle: &Cycle, settings: &str) -> Result<Inputs, CycleError> {
+    settings
+        .split_whitespace()
+        .filter_map(|pair| pair.split_once('='))
+        .try_fold(Inputs::new(), |inputs, (key, text)| cycle.set(inputs, key, text))
+}
+
+/// What a cycle finds on a round feature at X25 Y50.
+fn on_round(settings: &str, feature: Feature, diameter: f64) -> Result<CycleResult, CycleError> {
+    let cycle = cycle_named("1401").unwrap();
+    let part = Surface::Round(Workpiece::round(feature, [25.0, 50.0], diameter), Plane::Xy);
+    cycle.measure(&inputs(cycle, settings)?, &mut Simulation::perfect(part).machine().unwrap())
+}
+
+#[track_caller]
+fn refused(settings: &str, why: &str) {
+    let error = on_round(settings, Feature::Hole, 25.0).unwrap_err();
+    assert!(error.to_string().contains(why), "{settings}: {error}");
+}
+
+#[test]
+fn a_text_is_probed_for_in_the_middle_of_its_zone() {
+    for (text, target, limits) in [
+        ("10H7", "10.0075", Some(("10", "10.015"))),
+        ("10 h7", "9.9925", Some(("9.985", "10"))),
+        ("10m", "10", Some(("9.8", "10.2"))),
+        ("10+0.01-0.015", "9.9975", Some(("9.985", "10.01"))),
+        ("8-2-1", "6.5", Some(("6", "7"))),
+        ("10±0.1", "10", Some(("9.9", "10.1"))),
+        ("+25", "25", None),
+        ("-5+0.1-0.2", "-5.05", Some(("-5.2", "-4.9"))),
+        ("0±0,1", "0", Some(("-0.1", "0.1"))),
+        ("0.05+0.1-0.1", "0.05", Some(("-0.05", "0.15"))),
+        ("+0.2+0.1-0.1", "0.2", Some(("0.1", "0.3"))),
+    ] {
+        let nominal: Nominal = text.parse().unwrap();
+        let found = nominal.limits().map(|(minimum, maximum)| (minimum.to_string(), maximum.to_string()));
+        let wanted = limits.map(|(minimum, maximum)| (minimum.to_owned(), maximum.to_owned()));
+        assert_eq!((nominal.target().to_string().as_str(), found), (target, wanted), "{text}");
+        assert_eq!(nominal.to_string().parse::<Nominal>(), Ok(nominal), "{text}");
+    }
+    for (text, why) in [
+        ("?10H7", "? means that the operator positions the probe"),
+        ("?", "? means that the operator positions the probe"),
+        ("10H7@10.004", "@ means that the control does not probe"),
+        ("±0.1", "does not begin with a nominal size"),
+        ("+0.2-0.05", "does not begin with a nominal size"),
+        ("-5H7", "nominal size -5 mm is not above 0"),
+        ("10H", "is not a tolerance class"),
+        ("0.4m", "0.5"),
+        ("10H7/g6", "cannot stand in a text of cycles 14xx"),
+    ] {
+        let error = text.parse::<Nominal>().unwrap_err().to_string();
+        assert!(error.contains(why), "{text}: {error}");
+    }
+}
+
+#[test]
+fn holes_are_judged_by_the_class_in_the_text() {
+    let machine = ran("s10_1401_h7", &sample("s10_1401_h7.h"));
+    check(&machine, &[(1, 25.013), (2, 0.0), (3, 25.03), (4, 2.0), (5, 24.99), (6, 1.0), (966, 24.99), (183, 1.0)]);
+    assert_eq!(verdicts(&machine), [Some(Status::Good), Some(Status::Scrap), Some(Status::Rework)]);
+    let first = &machine.cycles()[0].result;
+    let value = |number: u16| first.value(number).map(ToString::to_string);
+    let wanted = [(950, "25.01"), (951, "49.99"), (980, "0.01"), (981, "-0.01"), (996, "0.0025")];
+    for (number, wanted) in wanted {
+        assert_eq!(value(number).as_deref(), Some(wanted), "Q{number}");
+    }
+    // The height is where the ball touches: nobody has measured it.
+    assert_eq!((value(952), value(982)), (None, None));
+    // The text can be read by the program, and a number in its place has no tolerance.
+    let plain = sample("s10_1401_h7.h").replace("QS1116=\"25H7\"", "Q1116=+25");
+    let machine = ran("s10_1401_h7", &plain);
+    check(&machine, &[(1, 25.013), (2, -1.0), (4, -1.0), (6, -1.0)]);
+    assert_eq!(verdicts(&machine), [None; 3]);
+    assert!(
+        remarks(&machine).iter().any(|remark| remark.contains("nothing was compared with limits")),
+        "{:?}",
+        remarks(&machine)
+    );
+}
+
+#[test]
+fn an_iso_program_measures_the_same() {
+    let text = sample("s10_1401_h7.h");
+    let lines = text.lines().skip(3).take(14).map(|line| line.split(';').next().unwrap().trim());
+    let block = lines.collect::<Vec<_>>().join(" ").replace("3  TCH PROBE 1401 CIRCLE PROBING ~", "");
+    let iso = format!("%A G71 *\nN10 T100 G17 *\nN20 G1401 {block} *\nN30 M30 *\nN99999999 %A G71 *\n");
+    let machine = ran("s10_1401_h7", &iso);
+    check(&machine, &[(950, 25.01), (966, 25.013), (183, 0.0)]);
+}
+
+#[test]
+fn a_stud_is_judged_the_other_way_round() {
+    let stud = CIRCLE.replace("25H7", "25h7") + " Q1115=1";
+    for (diameter, status) in
+        [(25.001, Status::Rework), (25.0, Status::Good), (24.979, Status::Good), (24.978, Status::Scrap)]
+    {
+        let result = on_round(&stud, Feature::Shaft, diameter).unwrap();
+        assert_eq!(result.verdict(), Some(status), "{diameter}");
+    }
+}
+
+#[test]
+fn what_is_not_defined_is_refused() {
+    let other = "capitals is for a hole, one in small letters for a stud";
+    refused(&CIRCLE.replace("25H7", "25h7"), other);
+    refused(&format!("{CIRCLE} Q1115=1"), other);
+    refused(&CIRCLE.replace("QS1102=-5", "QS1102=-5±0.1"), "does not measure this value");
+    refused(&CIRCLE.replace("25H7", "0"), "a circle needs a diameter above 0");
+    refused(&CIRCLE.replace("25H7", "25+0-30"), "at least 0 mm");
+    refused(&format!("{CIRCLE} Q1119=0"), "at least 1°");
+    refused(&format!("{CIRCLE} Q423=2"), "expected one of 3, 4, 5, 6, 7, 8, 9");
+    refused(&format!("{CIRCLE} Q423=10"), "expected one of 3, 4, 5, 6, 7, 8, 9");
+    refused(&CIRCLE.replace("QS1100=25", "QS1100=125"), "contact 1");
+}
+
+#[test]
+fn a_centre_out_of_its_tolerance_is_scrap_and_stops_as_asked() {
+    let centre = |tolerance: &str, setting: &str| {
+        let settings = CIRCLE.replace("QS1100=25", &format!("QS1100=24.99{tolerance}"));
+        on_round(&format!("{settings} Q309={setting}"), Feature::Hole, 25.01).unwrap()
+    };
+    let result = centre("+0.01-0", "2");
+    assert_eq!((result.verdict(), result.stop.is_some()), (Some(Status::Good), false));
+    // Counted from the middle of the zone.
+    assert_eq!(result.length(ResultName::CENTRE_DEVIATION_1).unwrap().to_string(), "0.005");
+    let result = centre("+0.009-0.1", "2");
+    assert_eq!((result.verdict(), result.stop.is_some()), (Some(Status::Scrap), true));
+    // Rework stops with 1 alone.
+    for (setting, stops) in [("0", false), ("1", true), ("2", false)] {
+        let result = on_round(&format!("{CIRCLE} Q309={setting}"), Feature::Hole, 24.99).unwrap();
+        assert_eq!((result.verdict(), result.stop.is_some()), (Some(Status::Rework), stops), "Q309={setting}");
+    }
+}
+
+#[test]
+fn contacts_lie_over_the_arc_and_the_way_is_as_asked() {
+    let angles = |settings: &str| -> Vec<String> {
+        let result = on_round(&format!("{CIRCLE} {settings}"), Feature::Hole, 25.01).unwrap();
+        let angle = |x: f64, y: f64| format!("{:.0}", (y - 50.0).atan2(x - 25.0).to_degrees());
+        result.contacts.iter().map(|contact| angle(contact.x, contact.y)).collect()
+    };
+    assert_eq!(angles("Q423=5"), ["0", "72", "144", "-144", "-72"]);
+    assert_eq!(angles("Q423=3 Q325=30 Q1119=-360"), ["30", "-90", "150"]);
+    assert_eq!(angles("Q423=4 Q325=-45 Q1119=90"), ["-45", "-15", "15", "45"]);
+    let highest = |mode: &str| {
+        let result = on_round(&format!("{CIRCLE} Q1125={mode}"), Feature::Hole, 25.01).unwrap();
+        let is_high = |z: f64| 49.0 < z;
+        let over = result.path.iter().filter(|step| step.phase == Phase::PrePosition && is_high(step.from[2])).count();
+        (over, result.path.iter().any(|step| step.phase == Phase::Leave))
+    };
+    assert_eq!([highest("-1"), highest("0"), highest("1")], [(0, false), (1, true), (1, true)]);
+    assert_eq!(highest("2"), (7, true));
+}
+
+/// A program of this head, one hole and what stands behind it, on the part of the sample.
+fn corrected(head: &str) -> (Machine, Option<String>) {
+    let block = "TCH PROBE 1401 CIRCLE PROBING ~\nQS1100=\"+25\" ~\nQS1101=\"+50\" ~\nQS1102=\"-5\" ~\nQS1116=\"25H7\" ~\n\
+                 Q1115=+0 ~\nQ423=+4 ~\nQ325=+0 ~\nQ1119=+360 ~\nQ320=+2 ~\nQ260=+40 ~\nQ1125=+1 ~\nQ309=+0 ~\n";
+    let text = format!(
+        "BEGIN PGM A MM\nTOOL CALL 100 Z S50\n{head}{block}Q1120=+1\nQ1 = Q950\n{block}Q1120=+0\nM30\nEND PGM A MM\n"
+    );
+    let part = Contacts::Workpiece(Part::read(&sample("s10_1401_h7.toml")).unwrap());
+    over(machine(&text, part))
+}
+
+#[test]
+fn the_active_preset_is_corrected_so_that_the_point_reads_its_nominal_value() {
+    for (head, set) in [("", "datum set"), ("CYCL DEF 247 DATUM SETTING ~\nQ339=+3\n", "datum set")] {
+        let (machine, fault) = corrected(head);
+        assert_eq!(fault, None);
+        check(&machine, &[(1, 25.01), (950, 25.0), (951, 50.0), (966, 25.013)]);
+        assert_eq!(zero(&machine).as_deref(), Some("0.01 -0.01 0"));
+        assert!(remarks(&machine).iter().any(|remark| remark.contains(set)), "{:?}", remarks(&machine));
+    }
+    // With a named row it is not known what becomes of a shift.
+    let shift = "CYCL DEF 247 DATUM SETTING ~\nQ339=+3\nCYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 Z+0.5\n";
+    let (_, fault) = corrected(shift);
+    assert!(fault.unwrap().contains("what a control makes of the shift is not known"));
+}
+
+#[test]
+fn inches_have_no_tolerance_here() {
+    let inch = |text: &str| {
+        let text = sample("s10_1401_h7.h")
+            .replace(" MM ", " INCH ")
+            .replace("\"+25\"", "\"+0.984252\"")
+            .replace("\"+50\"", "\"+1.968504\"")
+            .replace("\"-5\"", "\"-0.2\"")
+            .replace("Q320=+2 ", "Q320=+0.08 ")
+            .replace("Q260=+40", "Q260=+2")
+            .replace("25H7", text);
+        let (head, _) = text.split_once("6  TCH PROBE").unwrap();
+        let part = Contacts::Workpiece(Part::read(&sample("s10_1401_h7.toml")).unwrap());
+        over(machine(&format!("{head}M30\nEND PGM S10_1401_H7 INCH\n"), part))
+    };
+    let (machine, fault) = inch("0.984252");
+    assert_eq!(fault, None);
+    check(&machine, &[(966, 25.013 / 25.4), (950, 25.01 / 25.4), (183, -1.0)]);
+    assert_eq!(machine.variables().get(Parameter::qs(1116)), None::<&Value>);
+    let (_, fault) = inch("25H7");
+    let fault = fault.unwrap();
+    assert!(fault.contains("in a program in inches the unit of a tolerance is not known"), "{fault}");
+}
