@@ -19,6 +19,8 @@ fn usual(parameter: &Parameter) -> Value {
         // The two points of a ridge lie on either side of it.
         Range::Length { .. } if matches!(parameter.meaning, Meaning::SecondPoint(_)) => length("0"),
         Range::Length { .. } => length("25"),
+        // The second point of an edge lies elsewhere.
+        Range::Nominal { .. } if parameter.name.starts_with("2ND") => nominal("0"),
         Range::Nominal { .. } => nominal("25"),
         Range::Angle { .. } => Value::Angle(Angle::from_degrees(60)),
         Range::OneOf(allowed) => Value::Whole(allowed[0]),
@@ -52,6 +54,7 @@ fn accepted(cycle: &Cycle, parameter: &Parameter, value: &Value) {
     match error(cycle, &asked(cycle).with(parameter.key, value.clone())) {
         // A row of a table needs to be told which table.
         CycleError::NoContact(_) | CycleError::LimitsSwapped { .. } | CycleError::NoTransfer { .. } => {}
+        CycleError::NoRotation { key, .. } => assert_eq!(key, parameter.key),
         // The control's range begins at 0, but that of a circle, a path and a normal does not.
         CycleError::NoDiameter { key, .. } | CycleError::NoPath { key, .. } => {
             assert_eq!((key, value.length()), (parameter.key, Some(Length::ZERO)));
@@ -306,6 +309,21 @@ const OF_426: &[Documented] = &[
     ("Q330", TOOL, false),
 ];
 
+/// 1400 and 1410, remembered: the points, what they have in common, and the rest.
+fn of_1400(points: &[&'static str], rest: &[&'static str]) -> Vec<Documented> {
+    let common = ["Q320", "Q260", "Q1125", "Q309"];
+    let documented = |key: &&'static str| match *key {
+        key @ "Q372" => (key, "-3, -2, -1, 1, 2, 3", false),
+        key @ "Q320" => (key, SIZE, true),
+        key @ "Q260" => (key, COORDINATE, true),
+        key @ "Q1125" => (key, "-1, 0, 1, 2", false),
+        key @ "Q1120" => (key, "0, 1", false),
+        key @ ("Q309" | "Q1121" | "Q1126") => (key, "0, 1, 2", false),
+        key => (key, COORDINATE, false),
+    };
+    points.iter().chain(&common).chain(rest).map(documented).collect()
+}
+
 /// Remembered, in the order of the sample.
 const OF_1401: &[Documented] = &[
     ("QS1100", COORDINATE, false),
@@ -382,7 +400,22 @@ fn the_ranges_are_those_of_the_manuals() {
         ("426", OF_426.to_vec()),
         ("427", OF_427.to_vec()),
         ("444", OF_444.to_vec()),
+        ("1400", of_1400(&["QS1100", "QS1101", "QS1102", "Q372"], &["Q1120"])),
         ("1401", OF_1401.to_vec()),
+        (
+            "1410",
+            of_1400(
+                &["QS1100", "QS1101", "QS1102", "QS1103", "QS1104", "QS1105", "Q372"],
+                &["Q1126", "Q1120", "Q1121"],
+            )
+            .into_iter()
+            .map(|(key, range, predef)| match key {
+                "Q372" => (key, "-2, -1, 1, 2", predef),
+                "Q1120" => (key, "0, 1, 2, 3", predef),
+                _ => (key, range, predef),
+            })
+            .collect(),
+        ),
         ("G785", OF_785.to_vec()),
         (
             "408",
@@ -599,6 +632,8 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         CycleError::NoTransfer { key, row_key: key, row: 5 },
         CycleError::OtherFeature { key, name, given: "25h7".to_owned(), geometry: key },
         CycleError::NotMeasured { key, name, given: "25H7".to_owned() },
+        CycleError::NoEdge { first: key, second: key },
+        CycleError::NoRotation { key, name },
         CycleError::InchTolerance { key, name, given: "25H7".to_owned() },
         CycleError::NoNormal { first: key, second: key, third: key },
         CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned(), known: "Q263".to_owned() },

@@ -2,11 +2,11 @@
 //! out apart from the program; those of the classes are cells of ISO 286.
 
 use fitcheck::control::variables::{Parameter, Value};
+use fitcheck::length::Length;
 use fitcheck::nc::machine::{Contacts, Machine};
-use fitcheck::probing::cycle::Plane;
-use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Phase, ResultName};
+use fitcheck::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Phase, Plane, ResultName};
 use fitcheck::probing::cycles::cycle_named;
-use fitcheck::probing::simulated::{Part, Simulation, Surface, Workpiece};
+use fitcheck::probing::simulated::{Face, Part, Probe, Simulation, Surface, Workpiece};
 use fitcheck::tolerance::{Feature, Nominal};
 use fitcheck::verdict::Status;
 
@@ -218,4 +218,85 @@ fn inches_have_no_tolerance_here() {
     let (_, fault) = inch("25H7");
     let fault = fault.unwrap();
     assert!(fault.contains("in a program in inches the unit of a tolerance is not known"), "{fault}");
+}
+
+/// What cycle 1400 finds on a face at this place of its axis, facing the probe.
+fn on_face(settings: &str, normal: [f64; 3], at: f64) -> Result<CycleResult, CycleError> {
+    let cycle = cycle_named("1400").unwrap();
+    let part = Surface::Face(Face::plane(normal.map(|part| part.abs() * at), normal));
+    let simulation = Simulation { probe: Probe { ball_radius: 3.0, ..Probe::STILL }, ..Simulation::perfect(part) };
+    cycle.measure(&inputs(cycle, settings)?, &mut simulation.machine().unwrap())
+}
+
+#[test]
+fn a_face_is_judged_by_the_material_that_is_left() {
+    let x = |direction: i64, at: f64| {
+        let text = format!("QS1100=40+0.02-0.01 QS1101=10 QS1102=-5 Q372={direction}");
+        on_face(&text, [if direction < 0 { 1.0 } else { -1.0 }, 0.0, 0.0], at).unwrap()
+    };
+    for (direction, at, status) in [
+        (-1, 40.021, Status::Rework),
+        (-1, 40.02, Status::Good),
+        (-1, 39.99, Status::Good),
+        (-1, 39.989, Status::Scrap),
+        (1, 40.021, Status::Scrap),
+        (1, 39.989, Status::Rework),
+    ] {
+        assert_eq!(x(direction, at).verdict(), Some(status), "{direction} {at}");
+    }
+    let result = x(-1, 40.021);
+    let value = |number: u16| result.value(number).map(ToString::to_string);
+    let found = [950, 951, 952, 980, 981, 982].map(value);
+    let wanted = [Some("40.021"), Some("10"), Some("-5"), Some("0.016"), None, None];
+    assert_eq!(found, wanted.map(|text| text.map(str::to_owned)));
+    // The probe axis, and a tolerance of an axis that is not measured.
+    let top = on_face("QS1100=40 QS1101=10 QS1102=0±0.05 Q372=-3", [0.0, 0.0, 1.0], 0.04).unwrap();
+    assert_eq!(
+        (top.verdict(), top.length(ResultName::POSITION_3).unwrap().to_string().as_str()),
+        (Some(Status::Good), "0.04")
+    );
+    let error = on_face("QS1100=40 QS1101=10±0.1 QS1102=0 Q372=-3", [0.0, 0.0, 1.0], 0.0).unwrap_err().to_string();
+    assert!(error.contains("QS1101") && error.contains("does not measure this value"), "{error}");
+    let error = on_face("QS1100=40 QS1101=10 QS1102=0 Q372=0", [0.0, 0.0, 1.0], 0.0).unwrap_err().to_string();
+    assert!(error.contains("expected one of -3, -2, -1, 1, 2, 3"), "{error}");
+}
+
+/// The edge of the fact sheet: turned by 0.4 degrees about X50 Y0.
+const EDGE: &str = "QS1100=10 QS1101=0 QS1102=-5 QS1103=90 QS1104=0 QS1105=-5 Q372=2";
+
+fn on_edge(settings: &str) -> Result<CycleResult, CycleError> {
+    let cycle = cycle_named("1410").unwrap();
+    let part = Surface::Face(Face::plane([50.0, 0.0, -5.0], [0.006_981_260_3, -0.999_975_630_7, 0.0]));
+    let simulation = Simulation { probe: Probe { ball_radius: 3.0, ..Probe::STILL }, ..Simulation::perfect(part) };
+    cycle.measure(&inputs(cycle, settings)?, &mut simulation.machine().unwrap())
+}
+
+#[test]
+fn an_edge_gives_its_points_and_its_rotation() {
+    let result = on_edge(EDGE).unwrap();
+    let value = |number: u16| match result.value(number) {
+        Some(cycle::Value::Length(length)) => length.to_mm_f64(),
+        Some(cycle::Value::Angle(angle)) => angle.to_degrees_f64(),
+        found => panic!("Q{number} is {found:?}"),
+    };
+    for (number, wanted) in [(950, 10.0), (951, -0.2793), (953, 90.0), (954, 0.2792), (964, 0.4), (981, -0.2793)] {
+        assert!((value(number) - wanted).abs() < 0.000_06, "Q{number} = {}", value(number));
+    }
+    assert_eq!(result.verdict(), None);
+    // Each point has a tolerance of its own. The face lies ahead of the second point: material is gone there.
+    let judged = on_edge(&EDGE.replace("QS1101=0", "QS1101=0±0.3").replace("QS1104=0", "QS1104=0+0.2-0.3")).unwrap();
+    assert_eq!(judged.checks.iter().map(|check| check.status).collect::<Vec<_>>(), [Status::Good, Status::Scrap]);
+    // The middle of both points corrects the preset.
+    let datum = on_edge(&format!("{EDGE} Q1120=3")).unwrap().datum.unwrap();
+    assert_eq!(datum.axes.len(), 1);
+    assert!(datum.axes[0].measured.to_mm_f64().abs() < 0.000_2 && datum.axes[0].wanted == Length::ZERO);
+    for (settings, why) in [
+        (format!("{EDGE} Q1121=1"), "Q1121 CONFIRM ROTATION is not 0"),
+        (format!("{EDGE} Q1126=1"), "Q1126 ALIGN ROTARY AXIS is not 0"),
+        (EDGE.replace("QS1103=90", "QS1103=10"), "an edge needs two points along it"),
+        (EDGE.replace("Q372=2", "Q372=3"), "expected one of -2, -1, 1, 2"),
+    ] {
+        let error = on_edge(&settings).unwrap_err().to_string();
+        assert!(error.contains(why), "{settings}: {error}");
+    }
 }

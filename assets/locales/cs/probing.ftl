@@ -98,6 +98,8 @@ cycle-no-transfer = { $row-key } = { $row } při { $key } = -1: není uvedeno, v
 cycle-other-feature = { $key } { $name } = { $given }: třída neodpovídá { $geometry }: velká písmena platí pro díru, malá pro čep
 cycle-not-measured = { $key } { $name } = { $given }: cyklus tuto hodnotu neměří: zapište ji bez tolerance
 cycle-inch-tolerance = { $key } { $name } = { $given }: v programu v palcích není jednotka tolerance známa: napište program v mm, nebo číslo bez tolerance
+cycle-no-edge = { $first } a { $second } jsou stejné: hrana potřebuje dva body podél sebe
+cycle-no-rotation = { $key } { $name } není 0: Fitcheck natočení měří a nic podle něj nenatáčí
 cycle-no-normal = { $first }, { $second } a { $third } jsou všechny 0: normála potřebuje směr
 cycle-apart = bod dotyku { $contact }: jeho dvě snímání leží { $difference } mm od sebe, { $key } dovoluje { $most } mm
 cycle-too-far = naměřená souřadnice je příliš velká: { $error }
@@ -121,6 +123,13 @@ found-deviation-1 = úchylka, 1. osa
 found-deviation-2 = úchylka, 2. osa
 found-deviation-3 = úchylka, 3. osa
 found-deviation-along = úchylka ve směru normály
+found-second-position-1 = 2. bod: naměřená poloha, 1. osa
+found-second-position-2 = 2. bod: naměřená poloha, 2. osa
+found-second-position-3 = 2. bod: naměřená poloha, 3. osa
+found-second-deviation-1 = 2. bod: úchylka, 1. osa
+found-second-deviation-2 = 2. bod: úchylka, 2. osa
+found-second-deviation-3 = 2. bod: úchylka, 3. osa
+found-rotation = naměřené natočení
 found-side-1 = naměřená délka, 1. strana
 found-side-2 = naměřená délka, 2. strana
 found-width = naměřená šířka

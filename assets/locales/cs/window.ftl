@@ -683,6 +683,7 @@ cycle-picture-plane = rovina kružnice: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 snímá uvnitř, 1 vně
 cycle-picture-measured-axis = osa měření: 1 první osa, 2 druhá osa, 3 osa sondy
 cycle-picture-direction = směr najetí: −1 proti ose, +1 ve směru osy
+cycle-picture-directed-axis = měřená osa, 1 první, 2 druhá, 3 osa sondy; minus snímá proti ose
 cycle-picture-tool-axis-probing = osa sondy: 0 zůstává, 1 se také snímá a nastaví
 cycle-picture-tool-axis-point-1 = kde se snímá osa sondy, první osa
 cycle-picture-tool-axis-point-2 = kde se snímá osa sondy, druhá osa

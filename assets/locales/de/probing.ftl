@@ -97,6 +97,8 @@ cycle-no-transfer = { $row-key } = { $row } bei { $key } = -1: es ist nicht ange
 cycle-other-feature = { $key } { $name } = { $given }: die Klasse passt nicht zu { $geometry }: Großbuchstaben gelten für eine Bohrung, Kleinbuchstaben für einen Zapfen
 cycle-not-measured = { $key } { $name } = { $given }: der Zyklus misst diesen Wert nicht: schreiben Sie ihn ohne Toleranz
 cycle-inch-tolerance = { $key } { $name } = { $given }: in einem Programm in Zoll ist die Einheit einer Toleranz nicht bekannt: schreiben Sie ein Programm in mm oder die Zahl ohne Toleranz
+cycle-no-edge = { $first } und { $second } sind gleich: eine Kante braucht zwei Punkte in ihrer Richtung
+cycle-no-rotation = { $key } { $name } ist nicht 0: Fitcheck misst die Drehung und dreht nichts danach
 cycle-no-normal = { $first }, { $second } und { $third } sind alle 0: eine Normale braucht eine Richtung
 cycle-apart = Antastpunkt { $contact }: seine beiden Antastungen liegen { $difference } mm auseinander, { $key } erlaubt { $most } mm
 cycle-too-far = die gemessene Koordinate ist zu groß: { $error }
@@ -120,6 +122,13 @@ found-deviation-1 = Abweichung, 1. Achse
 found-deviation-2 = Abweichung, 2. Achse
 found-deviation-3 = Abweichung, 3. Achse
 found-deviation-along = Abweichung entlang der Normalen
+found-second-position-1 = 2. Punkt: gemessene Position, 1. Achse
+found-second-position-2 = 2. Punkt: gemessene Position, 2. Achse
+found-second-position-3 = 2. Punkt: gemessene Position, 3. Achse
+found-second-deviation-1 = 2. Punkt: Abweichung, 1. Achse
+found-second-deviation-2 = 2. Punkt: Abweichung, 2. Achse
+found-second-deviation-3 = 2. Punkt: Abweichung, 3. Achse
+found-rotation = gemessene Drehung
 found-side-1 = gemessene Länge, 1. Seite
 found-side-2 = gemessene Länge, 2. Seite
 found-width = gemessene Breite

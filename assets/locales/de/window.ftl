@@ -662,6 +662,7 @@ cycle-picture-plane = Ebene des Kreises: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 tastet innen an, 1 außen
 cycle-picture-measured-axis = Messachse: 1 erste Achse, 2 zweite Achse, 3 Tastsystemachse
 cycle-picture-direction = Antastrichtung: −1 gegen die Achse, +1 mit der Achse
+cycle-picture-directed-axis = gemessene Achse, 1 erste, 2 zweite, 3 Tastsystemachse; minus tastet entgegen der Achse an
 cycle-picture-tool-axis-probing = Tastsystemachse: 0 bleibt, wie sie ist, 1 wird auch angetastet und gesetzt
 cycle-picture-tool-axis-point-1 = wo die Tastsystemachse angetastet wird, erste Achse
 cycle-picture-tool-axis-point-2 = wo die Tastsystemachse angetastet wird, zweite Achse

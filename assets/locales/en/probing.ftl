@@ -97,6 +97,8 @@ cycle-no-transfer = { $row-key } = { $row } with { $key } = -1: it is not stated
 cycle-other-feature = { $key } { $name } = { $given }: the class does not agree with { $geometry }: a class in capitals is for a hole, one in small letters for a stud
 cycle-not-measured = { $key } { $name } = { $given }: the cycle does not measure this value: write it without a tolerance
 cycle-inch-tolerance = { $key } { $name } = { $given }: in a program in inches the unit of a tolerance is not known: write a program in mm, or the number without a tolerance
+cycle-no-edge = { $first } and { $second } are the same: an edge needs two points along it
+cycle-no-rotation = { $key } { $name } is not 0: Fitcheck measures the rotation and turns nothing by it
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
 cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
 cycle-too-far = the measured coordinate is too large: { $error }
@@ -120,6 +122,13 @@ found-deviation-1 = deviation, 1st axis
 found-deviation-2 = deviation, 2nd axis
 found-deviation-3 = deviation, 3rd axis
 found-deviation-along = deviation along the normal
+found-second-position-1 = 2nd point: measured position, 1st axis
+found-second-position-2 = 2nd point: measured position, 2nd axis
+found-second-position-3 = 2nd point: measured position, 3rd axis
+found-second-deviation-1 = 2nd point: deviation, 1st axis
+found-second-deviation-2 = 2nd point: deviation, 2nd axis
+found-second-deviation-3 = 2nd point: deviation, 3rd axis
+found-rotation = measured rotation
 found-side-1 = measured length, 1st side
 found-side-2 = measured length, 2nd side
 found-width = measured width

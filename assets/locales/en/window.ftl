@@ -662,6 +662,7 @@ cycle-picture-plane = plane of the circle: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 probes inside, 1 outside
 cycle-picture-measured-axis = measured axis: 1 first axis, 2 second axis, 3 probe axis
 cycle-picture-direction = direction of the approach: −1 against the axis, +1 along it
+cycle-picture-directed-axis = measured axis, 1 first, 2 second, 3 probe axis; minus probes against it
 cycle-picture-tool-axis-probing = probe axis: 0 is left as it is, 1 is probed and set, too
 cycle-picture-tool-axis-point-1 = where the probe axis is probed, first axis
 cycle-picture-tool-axis-point-2 = where the probe axis is probed, second axis

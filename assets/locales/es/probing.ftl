@@ -97,6 +97,8 @@ cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: no se indica en q
 cycle-other-feature = { $key } { $name } = { $given }: la clase no concuerda con { $geometry }: las mayúsculas son para un agujero, las minúsculas para una isla
 cycle-not-measured = { $key } { $name } = { $given }: el ciclo no mide este valor: escríbalo sin tolerancia
 cycle-inch-tolerance = { $key } { $name } = { $given }: en un programa en pulgadas no se conoce la unidad de una tolerancia: escriba un programa en mm o el número sin tolerancia
+cycle-no-edge = { $first } y { $second } son iguales: una arista necesita dos puntos a lo largo de ella
+cycle-no-rotation = { $key } { $name } no es 0: Fitcheck mide la rotación y no gira nada con ella
 cycle-no-normal = { $first }, { $second } y { $third } son todos 0: una normal necesita una dirección
 cycle-apart = punto de palpación { $contact }: sus dos palpaciones distan { $difference } mm, { $key } permite { $most } mm
 cycle-too-far = la coordenada medida es demasiado grande: { $error }
@@ -120,6 +122,13 @@ found-deviation-1 = desviación, 1.er eje
 found-deviation-2 = desviación, 2.º eje
 found-deviation-3 = desviación, 3.er eje
 found-deviation-along = desviación según la normal
+found-second-position-1 = 2.º punto: posición medida, 1.er eje
+found-second-position-2 = 2.º punto: posición medida, 2.º eje
+found-second-position-3 = 2.º punto: posición medida, 3.er eje
+found-second-deviation-1 = 2.º punto: desviación, 1.er eje
+found-second-deviation-2 = 2.º punto: desviación, 2.º eje
+found-second-deviation-3 = 2.º punto: desviación, 3.er eje
+found-rotation = rotación medida
 found-side-1 = longitud medida, 1.er lado
 found-side-2 = longitud medida, 2.º lado
 found-width = anchura medida

@@ -662,6 +662,7 @@ cycle-picture-plane = plano del círculo: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 palpa por dentro, 1 por fuera
 cycle-picture-measured-axis = eje de medición: 1 primer eje, 2 segundo eje, 3 eje del palpador
 cycle-picture-direction = sentido de aproximación: −1 contra el eje, +1 a favor
+cycle-picture-directed-axis = eje medido, 1 primero, 2 segundo, 3 eje del palpador; menos palpa en sentido contrario
 cycle-picture-tool-axis-probing = eje del palpador: 0 queda como está, 1 también se palpa y se fija
 cycle-picture-tool-axis-point-1 = dónde se palpa el eje del palpador, primer eje
 cycle-picture-tool-axis-point-2 = dónde se palpa el eje del palpador, segundo eje

@@ -97,6 +97,8 @@ cycle-no-transfer = { $row-key } = { $row } avec { $key } = -1 : il n'est pas in
 cycle-other-feature = { $key } { $name } = { $given } : la classe ne correspond pas à { $geometry } : les majuscules valent pour un alésage, les minuscules pour un tenon
 cycle-not-measured = { $key } { $name } = { $given } : le cycle ne mesure pas cette valeur : écrivez-la sans tolérance
 cycle-inch-tolerance = { $key } { $name } = { $given } : dans un programme en pouces, l'unité d'une tolérance n'est pas connue : écrivez un programme en mm, ou le nombre sans tolérance
+cycle-no-edge = { $first } et { $second } sont identiques : une arête demande deux points le long d'elle
+cycle-no-rotation = { $key } { $name } n'est pas 0 : Fitcheck mesure la rotation et ne tourne rien d'après elle
 cycle-no-normal = { $first }, { $second } et { $third } sont tous 0 : une normale demande une direction
 cycle-apart = point de palpage { $contact } : ses deux palpages sont à { $difference } mm l'un de l'autre, { $key } admet { $most } mm
 cycle-too-far = la coordonnée mesurée est trop grande : { $error }
@@ -120,6 +122,13 @@ found-deviation-1 = écart, 1er axe
 found-deviation-2 = écart, 2e axe
 found-deviation-3 = écart, 3e axe
 found-deviation-along = écart suivant la normale
+found-second-position-1 = 2e point : position mesurée, 1er axe
+found-second-position-2 = 2e point : position mesurée, 2e axe
+found-second-position-3 = 2e point : position mesurée, 3e axe
+found-second-deviation-1 = 2e point : écart, 1er axe
+found-second-deviation-2 = 2e point : écart, 2e axe
+found-second-deviation-3 = 2e point : écart, 3e axe
+found-rotation = rotation mesurée
 found-side-1 = longueur mesurée, 1er côté
 found-side-2 = longueur mesurée, 2e côté
 found-width = largeur mesurée

@@ -662,6 +662,7 @@ cycle-picture-plane = plan du cercle : 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 palpe à l'intérieur, 1 à l'extérieur
 cycle-picture-measured-axis = axe de mesure : 1 premier axe, 2 deuxième axe, 3 axe du palpeur
 cycle-picture-direction = sens de l'approche : −1 contre l'axe, +1 dans le sens de l'axe
+cycle-picture-directed-axis = axe mesuré, 1 premier, 2 second, 3 axe du palpeur ; moins palpe en sens contraire
 cycle-picture-tool-axis-probing = axe du palpeur : 0 reste tel quel, 1 est aussi palpé et fixé
 cycle-picture-tool-axis-point-1 = où l'axe du palpeur est palpé, premier axe
 cycle-picture-tool-axis-point-2 = où l'axe du palpeur est palpé, deuxième axe

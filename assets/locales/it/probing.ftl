@@ -97,6 +97,8 @@ cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: non è indicato i
 cycle-other-feature = { $key } { $name } = { $given }: la classe non corrisponde a { $geometry }: le maiuscole valgono per un foro, le minuscole per un’isola
 cycle-not-measured = { $key } { $name } = { $given }: il ciclo non misura questo valore: scriverlo senza tolleranza
 cycle-inch-tolerance = { $key } { $name } = { $given }: in un programma in pollici l’unità di una tolleranza non è nota: scrivere un programma in mm o il numero senza tolleranza
+cycle-no-edge = { $first } e { $second } sono uguali: uno spigolo richiede due punti lungo di esso
+cycle-no-rotation = { $key } { $name } non è 0: Fitcheck misura la rotazione e non ruota nulla di conseguenza
 cycle-no-normal = { $first }, { $second } e { $third } sono tutti 0: una normale richiede una direzione
 cycle-apart = contatto { $contact }: le sue due tastature distano { $difference } mm, { $key } ammette { $most } mm
 cycle-too-far = la coordinata misurata è troppo grande: { $error }
@@ -120,6 +122,13 @@ found-deviation-1 = scostamento, 1° asse
 found-deviation-2 = scostamento, 2° asse
 found-deviation-3 = scostamento, 3° asse
 found-deviation-along = scostamento lungo la normale
+found-second-position-1 = 2. punto: posizione misurata, 1° asse
+found-second-position-2 = 2. punto: posizione misurata, 2° asse
+found-second-position-3 = 2. punto: posizione misurata, 3° asse
+found-second-deviation-1 = 2. punto: scostamento, 1° asse
+found-second-deviation-2 = 2. punto: scostamento, 2° asse
+found-second-deviation-3 = 2. punto: scostamento, 3° asse
+found-rotation = rotazione misurata
 found-side-1 = lunghezza misurata, 1° lato
 found-side-2 = lunghezza misurata, 2° lato
 found-width = larghezza misurata

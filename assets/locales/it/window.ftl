@@ -662,6 +662,7 @@ cycle-picture-plane = piano del cerchio: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 tasta all'interno, 1 all'esterno
 cycle-picture-measured-axis = asse misurato: 1 primo asse, 2 secondo asse, 3 asse di tastatura
 cycle-picture-direction = direzione di tastatura: −1 contro l'asse, +1 lungo l'asse
+cycle-picture-directed-axis = asse misurato, 1 primo, 2 secondo, 3 asse di tastatura; negativo tasta in senso contrario
 cycle-picture-tool-axis-probing = asse di tastatura: 0 resta com'è, 1 viene anche tastato e impostato
 cycle-picture-tool-axis-point-1 = dove si tasta l'asse di tastatura, primo asse
 cycle-picture-tool-axis-point-2 = dove si tasta l'asse di tastatura, secondo asse

@@ -97,6 +97,8 @@ cycle-no-transfer = { $row-key } = { $row } bij { $key } = -1: er staat niet bij
 cycle-other-feature = { $key } { $name } = { $given }: de klasse past niet bij { $geometry }: hoofdletters gelden voor een boring, kleine letters voor een tap
 cycle-not-measured = { $key } { $name } = { $given }: de cyclus meet deze waarde niet: schrijf ze zonder tolerantie
 cycle-inch-tolerance = { $key } { $name } = { $given }: in een programma in inches is de eenheid van een tolerantie niet bekend: schrijf een programma in mm, of het getal zonder tolerantie
+cycle-no-edge = { $first } en { $second } zijn gelijk: een kant heeft twee punten in haar richting nodig
+cycle-no-rotation = { $key } { $name } is niet 0: Fitcheck meet de rotatie en draait er niets mee
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
 cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
 cycle-too-far = de gemeten coördinaat is te groot: { $error }
@@ -120,6 +122,13 @@ found-deviation-1 = afwijking, 1e as
 found-deviation-2 = afwijking, 2e as
 found-deviation-3 = afwijking, 3e as
 found-deviation-along = afwijking langs de normaal
+found-second-position-1 = 2e punt: gemeten positie, 1e as
+found-second-position-2 = 2e punt: gemeten positie, 2e as
+found-second-position-3 = 2e punt: gemeten positie, 3e as
+found-second-deviation-1 = 2e punt: afwijking, 1e as
+found-second-deviation-2 = 2e punt: afwijking, 2e as
+found-second-deviation-3 = 2e punt: afwijking, 3e as
+found-rotation = gemeten rotatie
 found-side-1 = gemeten lengte, 1e zijde
 found-side-2 = gemeten lengte, 2e zijde
 found-width = gemeten breedte

@@ -662,6 +662,7 @@ cycle-picture-plane = vlak van de cirkel: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 tast binnen, 1 buiten
 cycle-picture-measured-axis = gemeten as: 1 eerste as, 2 tweede as, 3 tasteras
 cycle-picture-direction = tastrichting: −1 tegen de as in, +1 met de as mee
+cycle-picture-directed-axis = gemeten as, 1 eerste, 2 tweede, 3 tasteras; min tast tegen de as in
 cycle-picture-tool-axis-probing = tasteras: 0 blijft zoals zij is, 1 wordt ook getast en gezet
 cycle-picture-tool-axis-point-1 = waar de tasteras wordt getast, eerste as
 cycle-picture-tool-axis-point-2 = waar de tasteras wordt getast, tweede as

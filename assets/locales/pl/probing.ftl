@@ -104,6 +104,8 @@ cycle-no-transfer = { $row-key } = { $row } przy { $key } = -1: nie podano, w kt
 cycle-other-feature = { $key } { $name } = { $given }: klasa nie zgadza się z { $geometry }: wielkie litery dotyczą otworu, małe czopa
 cycle-not-measured = { $key } { $name } = { $given }: cykl nie mierzy tej wartości: zapisz ją bez tolerancji
 cycle-inch-tolerance = { $key } { $name } = { $given }: w programie w calach jednostka tolerancji nie jest znana: napisz program w mm albo liczbę bez tolerancji
+cycle-no-edge = { $first } i { $second } są równe: krawędź wymaga dwóch punktów wzdłuż niej
+cycle-no-rotation = { $key } { $name } nie jest równe 0: Fitcheck mierzy obrót i niczego według niego nie obraca
 cycle-no-normal = { $first }, { $second } i { $third } są równe 0: normalna wymaga kierunku
 cycle-apart = punkt pomiarowy { $contact }: jego dwa próbkowania różnią się o { $difference } mm, { $key } dopuszcza { $most } mm
 cycle-too-far = zmierzona współrzędna jest za duża: { $error }
@@ -127,6 +129,13 @@ found-deviation-1 = odchyłka, oś 1
 found-deviation-2 = odchyłka, oś 2
 found-deviation-3 = odchyłka, oś 3
 found-deviation-along = odchyłka wzdłuż normalnej
+found-second-position-1 = 2. punkt: zmierzona pozycja, oś 1
+found-second-position-2 = 2. punkt: zmierzona pozycja, oś 2
+found-second-position-3 = 2. punkt: zmierzona pozycja, oś 3
+found-second-deviation-1 = 2. punkt: odchyłka, oś 1
+found-second-deviation-2 = 2. punkt: odchyłka, oś 2
+found-second-deviation-3 = 2. punkt: odchyłka, oś 3
+found-rotation = zmierzony obrót
 found-side-1 = zmierzona długość, bok 1
 found-side-2 = zmierzona długość, bok 2
 found-width = zmierzona szerokość

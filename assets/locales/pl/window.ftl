@@ -702,6 +702,7 @@ cycle-picture-plane = płaszczyzna okręgu: 0 X/Y, 1 Z/X, 2 Y/Z
 cycle-picture-side = 0 próbkowanie wewnątrz, 1 na zewnątrz
 cycle-picture-measured-axis = mierzona oś: 1 pierwsza oś, 2 druga oś, 3 oś sondy
 cycle-picture-direction = kierunek najazdu: −1 przeciwnie do osi, +1 zgodnie z osią
+cycle-picture-directed-axis = oś mierzona, 1 pierwsza, 2 druga, 3 oś sondy; minus mierzy przeciwnie do osi
 cycle-picture-tool-axis-probing = oś sondy: 0 pozostaje bez zmian, 1 jest też próbkowana i ustawiana
 cycle-picture-tool-axis-point-1 = gdzie próbkowana jest oś sondy, pierwsza oś
 cycle-picture-tool-axis-point-2 = gdzie próbkowana jest oś sondy, druga oś

@@ -128,6 +128,20 @@ pub enum CycleError {
         /// The nominal value with its tolerance.
         given: String,
     },
+    /// Two points of an edge that lie at one place along it.
+    NoEdge {
+        /// The parameter of the first point.
+        first: Key,
+        /// The parameter of the second one.
+        second: Key,
+    },
+    /// A measured rotation is to turn something.
+    NoRotation {
+        /// The parameter that asks for that.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+    },
     /// A row of a table is named, and not which table: controls without that parameter had another kind of table.
     NoTransfer {
         /// The parameter that says which table.

@@ -113,6 +113,13 @@ impl Parameter {
         Self::new(key, name, range)
     }
 
+    /// The same with other numbers to choose from.
+    #[must_use]
+    pub const fn of(mut self, numbers: &'static [i64]) -> Self {
+        self.range = Range::OneOf(numbers);
+        self
+    }
+
     /// The same with a meaning of its own.
     #[must_use]
     pub const fn means(mut self, meaning: Meaning) -> Self {

@@ -21,6 +21,14 @@ impl Angle {
         Self(degrees as i64 * 10_000)
     }
 
+    /// The nearest ten-thousandth of these degrees.
+    ///
+    /// # Errors
+    /// [`LengthError`] for what is not finite, or beyond what a length can hold.
+    pub fn from_degrees_f64(degrees: f64) -> Result<Self, LengthError> {
+        Ok(Self((Length::from_mm_f64(degrees)?.nanometres() + 50).div_euclid(100)))
+    }
+
     /// Ten-thousandths of a degree.
     pub const fn ten_thousandths(self) -> i64 {
         self.0

@@ -12,6 +12,7 @@
 //! | `width_datum_cycle` | what 408 and 409 share |
 //! | `datum_cycle` | what all cycles share that set a datum |
 //! | `nominal_cycle` | what cycles 14xx share |
+//! | `edge_probing` | the points of 1400 and 1410 |
 //! | `round` | the circle through contacts |
 //! | `judged` | sizes and centres against their limits |
 //! | `probed` | the clearance before a surface, the point where the ball met the surface, and along which axis |
@@ -32,7 +33,9 @@
 //! | `c427` | 427, measure coordinate |
 //! | `c444` | 444, probing in 3-D |
 //! | `g785` | G785 of lathe controls, circle measurement |
+//! | `c1400` | 1400, position probing |
 //! | `c1401` | 1401, circle probing |
+//! | `c1410` | 1410, probing on edge |
 //!
 //! To add a cycle:
 //!
@@ -55,7 +58,9 @@
 //! | `corrects` | the correction of the tool of Q330 |
 //! | `Measured::datum` | where the zero of NC programs is from there on |
 
+mod c1400;
 mod c1401;
+mod c1410;
 mod c408;
 mod c409;
 mod c410;
@@ -76,6 +81,7 @@ mod circle_cycle;
 mod circle_datum_cycle;
 mod circle_probing;
 mod datum_cycle;
+mod edge_probing;
 mod g785;
 mod judged;
 mod nominal_cycle;
@@ -109,7 +115,9 @@ pub const CYCLES: &[&Cycle] = &[
     &c413::CYCLE,
     &c417::CYCLE,
     &c419::CYCLE,
+    &c1400::CYCLE,
     &c1401::CYCLE,
+    &c1410::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.

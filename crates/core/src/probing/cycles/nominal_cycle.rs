@@ -135,6 +135,16 @@ impl Findings {
         self.checks.extend(check);
     }
 
+    /// A value that is given as it was found, against nothing.
+    pub(super) fn only(&mut self, at: u16, name: ResultName, measured: Length) {
+        self.also(ResultParameter::length(at, name, measured));
+    }
+
+    /// A result that is none of a length.
+    pub(super) fn also(&mut self, result: ResultParameter) {
+        self.results.push(result);
+    }
+
     /// A coordinate of a centre: a wrong position is scrap.
     fn centre(&mut self, axis: Axis, (nominal, measured): (Nominal, Length), at: [u16; 2], names: [ResultName; 2]) {
         self.add((nominal, measured), at, names, judged::place(names[0], measured, nominal.limits()));
