@@ -402,6 +402,7 @@ fn the_ranges_are_those_of_the_manuals() {
         ("444", OF_444.to_vec()),
         ("1400", of_1400(&["QS1100", "QS1101", "QS1102", "Q372"], &["Q1120"])),
         ("1401", OF_1401.to_vec()),
+        ("1402", OF_1401.iter().copied().filter(|(key, ..)| *key != "Q1115").collect()),
         (
             "1410",
             of_1400(
@@ -633,6 +634,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         CycleError::OtherFeature { key, name, given: "25h7".to_owned(), geometry: key },
         CycleError::NotMeasured { key, name, given: "25H7".to_owned() },
         CycleError::NoEdge { first: key, second: key },
+        CycleError::NoSphere,
         CycleError::NoRotation { key, name },
         CycleError::InchTolerance { key, name, given: "25H7".to_owned() },
         CycleError::NoNormal { first: key, second: key, third: key },

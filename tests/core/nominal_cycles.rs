@@ -6,7 +6,7 @@ use fitcheck::length::Length;
 use fitcheck::nc::machine::{Contacts, Machine};
 use fitcheck::probing::cycle::{self, Cycle, CycleError, CycleResult, Inputs, Phase, Plane, ResultName};
 use fitcheck::probing::cycles::cycle_named;
-use fitcheck::probing::simulated::{Face, Part, Probe, Simulation, Surface, Workpiece};
+use fitcheck::probing::simulated::{Face, FreePoint, Part, Probe, Simulation, Surface, Workpiece};
 use fitcheck::tolerance::{Feature, Nominal};
 use fitcheck::verdict::Status;
 
@@ -299,4 +299,37 @@ fn an_edge_gives_its_points_and_its_rotation() {
         let error = on_edge(&settings).unwrap_err().to_string();
         assert!(error.contains(why), "{settings}: {error}");
     }
+}
+
+/// What cycle 1402 finds on a sphere about this place.
+fn on_sphere(settings: &str, [x, y, z]: [f64; 3], radius: f64) -> Result<CycleResult, CycleError> {
+    let cycle = cycle_named("1402").unwrap();
+    let top = FreePoint { radius: Some(radius), ..FreePoint::flat([x, y, z + radius], [0.0, 0.0, 1.0]) };
+    let perfect = Simulation::perfect(Surface::Point(top));
+    let simulation = Simulation { probe: Probe { ball_radius: 3.0, ..Probe::STILL }, ..perfect };
+    cycle.measure(&inputs(cycle, settings)?, &mut simulation.machine().unwrap())
+}
+
+#[test]
+fn a_sphere_gives_its_centre_and_diameter_and_is_judged_like_a_stud() {
+    let sphere = "QS1100=20±0.2 QS1101=30 QS1102=-15 QS1116=30h6 Q423=5";
+    for (more, diameter, status) in [
+        ("", 29.99, Status::Good),
+        (" Q423=3 Q325=20", 30.001, Status::Rework),
+        (" Q423=9 Q1119=200", 29.986, Status::Scrap),
+        (" Q1125=2", 29.987, Status::Good),
+    ] {
+        let settings = if more.contains("Q423") { sphere.replace(" Q423=5", more) } else { format!("{sphere}{more}") };
+        let result = on_sphere(&settings, [20.1, 29.95, -15.2], diameter / 2.0).unwrap();
+        assert_eq!(result.verdict(), Some(status), "{more}");
+        let value = |number: u16| result.value(number).unwrap().to_string();
+        assert_eq!([950, 951, 952, 966].map(value), ["20.1", "29.95", "-15.2", &format!("{diameter}")], "{more}");
+        assert_eq!([980, 981, 982].map(value), ["0.1", "-0.05", "-0.2"]);
+        assert_eq!(result.contacts.len(), result.path.iter().filter(|step| step.phase == Phase::Contact).count());
+    }
+    let error = on_sphere(&sphere.replace("30h6", "30H6"), [20.0, 30.0, -15.0], 15.0).unwrap_err().to_string();
+    assert!(error.contains("small letters for a stud"), "{error}");
+    // A tolerance of the height counts: it is measured.
+    let high = on_sphere(&sphere.replace("QS1102=-15", "QS1102=-15±0.1"), [20.0, 30.0, -14.8], 14.995).unwrap();
+    assert_eq!(high.verdict(), Some(Status::Scrap));
 }

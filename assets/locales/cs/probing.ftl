@@ -99,6 +99,7 @@ cycle-other-feature = { $key } { $name } = { $given }: třída neodpovídá { $g
 cycle-not-measured = { $key } { $name } = { $given }: cyklus tuto hodnotu neměří: zapište ji bez tolerance
 cycle-inch-tolerance = { $key } { $name } = { $given }: v programu v palcích není jednotka tolerance známa: napište program v mm, nebo číslo bez tolerance
 cycle-no-edge = { $first } a { $second } jsou stejné: hrana potřebuje dva body podél sebe
+cycle-no-sphere = body dotyku neurčují kouli
 cycle-no-rotation = { $key } { $name } není 0: Fitcheck natočení měří a nic podle něj nenatáčí
 cycle-no-normal = { $first }, { $second } a { $third } jsou všechny 0: normála potřebuje směr
 cycle-apart = bod dotyku { $contact }: jeho dvě snímání leží { $difference } mm od sebe, { $key } dovoluje { $most } mm
@@ -110,9 +111,11 @@ check-below = { $what } { $measured } mm je pod minimem { $minimum } mm: { $stat
 check-and = { $one }; { $other }
 found-centre-1 = naměřený střed, 1. osa
 found-centre-2 = naměřený střed, 2. osa
+found-centre-3 = naměřený střed, 3. osa
 found-diameter = naměřený průměr
 found-centre-deviation-1 = úchylka středu, 1. osa
 found-centre-deviation-2 = úchylka středu, 2. osa
+found-centre-deviation-3 = úchylka středu, 3. osa
 found-diameter-deviation = úchylka průměru
 found-coordinate = naměřená souřadnice
 found-coordinate-deviation = úchylka souřadnice

@@ -98,6 +98,7 @@ cycle-other-feature = { $key } { $name } = { $given }: die Klasse passt nicht zu
 cycle-not-measured = { $key } { $name } = { $given }: der Zyklus misst diesen Wert nicht: schreiben Sie ihn ohne Toleranz
 cycle-inch-tolerance = { $key } { $name } = { $given }: in einem Programm in Zoll ist die Einheit einer Toleranz nicht bekannt: schreiben Sie ein Programm in mm oder die Zahl ohne Toleranz
 cycle-no-edge = { $first } und { $second } sind gleich: eine Kante braucht zwei Punkte in ihrer Richtung
+cycle-no-sphere = die Antastpunkte bestimmen keine Kugel
 cycle-no-rotation = { $key } { $name } ist nicht 0: Fitcheck misst die Drehung und dreht nichts danach
 cycle-no-normal = { $first }, { $second } und { $third } sind alle 0: eine Normale braucht eine Richtung
 cycle-apart = Antastpunkt { $contact }: seine beiden Antastungen liegen { $difference } mm auseinander, { $key } erlaubt { $most } mm
@@ -109,9 +110,11 @@ check-below = { $what } { $measured } mm liegt unter dem Mindestmaß { $minimum 
 check-and = { $one }; { $other }
 found-centre-1 = gemessene Mitte, 1. Achse
 found-centre-2 = gemessene Mitte, 2. Achse
+found-centre-3 = gemessene Mitte, 3. Achse
 found-diameter = gemessener Durchmesser
 found-centre-deviation-1 = Abweichung der Mitte, 1. Achse
 found-centre-deviation-2 = Abweichung der Mitte, 2. Achse
+found-centre-deviation-3 = Abweichung der Mitte, 3. Achse
 found-diameter-deviation = Abweichung des Durchmessers
 found-coordinate = gemessene Koordinate
 found-coordinate-deviation = Abweichung der Koordinate

@@ -98,6 +98,7 @@ cycle-other-feature = { $key } { $name } = { $given }: the class does not agree 
 cycle-not-measured = { $key } { $name } = { $given }: the cycle does not measure this value: write it without a tolerance
 cycle-inch-tolerance = { $key } { $name } = { $given }: in a program in inches the unit of a tolerance is not known: write a program in mm, or the number without a tolerance
 cycle-no-edge = { $first } and { $second } are the same: an edge needs two points along it
+cycle-no-sphere = the contacts do not determine a sphere
 cycle-no-rotation = { $key } { $name } is not 0: Fitcheck measures the rotation and turns nothing by it
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
 cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
@@ -109,9 +110,11 @@ check-below = { $what } { $measured } mm is below its minimum { $minimum } mm: {
 check-and = { $one }; { $other }
 found-centre-1 = measured centre, 1st axis
 found-centre-2 = measured centre, 2nd axis
+found-centre-3 = measured centre, 3rd axis
 found-diameter = measured diameter
 found-centre-deviation-1 = deviation of the centre, 1st axis
 found-centre-deviation-2 = deviation of the centre, 2nd axis
+found-centre-deviation-3 = deviation of the centre, 3rd axis
 found-diameter-deviation = deviation of the diameter
 found-coordinate = measured coordinate
 found-coordinate-deviation = deviation of the coordinate

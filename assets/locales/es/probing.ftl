@@ -98,6 +98,7 @@ cycle-other-feature = { $key } { $name } = { $given }: la clase no concuerda con
 cycle-not-measured = { $key } { $name } = { $given }: el ciclo no mide este valor: escríbalo sin tolerancia
 cycle-inch-tolerance = { $key } { $name } = { $given }: en un programa en pulgadas no se conoce la unidad de una tolerancia: escriba un programa en mm o el número sin tolerancia
 cycle-no-edge = { $first } y { $second } son iguales: una arista necesita dos puntos a lo largo de ella
+cycle-no-sphere = los puntos de palpación no determinan una esfera
 cycle-no-rotation = { $key } { $name } no es 0: Fitcheck mide la rotación y no gira nada con ella
 cycle-no-normal = { $first }, { $second } y { $third } son todos 0: una normal necesita una dirección
 cycle-apart = punto de palpación { $contact }: sus dos palpaciones distan { $difference } mm, { $key } permite { $most } mm
@@ -109,9 +110,11 @@ check-below = { $what } { $measured } mm no alcanza su mínimo { $minimum } mm: 
 check-and = { $one }; { $other }
 found-centre-1 = centro medido, 1.er eje
 found-centre-2 = centro medido, 2.º eje
+found-centre-3 = centro medido, 3.er eje
 found-diameter = diámetro medido
 found-centre-deviation-1 = desviación del centro, 1.er eje
 found-centre-deviation-2 = desviación del centro, 2.º eje
+found-centre-deviation-3 = desviación del centro, 3.er eje
 found-diameter-deviation = desviación del diámetro
 found-coordinate = coordenada medida
 found-coordinate-deviation = desviación de la coordenada

@@ -98,6 +98,7 @@ cycle-other-feature = { $key } { $name } = { $given } : la classe ne correspond 
 cycle-not-measured = { $key } { $name } = { $given } : le cycle ne mesure pas cette valeur : écrivez-la sans tolérance
 cycle-inch-tolerance = { $key } { $name } = { $given } : dans un programme en pouces, l'unité d'une tolérance n'est pas connue : écrivez un programme en mm, ou le nombre sans tolérance
 cycle-no-edge = { $first } et { $second } sont identiques : une arête demande deux points le long d'elle
+cycle-no-sphere = les points de palpage ne déterminent pas de sphère
 cycle-no-rotation = { $key } { $name } n'est pas 0 : Fitcheck mesure la rotation et ne tourne rien d'après elle
 cycle-no-normal = { $first }, { $second } et { $third } sont tous 0 : une normale demande une direction
 cycle-apart = point de palpage { $contact } : ses deux palpages sont à { $difference } mm l'un de l'autre, { $key } admet { $most } mm
@@ -109,9 +110,11 @@ check-below = { $what } { $measured } mm est sous son minimum { $minimum } mm :
 check-and = { $one } ; { $other }
 found-centre-1 = centre mesuré, 1er axe
 found-centre-2 = centre mesuré, 2e axe
+found-centre-3 = centre mesuré, 3e axe
 found-diameter = diamètre mesuré
 found-centre-deviation-1 = écart du centre, 1er axe
 found-centre-deviation-2 = écart du centre, 2e axe
+found-centre-deviation-3 = écart du centre, 3e axe
 found-diameter-deviation = écart du diamètre
 found-coordinate = coordonnée mesurée
 found-coordinate-deviation = écart de la coordonnée

@@ -98,6 +98,7 @@ cycle-other-feature = { $key } { $name } = { $given }: la classe non corrisponde
 cycle-not-measured = { $key } { $name } = { $given }: il ciclo non misura questo valore: scriverlo senza tolleranza
 cycle-inch-tolerance = { $key } { $name } = { $given }: in un programma in pollici l’unità di una tolleranza non è nota: scrivere un programma in mm o il numero senza tolleranza
 cycle-no-edge = { $first } e { $second } sono uguali: uno spigolo richiede due punti lungo di esso
+cycle-no-sphere = i contatti non determinano una sfera
 cycle-no-rotation = { $key } { $name } non è 0: Fitcheck misura la rotazione e non ruota nulla di conseguenza
 cycle-no-normal = { $first }, { $second } e { $third } sono tutti 0: una normale richiede una direzione
 cycle-apart = contatto { $contact }: le sue due tastature distano { $difference } mm, { $key } ammette { $most } mm
@@ -109,9 +110,11 @@ check-below = { $what } { $measured } mm è sotto il minimo { $minimum } mm: { $
 check-and = { $one }; { $other }
 found-centre-1 = centro misurato, 1° asse
 found-centre-2 = centro misurato, 2° asse
+found-centre-3 = centro misurato, 3° asse
 found-diameter = diametro misurato
 found-centre-deviation-1 = scostamento del centro, 1° asse
 found-centre-deviation-2 = scostamento del centro, 2° asse
+found-centre-deviation-3 = scostamento del centro, 3° asse
 found-diameter-deviation = scostamento del diametro
 found-coordinate = coordinata misurata
 found-coordinate-deviation = scostamento della coordinata

@@ -98,6 +98,7 @@ cycle-other-feature = { $key } { $name } = { $given }: de klasse past niet bij {
 cycle-not-measured = { $key } { $name } = { $given }: de cyclus meet deze waarde niet: schrijf ze zonder tolerantie
 cycle-inch-tolerance = { $key } { $name } = { $given }: in een programma in inches is de eenheid van een tolerantie niet bekend: schrijf een programma in mm, of het getal zonder tolerantie
 cycle-no-edge = { $first } en { $second } zijn gelijk: een kant heeft twee punten in haar richting nodig
+cycle-no-sphere = de meetpunten bepalen geen bol
 cycle-no-rotation = { $key } { $name } is niet 0: Fitcheck meet de rotatie en draait er niets mee
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
 cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
@@ -109,9 +110,11 @@ check-below = { $what } { $measured } mm ligt onder het minimum { $minimum } mm:
 check-and = { $one }; { $other }
 found-centre-1 = gemeten midden, 1e as
 found-centre-2 = gemeten midden, 2e as
+found-centre-3 = gemeten midden, 3e as
 found-diameter = gemeten diameter
 found-centre-deviation-1 = afwijking van het midden, 1e as
 found-centre-deviation-2 = afwijking van het midden, 2e as
+found-centre-deviation-3 = afwijking van het midden, 3e as
 found-diameter-deviation = afwijking van de diameter
 found-coordinate = gemeten coördinaat
 found-coordinate-deviation = afwijking van de coördinaat

@@ -105,6 +105,7 @@ cycle-other-feature = { $key } { $name } = { $given }: klasa nie zgadza się z {
 cycle-not-measured = { $key } { $name } = { $given }: cykl nie mierzy tej wartości: zapisz ją bez tolerancji
 cycle-inch-tolerance = { $key } { $name } = { $given }: w programie w calach jednostka tolerancji nie jest znana: napisz program w mm albo liczbę bez tolerancji
 cycle-no-edge = { $first } i { $second } są równe: krawędź wymaga dwóch punktów wzdłuż niej
+cycle-no-sphere = punkty nie wyznaczają kuli
 cycle-no-rotation = { $key } { $name } nie jest równe 0: Fitcheck mierzy obrót i niczego według niego nie obraca
 cycle-no-normal = { $first }, { $second } i { $third } są równe 0: normalna wymaga kierunku
 cycle-apart = punkt pomiarowy { $contact }: jego dwa próbkowania różnią się o { $difference } mm, { $key } dopuszcza { $most } mm
@@ -116,9 +117,11 @@ check-below = { $what } { $measured } mm: poniżej minimum { $minimum } mm: { $s
 check-and = { $one }; { $other }
 found-centre-1 = zmierzony środek, oś 1
 found-centre-2 = zmierzony środek, oś 2
+found-centre-3 = zmierzony środek, oś 3
 found-diameter = zmierzona średnica
 found-centre-deviation-1 = odchyłka środka, oś 1
 found-centre-deviation-2 = odchyłka środka, oś 2
+found-centre-deviation-3 = odchyłka środka, oś 3
 found-diameter-deviation = odchyłka średnicy
 found-coordinate = zmierzona współrzędna
 found-coordinate-deviation = odchyłka współrzędnej

@@ -135,6 +135,8 @@ pub enum CycleError {
         /// The parameter of the second one.
         second: Key,
     },
+    /// Contacts that do not determine a sphere.
+    NoSphere,
     /// A measured rotation is to turn something.
     NoRotation {
         /// The parameter that asks for that.

@@ -6,9 +6,7 @@
 use super::edge_probing::{DIRECTION, Point, approach, axis};
 use super::nominal_cycle::{CLEARANCE_MODE, Findings, POINT_1, POINT_2, POINT_3, PRESET, REACTION, leave, ways};
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, SET_UP_CLEARANCE};
-use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Inputs, Log, Measured, Note, ResultName, Window,
-};
+use crate::probing::cycle::{Axis, Control, Course, Cycle, CycleError, Inputs, Log, Measured, ResultName, Window};
 use crate::probing::simulated::{Face, Surface};
 use crate::words::Dialogue::{De, En, It, Nl};
 
@@ -20,7 +18,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "1400",
     control: Control::Milling,
     names: &[(En, "POSITION PROBING"), (Nl, "TASTEN POSITIE"), (De, "ANTASTEN POSITION"), (It, "TASTATURA POSIZIONE")],
-    notes: &[Note::NotOnItnc530],
+    notes: &[],
     parameters: &[
         POINT_1,
         POINT_2,

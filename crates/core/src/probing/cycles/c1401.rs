@@ -10,7 +10,7 @@ use super::nominal_cycle::{
 };
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Inputs, Log, Meaning, Measured, Note, Parameter, Window,
+    Axis, Control, Course, Cycle, CycleError, Inputs, Log, Meaning, Measured, Parameter, Window,
 };
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -27,7 +27,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "1401",
     control: Control::Milling,
     names: &[(En, "CIRCLE PROBING"), (Nl, "TASTEN CIRKEL"), (De, "ANTASTEN KREIS"), (It, "TASTATURA CERCHIO")],
-    notes: &[Note::NotOnItnc530],
+    notes: &[],
     parameters: &[
         CENTRE[0],
         CENTRE[1],

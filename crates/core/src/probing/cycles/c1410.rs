@@ -8,7 +8,7 @@ use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
-    Angle, Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Note, Parameter, ResultName,
+    Angle, Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, ResultName,
     ResultParameter, Value, Window,
 };
 use crate::probing::simulated::{Face, Surface};
@@ -23,7 +23,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "1410",
     control: Control::Milling,
     names: &[(En, "PROBING ON EDGE"), (Nl, "TASTEN KANT"), (De, "ANTASTEN KANTE"), (It, "TASTATURA SPIGOLO")],
-    notes: &[Note::NotOnItnc530],
+    notes: &[],
     parameters: &[
         POINT_1,
         POINT_2,

@@ -14,6 +14,7 @@
 //! | `nominal_cycle` | what cycles 14xx share |
 //! | `edge_probing` | the points of 1400 and 1410 |
 //! | `round` | the circle through contacts |
+//! | `sphere` | the sphere through contacts |
 //! | `judged` | sizes and centres against their limits |
 //! | `probed` | the clearance before a surface, the point where the ball met the surface, and along which axis |
 //! | `c408` | 408, datum at the centre line of a slot |
@@ -35,6 +36,7 @@
 //! | `g785` | G785 of lathe controls, circle measurement |
 //! | `c1400` | 1400, position probing |
 //! | `c1401` | 1401, circle probing |
+//! | `c1402` | 1402, sphere probing |
 //! | `c1410` | 1410, probing on edge |
 //!
 //! To add a cycle:
@@ -60,6 +62,7 @@
 
 mod c1400;
 mod c1401;
+mod c1402;
 mod c1410;
 mod c408;
 mod c409;
@@ -89,6 +92,7 @@ mod probed;
 mod rectangle_cycle;
 mod rectangle_datum_cycle;
 mod round;
+mod sphere;
 mod walls_probing;
 mod width_cycle;
 mod width_datum_cycle;
@@ -117,6 +121,7 @@ pub const CYCLES: &[&Cycle] = &[
     &c419::CYCLE,
     &c1400::CYCLE,
     &c1401::CYCLE,
+    &c1402::CYCLE,
     &c1410::CYCLE,
 ];
 

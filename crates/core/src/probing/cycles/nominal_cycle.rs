@@ -146,7 +146,13 @@ impl Findings {
     }
 
     /// A coordinate of a centre: a wrong position is scrap.
-    fn centre(&mut self, axis: Axis, (nominal, measured): (Nominal, Length), at: [u16; 2], names: [ResultName; 2]) {
+    pub(super) fn centre(
+        &mut self,
+        axis: Axis,
+        (nominal, measured): (Nominal, Length),
+        at: [u16; 2],
+        names: [ResultName; 2],
+    ) {
         self.add((nominal, measured), at, names, judged::place(names[0], measured, nominal.limits()));
         self.correct(axis, nominal, measured);
     }
@@ -202,16 +208,7 @@ impl NominalCircle {
     /// Refuses what is not defined, before anything is probed.
     pub(super) fn check(&self, inputs: &Inputs) -> Result<(), CycleError> {
         not_measured(&self.height, inputs)?;
-        let (key, name) = (self.diameter.key, self.diameter.called());
-        let nominal = inputs.nominal(key);
-        if nominal.target() == Length::ZERO {
-            return Err(CycleError::NoDiameter { key, name });
-        }
-        if nominal.feature().is_some_and(|feature| feature != self.feature) {
-            let given = nominal.to_string();
-            return Err(CycleError::OtherFeature { key, name, given, geometry: GEOMETRY.key });
-        }
-        Ok(())
+        of_feature(&self.diameter, self.feature, GEOMETRY.key, inputs)
     }
 
     /// Makes the contacts and finds the circle through them.
@@ -253,16 +250,30 @@ impl NominalCircle {
     }
 }
 
+/// Refuses a diameter of zero, and a class of the other feature.
+pub(super) fn of_feature(
+    diameter: &Parameter,
+    feature: Feature,
+    geometry: Key,
+    inputs: &Inputs,
+) -> Result<(), CycleError> {
+    let (key, name, nominal) = (diameter.key, diameter.called(), inputs.nominal(diameter.key));
+    if nominal.target() == Length::ZERO {
+        return Err(CycleError::NoDiameter { key, name });
+    }
+    if nominal.feature().is_some_and(|class| class != feature) {
+        return Err(CycleError::OtherFeature { key, name, given: nominal.to_string(), geometry });
+    }
+    Ok(())
+}
+
 /// Refuses a tolerance for a value that the cycle does not measure.
 pub(super) fn not_measured(parameter: &Parameter, inputs: &Inputs) -> Result<(), CycleError> {
     let nominal = inputs.nominal(parameter.key);
-    match nominal.limits() {
-        None => Ok(()),
-        Some(_) => {
-            let (key, name, given) = (parameter.key, parameter.called(), nominal.to_string());
-            Err(CycleError::NotMeasured { key, name, given })
-        }
+    if nominal.limits().is_none() {
+        return Ok(());
     }
+    Err(CycleError::NotMeasured { key: parameter.key, name: parameter.called(), given: nominal.to_string() })
 }
 
 /// The ways to the first contact and to the others, as Q1125 says.
@@ -282,7 +293,7 @@ pub(super) fn leave(inputs: &Inputs, course: &mut Course<'_>) {
 }
 
 /// The angles of the contacts: Q423 of them from Q325 over Q1119, whose last one would be the first again where that is a full turn.
-fn angles(inputs: &Inputs) -> impl Iterator<Item = Angle> {
+pub(super) fn angles(inputs: &Inputs) -> impl Iterator<Item = Angle> {
     let count = u8::try_from(inputs.whole(COUNT.key)).unwrap_or(3);
     let arc = inputs.angle(ARC.key);
     let is_full = arc.ten_thousandths().abs() == FULL_TURN.ten_thousandths();

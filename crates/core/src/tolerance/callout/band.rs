@@ -91,17 +91,17 @@ impl<'a> Reader<'a> {
         if size.plus && matches!(pair, Pair::One(_)) {
             return Err(self.no_nominal(size.place));
         }
-        self.between(pair)
+        self.between(&pair)
     }
 
     /// The same with something behind them.
     pub(super) fn deviations(&mut self) -> Result<Deviations, CalloutError> {
         self.scanner.skip_blanks();
         let pair = self.pair()?;
-        self.between(pair)
+        self.between(&pair)
     }
 
-    fn between(&self, pair: Pair<'a>) -> Result<Deviations, CalloutError> {
+    fn between(&self, pair: &Pair<'a>) -> Result<Deviations, CalloutError> {
         let (one, other) = match pair {
             Pair::Around(one) => (one.value, one.value.negated()),
             Pair::One(only) if only.value == Length::ZERO => {
