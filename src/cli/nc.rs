@@ -49,6 +49,9 @@ of a callout without a class, such as 35 +0.2/0 or 10m, stand in the main progra
 the limits alone: a rule, an uncertainty or a material of the plan is named in a remark and in
 README.TXT. A plan that names a cycle or parameters is refused.
 
+With --tolerance-texts a TNC7 judges diameters itself, by ISO 286 and the text of its cycle; the
+tables then serve the window. A set whose limits are not those of the text is refused.
+
 A name that ends in .zip becomes one file, any other a folder. Existing files are kept:
 --force overwrites them.
 
@@ -90,6 +93,9 @@ pub(super) struct Args {
     /// Also write the plan as a simulated workpiece for fitcheck run, with every feature in the middle of its zone
     #[arg(long, value_name = "FILE.toml")]
     workpiece_out: Option<PathBuf>,
+    /// Measure holes and shafts by the cycle of a TNC7 that takes the tolerance as a text, such as 25H7
+    #[arg(long)]
+    tolerance_texts: bool,
     /// Overwrite existing files
     #[arg(long)]
     force: bool,
@@ -173,7 +179,7 @@ impl Args {
     }
 
     fn target(&self) -> Result<Target, CliError> {
-        let usual = Target::new(self.control, self.language);
+        let usual = Target { by_text: self.tolerance_texts, ..Target::new(self.control, self.language) };
         let Some(folder) = &self.folder else { return Ok(usual) };
         let folder: ControlFolder = folder.parse().said()?;
         Ok(Target { folder, ..usual })

@@ -333,22 +333,46 @@ pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
 
 /// Where the zero of a datum is and how its axes lie, each with the block that has set it.
 pub(super) fn datum_lines(words: &Words, datum: &DatumKept) -> Vec<String> {
-    let [x, y, z] = datum.zero.map(|axis| words.mm(axis, 3));
-    let of_block = |said: Message, block: &BlockKept| said.text("line", block.line).text("block", &block.text);
-    let zero = |id: &'static str| Message::new(id).text("x", &x).text("y", &y).text("z", &z);
-    let angle = |degrees: f64| words.number(&Angle::nearest(degrees).to_string().replace('°', ""));
-    let set = match &datum.set_by {
-        Some(block) => of_block(zero("records-page-datum-set"), block),
-        None => zero("records-page-datum-at"),
+    let set = if datum.set_by.is_some() { "records-page-datum-set" } else { "records-page-datum-at" };
+    let ids = [set, "records-page-datum-rotation", "records-page-datum-tilt"];
+    let of_block = |(said, block): (Message, Option<&BlockKept>)| match block {
+        Some(block) => words.say(&said.text("line", block.line).text("block", &block.text)),
+        None => words.say(&said),
     };
+    datum_said(words, datum, ids).into_iter().map(of_block).collect()
+}
+
+/// The same in one line, with the line of each block.
+pub(super) fn datum_text(words: &Words, datum: &DatumKept) -> String {
+    let with_line = |(said, block): (Message, Option<&BlockKept>)| match block {
+        Some(block) => {
+            let line = words.say(&message!("rows-row-line").text("line", block.line));
+            format!("{} ({line})", words.say(&said))
+        }
+        None => words.say(&said),
+    };
+    let ids = ["program-page-zero", "program-page-turned", "program-page-tilted"];
+    datum_said(words, datum, ids).into_iter().map(with_line).collect::<Vec<_>>().join(", ")
+}
+
+/// Zero, rotation and tilt by the texts that say them, as far as there are any.
+fn datum_said<'a>(
+    words: &Words,
+    datum: &'a DatumKept,
+    [zero, rotation, tilt]: [&'static str; 3],
+) -> Vec<(Message, Option<&'a BlockKept>)> {
+    let [x, y, z] = datum.zero.map(|axis| words.mm(axis, 3));
+    let zero = Message::new(zero).text("x", x).text("y", y).text("z", z);
+    let angle = |degrees: f64| words.number(&Angle::nearest(degrees).to_string().replace('°', ""));
     let rotation = datum.rotation.as_ref().map(|(degrees, block)| {
-        of_block(message!("records-page-datum-rotation").text("angle", angle(*degrees)), block)
+        let said = Message::new(rotation).text("angle", angle(*degrees));
+        (said, Some(block))
     });
     let tilt = datum.tilt.as_ref().map(|(angles, block)| {
         let [a, b, c] = angles.map(angle);
-        of_block(message!("records-page-datum-tilt").text("a", a).text("b", b).text("c", c), block)
+        (Message::new(tilt).text("a", a).text("b", b).text("c", c), Some(block))
     });
-    [Some(set), rotation, tilt].into_iter().flatten().map(|said| words.say(&said)).collect()
+    [Some((zero, datum.set_by.as_ref())), rotation, tilt].into_iter().flatten().collect()
 }
 
 /// A doubt about a measured value as a sentence of its own.

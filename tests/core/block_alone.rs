@@ -198,3 +198,19 @@ fn a_lone_block_stays_quiet() {
         quiet("G785", text);
     }
 }
+
+#[test]
+fn a_preset_that_a_cycle_corrects_is_told() {
+    let before = |correction: &str| {
+        let circle =
+            "TCH PROBE 1401 CIRCLE PROBING ~\nQS1100=\"+10\" ~\nQS1101=\"+20\" ~\nQS1102=\"-5\" ~\nQS1116=\"25H7\" ~\n";
+        format!("{circle}Q1120={correction}\n")
+    };
+    for (correction, wanted) in [("+0", 0), ("+1", 14), ("+Q5", 14)] {
+        let folder = tempfile::tempdir().unwrap();
+        fitcheck::files::write(&folder.path().join("a.h"), around(&before(correction), "").as_bytes()).unwrap();
+        let (code, err) = within(folder.path(), &["cycle", "421", "--block", "a.h", "--at", "9"]);
+        assert_eq!(code, wanted, "{correction}: {err}");
+        assert_eq!(err.contains("line 3: TCH PROBE 1401"), wanted == 14, "{correction}: {err}");
+    }
+}

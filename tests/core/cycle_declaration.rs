@@ -9,7 +9,7 @@ use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
 use fitcheck::probing::{Contact, Recorded};
 use fitcheck::shipped;
-use fitcheck::tolerance::{Deviations, Feature};
+use fitcheck::tolerance::{Deviations, Feature, Nominal};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Dialogue, Language, Words};
 
@@ -21,6 +21,9 @@ fn usual(parameter: &Parameter) -> Value {
             length("0")
         }
         Range::Length { .. } => length("25"),
+        // The second point of an edge lies elsewhere.
+        Range::Nominal { .. } if parameter.name.starts_with("2ND") => nominal("0"),
+        Range::Nominal { .. } => nominal("25"),
         Range::Angle { .. } => Value::Angle(Angle::from_degrees(60)),
         Range::OneOf(allowed) => Value::Whole(allowed[0]),
         Range::Count { .. } => Value::Whole(0),
@@ -39,6 +42,10 @@ fn length(text: &str) -> Value {
     Value::Length(text.parse().unwrap())
 }
 
+fn nominal(text: &str) -> Value {
+    Value::Nominal(text.parse().unwrap())
+}
+
 /// Runs a cycle that can make no contact: only what comes before probing matters.
 fn error(cycle: &Cycle, inputs: &Inputs) -> CycleError {
     cycle.measure(inputs, &mut Recorded::new(Vec::new())).unwrap_err()
@@ -49,9 +56,10 @@ fn accepted(cycle: &Cycle, parameter: &Parameter, value: &Value) {
     match error(cycle, &asked(cycle).with(parameter.key, value.clone())) {
         // A row of a table needs to be told which table.
         CycleError::NoContact(_) | CycleError::LimitsSwapped { .. } | CycleError::NoTransfer { .. } => {}
+        CycleError::NoRotation { key, .. } => assert_eq!(key, parameter.key),
         // The control's range begins at 0, but that of a circle, a path and a normal does not.
         CycleError::NoDiameter { key, .. } | CycleError::NoPath { key, .. } => {
-            assert_eq!((key, value), (parameter.key, &Value::Length(Length::ZERO)));
+            assert_eq!((key, value.length()), (parameter.key, Some(Length::ZERO)));
         }
         error => panic!("{} = {value}: {error}", parameter.key),
     }
@@ -74,6 +82,11 @@ fn bounds(range: Range) -> (Vec<Value>, Vec<Value>) {
     match range {
         Range::Length { least, most } => {
             (vec![Value::Length(least), Value::Length(most)], vec![beside(least, -1), beside(most, 1)])
+        }
+        Range::Nominal { least, most } => {
+            let plain = |length: Length| Value::Nominal(Nominal::of(length));
+            let nm = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
+            (vec![plain(least), plain(most)], vec![plain(nm(least, -1)), plain(nm(most, 1))])
         }
         Range::Angle { most, smallest } => {
             let mut outside = vec![turned(most, "", 1), turned(most, "-", 1)];
@@ -298,6 +311,38 @@ const OF_426: &[Documented] = &[
     ("Q330", TOOL, false),
 ];
 
+/// 1400 and 1410, remembered: the points, what they have in common, and the rest.
+fn of_1400(points: &[&'static str], rest: &[&'static str]) -> Vec<Documented> {
+    let common = ["Q320", "Q260", "Q1125", "Q309"];
+    let documented = |key: &&'static str| match *key {
+        key @ "Q372" => (key, "-3, -2, -1, 1, 2, 3", false),
+        key @ "Q320" => (key, SIZE, true),
+        key @ "Q260" => (key, COORDINATE, true),
+        key @ "Q1125" => (key, "-1, 0, 1, 2", false),
+        key @ "Q1120" => (key, "0, 1", false),
+        key @ ("Q309" | "Q1121" | "Q1126") => (key, "0, 1, 2", false),
+        key => (key, COORDINATE, false),
+    };
+    points.iter().chain(&common).chain(rest).map(documented).collect()
+}
+
+/// Remembered, in the order of the sample.
+const OF_1401: &[Documented] = &[
+    ("QS1100", COORDINATE, false),
+    ("QS1101", COORDINATE, false),
+    ("QS1102", COORDINATE, false),
+    ("QS1116", SIZE, false),
+    ("Q1115", "0, 1", false),
+    ("Q423", "3, 4, 5, 6, 7, 8, 9", false),
+    ("Q325", "-360 … 360", false),
+    ("Q1119", "±1 … ±360", false),
+    ("Q320", SIZE, true),
+    ("Q260", COORDINATE, true),
+    ("Q1125", "-1, 0, 1, 2", false),
+    ("Q309", "0, 1, 2", false),
+    ("Q1120", "0, 1", false),
+];
+
 /// Manual CNC PILOT 640 gives no ranges except those of the choices.
 const OF_785: &[Documented] = &[
     ("R", "0, 1, 2", false),
@@ -357,6 +402,23 @@ fn the_ranges_are_those_of_the_manuals() {
         ("426", OF_426.to_vec()),
         ("427", OF_427.to_vec()),
         ("444", OF_444.to_vec()),
+        ("1400", of_1400(&["QS1100", "QS1101", "QS1102", "Q372"], &["Q1120"])),
+        ("1401", OF_1401.to_vec()),
+        ("1402", OF_1401.iter().copied().filter(|(key, ..)| *key != "Q1115").collect()),
+        (
+            "1410",
+            of_1400(
+                &["QS1100", "QS1101", "QS1102", "QS1103", "QS1104", "QS1105", "Q372"],
+                &["Q1126", "Q1120", "Q1121"],
+            )
+            .into_iter()
+            .map(|(key, range, predef)| match key {
+                "Q372" => (key, "-2, -1, 1, 2", predef),
+                "Q1120" => (key, "0, 1, 2, 3", predef),
+                _ => (key, range, predef),
+            })
+            .collect(),
+        ),
         ("G785", OF_785.to_vec()),
         (
             "408",
@@ -398,6 +460,7 @@ fn a_value_of_another_kind_is_refused_for_every_parameter() {
         Value::Number(1.0),
         Value::Text("T5".to_owned()),
         Value::Band(None),
+        nominal("25H7"),
     ];
     for cycle in CYCLES {
         for parameter in cycle.parameters {
@@ -408,6 +471,7 @@ fn a_value_of_another_kind_is_refused_for_every_parameter() {
                 Range::Number { .. } => &[3],
                 Range::Tool => &[3, 4],
                 Range::Band => &[5],
+                Range::Nominal { .. } => &[6],
             };
             let others = (0..).zip(&values).filter(|(kind, _)| !wanted.contains(kind));
             others.for_each(|(_, value)| refused(cycle, parameter, value));
@@ -569,6 +633,12 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
         CycleError::NoDiameter { key, name },
         CycleError::NoPath { key, name },
         CycleError::NoTransfer { key, row_key: key, row: 5 },
+        CycleError::OtherFeature { key, name, given: "25h7".to_owned(), geometry: key },
+        CycleError::NotMeasured { key, name, given: "25H7".to_owned() },
+        CycleError::NoEdge { first: key, second: key },
+        CycleError::NoSphere,
+        CycleError::NoRotation { key, name },
+        CycleError::InchTolerance { key, name, given: "25H7".to_owned() },
         CycleError::NoNormal { first: key, second: key, third: key },
         CycleError::NoSuchParameter { cycle: "427", parameter: "Q1".to_owned(), known: "Q263".to_owned() },
         CycleError::LimitsSwapped { minimum_key: key, minimum: mm("2"), maximum_key: key, maximum: mm("1") },

@@ -86,6 +86,7 @@ mod nc_paths;
 mod nc_plans;
 mod nc_sets;
 mod neutral;
+mod nominal_cycles;
 mod option_doubts;
 mod own_columns;
 mod own_texts;

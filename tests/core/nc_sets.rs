@@ -128,8 +128,15 @@ fn check(
     language: Dialogue,
     sources: &Sources,
 ) -> Vec<Status> {
+    check_for(&Target::new(control, language), features, diameters, sources)
+}
+
+/// The same for a target.
+#[track_caller]
+fn check_for(target: &Target, features: &[DraftFeature], diameters: &[Length], sources: &Sources) -> Vec<Status> {
+    let (control, language) = (target.control, target.language);
     let plan = of_rows(features, sources);
-    let set = NcSet::make(&plan, &Target::new(control, language), sources).unwrap();
+    let set = NcSet::make(&plan, target, sources).unwrap();
     let mut contacts = Vec::new();
     let mut expected = Vec::new();
     for (feature, &diameter) in plan.features().iter().zip(diameters) {
@@ -204,6 +211,62 @@ fn every_control_and_language_gives_the_native_verdicts() {
             assert_eq!([Status::Good, Status::Rework, Status::Scrap].map(count), [7, 7, 7]);
         }
     }
+}
+
+/// A set for TNC7 whose cycle takes the tolerance as a text.
+fn by_text(language: Dialogue) -> Target {
+    Target { by_text: true, ..Target::new(Control::Tnc7, language) }
+}
+
+#[test]
+fn the_cycle_with_the_tolerance_as_a_text_gives_the_native_verdicts() {
+    let sources = Sources::default();
+    let features = plan();
+    let all: Vec<Limits> = features.iter().map(|row| limits(row, &sources)).collect();
+    for language in Dialogue::ALL {
+        for (off, statuses) in [(-1, [0, 5, 2]), (0, [7, 0, 0])] {
+            let size = |limits: &Limits| Length::from_nanometres(limits.minimum().nanometres() + off).unwrap();
+            let diameters: Vec<Length> = all.iter().map(size).collect();
+            let found = check_for(&by_text(language), &features, &diameters, &sources);
+            let count = |status| found.iter().filter(|given| **given == status).count();
+            assert_eq!([Status::Good, Status::Rework, Status::Scrap].map(count), statuses, "{language} {off}");
+        }
+    }
+    let set = NcSet::make(&of_rows(&features, &sources), &by_text(Dialogue::En), &sources).unwrap();
+    let program = text_of(&set, 1);
+    assert!(program.contains("TCH PROBE 1401 CIRCLE PROBING ~\r\n    Q1100=+Q11"), "{program}");
+    assert_eq!([program.matches("QS1116=QS9 ").count(), program.matches("Q1115=+1 ").count()], [2, 1]);
+    assert!(!program.contains("TCH PROBE 421") && !program.contains("Q180"), "{program}");
+    let page = text_of(&set, 5);
+    assert!(page.contains("cycle 1401 with size and tolerance as a text") && !page.contains("recommends cycle 1401"));
+}
+
+#[test]
+fn deviations_are_a_text_of_the_cycle_and_other_controls_have_none() {
+    let sources = Sources::default();
+    let rows = |feature| {
+        let text = format!("callout;feature;x;y;z\n35 +0.2/0;{feature};40;30;-8\n12 ±0.02;{feature};90;30;-8\n");
+        crate::plans::plan(&text)
+    };
+    for (feature, above) in [("hole", Status::Scrap), ("shaft", Status::Rework)] {
+        let plan = rows(feature);
+        let set = NcSet::make(&plan, &by_text(Dialogue::En), &sources).unwrap();
+        assert!(text_of(&set, 0).contains("QS1 = \"+0.2-0\"") && text_of(&set, 0).contains("QS1 = \"+0.02-0.02\""));
+        for (size, status) in [("35.2", Status::Good), ("35.200001", above)] {
+            let round = |x: f64, size: &str| {
+                let feature = if feature == "hole" { "bore" } else { "stud" };
+                format!("[[feature]]\nname = \"A{x}\"\nkind = \"{feature}\"\ncentre = [{x}, 30]\ndiameter = {size}\n")
+            };
+            let part = round(40.0, size) + &round(90.0, "12");
+            let part = fitcheck::probing::simulated::Part::read(&part).unwrap();
+            let machine = run(&set, Control::Tnc7, Dialogue::En, Contacts::Workpiece(part));
+            assert_eq!(machine.cycles()[0].result.status, Some(status), "{feature} {size}");
+            assert_eq!(machine.cycles()[1].result.status, Some(Status::Good));
+        }
+    }
+    let other = Target { by_text: true, ..Target::new(Control::Tnc640, Dialogue::En) };
+    let error = NcSet::make(&rows("hole"), &other, &sources).unwrap_err().to_string();
+    assert_eq!(error, "a set with tolerance texts is possible for TNC7 only, not for TNC 620 / TNC 640");
 }
 
 #[test]

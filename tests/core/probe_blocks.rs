@@ -6,7 +6,7 @@ use fitcheck::message::Say as _;
 use fitcheck::probing::Recorded;
 use fitcheck::probing::cycle::{Angle, Cycle, CycleError, Inputs, Key, Parameter, Range, Unset, Value};
 use fitcheck::probing::cycles::{CYCLES, cycle_named};
-use fitcheck::tolerance::Deviations;
+use fitcheck::tolerance::{Deviations, Nominal};
 use fitcheck::words::{Dialogue, Language, Words};
 use proptest::prelude::*;
 
@@ -258,6 +258,16 @@ fn value(parameter: &'static Parameter) -> BoxedStrategy<Value> {
     let length = |nm: i64| Value::Length(Length::from_nanometres(nm).unwrap());
     let plain = match parameter.range {
         Range::Length { least, most } => (least.nanometres()..=most.nanometres()).prop_map(length).boxed(),
+        Range::Nominal { least, most } => {
+            let plain = |nm: i64| Nominal::of(Length::from_nanometres(nm).unwrap());
+            let texts = ["25H7", "10m", "10+0.01-0.015", "8-1-2"].map(|text| text.parse().unwrap());
+            prop_oneof![
+                (least.nanometres()..=most.nanometres()).prop_map(plain),
+                proptest::sample::select(texts.to_vec())
+            ]
+            .prop_map(Value::Nominal)
+            .boxed()
+        }
         Range::Angle { most, smallest } => {
             let sizes = smallest.ten_thousandths()..=most.ten_thousandths();
             let angle = |(size, sign): (i64, &str)| {

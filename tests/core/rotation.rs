@@ -78,7 +78,11 @@ fn an_edge_along_the_minor_axis_is_turned_against_that_axis() {
     // Less the preset angle.
     let (machine, _) = run(&format!("{}\nFN 18: SYSREAD Q1 = ID210 NR1", line(400, " ~\nQ307=-0.5")), part());
     check(&machine, &[(1, 0.2135), (150, -0.2865)]);
-    refused(&line(420, "").replace("Q266=-10", "Q266=+10"), part(), "both points are at one place along the line");
+    refused(
+        &line(420, "").replace("Q266=-10", "Q266=+10"),
+        part(),
+        "Q264 and Q266 are the same: an edge needs two points along it",
+    );
     refused(&line(400, "").replace("Q272=+1", "Q272=+3"), part(), "Q272");
 }
 
@@ -241,10 +245,11 @@ proptest! {
     fn a_part_that_was_aligned_is_judged_as_one_that_lies_straight(
         degrees in -3.0..3.0_f64,
         lies in prop::array::uniform2(-0.8..0.8_f64),
-        diameter in 119_900..120_300_i32,
-        off in prop::array::uniform2(-700..700_i32),
+        half_diameter in 59_950..60_150_i32,
+        half_off in prop::array::uniform2(-350..350_i32),
     ) {
-        let ten_thousandths = |value: i32| f64::from(value) / 10_000.0;
+        // No value is at a limit: the datum is a whole number of nanometres, and so the place of the hole is one more or less.
+        let ten_thousandths = |half: i32| f64::from(2 * half + 1) / 10_000.0;
         let [lies_x, lies_y] = lies;
         let on_part = |at: [f64; 2]| {
             let [x, y] = turned(at, degrees);
@@ -252,9 +257,9 @@ proptest! {
         };
         let [normal_x, normal_y] = turned([0.0, -1.0], degrees);
         let ([edge_x, edge_y], [hole_x, hole_y]) = (on_part([0.0, -60.0]), on_part([0.0, 0.0]));
-        let [off_x, off_y] = off.map(ten_thousandths);
+        let [off_x, off_y] = half_off.map(ten_thousandths);
         let [x, y] = on_part([80.0 + off_x, 40.0 + off_y]);
-        let diameter = ten_thousandths(diameter);
+        let diameter = ten_thousandths(half_diameter);
         let text = format!(
             "[[feature]]\nname = \"E\"\nkind = \"face\"\npoint = [{edge_x}, {edge_y}, -5]\nnormal = [{normal_x}, {normal_y}, 0]\nreach = 300\n\
              [[feature]]\nname = \"H\"\nkind = \"bore\"\ncentre = [{hole_x}, {hole_y}]\ndiameter = 25.01\nbottom = -20\n\
@@ -275,4 +280,20 @@ proptest! {
             prop_assert!(found.saturating_sub(right).abs().nanometres() <= 2, "Q{}: {} for {}", key, found, right);
         }
     }
+}
+
+#[test]
+fn the_edge_of_1410_turns_the_system_on() {
+    let part = || part(1.0, turned([0.0, -60.0], 1.0), turned([0.3, 0.2], 1.0));
+    let edge = "TCH PROBE 1410 PROBING ON EDGE ~\nQS1100=\"-40\" ~\nQS1101=\"-60\" ~\nQS1102=\"-5\" ~\nQS1103=\"+40\" ~\nQS1104=\"-60\" ~\nQS1105=\"-5\" ~\n\
+                Q372=+2 ~\nQ320=+2 ~\nQ260=+15 ~\nQ1125=+1 ~\nQ309=+0 ~\nQ1126=+0 ~\nQ1120=+0 ~\nQ1121=+1";
+    let read = "FN 18: SYSREAD Q1 = ID210 NR1";
+    let (machine, fault) = run(&format!("{edge}\n{read}"), part());
+    assert_eq!(fault, None);
+    check(&machine, &[(964, 1.0), (1, 1.0)]);
+    // It measures in the rotation that is there, and adds to it; 421 ends it.
+    let (machine, fault) =
+        run(&format!("{edge}\nQ2 = Q964\n{edge}\n{read}\n{MEASURE}\nFN 18: SYSREAD Q3 = ID210 NR1"), part());
+    assert_eq!(fault, None);
+    check(&machine, &[(2, 1.0), (964, 0.0), (1, 1.0), (3, 0.0)]);
 }

@@ -146,7 +146,7 @@ fn nothing_is_measured_behind_a_skipped_block_that_may_have_set_a_datum() {
     assert!(machine.cycles().is_empty() && machine.status().is_none());
     for block in [
         "TCH PROBE 401 ROT OF 2 HOLES",
-        "TCH PROBE 1410 PROBING ON EDGE",
+        "TCH PROBE 1420 PROBING IN PLANE",
         "TCH PROBE 550 OF THE BUILDER",
         "CYCL DEF 550 OF THE BUILDER ~\nQ1=+1",
         "CYCL DEF 392 OF THE BUILDER ~\nQ1=+1",

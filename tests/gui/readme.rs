@@ -161,8 +161,8 @@ fn the_operators_window_on_three_panels_in_four_languages() {
 }
 
 /// A whole program with what it measures, run to its end.
-fn program(name: &str, program: &str, (kind, measured): (CycleFile, &str)) {
-    taken(name, Theme::Light, DESK, |window| {
+fn program(name: &str, size: Vec2, program: &str, (kind, measured): (CycleFile, &str)) {
+    taken(name, Theme::Light, size, |window| {
         let file = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples").join(name);
         send(window, FilesCommand::Open(Purpose::OpenProgram, file(program)));
         send(window, Command::OpenPage(Page::Program));
@@ -177,17 +177,17 @@ fn program(name: &str, program: &str, (kind, measured): (CycleFile, &str)) {
 
 #[test]
 fn a_plate_is_milled_measured_and_reworked() {
-    program("program_plate", "plate_fit.h", (CycleFile::Contacts, "plate_fit.csv"));
+    program("program_plate", DESK, "plate_fit.h", (CycleFile::Contacts, "plate_fit.csv"));
 }
 
 #[test]
 fn a_flange_is_turned_and_measured() {
-    program("program_flange", "flange_fit.nc", (CycleFile::Contacts, "flange_fit.csv"));
+    program("program_flange", DESK, "flange_fit.nc", (CycleFile::Contacts, "flange_fit.csv"));
 }
 
 #[test]
 fn a_part_as_it_was_clamped_is_aligned_and_measured() {
-    program("program_datum", "clamped_fit.h", (CycleFile::Workpiece, "clamped_fit.toml"));
+    program("program_datum", vec2(1600.0, 1000.0), "clamped_fit.h", (CycleFile::Workpiece, "clamped_fit.toml"));
 }
 
 /// Pictures of the documents that other tests take, too.

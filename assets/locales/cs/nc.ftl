@@ -5,6 +5,7 @@ nc-name = název { $name }: dovolena jsou písmena A až Z, číslice a _, nejv�
 nc-not-on-control = { $kind } se měří cyklem { $cycle }, který { $control } nemá
 ## Sets
 nc-folder = { $folder } není složka pro programy: pište TNC:\ a pak názvy z písmen, číslic, _ a -, oddělené \
+nc-no-texts = sada s texty tolerancí je možná jen pro TNC7, ne pro { $control }
 nc-reads-otherwise = { $file } nelze zapsat tak, aby se zpět přečetl stejně
 nc-proof = sada neprošla zkušebním během a nebyla zapsána: { $reason }
 nc-proof-no-end = program nekončí

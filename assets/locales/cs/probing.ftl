@@ -95,8 +95,13 @@ cycle-value-no-tolerance = bez tolerance
 cycle-no-global = { $key } { $name } = PREDEF: žádné GLOBAL DEF neudává hodnotu
 cycle-no-path = { $key } { $name } = 0 mm: dráha snímání potřebuje délku; její znaménko udává směr
 cycle-no-transfer = { $row-key } = { $row } při { $key } = -1: není uvedeno, ve které tabulce ten řádek je; { $key } musí být 0 nebo 1 (řídicí systém hlásí chybu 1078)
+cycle-other-feature = { $key } { $name } = { $given }: třída neodpovídá { $geometry }: velká písmena platí pro díru, malá pro čep
+cycle-not-measured = { $key } { $name } = { $given }: cyklus tuto hodnotu neměří: zapište ji bez tolerance
+cycle-inch-tolerance = { $key } { $name } = { $given }: v programu v palcích není jednotka tolerance známa: napište program v mm, nebo číslo bez tolerance
+cycle-no-edge = { $first } a { $second } jsou stejné: hrana potřebuje dva body podél sebe
+cycle-no-sphere = body dotyku neurčují kouli
+cycle-no-rotation = { $key } { $name }: Fitcheck sleduje jen základní natočení (Q1121 = 1), a to bez korekce (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } a { $third } jsou všechny 0: normála potřebuje směr
-cycle-no-line = oba body leží na přímce na stejném místě: úhel potřebuje dvě různá místa
 cycle-apart = bod dotyku { $contact }: jeho dvě snímání leží { $difference } mm od sebe, { $key } dovoluje { $most } mm
 cycle-too-far = naměřená souřadnice je příliš velká: { $error }
 cycle-stop = zastavení programu podle Q309 = { $setting }: { $out }
@@ -106,9 +111,11 @@ check-below = { $what } { $measured } mm je pod minimem { $minimum } mm: { $stat
 check-and = { $one }; { $other }
 found-centre-1 = naměřený střed, 1. osa
 found-centre-2 = naměřený střed, 2. osa
+found-centre-3 = naměřený střed, 3. osa
 found-diameter = naměřený průměr
 found-centre-deviation-1 = úchylka středu, 1. osa
 found-centre-deviation-2 = úchylka středu, 2. osa
+found-centre-deviation-3 = úchylka středu, 3. osa
 found-diameter-deviation = úchylka průměru
 found-coordinate = naměřená souřadnice
 found-coordinate-deviation = úchylka souřadnice
@@ -120,6 +127,13 @@ found-deviation-1 = úchylka, 1. osa
 found-deviation-2 = úchylka, 2. osa
 found-deviation-3 = úchylka, 3. osa
 found-deviation-along = úchylka ve směru normály
+found-second-position-1 = 2. bod: naměřená poloha, 1. osa
+found-second-position-2 = 2. bod: naměřená poloha, 2. osa
+found-second-position-3 = 2. bod: naměřená poloha, 3. osa
+found-second-deviation-1 = 2. bod: úchylka, 1. osa
+found-second-deviation-2 = 2. bod: úchylka, 2. osa
+found-second-deviation-3 = 2. bod: úchylka, 3. osa
+found-rotation = naměřené natočení
 found-side-1 = naměřená délka, 1. strana
 found-side-2 = naměřená délka, 2. strana
 found-width = naměřená šířka
@@ -151,6 +165,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = úchylka zde nemá parametr: podle příručky ji řídicí systém ukládá, ale neuvádí kam
 remark-new-datum = nový vztažný bod, { $target }: { $axes } mm (naměřeno → žádáno)
 datum-target-display = ihned aktivní
+datum-target-active = korekce aktivního vztažného bodu
 datum-target-preset = řádek { $row } tabulky vztažných bodů
 datum-target-table = řádek { $row } tabulky nulových bodů
 remark-new-rotation = nové základní natočení { $angle }: { $target }

@@ -93,6 +93,9 @@ program-page-recorded = { $count ->
   } z { $name }
 program-page-path = Dráha sondy
 program-page-no-path = Zatím žádná dráha
+program-page-zero = Nula X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = natočeno o { $angle }°
+program-page-tilted = naklopeno A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = Program neotevřel žádné okno
 program-page-window = { $from }, { $mask }

@@ -18,6 +18,8 @@ class-malformed = { $text } není toleranční třída: pište písmena a stupe�
 
 ## Deviations and limits
 deviations-order = horní úchylka { $upper } mm je pod dolní úchylkou { $lower } mm
+nominal-by-operator = ? znamená, že sondu polohuje obsluha: zapište jmenovitou hodnotu bez tohoto znaku
+nominal-not-probed = @ znamená, že řízení nesnímá a převezme hodnotu za ním: nic by se nezměřilo
 source-choice-iso286 = ISO 286, všechny třídy do 3150 mm
 source-choice-control = Tabulky řídicího systému, 47 tříd do 400 mm
 source-choice-after-own = Vlastní tabulky, pak { $base }

@@ -94,8 +94,13 @@ cycle-value-no-tolerance = keine Toleranz
 cycle-no-global = { $key } { $name } = PREDEF: kein GLOBAL DEF gibt einen Wert
 cycle-no-path = { $key } { $name } = 0 mm: ein Antastweg braucht eine Länge; ihr Vorzeichen gibt die Richtung
 cycle-no-transfer = { $row-key } = { $row } bei { $key } = -1: es ist nicht angegeben, in welcher Tabelle die Zeile steht; { $key } muss 0 oder 1 sein (eine Steuerung meldet Fehler 1078)
+cycle-other-feature = { $key } { $name } = { $given }: die Klasse passt nicht zu { $geometry }: Großbuchstaben gelten für eine Bohrung, Kleinbuchstaben für einen Zapfen
+cycle-not-measured = { $key } { $name } = { $given }: der Zyklus misst diesen Wert nicht: schreiben Sie ihn ohne Toleranz
+cycle-inch-tolerance = { $key } { $name } = { $given }: in einem Programm in Zoll ist die Einheit einer Toleranz nicht bekannt: schreiben Sie ein Programm in mm oder die Zahl ohne Toleranz
+cycle-no-edge = { $first } und { $second } sind gleich: eine Kante braucht zwei Punkte in ihrer Richtung
+cycle-no-sphere = die Antastpunkte bestimmen keine Kugel
+cycle-no-rotation = { $key } { $name }: Fitcheck verfolgt nur eine Grunddrehung (Q1121 = 1), und diese ohne Korrektur (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } und { $third } sind alle 0: eine Normale braucht eine Richtung
-cycle-no-line = beide Punkte liegen auf der Geraden an derselben Stelle: ein Winkel braucht zwei verschiedene
 cycle-apart = Antastpunkt { $contact }: seine beiden Antastungen liegen { $difference } mm auseinander, { $key } erlaubt { $most } mm
 cycle-too-far = die gemessene Koordinate ist zu groß: { $error }
 cycle-stop = Programmstopp durch Q309 = { $setting }: { $out }
@@ -105,9 +110,11 @@ check-below = { $what } { $measured } mm liegt unter dem Mindestmaß { $minimum 
 check-and = { $one }; { $other }
 found-centre-1 = gemessene Mitte, 1. Achse
 found-centre-2 = gemessene Mitte, 2. Achse
+found-centre-3 = gemessene Mitte, 3. Achse
 found-diameter = gemessener Durchmesser
 found-centre-deviation-1 = Abweichung der Mitte, 1. Achse
 found-centre-deviation-2 = Abweichung der Mitte, 2. Achse
+found-centre-deviation-3 = Abweichung der Mitte, 3. Achse
 found-diameter-deviation = Abweichung des Durchmessers
 found-coordinate = gemessene Koordinate
 found-coordinate-deviation = Abweichung der Koordinate
@@ -119,6 +126,13 @@ found-deviation-1 = Abweichung, 1. Achse
 found-deviation-2 = Abweichung, 2. Achse
 found-deviation-3 = Abweichung, 3. Achse
 found-deviation-along = Abweichung entlang der Normalen
+found-second-position-1 = 2. Punkt: gemessene Position, 1. Achse
+found-second-position-2 = 2. Punkt: gemessene Position, 2. Achse
+found-second-position-3 = 2. Punkt: gemessene Position, 3. Achse
+found-second-deviation-1 = 2. Punkt: Abweichung, 1. Achse
+found-second-deviation-2 = 2. Punkt: Abweichung, 2. Achse
+found-second-deviation-3 = 2. Punkt: Abweichung, 3. Achse
+found-rotation = gemessene Drehung
 found-side-1 = gemessene Länge, 1. Seite
 found-side-2 = gemessene Länge, 2. Seite
 found-width = gemessene Breite
@@ -149,6 +163,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = die Abweichung hat hier keinen Parameter: laut Handbuch speichert eine Steuerung sie, aber nicht gesagt ist, in welchem
 remark-new-datum = neuer Bezugspunkt, { $target }: { $axes } mm (gemessen → gewünscht)
 datum-target-display = sofort aktiv
+datum-target-active = Korrektur des aktiven Bezugspunkts
 datum-target-preset = Zeile { $row } der Bezugspunkttabelle
 datum-target-table = Zeile { $row } der Nullpunkttabelle
 remark-new-rotation = neue Grunddrehung { $angle }: { $target }

@@ -91,6 +91,9 @@ program-page-recorded = { $count ->
   } aus { $name }
 program-page-path = Bahn des Tastsystems
 program-page-no-path = Noch keine Bahn
+program-page-zero = Nullpunkt X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = um { $angle }° gedreht
+program-page-tilted = geschwenkt A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = Das Programm hat kein Fenster geöffnet
 program-page-window = { $from }, { $mask }

@@ -18,6 +18,8 @@ class-malformed = { $text } ist keine Toleranzklasse: Buchstaben und einen Toler
 
 ## Grenzabmaße und Grenzmaße
 deviations-order = oberes Grenzabmaß { $upper } mm liegt unter dem unteren Grenzabmaß { $lower } mm
+nominal-by-operator = ? bedeutet, dass der Bediener den Taster positioniert: schreiben Sie den Sollwert ohne dieses Zeichen
+nominal-not-probed = @ bedeutet, dass die Steuerung nicht antastet und den Wert dahinter übernimmt: es würde nichts gemessen
 source-choice-iso286 = ISO 286, jede Klasse bis 3150 mm
 source-choice-control = Tabellen der Steuerung, 47 Klassen bis 400 mm
 source-choice-after-own = Eigene Tabellen, dann { $base }

@@ -5,6 +5,7 @@ nc-name = name { $name }: letters A to Z, digits and _ are allowed, at most { $m
 nc-not-on-control = a { $kind } is measured by cycle { $cycle }, which an { $control } does not have
 ## Sets
 nc-folder = { $folder } is not a folder for programs: write TNC:\ and then names of letters, digits, _ and -, separated by \
+nc-no-texts = a set with tolerance texts is possible for TNC7 only, not for { $control }
 nc-reads-otherwise = { $file } cannot be written so that it reads back the same
 nc-proof = the set failed its test run and was not written: { $reason }
 nc-proof-no-end = the program does not end

@@ -94,8 +94,13 @@ cycle-value-no-tolerance = no tolerance
 cycle-no-global = { $key } { $name } = PREDEF: no GLOBAL DEF gives a value
 cycle-no-path = { $key } { $name } = 0 mm: a probing path needs a length; its sign gives the direction
 cycle-no-transfer = { $row-key } = { $row } with { $key } = -1: it is not stated which table has that row; { $key } must be 0 or 1 (a control reports error 1078)
+cycle-other-feature = { $key } { $name } = { $given }: the class does not agree with { $geometry }: a class in capitals is for a hole, one in small letters for a stud
+cycle-not-measured = { $key } { $name } = { $given }: the cycle does not measure this value: write it without a tolerance
+cycle-inch-tolerance = { $key } { $name } = { $given }: in a program in inches the unit of a tolerance is not known: write a program in mm, or the number without a tolerance
+cycle-no-edge = { $first } and { $second } are the same: an edge needs two points along it
+cycle-no-sphere = the contacts do not determine a sphere
+cycle-no-rotation = { $key } { $name }: Fitcheck follows a basic rotation (Q1121 = 1) alone, and only without a correction (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } and { $third } are all 0: a normal needs a direction
-cycle-no-line = both points are at one place along the line: an angle needs two
 cycle-apart = contact { $contact }: its two probings lie { $difference } mm apart, { $key } permits { $most } mm
 cycle-too-far = the measured coordinate is too large: { $error }
 cycle-stop = program stop by Q309 = { $setting }: { $out }
@@ -105,9 +110,11 @@ check-below = { $what } { $measured } mm is below its minimum { $minimum } mm: {
 check-and = { $one }; { $other }
 found-centre-1 = measured centre, 1st axis
 found-centre-2 = measured centre, 2nd axis
+found-centre-3 = measured centre, 3rd axis
 found-diameter = measured diameter
 found-centre-deviation-1 = deviation of the centre, 1st axis
 found-centre-deviation-2 = deviation of the centre, 2nd axis
+found-centre-deviation-3 = deviation of the centre, 3rd axis
 found-diameter-deviation = deviation of the diameter
 found-coordinate = measured coordinate
 found-coordinate-deviation = deviation of the coordinate
@@ -119,6 +126,13 @@ found-deviation-1 = deviation, 1st axis
 found-deviation-2 = deviation, 2nd axis
 found-deviation-3 = deviation, 3rd axis
 found-deviation-along = deviation along the normal
+found-second-position-1 = 2nd point: measured position, 1st axis
+found-second-position-2 = 2nd point: measured position, 2nd axis
+found-second-position-3 = 2nd point: measured position, 3rd axis
+found-second-deviation-1 = 2nd point: deviation, 1st axis
+found-second-deviation-2 = 2nd point: deviation, 2nd axis
+found-second-deviation-3 = 2nd point: deviation, 3rd axis
+found-rotation = measured rotation
 found-side-1 = measured length, 1st side
 found-side-2 = measured length, 2nd side
 found-width = measured width
@@ -149,6 +163,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = the deviation has no parameter here: the manual says that a control stores it, but not in which one
 remark-new-datum = new datum, { $target }: { $axes } mm (measured → wanted)
 datum-target-display = active at once
+datum-target-active = correction of the active preset
 datum-target-preset = row { $row } of the preset table
 datum-target-table = row { $row } of the datum table
 remark-new-rotation = new basic rotation of { $angle }: { $target }

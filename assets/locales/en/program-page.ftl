@@ -91,6 +91,9 @@ program-page-recorded = { $count ->
   } from { $name }
 program-page-path = Path of the probe
 program-page-no-path = No path yet
+program-page-zero = Zero X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = turned by { $angle }°
+program-page-tilted = tilted A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = The program has opened no window
 program-page-window = { $from }, { $mask }

@@ -18,6 +18,8 @@ class-malformed = { $text } is not a tolerance class: write letters and a grade,
 
 ## Deviations and limits
 deviations-order = upper deviation { $upper } mm is below lower deviation { $lower } mm
+nominal-by-operator = ? means that the operator positions the probe: write the nominal value without it
+nominal-not-probed = @ means that the control does not probe and takes the value after it: nothing would be measured
 source-choice-iso286 = ISO 286, every class to 3150 mm
 source-choice-control = The control's tables, 47 classes to 400 mm
 source-choice-after-own = Own tables, then { $base }

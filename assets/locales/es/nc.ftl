@@ -5,6 +5,7 @@ nc-name = nombre { $name }: se admiten letras de la A a la Z, cifras y _, como m
 nc-not-on-control = { $kind }: se mide con el ciclo { $cycle }, que un { $control } no tiene
 ## Sets
 nc-folder = { $folder } no es una carpeta para programas: escriba TNC:\ y después nombres de letras, cifras, _ y -, separados por \
+nc-no-texts = un conjunto con textos de tolerancia solo es posible para TNC7, no para { $control }
 nc-reads-otherwise = { $file } no se puede escribir de modo que se lea igual
 nc-proof = el juego no superó su ejecución de prueba y no se escribió: { $reason }
 nc-proof-no-end = el programa no termina

@@ -94,8 +94,13 @@ cycle-value-no-tolerance = sin tolerancia
 cycle-no-global = { $key } { $name } = PREDEF: ningún GLOBAL DEF da un valor
 cycle-no-path = { $key } { $name } = 0 mm: un recorrido de palpación necesita una longitud; su signo da el sentido
 cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: no se indica en qué tabla está esa fila; { $key } debe ser 0 o 1 (un control muestra el error 1078)
+cycle-other-feature = { $key } { $name } = { $given }: la clase no concuerda con { $geometry }: las mayúsculas son para un agujero, las minúsculas para una isla
+cycle-not-measured = { $key } { $name } = { $given }: el ciclo no mide este valor: escríbalo sin tolerancia
+cycle-inch-tolerance = { $key } { $name } = { $given }: en un programa en pulgadas no se conoce la unidad de una tolerancia: escriba un programa en mm o el número sin tolerancia
+cycle-no-edge = { $first } y { $second } son iguales: una arista necesita dos puntos a lo largo de ella
+cycle-no-sphere = los puntos de palpación no determinan una esfera
+cycle-no-rotation = { $key } { $name }: Fitcheck solo sigue un giro básico (Q1121 = 1), y sin corrección (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } y { $third } son todos 0: una normal necesita una dirección
-cycle-no-line = los dos puntos están en el mismo lugar de la recta: un ángulo necesita dos distintos
 cycle-apart = punto de palpación { $contact }: sus dos palpaciones distan { $difference } mm, { $key } permite { $most } mm
 cycle-too-far = la coordenada medida es demasiado grande: { $error }
 cycle-stop = parada del programa por Q309 = { $setting }: { $out }
@@ -105,9 +110,11 @@ check-below = { $what } { $measured } mm no alcanza su mínimo { $minimum } mm: 
 check-and = { $one }; { $other }
 found-centre-1 = centro medido, 1.er eje
 found-centre-2 = centro medido, 2.º eje
+found-centre-3 = centro medido, 3.er eje
 found-diameter = diámetro medido
 found-centre-deviation-1 = desviación del centro, 1.er eje
 found-centre-deviation-2 = desviación del centro, 2.º eje
+found-centre-deviation-3 = desviación del centro, 3.er eje
 found-diameter-deviation = desviación del diámetro
 found-coordinate = coordenada medida
 found-coordinate-deviation = desviación de la coordenada
@@ -119,6 +126,13 @@ found-deviation-1 = desviación, 1.er eje
 found-deviation-2 = desviación, 2.º eje
 found-deviation-3 = desviación, 3.er eje
 found-deviation-along = desviación según la normal
+found-second-position-1 = 2.º punto: posición medida, 1.er eje
+found-second-position-2 = 2.º punto: posición medida, 2.º eje
+found-second-position-3 = 2.º punto: posición medida, 3.er eje
+found-second-deviation-1 = 2.º punto: desviación, 1.er eje
+found-second-deviation-2 = 2.º punto: desviación, 2.º eje
+found-second-deviation-3 = 2.º punto: desviación, 3.er eje
+found-rotation = rotación medida
 found-side-1 = longitud medida, 1.er lado
 found-side-2 = longitud medida, 2.º lado
 found-width = anchura medida
@@ -149,6 +163,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = la desviación no tiene parámetro aquí: el manual dice que un control la guarda, pero no en cuál
 remark-new-datum = nuevo punto de referencia, { $target }: { $axes } mm (medido → deseado)
 datum-target-display = activo de inmediato
+datum-target-active = corrección del punto de referencia activo
 datum-target-preset = fila { $row } de la tabla de puntos de referencia
 datum-target-table = fila { $row } de la tabla de puntos cero
 remark-new-rotation = nuevo giro básico de { $angle }: { $target }

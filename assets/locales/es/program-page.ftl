@@ -91,6 +91,9 @@ program-page-recorded = { $count ->
   } de { $name }
 program-page-path = Trayectoria del palpador
 program-page-no-path = Aún sin trayectoria
+program-page-zero = Cero X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = girado { $angle }°
+program-page-tilted = inclinado A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = El programa no ha abierto ninguna ventana
 program-page-window = { $from }, { $mask }

@@ -18,6 +18,8 @@ class-malformed = { $text } no es una clase de tolerancia: escriba letras y un g
 
 ## Deviations and limits
 deviations-order = la desviación superior { $upper } mm es menor que la desviación inferior { $lower } mm
+nominal-by-operator = ? significa que el operario posiciona el palpador: escriba el valor nominal sin este signo
+nominal-not-probed = @ significa que el control no palpa y toma el valor que sigue: no se mediría nada
 source-choice-iso286 = ISO 286, todas las clases hasta 3150 mm
 source-choice-control = Las tablas del control, 47 clases hasta 400 mm
 source-choice-after-own = Tablas propias, después { $base }

@@ -5,6 +5,7 @@ nc-name = nom { $name } : lettres A à Z, chiffres et _ admis, au plus { $most 
 nc-not-on-control = { $kind } : se mesure avec le cycle { $cycle }, absent de { $control }
 ## Ensembles
 nc-folder = { $folder } n'est pas un dossier pour programmes : écrire TNC:\ puis des noms faits de lettres, chiffres, _ et -, séparés par \
+nc-no-texts = un jeu avec des textes de tolérance n'est possible que pour TNC7, pas pour { $control }
 nc-reads-otherwise = { $file } ne peut pas être écrit de façon à être relu à l'identique
 nc-proof = l'ensemble a échoué à l'essai et n'a pas été écrit : { $reason }
 nc-proof-no-end = le programme ne se termine pas

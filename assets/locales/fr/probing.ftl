@@ -94,8 +94,13 @@ cycle-value-no-tolerance = sans tolérance
 cycle-no-global = { $key } { $name } = PREDEF : aucun GLOBAL DEF ne donne de valeur
 cycle-no-path = { $key } { $name } = 0 mm : une course de palpage demande une longueur ; son signe donne le sens
 cycle-no-transfer = { $row-key } = { $row } avec { $key } = -1 : il n'est pas indiqué dans quel tableau est cette ligne ; { $key } doit être 0 ou 1 (une commande signale l'erreur 1078)
+cycle-other-feature = { $key } { $name } = { $given } : la classe ne correspond pas à { $geometry } : les majuscules valent pour un alésage, les minuscules pour un tenon
+cycle-not-measured = { $key } { $name } = { $given } : le cycle ne mesure pas cette valeur : écrivez-la sans tolérance
+cycle-inch-tolerance = { $key } { $name } = { $given } : dans un programme en pouces, l'unité d'une tolérance n'est pas connue : écrivez un programme en mm, ou le nombre sans tolérance
+cycle-no-edge = { $first } et { $second } sont identiques : une arête demande deux points le long d'elle
+cycle-no-sphere = les points de palpage ne déterminent pas de sphère
+cycle-no-rotation = { $key } { $name } : Fitcheck ne suit qu'une rotation de base (Q1121 = 1), et sans correction (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } et { $third } sont tous 0 : une normale demande une direction
-cycle-no-line = les deux points sont au même endroit de la droite : un angle en demande deux
 cycle-apart = point de palpage { $contact } : ses deux palpages sont à { $difference } mm l'un de l'autre, { $key } admet { $most } mm
 cycle-too-far = la coordonnée mesurée est trop grande : { $error }
 cycle-stop = arrêt du programme par Q309 = { $setting } : { $out }
@@ -105,9 +110,11 @@ check-below = { $what } { $measured } mm est sous son minimum { $minimum } mm :
 check-and = { $one } ; { $other }
 found-centre-1 = centre mesuré, 1er axe
 found-centre-2 = centre mesuré, 2e axe
+found-centre-3 = centre mesuré, 3e axe
 found-diameter = diamètre mesuré
 found-centre-deviation-1 = écart du centre, 1er axe
 found-centre-deviation-2 = écart du centre, 2e axe
+found-centre-deviation-3 = écart du centre, 3e axe
 found-diameter-deviation = écart du diamètre
 found-coordinate = coordonnée mesurée
 found-coordinate-deviation = écart de la coordonnée
@@ -119,6 +126,13 @@ found-deviation-1 = écart, 1er axe
 found-deviation-2 = écart, 2e axe
 found-deviation-3 = écart, 3e axe
 found-deviation-along = écart suivant la normale
+found-second-position-1 = 2e point : position mesurée, 1er axe
+found-second-position-2 = 2e point : position mesurée, 2e axe
+found-second-position-3 = 2e point : position mesurée, 3e axe
+found-second-deviation-1 = 2e point : écart, 1er axe
+found-second-deviation-2 = 2e point : écart, 2e axe
+found-second-deviation-3 = 2e point : écart, 3e axe
+found-rotation = rotation mesurée
 found-side-1 = longueur mesurée, 1er côté
 found-side-2 = longueur mesurée, 2e côté
 found-width = largeur mesurée
@@ -149,6 +163,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = l'écart n'a pas de paramètre ici : le manuel dit qu'une commande le mémorise, mais pas dans lequel
 remark-new-datum = nouveau point d'origine, { $target } : { $axes } mm (mesuré → voulu)
 datum-target-display = actif aussitôt
+datum-target-active = correction du point d'origine actif
 datum-target-preset = ligne { $row } du tableau de points d'origine
 datum-target-table = ligne { $row } du tableau de points zéro
 remark-new-rotation = nouvelle rotation de base de { $angle } : { $target }

@@ -91,6 +91,9 @@ program-page-recorded = { $count ->
   } de { $name }
 program-page-path = Trajet du palpeur
 program-page-no-path = Pas encore de trajet
+program-page-zero = Zéro X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = tourné de { $angle }°
+program-page-tilted = incliné A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = Le programme n'a ouvert aucune fenêtre
 program-page-window = { $from }, { $mask }

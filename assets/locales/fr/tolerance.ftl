@@ -18,6 +18,8 @@ class-malformed = { $text } n'est pas une classe de tolérance : écrire des le
 
 ## Écarts et limites
 deviations-order = l'écart supérieur { $upper } mm est sous l'écart inférieur { $lower } mm
+nominal-by-operator = ? signifie que l'opérateur positionne le palpeur : écrivez la valeur nominale sans ce signe
+nominal-not-probed = @ signifie que la commande ne palpe pas et reprend la valeur qui suit : rien ne serait mesuré
 source-choice-iso286 = ISO 286, toutes les classes jusqu'à 3150 mm
 source-choice-control = Les tables de la commande, 47 classes jusqu'à 400 mm
 source-choice-after-own = Tables personnelles, puis { $base }

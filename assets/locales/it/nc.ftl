@@ -5,6 +5,7 @@ nc-name = nome { $name }: sono ammesse lettere da A a Z, cifre e _, al massimo {
 nc-not-on-control = { $kind }: si misura con il ciclo { $cycle }, che un { $control } non ha
 ## Set
 nc-folder = { $folder } non è una cartella per programmi: scrivere TNC:\ e poi nomi di lettere, cifre, _ e -, separati da \
+nc-no-texts = un set con testi di tolleranza è possibile solo per TNC7, non per { $control }
 nc-reads-otherwise = { $file } non si può scrivere in modo da rileggerlo uguale
 nc-proof = il set non ha superato l'esecuzione di prova e non è stato scritto: { $reason }
 nc-proof-no-end = il programma non finisce

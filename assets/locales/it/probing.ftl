@@ -94,8 +94,13 @@ cycle-value-no-tolerance = nessuna tolleranza
 cycle-no-global = { $key } { $name } = PREDEF: nessun GLOBAL DEF dà un valore
 cycle-no-path = { $key } { $name } = 0 mm: una corsa di tastatura richiede una lunghezza; il segno dà la direzione
 cycle-no-transfer = { $row-key } = { $row } con { $key } = -1: non è indicato in quale tabella è quella riga; { $key } deve essere 0 o 1 (un controllo numerico segnala l'errore 1078)
+cycle-other-feature = { $key } { $name } = { $given }: la classe non corrisponde a { $geometry }: le maiuscole valgono per un foro, le minuscole per un’isola
+cycle-not-measured = { $key } { $name } = { $given }: il ciclo non misura questo valore: scriverlo senza tolleranza
+cycle-inch-tolerance = { $key } { $name } = { $given }: in un programma in pollici l’unità di una tolleranza non è nota: scrivere un programma in mm o il numero senza tolleranza
+cycle-no-edge = { $first } e { $second } sono uguali: uno spigolo richiede due punti lungo di esso
+cycle-no-sphere = i contatti non determinano una sfera
+cycle-no-rotation = { $key } { $name }: Fitcheck segue solo una rotazione base (Q1121 = 1), e senza correzione (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } e { $third } sono tutti 0: una normale richiede una direzione
-cycle-no-line = i due punti stanno nello stesso posto della retta: un angolo ne richiede due
 cycle-apart = contatto { $contact }: le sue due tastature distano { $difference } mm, { $key } ammette { $most } mm
 cycle-too-far = la coordinata misurata è troppo grande: { $error }
 cycle-stop = arresto del programma per Q309 = { $setting }: { $out }
@@ -105,9 +110,11 @@ check-below = { $what } { $measured } mm è sotto il minimo { $minimum } mm: { $
 check-and = { $one }; { $other }
 found-centre-1 = centro misurato, 1° asse
 found-centre-2 = centro misurato, 2° asse
+found-centre-3 = centro misurato, 3° asse
 found-diameter = diametro misurato
 found-centre-deviation-1 = scostamento del centro, 1° asse
 found-centre-deviation-2 = scostamento del centro, 2° asse
+found-centre-deviation-3 = scostamento del centro, 3° asse
 found-diameter-deviation = scostamento del diametro
 found-coordinate = coordinata misurata
 found-coordinate-deviation = scostamento della coordinata
@@ -119,6 +126,13 @@ found-deviation-1 = scostamento, 1° asse
 found-deviation-2 = scostamento, 2° asse
 found-deviation-3 = scostamento, 3° asse
 found-deviation-along = scostamento lungo la normale
+found-second-position-1 = 2. punto: posizione misurata, 1° asse
+found-second-position-2 = 2. punto: posizione misurata, 2° asse
+found-second-position-3 = 2. punto: posizione misurata, 3° asse
+found-second-deviation-1 = 2. punto: scostamento, 1° asse
+found-second-deviation-2 = 2. punto: scostamento, 2° asse
+found-second-deviation-3 = 2. punto: scostamento, 3° asse
+found-rotation = rotazione misurata
 found-side-1 = lunghezza misurata, 1° lato
 found-side-2 = lunghezza misurata, 2° lato
 found-width = larghezza misurata
@@ -149,6 +163,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = lo scostamento qui non ha un parametro: il manuale dice che un controllo numerico lo memorizza, ma non in quale
 remark-new-datum = nuova origine, { $target }: { $axes } mm (misurato → voluto)
 datum-target-display = subito attiva
+datum-target-active = correzione dell’origine attiva
 datum-target-preset = riga { $row } della tabella origini
 datum-target-table = riga { $row } della tabella punti zero
 remark-new-rotation = nuova rotazione base di { $angle }: { $target }

@@ -91,6 +91,9 @@ program-page-recorded = { $count ->
   } da { $name }
 program-page-path = Percorso del tastatore
 program-page-no-path = Ancora nessun percorso
+program-page-zero = Zero X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = ruotato di { $angle }°
+program-page-tilted = inclinato A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = Il programma non ha aperto finestre
 program-page-window = { $from }, { $mask }

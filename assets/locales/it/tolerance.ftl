@@ -18,6 +18,8 @@ class-malformed = { $text } non è una classe di tolleranza: scrivere lettere e 
 
 ## Scostamenti e limiti
 deviations-order = lo scostamento superiore { $upper } mm è sotto lo scostamento inferiore { $lower } mm
+nominal-by-operator = ? significa che l’operatore posiziona il tastatore: scrivere il valore nominale senza questo segno
+nominal-not-probed = @ significa che il controllo non tasta e prende il valore che segue: non si misurerebbe nulla
 source-choice-iso286 = ISO 286, ogni classe fino a 3150 mm
 source-choice-control = Tabelle del controllo numerico, 47 classi fino a 400 mm
 source-choice-after-own = Tabelle proprie, poi { $base }

@@ -94,8 +94,13 @@ cycle-value-no-tolerance = geen tolerantie
 cycle-no-global = { $key } { $name } = PREDEF: geen GLOBAL DEF geeft een waarde
 cycle-no-path = { $key } { $name } = 0 mm: een tastweg heeft een lengte nodig; het teken geeft de richting
 cycle-no-transfer = { $row-key } = { $row } bij { $key } = -1: er staat niet bij in welke tabel die regel staat; { $key } moet 0 of 1 zijn (een besturing meldt fout 1078)
+cycle-other-feature = { $key } { $name } = { $given }: de klasse past niet bij { $geometry }: hoofdletters gelden voor een boring, kleine letters voor een tap
+cycle-not-measured = { $key } { $name } = { $given }: de cyclus meet deze waarde niet: schrijf ze zonder tolerantie
+cycle-inch-tolerance = { $key } { $name } = { $given }: in een programma in inches is de eenheid van een tolerantie niet bekend: schrijf een programma in mm, of het getal zonder tolerantie
+cycle-no-edge = { $first } en { $second } zijn gelijk: een kant heeft twee punten in haar richting nodig
+cycle-no-sphere = de meetpunten bepalen geen bol
+cycle-no-rotation = { $key } { $name }: Fitcheck volgt alleen een basisrotatie (Q1121 = 1), en die zonder correctie (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } en { $third } zijn alle drie 0: een normaal heeft een richting nodig
-cycle-no-line = beide punten liggen op dezelfde plaats langs de lijn: voor een hoek zijn er twee nodig
 cycle-apart = meetpunt { $contact }: de twee tastingen liggen { $difference } mm uit elkaar, { $key } staat { $most } mm toe
 cycle-too-far = de gemeten coördinaat is te groot: { $error }
 cycle-stop = programmastop door Q309 = { $setting }: { $out }
@@ -105,9 +110,11 @@ check-below = { $what } { $measured } mm ligt onder het minimum { $minimum } mm:
 check-and = { $one }; { $other }
 found-centre-1 = gemeten midden, 1e as
 found-centre-2 = gemeten midden, 2e as
+found-centre-3 = gemeten midden, 3e as
 found-diameter = gemeten diameter
 found-centre-deviation-1 = afwijking van het midden, 1e as
 found-centre-deviation-2 = afwijking van het midden, 2e as
+found-centre-deviation-3 = afwijking van het midden, 3e as
 found-diameter-deviation = afwijking van de diameter
 found-coordinate = gemeten coördinaat
 found-coordinate-deviation = afwijking van de coördinaat
@@ -119,6 +126,13 @@ found-deviation-1 = afwijking, 1e as
 found-deviation-2 = afwijking, 2e as
 found-deviation-3 = afwijking, 3e as
 found-deviation-along = afwijking langs de normaal
+found-second-position-1 = 2e punt: gemeten positie, 1e as
+found-second-position-2 = 2e punt: gemeten positie, 2e as
+found-second-position-3 = 2e punt: gemeten positie, 3e as
+found-second-deviation-1 = 2e punt: afwijking, 1e as
+found-second-deviation-2 = 2e punt: afwijking, 2e as
+found-second-deviation-3 = 2e punt: afwijking, 3e as
+found-rotation = gemeten rotatie
 found-side-1 = gemeten lengte, 1e zijde
 found-side-2 = gemeten lengte, 2e zijde
 found-width = gemeten breedte
@@ -149,6 +163,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = de afwijking heeft hier geen parameter: het handboek zegt dat een besturing haar opslaat, maar niet in welke
 remark-new-datum = nieuw referentiepunt, { $target }: { $axes } mm (gemeten → gewenst)
 datum-target-display = meteen actief
+datum-target-active = correctie van het actieve referentiepunt
 datum-target-preset = regel { $row } van de referentiepunttabel
 datum-target-table = regel { $row } van de nulpunttabel
 remark-new-rotation = nieuwe basisrotatie van { $angle }: { $target }

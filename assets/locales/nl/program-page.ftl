@@ -91,6 +91,9 @@ program-page-recorded = { $count ->
   } uit { $name }
 program-page-path = Baan van het tastsysteem
 program-page-no-path = Nog geen baan
+program-page-zero = Nulpunt X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = { $angle }° gedraaid
+program-page-tilted = gezwenkt A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = Het programma heeft geen venster geopend
 program-page-window = { $from }, { $mask }

@@ -18,6 +18,8 @@ class-malformed = { $text } is geen tolerantieklasse: schrijf letters en een gra
 
 ## Afwijkingen en grensmaten
 deviations-order = bovenafwijking { $upper } mm ligt onder onderafwijking { $lower } mm
+nominal-by-operator = ? betekent dat de bediener de taster positioneert: schrijf de nominale waarde zonder dit teken
+nominal-not-probed = @ betekent dat de besturing niet tast en de waarde erachter overneemt: er zou niets worden gemeten
 source-choice-iso286 = ISO 286, elke klasse tot 3150 mm
 source-choice-control = De tabellen van de besturing, 47 klassen tot 400 mm
 source-choice-after-own = Eigen tabellen, dan { $base }

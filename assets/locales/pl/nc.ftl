@@ -5,6 +5,7 @@ nc-name = nazwa { $name }: dozwolone są litery A do Z, cyfry i _, najwyżej { $
 nc-not-on-control = { $kind }: pomiar cyklem { $cycle }, którego { $control } nie ma
 ## Sets
 nc-folder = { $folder } nie jest folderem na programy: wpisać TNC:\ i nazwy z liter, cyfr, _ i -, rozdzielone przez \
+nc-no-texts = zestaw z tekstami tolerancji jest możliwy tylko dla TNC7, nie dla { $control }
 nc-reads-otherwise = { $file } nie można zapisać tak, aby odczytać go tak samo
 nc-proof = wykonanie próbne zestawu nie powiodło się i zestawu nie zapisano: { $reason }
 nc-proof-no-end = program się nie kończy

@@ -101,8 +101,13 @@ cycle-value-no-tolerance = bez tolerancji
 cycle-no-global = { $key } { $name } = PREDEF: żadne GLOBAL DEF nie podaje wartości
 cycle-no-path = { $key } { $name } = 0 mm: droga próbkowania wymaga długości; jej znak podaje kierunek
 cycle-no-transfer = { $row-key } = { $row } przy { $key } = -1: nie podano, w której tabeli jest ten wiersz; { $key } musi być 0 lub 1 (sterowanie zgłasza błąd 1078)
+cycle-other-feature = { $key } { $name } = { $given }: klasa nie zgadza się z { $geometry }: wielkie litery dotyczą otworu, małe czopa
+cycle-not-measured = { $key } { $name } = { $given }: cykl nie mierzy tej wartości: zapisz ją bez tolerancji
+cycle-inch-tolerance = { $key } { $name } = { $given }: w programie w calach jednostka tolerancji nie jest znana: napisz program w mm albo liczbę bez tolerancji
+cycle-no-edge = { $first } i { $second } są równe: krawędź wymaga dwóch punktów wzdłuż niej
+cycle-no-sphere = punkty nie wyznaczają kuli
+cycle-no-rotation = { $key } { $name }: Fitcheck śledzi tylko obrót podstawowy (Q1121 = 1), i to bez korekty (Q1120 = 0)
 cycle-no-normal = { $first }, { $second } i { $third } są równe 0: normalna wymaga kierunku
-cycle-no-line = oba punkty leżą w tym samym miejscu prostej: kąt wymaga dwóch różnych miejsc
 cycle-apart = punkt pomiarowy { $contact }: jego dwa próbkowania różnią się o { $difference } mm, { $key } dopuszcza { $most } mm
 cycle-too-far = zmierzona współrzędna jest za duża: { $error }
 cycle-stop = zatrzymanie programu przez Q309 = { $setting }: { $out }
@@ -112,9 +117,11 @@ check-below = { $what } { $measured } mm: poniżej minimum { $minimum } mm: { $s
 check-and = { $one }; { $other }
 found-centre-1 = zmierzony środek, oś 1
 found-centre-2 = zmierzony środek, oś 2
+found-centre-3 = zmierzony środek, oś 3
 found-diameter = zmierzona średnica
 found-centre-deviation-1 = odchyłka środka, oś 1
 found-centre-deviation-2 = odchyłka środka, oś 2
+found-centre-deviation-3 = odchyłka środka, oś 3
 found-diameter-deviation = odchyłka średnicy
 found-coordinate = zmierzona współrzędna
 found-coordinate-deviation = odchyłka współrzędnej
@@ -126,6 +133,13 @@ found-deviation-1 = odchyłka, oś 1
 found-deviation-2 = odchyłka, oś 2
 found-deviation-3 = odchyłka, oś 3
 found-deviation-along = odchyłka wzdłuż normalnej
+found-second-position-1 = 2. punkt: zmierzona pozycja, oś 1
+found-second-position-2 = 2. punkt: zmierzona pozycja, oś 2
+found-second-position-3 = 2. punkt: zmierzona pozycja, oś 3
+found-second-deviation-1 = 2. punkt: odchyłka, oś 1
+found-second-deviation-2 = 2. punkt: odchyłka, oś 2
+found-second-deviation-3 = 2. punkt: odchyłka, oś 3
+found-rotation = zmierzony obrót
 found-side-1 = zmierzona długość, bok 1
 found-side-2 = zmierzona długość, bok 2
 found-width = zmierzona szerokość
@@ -158,6 +172,7 @@ remark-contact-astray = { $count ->
 remark-deviation-without-parameter = odchyłka nie ma tu parametru: instrukcja mówi, że sterowanie ją zapisuje, ale nie podaje gdzie
 remark-new-datum = nowy punkt odniesienia, { $target }: { $axes } mm (zmierzono → żądano)
 datum-target-display = od razu aktywny
+datum-target-active = korekta aktywnego punktu odniesienia
 datum-target-preset = wiersz { $row } tabeli punktów odniesienia
 datum-target-table = wiersz { $row } tabeli punktów zerowych
 remark-new-rotation = nowy obrót podstawowy o { $angle }: { $target }

@@ -95,6 +95,9 @@ program-page-recorded = { $count ->
   } z { $name }
 program-page-path = Tor sondy
 program-page-no-path = Jeszcze bez toru
+program-page-zero = Zero X { $x }, Y { $y }, Z { $z } mm
+program-page-turned = obrót o { $angle }°
+program-page-tilted = nachylenie A { $a }°, B { $b }°, C { $c }°
 
 program-page-no-windows = Program nie otworzył okna
 program-page-window = { $from }, { $mask }

@@ -18,6 +18,8 @@ class-malformed = { $text } nie jest klasą tolerancji: wpisać litery i stopie�
 
 ## Deviations and limits
 deviations-order = odchyłka górna { $upper } mm jest poniżej odchyłki dolnej { $lower } mm
+nominal-by-operator = ? oznacza, że sondę ustawia operator: zapisz wartość nominalną bez tego znaku
+nominal-not-probed = @ oznacza, że sterowanie nie mierzy i przyjmuje wartość po tym znaku: nic nie zostałoby zmierzone
 source-choice-iso286 = ISO 286, każda klasa do 3150 mm
 source-choice-control = Tabele sterowania, 47 klas do 400 mm
 source-choice-after-own = Własne tabele, potem { $base }

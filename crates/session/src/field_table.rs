@@ -298,7 +298,7 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         Meaning::Shift => "shift-of-the-second-measurement",
         Meaning::StartDiameter => "starting-diameter",
         Meaning::FirstAngle => "starting-angle",
-        Meaning::Step => "stepping-angle",
+        Meaning::Step | Meaning::Arc => "stepping-angle",
         Meaning::Path => "probing-path",
         Meaning::Difference => "difference-of-two-contacts",
         Meaning::MeasuringHeight => "measuring-height",
@@ -307,15 +307,18 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         Meaning::MaximumCoordinate | Meaning::MinimumCoordinate => "limits-of-the-coordinate",
         Meaning::Normal(_) => "surface-normal",
         Meaning::Band => "tolerance-band",
-        Meaning::MoveToClearance | Meaning::Traverse => "way-between-contacts",
+        Meaning::MoveToClearance | Meaning::ClearanceMode | Meaning::Traverse => "way-between-contacts",
         Meaning::ContactCount => "contacts-of-the-circle",
-        Meaning::Plane | Meaning::InsideOutside | Meaning::MeasuredAxis | Meaning::AxisOfPlane | Meaning::Direction => {
-            "choice-of-what-is-measured"
-        }
-        Meaning::Log | Meaning::Stop | Meaning::StopOnUndersize => "measuring-log-and-stop",
+        Meaning::Plane
+        | Meaning::InsideOutside
+        | Meaning::MeasuredAxis
+        | Meaning::AxisOfPlane
+        | Meaning::Direction
+        | Meaning::DirectedAxis => "choice-of-what-is-measured",
+        Meaning::Log | Meaning::Stop | Meaning::StopOnUndersize | Meaning::StopOnScrap => "measuring-log-and-stop",
         Meaning::Tool => "tool-for-monitoring",
         Meaning::ToolAxisProbing | Meaning::ToolAxisPoint(_) => "probe-axis-of-a-datum-cycle",
-        Meaning::NewDatum(_) | Meaning::NewCoordinate => "new-datum",
+        Meaning::NewDatum(_) | Meaning::NewCoordinate | Meaning::PresetCorrection => "new-datum",
         Meaning::TableRow | Meaning::Transfer => "table-of-the-datum",
         Meaning::Length | Meaning::Angle | Meaning::Choice | Meaning::Number => "other-parameter",
     }

@@ -116,7 +116,7 @@ pub(in crate::cli) fn value(value: &Value) -> Json {
         Value::Angle(angle) => json!(angle.to_degrees_f64()),
         Value::Whole(whole) => json!(whole),
         Value::Number(number) => json!(number),
-        Value::Text(_) | Value::Band(_) | Value::Predef => json!(value.to_string()),
+        Value::Text(_) | Value::Band(_) | Value::Nominal(_) | Value::Predef => json!(value.to_string()),
     }
 }
 

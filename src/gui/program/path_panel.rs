@@ -4,7 +4,7 @@
 use eframe::egui::Ui;
 
 use crate::gui::cycles::picture::{Surroundings, path_picture};
-use crate::gui::view::{View, datum_lines, heading, quiet};
+use crate::gui::view::{View, datum_lines, datum_text, heading, quiet};
 use crate::journal::entry::DatumKept;
 use crate::nc::machine::CycleRun;
 use crate::session::program::{Run, WorkpieceFrom};
@@ -28,8 +28,8 @@ pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
     let path = run.map_or_else(Vec::new, Run::path);
     let last = run.and_then(|run| run.cycles().last());
     let datum = last.and_then(|cycle| cycle.datum.as_ref());
-    for said in datum.into_iter().flat_map(|datum| datum_lines(view.words, &DatumKept::from(datum))) {
-        quiet(ui, format!("{}: {said}", view.text("records-page-datum")));
+    if let Some(datum) = datum.map(DatumKept::from) {
+        quiet(ui, datum_text(view.words, &datum)).on_hover_text(datum_lines(view.words, &datum).join("\n"));
     }
     let nominal = last.and_then(CycleRun::nominal);
     let system = last.and_then(CycleRun::axes);

@@ -14,6 +14,7 @@
 //! | `table_edit` | a table that is being edited, and tables made from the standard |
 //! | `compare` | a table against the standard, cell by cell |
 //! | `iso286` | the standard: every class, 0 to 3150 mm |
+//! | `nominal` | the nominal value of cycles 14xx, with its limits |
 //! | `sources` | from a callout to limits: the user's own tables first, then a source of the list in `sources/bases` |
 //! | `fit` | a hole against a shaft: clearances, search, temperature |
 //!
@@ -29,6 +30,7 @@ pub mod fit;
 pub mod iso2768;
 pub mod iso286;
 pub mod limits;
+mod nominal;
 pub mod proportion;
 mod ranges;
 pub mod sources;
@@ -41,6 +43,7 @@ pub use deviations::{Deviations, DeviationsError};
 pub use figure::FigureWarning;
 pub use iso2768::GeneralClass;
 pub use limits::{Bounds, Limits, Source};
+pub use nominal::{Nominal, NominalError};
 pub use proportion::ZoneDoubt;
 pub use sources::{Absent, Base, LimitsError, Sources};
 pub use table::DeviationTable;

@@ -44,10 +44,11 @@ pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) 
 
 /// The parameters of program 82551 for a diameter: nominal size, hole or shaft, deviations in µm, limits. No class.
 fn set_diameter(cycle: &Cycle, result: &CycleResult, check: &Check, variables: &mut Variables) {
+    let is_outside = (cycle.surface)(&result.inputs).shape().is_outside();
     variables.set(Parameter::qs(1), Value::Text(String::new()));
     variables.set(Parameter::q(33), Value::Length(check.minimum));
     variables.set(Parameter::q(23), Value::Length(check.maximum));
-    variables.set(Parameter::q(2), Value::Number(if cycle.shape().is_outside() { 1.0 } else { -1.0 }));
+    variables.set(Parameter::q(2), Value::Number(if is_outside { 1.0 } else { -1.0 }));
     if let Some(nominal) = cycle.length_of(&result.inputs, Meaning::Diameter) {
         variables.set(Parameter::q(1), Value::Length(nominal));
         variables.set(Parameter::q(4), micrometres(check.maximum.saturating_sub(nominal)));
@@ -98,7 +99,9 @@ pub(crate) fn variable(key: Key, value: &cycle::Value) -> Option<(Parameter, Val
         // Markers and choices are small numbers.
         cycle::Value::Whole(whole) => Value::Number(f64::from(i32::try_from(*whole).ok()?)),
         cycle::Value::Number(number) => Value::Number(*number),
-        cycle::Value::Text(_) | cycle::Value::Band(_) | cycle::Value::Predef => Value::Text(value.to_string()),
+        cycle::Value::Text(_) | cycle::Value::Band(_) | cycle::Value::Nominal(_) | cycle::Value::Predef => {
+            Value::Text(value.to_string())
+        }
     };
     Some((parameter, value))
 }

@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::message::{Located, Say};
-use fitcheck_core::probing::cycle::{Control, Cycle};
+use fitcheck_core::probing::cycle::{Control, Cycle, Meaning, Parameter};
 use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::text::cut;
 
@@ -15,7 +15,9 @@ use super::around::{Around, CarriedState, ChangingBlock, machining, reset_datum}
 use super::change::may_set_datum;
 use super::tool_call::Named;
 use crate::control::probe_block::ProbeBlock;
-use crate::program::{Block, Body, Course, MachineFunction, Operand, PassedOver, Program, Unread};
+use crate::program::{
+    Block, Body, Course, CycleBlock, CycleValue, MachineFunction, Operand, PassedOver, Program, Unread,
+};
 
 /// How much of a block's text is repeated.
 const LONGEST_TEXT: usize = 80;
@@ -196,6 +198,20 @@ enum Before {
     NotUnderstood,
 }
 
+/// Whether the block of a cycle sets a datum, or corrects the active preset by a number that is not 0.
+fn sets_datum(cycle: &Cycle, block: &CycleBlock) -> bool {
+    let corrects = |parameter: &Parameter| {
+        let key = parameter.key.to_string();
+        let line = block.lines.iter().find(|line| line.parameter.to_string() == key);
+        let is_zero = |value: f64| value.abs() <= 0.0;
+        line.is_some_and(|line| match &line.value {
+            CycleValue::Number { value: Operand::Number(value), .. } => !is_zero(*value),
+            _ => true,
+        })
+    };
+    cycle.sets_datum() || cycle.meant(Meaning::PresetCorrection).is_some_and(corrects)
+}
+
 /// Does what a block says, as far as a measurement behind it depends on it; parameters of the block that measures are numbers.
 fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> Before {
     let unknown = |operand: Operand| {
@@ -229,7 +245,7 @@ fn set_up(around: &mut Around, program: &Program, at: usize, block: &Block) -> B
         },
         Body::Probe(cycle) => {
             let known = cycles_of(Control::Milling).find(|known| known.code == cycle.number);
-            if !known.map_or_else(|| may_set_datum(&cycle.number), Cycle::sets_datum) {
+            if !known.map_or_else(|| may_set_datum(&cycle.number), |known| sets_datum(known, cycle)) {
                 return Before::Nothing;
             }
             around.lose_system(made);

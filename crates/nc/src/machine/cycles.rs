@@ -5,6 +5,7 @@ use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleError, CycleResul
 use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::probing::simulated::Surface;
 use fitcheck_core::probing::{Contact, NoContact, Touch, TouchProbe};
+use fitcheck_core::tolerance::Nominal;
 use fitcheck_core::verdict::Status;
 
 use super::around::{Around, ChangingBlock, DatumInForce, Global, INCH, Moment};
@@ -281,6 +282,9 @@ fn input(
         CycleValue::Text(text) => {
             let text = values.text_operand(text)?;
             return Ok(match read(text)? {
+                cycle::Value::Nominal(nominal) if unit == Some(Unit::Inch) => {
+                    in_mm(nominal, declared).map_err(refused)?
+                }
                 // QS330 = "5" is the tool with the name 5.
                 cycle::Value::Number(_) if declared.range == Range::Tool => cycle::Value::Text(text.trim().to_owned()),
                 value => value,
@@ -289,6 +293,16 @@ fn input(
         CycleValue::Number { value, .. } => *value,
     };
     accepted(cycle, declared, &values.value(operand)?, unit)
+}
+
+/// A nominal value of a program in inches; what its tolerance means there is not known.
+fn in_mm(nominal: Nominal, declared: &cycle::Parameter) -> Result<cycle::Value, CycleError> {
+    let (key, name, given) = (declared.key, declared.called(), nominal.to_string());
+    if nominal.limits().is_some() {
+        return Err(CycleError::InchTolerance { key, name, given });
+    }
+    let in_mm = Length::from_mm_f64(nominal.value().to_mm_f64() * INCH).map_err(CycleError::TooFar)?;
+    Ok(cycle::Value::Nominal(Nominal::of(in_mm)))
 }
 
 /// A number in the kind that the parameter declares.
@@ -313,6 +327,11 @@ fn accepted(
             // A tolerance that rounds to zero would switch the comparison off.
             let in_mm = in_mm.filter(|length| *length != Length::ZERO || number.abs() <= 0.0);
             in_mm.map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
+        }
+        Range::Nominal { .. } => {
+            let is_inch = unit == Some(Unit::Inch);
+            let in_mm = if is_inch { length_of(&Value::Number(number * INCH)) } else { length_of(value) };
+            in_mm.map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Nominal(Nominal::of(length))))
         }
         Range::Angle { .. } => read(&format!("{number:.4}")),
         Range::OneOf(_) | Range::Count { .. } | Range::Band => read(&number.to_string()),

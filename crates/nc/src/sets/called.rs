@@ -12,6 +12,7 @@
 //! | Q41 | the first angle of a diameter; the measured axis of a width or face |
 //! | Q42 | the direction of a face |
 //! | Q41, Q42, Q43 | the normal of a point |
+//! | QS9 | nominal size with its tolerance, where the cycle takes that as a text |
 //! | Q51, Q61 | clearance and clearance height |
 //! | Q23, Q33, Q62 | maximum, minimum, and the nominal size moved between them; of a pocket or boss along Y |
 //! | Q73, Q83, Q72 | those of a pocket or boss along X |
@@ -19,7 +20,7 @@
 use fitcheck_core::part::FeatureKind;
 use fitcheck_core::probing::cycle::{Axis, Cycle, Key, Meaning};
 use fitcheck_core::probing::cycle::{Control as CycleControl, Parameter};
-use fitcheck_core::probing::cycles::measuring_cycles_of;
+use fitcheck_core::probing::cycles::{cycles_of, measuring_cycles_of};
 use fitcheck_core::probing::simulated::Shape;
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Dialogue;
@@ -39,6 +40,9 @@ pub(super) const BETWEEN: &str = "Q62";
 
 /// The parameter of the nominal size.
 pub(super) const NOMINAL: &str = "Q1";
+
+/// The nominal size with its tolerance, for a cycle that takes both as a text.
+const TEXT: &str = "QS9";
 
 /// The two points of a ridge: the walls at nominal size, the one with the larger coordinate first.
 const POINTS: &str = "Q63 = Q11
@@ -99,15 +103,7 @@ impl Called {
     pub(super) fn blocks(self, feature: Feature, nominal: &str, language: Dialogue) -> Vec<u8> {
         let Some(cycle) = self.cycle(feature) else { return Vec::new() };
         let points = cycle.meant(Meaning::SecondPoint(Axis::First)).map_or("", |_| POINTS);
-        let line = |parameter: &Parameter| {
-            let value = given(parameter.meaning, feature, nominal)?;
-            let sign = if matches!(parameter.key, Key::Qs(_)) { "" } else { "+" };
-            Some(format!("{}={sign}{value} ;{}", parameter.key, parameter.name_in(language)))
-        };
-        let lines: Vec<String> = cycle.parameters.iter().filter_map(line).collect();
-        let name = cycle.name(language);
-        let lines = lines.join(" ~\n  ");
-        format!("{points}TCH PROBE {} {name} ~\n  {lines}\n", cycle.code).into_bytes()
+        (points.to_owned() + &block(cycle, feature, nominal, language)).into_bytes()
     }
 
     /// The limits of the cycle as its own mask names them, and the parameters of the set that have them.
@@ -128,6 +124,34 @@ impl Called {
     }
 }
 
+/// The cycle of a diameter that takes the tolerance as a text.
+pub(super) fn by_text() -> Option<&'static Cycle> {
+    cycles_of(CycleControl::Milling).find(|cycle| cycle.takes_nominals() && cycle.shape() == Shape::Hole)
+}
+
+/// The blocks that measure a diameter by it: the text is nominal size and class, or deviations.
+pub(super) fn blocks_by_text(feature: Feature, language: Dialogue) -> Vec<u8> {
+    let Some(cycle) = by_text() else { return Vec::new() };
+    let text = format!("QS5 = TOCHAR ( DAT+Q1 )\n{TEXT} = QS5 || QS1\n");
+    (text + &block(cycle, feature, TEXT, language)).into_bytes()
+}
+
+/// A cycle with the parameters of the set.
+fn block(cycle: &Cycle, feature: Feature, nominal: &str, language: Dialogue) -> String {
+    let line = |parameter: &Parameter| {
+        let value = given(parameter.meaning, feature, nominal)?;
+        let pair = match parameter.key {
+            // A number in place of a text.
+            Key::Qs(number) if !value.starts_with("QS") => format!("Q{number}=+{value}"),
+            Key::Qs(number) => format!("QS{number}={value}"),
+            key => format!("{key}=+{value}"),
+        };
+        Some(format!("{pair} ;{}", parameter.name_in(language)))
+    };
+    let lines: Vec<String> = cycle.parameters.iter().filter_map(line).collect();
+    format!("TCH PROBE {} {} ~\n  {}\n", cycle.code, cycle.name(language), lines.join(" ~\n  "))
+}
+
 /// The value of a parameter of a cycle; `None` keeps the default of one that a program need not have.
 fn given(meaning: Meaning, feature: Feature, nominal: &str) -> Option<&str> {
     Some(match meaning {
@@ -138,12 +162,16 @@ fn given(meaning: Meaning, feature: Feature, nominal: &str) -> Option<&str> {
         Meaning::FirstPoint(_) => "Q64",
         Meaning::SecondPoint(Axis::First) => "Q65",
         Meaning::SecondPoint(_) => "Q66",
-        Meaning::AxisOfPlane | Meaning::MeasuredAxis | Meaning::Normal(Axis::First) => "Q41",
+        Meaning::AxisOfPlane | Meaning::MeasuredAxis | Meaning::Normal(Axis::First) | Meaning::FirstAngle => "Q41",
         Meaning::Direction | Meaning::Normal(Axis::Second) => "Q42",
         Meaning::Normal(Axis::Third) => "Q43",
         Meaning::SetUpClearance => "Q51",
         Meaning::ClearanceHeight => "Q61",
-        Meaning::Width | Meaning::Side(Axis::Second) => nominal,
+        Meaning::Width | Meaning::Side(Axis::Second) | Meaning::Diameter => nominal,
+        Meaning::ContactCount => "4",
+        Meaning::Arc => "360",
+        Meaning::ClearanceMode if feature == Feature::Shaft => "2",
+        Meaning::ClearanceMode => "1",
         Meaning::MaximumWidth | Meaning::MaximumCoordinate | Meaning::MaximumSide(Axis::Second) => "Q23",
         Meaning::MinimumWidth | Meaning::MinimumCoordinate | Meaning::MinimumSide(Axis::Second) => "Q33",
         Meaning::Side(Axis::First) => "Q72",
@@ -151,13 +179,16 @@ fn given(meaning: Meaning, feature: Feature, nominal: &str) -> Option<&str> {
         Meaning::MinimumSide(Axis::First) => "Q83",
         Meaning::Band => "QS1",
         // As the built-in program moves: over a shaft, along the walls of a hole.
-        Meaning::MoveToClearance if feature == Feature::Shaft => "1",
+        Meaning::MoveToClearance | Meaning::InsideOutside if feature == Feature::Shaft => "1",
         // No shift, no log, no stop, no tool, no monitored centre, no move to the clearance height between the contacts.
         Meaning::MoveToClearance
         | Meaning::Shift
         | Meaning::Log
         | Meaning::Stop
         | Meaning::StopOnUndersize
+        | Meaning::StopOnScrap
+        | Meaning::PresetCorrection
+        | Meaning::InsideOutside
         | Meaning::Tool
         | Meaning::CentreTolerance(_) => "0",
         _ => return None,

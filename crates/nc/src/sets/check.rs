@@ -30,6 +30,9 @@ Q62 = Q23
 LBL 98
 ";
 
+/// No tolerance: set before a cycle that says its status, so that nothing stale says good where a control does not set it.
+const UNKNOWN_STATUS: &[u8] = b"Q183 = - 1\n";
+
 /// The callout of the window.
 const CHECKED: Parameter = Parameter::qs(2);
 
@@ -42,6 +45,7 @@ pub(super) fn check(names: &Names<'_>, called: Called, has_given: bool) -> Vec<u
     let made = adapted(names, called);
     let made = if has_given { given::or_table(made) } else { made };
     let made = match called {
+        Called::Diameter if names.target.by_text => by_own_status(made),
         Called::Diameter | Called::Width | Called::Face => made,
         Called::Rectangle => two_sides(made, nominal(names), if has_given { given::SECOND } else { "" }),
         Called::Point => without_limits(made),
@@ -57,7 +61,8 @@ const fn nominal(names: &Names<'_>) -> &'static str {
 /// The built-in program with the paths, the mask and the cycle of the set.
 fn adapted(names: &Names<'_>, called: Called) -> Blocks {
     let mut cycles = [Feature::Hole, Feature::Shaft].into_iter();
-    let moves_nominal = names.target.control.wants_nominal_between_limits();
+    let is_by_text = names.target.by_text && called == Called::Diameter;
+    let moves_nominal = names.target.control.wants_nominal_between_limits() && !is_by_text;
     let mut made = Blocks::new();
     let mut tables = [Feature::Hole, Feature::Shaft].into_iter();
     for (body, comment) in shipped_program("82551", names.target.language) {
@@ -67,6 +72,10 @@ fn adapted(names: &Names<'_>, called: Called) -> Blocks {
                 made.push(bare(Body::TableOpen(names.operand(table))));
             }
             Body::Print { .. } => made.push(print(names, called, "SCREEN:".to_owned())),
+            Body::Probe(_) if is_by_text => {
+                let feature = cycles.next().unwrap_or(Feature::Shaft);
+                made.extend(blocks(&called::blocks_by_text(feature, names.target.language)));
+            }
             Body::Probe(_) if called != Called::Diameter => {
                 let feature = cycles.next().unwrap_or(Feature::Shaft);
                 made.extend(blocks(&called.blocks(feature, nominal(names), names.target.language)));
@@ -119,8 +128,7 @@ LBL 90
     all.chain(window).collect()
 }
 
-/// Measures without a table: with one cycle instead of two, and by the status that this cycle has. It is set to -1, no
-/// tolerance, before, so that nothing stale says good where a control does not set it.
+/// Measures without a table: with one cycle instead of two, and by the status that this cycle has.
 fn without_limits(made: Blocks) -> Blocks {
     let [title, _lookup, rest] = parts(made);
     let before = rest.iter().take_while(|(body, _)| !matches!(body, Body::Jump { .. }));
@@ -132,7 +140,15 @@ fn without_limits(made: Blocks) -> Blocks {
         !matches!(body, Body::AssignText { to, .. } if texts.contains(to))
     };
     let after = after.filter(is_kept).map(|(body, comment)| (own_status(body), comment.clone()));
-    title.into_iter().chain(before.cloned()).chain(blocks(b"Q183 = - 1\n")).chain(after).collect()
+    title.into_iter().chain(before.cloned()).chain(blocks(UNKNOWN_STATUS)).chain(after).collect()
+}
+
+/// Goes by the status that a cycle has of its own, and by no markers.
+fn by_own_status(made: Blocks) -> Blocks {
+    let [title, lookup, rest] = parts(made);
+    let mut rest = rest.into_iter().map(|(body, comment)| (own_status(&body), comment));
+    let heading: Blocks = rest.by_ref().take(1).collect();
+    [title, lookup, heading, blocks(UNKNOWN_STATUS)].into_iter().flatten().chain(rest).collect()
 }
 
 /// Q183 in place of the markers Q180 to Q182: 0 good, 1 rework, 2 scrap.

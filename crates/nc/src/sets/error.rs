@@ -46,6 +46,8 @@ pub enum SetError {
         #[say(name = "more", with = Vec::len)]
         others: Vec<FeatureError>,
     },
+    /// The control has no cycle that takes a tolerance as a text.
+    NoTexts { control: &'static str },
     /// A folder that programs cannot use.
     Folder {
         /// What was given.

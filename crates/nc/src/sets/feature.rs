@@ -1,28 +1,29 @@
 //! Which features of a plan a control can measure.
 
 use fitcheck_core::message::{FilePlace, Located};
-use fitcheck_core::part::{Plan, PlanFeature};
+use fitcheck_core::part::{FeatureKind, Plan, PlanFeature};
 use fitcheck_core::verdict::rules::RuleName;
 
-use super::Planned;
 use super::error::{FeatureError, FeatureFault, SetError, SetRemark};
 use super::names::Control;
+use super::{Planned, Target};
 
 /// The most characters of a feature's name: with its prefix and suffix, a file name has at most 29.
 const LONGEST_NAME: usize = 20;
 
 /// The features with their places, or everything that the control cannot measure.
-pub(super) fn planned(plan: &Plan, control: Control) -> Result<Vec<Planned<'_>>, SetError> {
+pub(super) fn planned<'a>(plan: &'a Plan, target: &Target) -> Result<Vec<Planned<'a>>, SetError> {
     let mut all = Vec::new();
     let mut errors = Vec::<FeatureError>::new();
     for feature in plan.features().iter().filter(|feature| !feature.kind.is_by_hand()) {
         let before = errors.len();
-        errors.extend(faults(feature, control).into_iter().map(|what| {
+        errors.extend(faults(feature, target.control).into_iter().map(|what| {
             let line = feature.line;
             Located { what, place: FilePlace { line, ..FilePlace::default() } }
         }));
         if let Some(place) = feature.place.filter(|_place| errors.len() == before) {
-            all.push(Planned { feature, place, limits: &feature.limits });
+            let by_text = target.by_text && matches!(feature.kind, FeatureKind::Diameter(_));
+            all.push(Planned { feature, place, limits: &feature.limits, by_text });
         }
     }
     let mut errors = errors.into_iter();

@@ -53,12 +53,20 @@ pub(super) fn has_given(planned: &Planned<'_>) -> bool {
     planned.sizes().any(|(callout, _)| is_given(&callout))
 }
 
-/// The class of a size, or its deviations in mm: `H7`, `+0.2/0`. Programs are ASCII, so there is no `±`.
-pub(super) fn tolerance(callout: &Callout, limits: &Limits) -> String {
+/// The class of a size, or its deviations in mm: `H7`, `+0.2/0`; in a text that a cycle takes `+0.2-0`. Programs are ASCII, so there is
+/// no `±`.
+pub(super) fn tolerance(callout: &Callout, limits: &Limits, is_text: bool) -> String {
     let signed = |length: Length| if Length::ZERO < length { format!("+{length}") } else { length.to_string() };
+    let [upper, lower] = [limits.deviations.upper(), limits.deviations.lower()];
     match callout.class() {
         Some(class) => class.to_string(),
-        None => format!("{}/{}", signed(limits.deviations.upper()), signed(limits.deviations.lower())),
+        None if is_text => {
+            let zero = |length: Length, sign: &str| {
+                if length == Length::ZERO { sign.to_owned() + "0" } else { signed(length) }
+            };
+            format!("{}{}", zero(upper, "+"), zero(lower, "-"))
+        }
+        None => format!("{}/{}", signed(upper), signed(lower)),
     }
 }
 
@@ -67,7 +75,9 @@ pub(super) fn asked(planned: Planned<'_>) -> String {
     if !has_given(&planned) {
         return planned.feature.kind.asked();
     }
-    let size = |(callout, limits): (Callout, &Limits)| format!("{} {}", callout.nominal(), tolerance(&callout, limits));
+    let size = |(callout, limits): (Callout, &Limits)| {
+        format!("{} {}", callout.nominal(), tolerance(&callout, limits, planned.by_text))
+    };
     planned.sizes().map(size).collect::<Vec<_>>().join(" x ")
 }
 

@@ -27,6 +27,8 @@ pub(super) fn mask(target: &Target, called: Called) -> Vec<u8> {
         }
         let line = line.trim_end().replace("LF", number);
         // The limits are those of the called program, as in the mask of a diameter.
+        // What that cycle calls the measured diameter.
+        let line = if target.by_text && called == Called::Diameter { line.replace("Q153", "Q966") } else { line };
         let line = limits.iter().fold(line, |line, (from, to)| line.replace(&from.to_string(), to));
         format!("{}{}\r\n", line, if line.ends_with(';') { "" } else { ";" })
     });

@@ -61,12 +61,14 @@ pub struct Target {
     pub language: Dialogue,
     /// The folder for the files on the control, used by the paths in the programs.
     pub folder: ControlFolder,
+    /// Whether diameters are measured by the cycle that takes the tolerance as a text, and judges by it. Only a TNC7 has that.
+    pub by_text: bool,
 }
 
 impl Target {
     /// A control with its usual folder.
     pub fn new(control: Control, language: Dialogue) -> Self {
-        Self { control, language, folder: control.usual_folder() }
+        Self { control, language, folder: control.usual_folder(), by_text: false }
     }
 }
 
@@ -93,6 +95,8 @@ struct Planned<'a> {
     place: [Length; 3],
     /// One of every size, or that of a point about its nominal place.
     limits: &'a [Limits],
+    /// Whether its cycle takes the tolerance as a text.
+    by_text: bool,
 }
 
 impl Planned<'_> {
@@ -103,6 +107,9 @@ impl Planned<'_> {
 
     /// The cycle that measures it.
     fn cycle(&self) -> Option<&'static Cycle> {
+        if self.by_text {
+            return called::by_text();
+        }
         Called::of(&self.feature.kind)?.cycle(self.limits.first()?.feature?)
     }
 }
@@ -129,7 +136,10 @@ impl NcSet {
     /// set is returned unless the machine runs it to the plan's limits.
     pub fn make(plan: &Plan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
         let names = Names::new(target);
-        let planned: Vec<Planned<'_>> = feature::planned(plan, target.control)?;
+        if target.by_text && target.control != Control::Tnc7 {
+            return Err(SetError::NoTexts { control: target.control.name() });
+        }
+        let planned: Vec<Planned<'_>> = feature::planned(plan, target)?;
         let mut remarks = Vec::new();
         let mut tables = Vec::new();
         for feature in [Feature::Hole, Feature::Shaft] {

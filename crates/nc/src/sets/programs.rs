@@ -80,7 +80,7 @@ fn class_blocks(names: &Names<'_>, planned: Planned<'_>, comment: String) -> Blo
     let language = names.target.language;
     let class = |side: usize| {
         let size = planned.sizes().nth(side);
-        size.map_or_else(String::new, |(callout, limits)| given::tolerance(&callout, limits))
+        size.map_or_else(String::new, |(callout, limits)| given::tolerance(&callout, limits, planned.by_text))
     };
     match &planned.feature.kind {
         FeatureKind::Diameter(_) | FeatureKind::Width(..) | FeatureKind::Face(..) => {
@@ -133,6 +133,8 @@ fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &FeatureKind) -> Blo
 pub(super) fn moved_nominals(planned: Planned<'_>, control: Control) -> Vec<SetRemark> {
     // What the cycle calls the nominal size, and the result that counts from it; a coordinate has no nominal size.
     let sizes: &[(Meaning, u16)] = match Called::of(&planned.feature.kind) {
+        // A text has its own middle.
+        Some(Called::Diameter) if planned.by_text => &[],
         Some(Called::Diameter) => &[(Meaning::Diameter, 163)],
         Some(Called::Width) => &[(Meaning::Width, 166)],
         Some(Called::Rectangle) => &[(Meaning::Side(Axis::First), 164), (Meaning::Side(Axis::Second), 165)],

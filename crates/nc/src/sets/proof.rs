@@ -105,17 +105,21 @@ mod tests {
     }
 
     #[track_caller]
-    fn check_plan(plan: &str, (name, from, to): (&str, &str, &str), expected: &str) {
-        let target = Target::new(Control::Tnc7, Dialogue::En);
+    fn check_plan(plan: &str, change: (&str, &str, &str), expected: &str) {
+        check_target(&Target::new(Control::Tnc7, Dialogue::En), plan, change, expected);
+    }
+
+    #[track_caller]
+    fn check_target(target: &Target, plan: &str, (name, from, to): (&str, &str, &str), expected: &str) {
         let document = Document::read(plan.as_bytes()).unwrap();
         let plan = document.plan(&Sources::default()).unwrap();
-        let mut set = NcSet::make(&plan, &target, &Sources::default()).unwrap();
+        let mut set = NcSet::make(&plan, target, &Sources::default()).unwrap();
         let file = set.files.iter_mut().find(|file| file.name == name).unwrap();
         let text = String::from_utf8(file.bytes.clone()).unwrap();
         assert!(text.contains(from), "{text}");
         file.bytes = text.replace(from, to).into_bytes();
-        let planned = super::super::feature::planned(&plan, target.control).unwrap();
-        let error = run(&set.files, &planned, &Names::new(&target)).map_err(|error| error.to_string());
+        let planned = super::super::feature::planned(&plan, target).unwrap();
+        let error = run(&set.files, &planned, &Names::new(target)).map_err(|error| error.to_string());
         assert_eq!(error, Err(format!("the set failed its test run and was not written: {expected}")));
     }
 
@@ -136,6 +140,24 @@ mod tests {
         check("FIT_MAIN.H", "Q33 = 35 ", "Q33 = 34.999999 ");
         // Neither hole nor shaft is left to what was measured before.
         check("FIT_MAIN.H", "Q2 = - 1", "Q2 = 1");
+    }
+
+    #[test]
+    fn the_text_of_the_cycle_is_proven_as_limits_are() {
+        let target = Target { by_text: true, ..Target::new(Control::Tnc7, Dialogue::En) };
+        let plan = "callout,feature,x,y,z\n25 H7,,0,0,0\n35 +0.2/0,hole,100,0,0\n";
+        let check = |name, from, to, feature: &str| {
+            let expected = format!("{feature}: the verdict differs from Fitcheck's");
+            check_target(&target, plan, (name, from, to), &expected);
+        };
+        check("FIT_MAIN.H", "\"H7\"", "\"H8\"", "F1");
+        check("FIT_MAIN.H", "\"+0.2-0\"", "\"+0.3-0\"", "F2");
+        check(
+            "FIT_CHECK.H",
+            "QS1116=QS9 ;DIAMETER 1 ~\r\n    Q1115=+0",
+            "Q1116=+Q1 ;DIAMETER 1 ~\r\n    Q1115=+0",
+            "F1",
+        );
     }
 
     fn fault(block: u32) -> String {

@@ -1,6 +1,7 @@
 //! The page that says where each file goes, from a text of each language in `assets/nc`.
 //!
-//! A line may begin with the controls that it is for, `[tnc640 tnc7] text`. `{main}` and similar words are filled in;
+//! A line may begin with the controls that it is for, `[tnc640 tnc7] text`; `limits` and `texts` are a TNC7 whose cycles take limits, or
+//! tolerances as texts. `{main}` and similar words are filled in;
 //! `{features}` and `{nominal}` are alone on their lines and become as many lines as needed.
 
 use fitcheck_core::tolerance::Feature;
@@ -10,7 +11,7 @@ use super::Planned;
 use super::called::Called;
 use super::error::SetRemark;
 use super::given;
-use super::names::Names;
+use super::names::{Control, Names};
 
 /// What begins a line that is only there where the plan says more of judging than the set knows.
 const OF_UNKNOWN: &str = "{?unknown}";
@@ -23,7 +24,7 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
     let template = shipped::text(shipped::NC, &format!("readme_{}.txt", names.target.language));
     let mut page = String::new();
     for line in template.lines() {
-        let Some(line) = for_control(line, names.target.control.code()) else { continue };
+        let Some(line) = for_control(line, codes(names)) else { continue };
         if !is_for(line, planned) {
             continue;
         }
@@ -56,12 +57,19 @@ fn add(page: &mut String, line: &str) {
     page.push_str("\r\n");
 }
 
+/// What the lines for a set begin with.
+fn codes(names: &Names<'_>) -> [&'static str; 2] {
+    let control = names.target.control;
+    let takes = if names.target.by_text { "texts" } else { "limits" };
+    [control.code(), if control == Control::Tnc7 { takes } else { control.code() }]
+}
+
 /// The line without its controls, or `None` if it is for other controls.
-fn for_control<'a>(line: &'a str, code: &str) -> Option<&'a str> {
+fn for_control<'a>(line: &'a str, codes: [&str; 2]) -> Option<&'a str> {
     let Some((controls, text)) = line.strip_prefix('[').and_then(|line| line.split_once(']')) else {
         return Some(line);
     };
-    controls.split(' ').any(|control| control == code).then(|| text.strip_prefix(' ').unwrap_or(text))
+    controls.split(' ').any(|control| codes.contains(&control)).then(|| text.strip_prefix(' ').unwrap_or(text))
 }
 
 /// Whether a line that names the program of a kind of feature is for this plan.

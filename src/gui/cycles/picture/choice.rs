@@ -50,16 +50,18 @@ impl Choice<'_> {
         match meaning {
             Meaning::MoveToClearance => self.move_to_clearance(number == 1),
             Meaning::Traverse => self.traverse(number == 1),
-            Meaning::ContactCount => self.contacts(if number == 3 { 120.0 } else { 90.0 }),
+            Meaning::ClearanceMode => self.move_to_clearance(number == 2),
+            Meaning::ContactCount => self.contacts(number),
             Meaning::Plane => self.plane(number),
             Meaning::InsideOutside => self.side(number == 1),
-            Meaning::MeasuredAxis | Meaning::AxisOfPlane => self.measured_axis(number),
+            Meaning::MeasuredAxis | Meaning::AxisOfPlane | Meaning::DirectedAxis => self.measured_axis(number),
             Meaning::Direction => self.direction(number < 0),
             Meaning::Log => self.log(number),
             Meaning::ToolAxisProbing => _ = self.tripod((number == 1).then_some(2)),
             // A table is a page.
             Meaning::Transfer => self.log(i64::from(0 <= number)),
-            Meaning::Stop => self.go_or_stop(self.middle, 18.0, number == 1),
+            Meaning::PresetCorrection => _ = self.tripod((0 < number).then_some(0)),
+            Meaning::Stop | Meaning::StopOnScrap => self.go_or_stop(self.middle, 18.0, 0 < number),
             Meaning::StopOnUndersize => self.stop_on(number),
             Meaning::Tool => self.tool(number),
             _ => {}
@@ -122,7 +124,8 @@ impl Choice<'_> {
         }
     }
 
-    fn contacts(&self, step: f32) {
+    fn contacts(&self, count: i64) {
+        let step = 360.0 / f32::from(u8::try_from(count).unwrap_or(4).max(1));
         let is_stud = self.scene.shape.is_outside();
         let radius = if is_stud { 30.0 } else { 38.0 };
         self.circle(radius, is_stud);
@@ -172,12 +175,13 @@ impl Choice<'_> {
         self.canvas.painter.add(PathShape::convex_polygon(patch, fill, self.canvas.strong()));
     }
 
+    /// Onto the face across an axis, along it or against it.
     fn measured_axis(&self, number: i64) {
-        let active = usize::try_from(number - 1).ok();
+        let active = usize::try_from(number.abs() - 1).ok();
         let (origin, axes) = self.tripod(active);
-        // Onto the face across that axis.
         let Some(axis) = active.and_then(|active| axes.get(active)) else { return };
-        self.canvas.head(origin + *axis, *axis, self.canvas.palette.data.0);
+        let (at, along) = if number < 0 { (origin, -*axis) } else { (origin + *axis, *axis) };
+        self.canvas.head(at, along, self.canvas.palette.data.0);
     }
 
     fn direction(&self, is_negative: bool) {

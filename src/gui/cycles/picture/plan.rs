@@ -43,7 +43,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::MaximumDiameter => plan.limit(RADIUS + 10.0),
         Meaning::MinimumDiameter => plan.limit(RADIUS - 8.0),
         Meaning::FirstAngle => plan.first_angle(),
-        Meaning::Step => plan.step(),
+        Meaning::Step | Meaning::Arc => plan.step(),
         Meaning::Path => plan.path(),
         Meaning::Point(axis) | Meaning::NextPoint(axis) => plan.point(axis),
         Meaning::MaximumCoordinate => plan.coordinate(14.0),

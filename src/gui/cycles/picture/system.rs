@@ -27,7 +27,9 @@ pub(super) fn draw(canvas: &Canvas<'_>, scale: &Scale, way: &Way<'_>) {
             continue;
         }
         canvas.arrow(at, at + along * AXIS, stroke);
-        canvas.note_on_ground(at + along * (AXIS + 9.0), Align2::CENTER_CENTER, name);
+        // Beside its tip: the name of what stands on the zero is beyond it.
+        let aside = vec2(-along.y, along.x) * 9.0;
+        canvas.note_on_ground(at + along * (AXIS - 4.0) + aside, Align2::CENTER_CENTER, name);
     }
     canvas.circle(at, 3.5, canvas.palette.surface.0, stroke);
 }

@@ -76,6 +76,8 @@ as_text!(RotaryAxis);
 pub enum DatumTarget {
     /// It is active at once.
     Display,
+    /// The active preset is corrected at once.
+    Active,
     /// A row of the preset table.
     Preset {
         /// The row.

@@ -99,6 +99,51 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
     },
+    /// A class of a hole for a shaft, or the other way round.
+    OtherFeature {
+        /// The parameter.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+        /// The nominal value with its class.
+        given: String,
+        /// The parameter that says hole or shaft.
+        geometry: Key,
+    },
+    /// A tolerance for a value that the cycle does not measure.
+    NotMeasured {
+        /// The parameter.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+        /// The nominal value with its tolerance.
+        given: String,
+    },
+    /// A tolerance in a program in inches, whose unit is not known.
+    InchTolerance {
+        /// The parameter.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+        /// The nominal value with its tolerance.
+        given: String,
+    },
+    /// Two points of an edge that lie at one place along it.
+    NoEdge {
+        /// The parameter of the first point.
+        first: Key,
+        /// The parameter of the second one.
+        second: Key,
+    },
+    /// Contacts that do not determine a sphere.
+    NoSphere,
+    /// A measured rotation is to turn something.
+    NoRotation {
+        /// The parameter that asks for that.
+        key: Key,
+        /// Its name.
+        name: ParameterName,
+    },
     /// A row of a table is named, and not which table: controls without that parameter had another kind of table.
     NoTransfer {
         /// The parameter that says which table.
@@ -115,8 +160,6 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
     },
-    /// Two points that are one on the line whose angle is measured.
-    NoLine,
     /// A normal without a direction.
     NoNormal {
         /// Its component in the first axis.

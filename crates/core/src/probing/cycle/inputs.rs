@@ -6,7 +6,7 @@ use super::key::Key;
 use super::value::{Angle, Value};
 use crate::length::Length;
 use crate::probing::touch_probe::TouchProbe;
-use crate::tolerance::Deviations;
+use crate::tolerance::{Deviations, Nominal};
 
 /// The values that a cycle is run with.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -98,6 +98,11 @@ impl Inputs {
 
     pub(in crate::probing) fn number(&self, key: impl Into<Key>) -> f64 {
         if let Some(Value::Number(number)) = self.value(key) { *number } else { 0.0 }
+    }
+
+    /// A nominal value from checked inputs; zero without a tolerance if there is none.
+    pub(in crate::probing) fn nominal(&self, key: impl Into<Key>) -> Nominal {
+        if let Some(Value::Nominal(nominal)) = self.value(key) { *nominal } else { Nominal::of(Length::ZERO) }
     }
 
     pub(in crate::probing) fn band(&self, key: impl Into<Key>) -> Option<Deviations> {

@@ -38,6 +38,11 @@ impl Key {
         self.is_exactly(text) || matches!(self, Self::Q(number) if Self::Qs(number).is_exactly(text))
     }
 
+    /// Whether a text is the number parameter of a text parameter: Q1116 of QS1116.
+    pub(super) fn is_number_of(self, text: &str) -> bool {
+        matches!(self, Self::Qs(number) if Self::Q(number).is_exactly(text))
+    }
+
     /// Whether a text is this key and not the text form of its number.
     pub(super) fn is_exactly(self, text: &str) -> bool {
         let text = text.trim();

@@ -46,6 +46,8 @@ pub enum Meaning {
     FirstAngle,
     /// The angle from contact to contact.
     Step,
+    /// The angle over which the contacts lie.
+    Arc,
     /// The longest probing path, with its direction.
     Path,
     /// How far two probings of one contact may differ.
@@ -70,6 +72,8 @@ pub enum Meaning {
     Retract,
     /// The way between contacts: at measuring height, or over the clearance height.
     MoveToClearance,
+    /// Where the probe goes to the clearance height: never, before and after the cycle, each object, each contact.
+    ClearanceMode,
     /// The way to the next contact: straight, or on an arc.
     Traverse,
     /// The number of contacts.
@@ -84,6 +88,8 @@ pub enum Meaning {
     AxisOfPlane,
     /// The direction of the approach.
     Direction,
+    /// The measured axis with the direction of the approach as its sign.
+    DirectedAxis,
     /// Whether the probe axis is probed, too, and set.
     ToolAxisProbing,
     /// Where the probe axis is probed, in one axis.
@@ -96,12 +102,16 @@ pub enum Meaning {
     TableRow,
     /// Which table that is.
     Transfer,
+    /// Whether the active preset is corrected, and by which point.
+    PresetCorrection,
     /// The measuring log.
     Log,
     /// Whether the program stops.
     Stop,
     /// The same, with a stop for undersize only.
     StopOnUndersize,
+    /// The same, with a stop for scrap only.
+    StopOnScrap,
     /// The tool to be monitored.
     Tool,
     /// A length without a drawing of its own.
@@ -161,6 +171,7 @@ impl Meaning {
             | Self::InsideOutside
             | Self::MeasuredAxis
             | Self::AxisOfPlane
+            | Self::DirectedAxis
             | Self::MeasuringHeight => ParameterGroup::Position,
             Self::CentreTolerance(_)
             | Self::MaximumDiameter
@@ -175,7 +186,9 @@ impl Meaning {
             Self::Log
             | Self::Stop
             | Self::StopOnUndersize
+            | Self::StopOnScrap
             | Self::Tool
+            | Self::PresetCorrection
             | Self::NewDatum(_)
             | Self::NewCoordinate
             | Self::TableRow
@@ -184,12 +197,14 @@ impl Meaning {
             | Self::StartDiameter
             | Self::FirstAngle
             | Self::Step
+            | Self::Arc
             | Self::Path
             | Self::Difference
             | Self::SetUpClearance
             | Self::ClearanceHeight
             | Self::Retract
             | Self::MoveToClearance
+            | Self::ClearanceMode
             | Self::Traverse
             | Self::ContactCount
             | Self::Direction
@@ -225,6 +240,8 @@ impl Meaning {
                 | Self::Log
                 | Self::Stop
                 | Self::StopOnUndersize
+                | Self::StopOnScrap
+                | Self::PresetCorrection
                 | Self::Tool
                 | Self::Shift
                 | Self::SetUpClearance
@@ -243,7 +260,7 @@ impl Meaning {
     /// The meaning of a parameter whose declaration gives no more than its range.
     pub(super) const fn of_range(range: Range) -> Self {
         match range {
-            Range::Length { .. } => Self::Length,
+            Range::Length { .. } | Range::Nominal { .. } => Self::Length,
             Range::Angle { .. } => Self::Angle,
             Range::OneOf(_) => Self::Choice,
             Range::Number { .. } | Range::Count { .. } => Self::Number,
@@ -294,6 +311,7 @@ impl Meaning {
             Self::StartDiameter => "cycle-picture-start-diameter",
             Self::FirstAngle => "cycle-picture-first-angle",
             Self::Step => "cycle-picture-step",
+            Self::Arc => "cycle-picture-arc",
             Self::Path => "cycle-picture-longest-path",
             Self::Difference => "cycle-picture-difference",
             Self::MeasuringHeight => "cycle-picture-measuring-height",
@@ -304,6 +322,7 @@ impl Meaning {
             Self::Band => "cycle-picture-band",
             Self::Retract => "cycle-picture-retract",
             Self::MoveToClearance => "cycle-picture-move-to-clearance",
+            Self::ClearanceMode => "cycle-picture-clearance-mode",
             Self::Traverse => "cycle-picture-traverse",
             Self::ContactCount => "cycle-picture-contact-count",
             Self::Plane => "cycle-picture-plane",
@@ -311,6 +330,7 @@ impl Meaning {
             Self::MeasuredAxis => "cycle-picture-measured-axis",
             Self::AxisOfPlane => "cycle-picture-axis-of-plane",
             Self::Direction => "cycle-picture-direction",
+            Self::DirectedAxis => "cycle-picture-directed-axis",
             Self::ToolAxisProbing => "cycle-picture-tool-axis-probing",
             Self::ToolAxisPoint(Axis::First) => "cycle-picture-tool-axis-point-1",
             Self::ToolAxisPoint(Axis::Second) => "cycle-picture-tool-axis-point-2",
@@ -321,9 +341,11 @@ impl Meaning {
             Self::NewCoordinate => "cycle-picture-new-coordinate",
             Self::TableRow => "cycle-picture-table-row",
             Self::Transfer => "cycle-picture-transfer",
+            Self::PresetCorrection => "cycle-picture-preset-correction",
             Self::Log => "cycle-picture-log",
             Self::Stop => "cycle-picture-stop",
             Self::StopOnUndersize => "cycle-picture-stop-on-undersize",
+            Self::StopOnScrap => "cycle-picture-stop-on-scrap",
             Self::Tool => "cycle-picture-tool",
             Self::Length => "cycle-picture-any-length",
             Self::Angle => "cycle-picture-any-angle",

@@ -142,9 +142,12 @@ impl Cycle {
         self.parameters.iter().find(|parameter| parameter.key == key)
     }
 
-    /// A parameter by the name that people type: `Q273`, `q273`, `QS400`, `br`. `QS330` is the text form of Q330.
+    /// A parameter by the name that people type: `Q273`, `q273`, `QS400`, `br`. `QS330` is the text form of Q330,
+    /// and Q1116 a number for the text QS1116.
     pub fn parameter_named(&self, name: &str) -> Option<&'static Parameter> {
-        self.parameters.iter().find(|parameter| parameter.key.is_named(name))
+        let takes_number = |parameter: &Parameter| matches!(parameter.range, Range::Nominal { .. });
+        let found = self.parameters.iter().find(|parameter| parameter.key.is_named(name));
+        found.or_else(|| self.parameters.iter().find(|known| takes_number(known) && known.key.is_number_of(name)))
     }
 
     /// The parameter of a meaning.
@@ -159,7 +162,7 @@ impl Cycle {
 
     /// A length by its meaning.
     pub fn length_of(&self, inputs: &Inputs, meaning: Meaning) -> Option<Length> {
-        if let Some(Value::Length(length)) = self.value_of(inputs, meaning) { Some(*length) } else { None }
+        self.value_of(inputs, meaning)?.length()
     }
 
     /// Whether it sets a datum or a rotation: such a cycle judges nothing.
@@ -169,12 +172,18 @@ impl Cycle {
 
     /// Whether it judges what it measures.
     pub fn judges(&self) -> bool {
-        self.parameters.iter().any(|parameter| parameter.meaning.group() == ParameterGroup::Tolerance)
+        let is_limit = |parameter: &Parameter| parameter.meaning.group() == ParameterGroup::Tolerance;
+        self.takes_nominals() || self.parameters.iter().any(is_limit)
     }
 
     /// Whether a basic rotation in force ends before its contacts.
     pub fn ends_rotation(&self) -> bool {
         self.notes.contains(&Note::EndsRotation)
+    }
+
+    /// Whether its limits stand in texts beside the nominal values, and no parameter has them.
+    pub fn takes_nominals(&self) -> bool {
+        self.parameters.iter().any(|parameter| matches!(parameter.range, Range::Nominal { .. }))
     }
 
     /// The top that a cycle probes besides its surface, where its inputs ask for that.

@@ -11,6 +11,7 @@ use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
 use crate::message::{Arg, Say};
 use crate::tolerance::callout::qs400;
+use crate::tolerance::{Nominal, NominalError};
 use crate::words::Dialogue;
 
 /// One parameter of a cycle.
@@ -89,6 +90,18 @@ impl Parameter {
         Self::new(key, name, Range::Length { least: Length::ZERO, most })
     }
 
+    /// A nominal coordinate of cycles 14xx within the control's ±99999.9999 mm, with or without a tolerance.
+    pub const fn nominal_coordinate(number: u16, name: &'static str) -> Self {
+        let most = Length::constant(99_999_999_900);
+        Self::new(Key::Qs(number), name, Range::Nominal { least: most.negated(), most })
+    }
+
+    /// A nominal size of cycles 14xx from 0 to 99999.9999 mm, with or without a tolerance.
+    pub const fn nominal_size(number: u16, name: &'static str) -> Self {
+        let most = Length::constant(99_999_999_900);
+        Self::new(Key::Qs(number), name, Range::Nominal { least: Length::ZERO, most })
+    }
+
     /// One of a few numbers.
     pub const fn choice(key: Key, name: &'static str, of: &'static [i64]) -> Self {
         Self::new(key, name, Range::OneOf(of))
@@ -98,6 +111,13 @@ impl Parameter {
     pub const fn angle(key: Key, name: &'static str, most: i32, smallest: i32) -> Self {
         let range = Range::Angle { most: Angle::from_degrees(most), smallest: Angle::from_degrees(smallest) };
         Self::new(key, name, range)
+    }
+
+    /// The same with other numbers to choose from.
+    #[must_use]
+    pub const fn of(mut self, numbers: &'static [i64]) -> Self {
+        self.range = Range::OneOf(numbers);
+        self
     }
 
     /// The same with a meaning of its own.
@@ -206,6 +226,7 @@ impl Parameter {
     fn value_of(&self, default: i64) -> Option<Value> {
         Some(match self.range {
             Range::Length { .. } => Value::Length(Length::from_nanometres(default).ok()?),
+            Range::Nominal { .. } => Value::Nominal(Nominal::of(Length::from_nanometres(default).ok()?)),
             Range::Angle { .. } => Value::Angle(Angle(default)),
             Range::OneOf(_) | Range::Count { .. } => Value::Whole(default),
             Range::Number { .. } | Range::Tool => Value::Number(f64::from(i32::try_from(default).ok()?)),
@@ -218,6 +239,11 @@ impl Parameter {
         match (self.range, value) {
             (_, Value::Predef) => self.may_be_predef,
             (Range::Length { least, most }, Value::Length(length)) => least <= *length && *length <= most,
+            (Range::Nominal { least, most }, Value::Nominal(nominal)) => {
+                let (minimum, maximum) = nominal.limits().unwrap_or((least, most));
+                let in_range = |length: Length| least <= length && length <= most;
+                in_range(nominal.value()) && in_range(minimum) && in_range(maximum)
+            }
             (Range::Angle { most, smallest }, Value::Angle(angle)) => {
                 smallest.0 <= angle.0.saturating_abs() && angle.0.saturating_abs() <= most.0
             }
@@ -246,6 +272,7 @@ impl Parameter {
         }
         let read = match self.range {
             Range::Length { .. } => text.parse().map(Value::Length).map_err(|error: LengthError| error.message()),
+            Range::Nominal { .. } => text.parse().map(Value::Nominal).map_err(|error: NominalError| error.message()),
             Range::Angle { .. } => text.parse().map(Value::Angle).map_err(|error: LengthError| error.message()),
             Range::OneOf(_) | Range::Count { .. } => match (whole(text), number(text)) {
                 (Some(whole), _) => Ok(Value::Whole(whole)),

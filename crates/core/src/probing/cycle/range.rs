@@ -21,6 +21,13 @@ pub enum Range {
         /// The least in size; zero where every size is allowed.
         smallest: Angle,
     },
+    /// A nominal value with or without a tolerance, mm, as cycles 14xx take it. Its limits lie in the range, too.
+    Nominal {
+        /// From.
+        least: Length,
+        /// To.
+        most: Length,
+    },
     /// One of a few numbers.
     OneOf(&'static [i64]),
     /// A number without a unit, at most `most` either way.
@@ -51,7 +58,9 @@ display!(Range);
 impl Say for Range {
     fn message(&self) -> Message {
         match self {
-            Self::Length { least, most } => message!("cycle-length-range").number("least", least).number("most", most),
+            Self::Length { least, most } | Self::Nominal { least, most } => {
+                message!("cycle-length-range").number("least", least).number("most", most)
+            }
             Self::Angle { most, smallest } if *smallest == Angle::default() => {
                 message!("cycle-angle-range").number("most", most)
             }
@@ -71,7 +80,7 @@ impl Range {
     /// The unit of the value, where it has one.
     pub const fn unit(&self) -> Option<&'static str> {
         match self {
-            Self::Length { .. } | Self::Band => Some("mm"),
+            Self::Length { .. } | Self::Nominal { .. } | Self::Band => Some("mm"),
             Self::Angle { .. } => Some("°"),
             Self::OneOf(_) | Self::Number { .. } | Self::Count { .. } | Self::Tool => None,
         }
@@ -81,7 +90,7 @@ impl Range {
     pub fn short(&self) -> Message {
         let figures = |text: String| message!("cycle-range").number("range", text);
         match self {
-            Self::Length { least, most } => figures(format!("{least} … {most}")),
+            Self::Length { least, most } | Self::Nominal { least, most } => figures(format!("{least} … {most}")),
             Self::Angle { most, smallest } => {
                 let [most, smallest] = [most, smallest].map(|angle| angle.to_string().trim_end_matches('°').to_owned());
                 figures(if smallest == "0" {

@@ -203,6 +203,8 @@ impl ResultName {
     pub const CENTRE_1: Self = Self::new("found-centre-1");
     /// Measured centre, second axis.
     pub const CENTRE_2: Self = Self::new("found-centre-2");
+    /// Measured centre, third axis.
+    pub const CENTRE_3: Self = Self::new("found-centre-3");
     /// Measured length of a rectangle's side along the first axis.
     pub const SIDE_1: Self = Self::new("found-side-1");
     /// Measured length of a rectangle's side along the second axis.
@@ -223,6 +225,8 @@ impl ResultName {
     pub const CENTRE_DEVIATION_1: Self = Self::new("found-centre-deviation-1");
     /// Deviation of the centre, second axis.
     pub const CENTRE_DEVIATION_2: Self = Self::new("found-centre-deviation-2");
+    /// Deviation of the centre, third axis.
+    pub const CENTRE_DEVIATION_3: Self = Self::new("found-centre-deviation-3");
     /// Deviation of the diameter.
     pub const DIAMETER_DEVIATION: Self = Self::new("found-diameter-deviation");
     /// A coordinate in the measured axis.
@@ -261,7 +265,7 @@ impl ResultName {
 
     /// Whether it is a coordinate of a centre, which has no limits of size.
     pub fn is_centre(self) -> bool {
-        self == Self::CENTRE_1 || self == Self::CENTRE_2
+        [Self::CENTRE_1, Self::CENTRE_2, Self::CENTRE_3].contains(&self)
     }
 
     /// A name by the id of its text.

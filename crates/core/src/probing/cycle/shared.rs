@@ -200,6 +200,17 @@ pub(in crate::probing) const STOP_IF_ERROR: Parameter = Parameter::choice(Key::Q
     .or(0)
     .means(Meaning::Stop);
 
+/// Whether the program stops where something is out of tolerance, and for what; a cycle says which of them.
+pub(in crate::probing) const ERROR_REACTION: Parameter = Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
+    .named(&[(Nl, "REACTIE BIJ FOUT"), (De, "FEHLERREAKTION"), (It, "REAZIONE A ERRORE")])
+    .asked(&[
+        (En, "Reaction to tolerance error?"),
+        (Nl, "Reactie bij tolerantiefout?"),
+        (De, "Reaktion bei Toleranzfehler?"),
+        (It, "Reazione a errore tolleranza?"),
+    ])
+    .or(0);
+
 /// The tool that is monitored, by number or name.
 pub(in crate::probing) const TOOL: Parameter = Parameter::new(Key::Q(330), "TOOL NUMBER", super::range::Range::Tool)
     .named(&[(Nl, "GEREEDSCHAP"), (De, "WERKZEUG"), (It, "UTENSILE")])

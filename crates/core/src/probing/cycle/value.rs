@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use crate::length::{Length, LengthError};
 use crate::message::{Message, message};
-use crate::tolerance::Deviations;
+use crate::tolerance::{Deviations, Nominal};
 
 /// A quarter turn in ten-thousandths of a degree.
 pub(in crate::probing) const QUARTER_TURN: i64 = 900_000;
@@ -21,11 +21,9 @@ impl Angle {
         Self(degrees as i64 * 10_000)
     }
 
-    /// The nearest of an angle in degrees; zero for what is no number.
+    /// The nearest ten-thousandth of these degrees; zero for what is no number.
     pub fn nearest(degrees: f64) -> Self {
-        // A degree is counted like a millimetre of ten thousand parts.
-        let rounded = Length::from_mm_f64((degrees * 10_000.0).round() / 10_000.0);
-        Self(rounded.map_or(0, |rounded| (rounded.nanometres() + 50).div_euclid(100)))
+        Self(Length::from_mm_f64(degrees).map_or(0, |rounded| (rounded.nanometres() + 50).div_euclid(100)))
     }
 
     /// Ten-thousandths of a degree.
@@ -39,6 +37,13 @@ impl Angle {
         // Each less than a turn, so that the sum fits.
         let [start, step] = [self.0, step.0].map(|angle| angle.rem_euclid(4 * QUARTER_TURN));
         Self((start + step * i64::from(count)).rem_euclid(4 * QUARTER_TURN))
+    }
+
+    /// One of several equal parts of it, to the nearest ten-thousandth of a degree; of no parts as of one.
+    #[must_use]
+    pub fn divided(self, parts: u8) -> Self {
+        let parts = i64::from(parts.max(1));
+        Self((self.0 + parts / 2).div_euclid(parts))
     }
 
     /// The unit vector in this direction, exact at every quarter turn.
@@ -105,6 +110,8 @@ pub enum Value {
     Text(String),
     /// A tolerance band about a nominal coordinate (QS400); `None` for no tolerance.
     Band(Option<Deviations>),
+    /// A nominal value with or without limits, as cycles 14xx take it.
+    Nominal(Nominal),
     /// The word PREDEF: the value from GLOBAL DEF.
     Predef,
 }
@@ -118,6 +125,7 @@ impl fmt::Display for Value {
             Self::Number(number) => number.fmt(f),
             Self::Text(text) => f.pad(text),
             Self::Band(band) => f.pad(&band.as_ref().map_or_else(String::new, band_text)),
+            Self::Nominal(nominal) => nominal.fmt(f),
             Self::Predef => f.pad(PREDEF),
         }
     }
@@ -139,11 +147,23 @@ fn band_text(band: &Deviations) -> String {
 }
 
 impl Value {
+    /// The millimetres of a length or of a nominal value, whose tolerance is left out.
+    pub const fn length(&self) -> Option<Length> {
+        match self {
+            Self::Length(length) => Some(*length),
+            Self::Nominal(nominal) => Some(nominal.value()),
+            _ => None,
+        }
+    }
+
     /// The value with its unit. A text stays as it is; numbers are printed as each language prints them.
     pub fn with_unit(&self) -> Message {
         match self {
             Self::Length(length) => message!("cycle-value-length").number("value", length),
             Self::Band(None) => message!("cycle-value-no-tolerance"),
+            Self::Nominal(nominal) if nominal.limits().is_none() => {
+                message!("cycle-value-length").number("value", nominal.value())
+            }
             Self::Text(text) => message!("cycle-value").text("value", text),
             _ => message!("cycle-value").number("value", self),
         }

@@ -8,15 +8,14 @@ use super::judged;
 use super::probed::probing;
 use crate::length::Length;
 use crate::probing::contact::Contact;
-use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, POINT_3, SET_UP_CLEARANCE};
+use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, ERROR_REACTION, POINT_1, POINT_2, POINT_3, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
     Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Note, Parameter, Range, Remark,
-    ResultName, ResultParameter, Stop, Value, Window, nearest,
+    ResultName, ResultParameter, Stop, Window, nearest,
 };
 use crate::probing::simulated::{FreePoint, Surface};
 use crate::probing::vector::{along, direction, dot};
 use crate::tolerance::Feature;
-use crate::verdict::Status;
 use crate::words::Dialogue::{De, En, It, Nl};
 
 // De, It: not seen.
@@ -73,16 +72,7 @@ pub(super) const CYCLE: Cycle = Cycle {
                 (It, "Valore di tolleranza?"),
             ])
             .or_nothing(),
-        Parameter::choice(Key::Q(309), "ERROR REACTION", &[0, 1, 2])
-            .named(&[(Nl, "REACTIE BIJ FOUT"), (De, "FEHLERREAKTION"), (It, "REAZIONE A ERRORE")])
-            .asked(&[
-                (En, "Reaction to tolerance error?"),
-                (Nl, "Reactie bij tolerantiefout?"),
-                (De, "Reaktion bei Toleranzfehler?"),
-                (It, "Reazione a errore tolleranza?"),
-            ])
-            .or(0)
-            .means(Meaning::StopOnUndersize),
+        ERROR_REACTION.means(Meaning::StopOnUndersize),
         Parameter::size(RETRACT, "RETRACTION")
             .named(&[(Nl, "TERUGTREKAFSTAND"), (De, "RUECKZUG"), (It, "DISTACCO")])
             .asked(&[
@@ -153,7 +143,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     };
     Ok(Measured {
         contacts: vec![contact],
-        results: results.into_iter().chain([status_result(status)]).collect(),
+        results: results.into_iter().chain([judged::status(status)]).collect(),
         status,
         stop: if stops { Stop::of(inputs.whole(309), &checks) } else { None },
         checks,
@@ -180,15 +170,4 @@ fn measured(
         ResultParameter::length(164, ResultName::DEVIATION_ALONG, off),
     ];
     Ok((found, off))
-}
-
-/// Q183: −1 without a tolerance, 0 good, 1 rework, 2 scrap.
-fn status_result(status: Option<Status>) -> ResultParameter {
-    let number = match status {
-        Some(Status::Good) => 0,
-        Some(Status::Rework) => 1,
-        Some(Status::Scrap) => 2,
-        None | Some(Status::ReMeasure | Status::OutOfLimits) => -1,
-    };
-    ResultParameter { key: Some(Key::Q(183)), name: ResultName::STATUS, value: Value::Whole(number) }
 }

@@ -79,69 +79,102 @@ pub(super) struct Circle {
     pub(super) centre: [u16; 2],
 }
 
-impl Circle {
-    fn centre(self, inputs: &Inputs) -> [f64; 2] {
-        self.centre.map(|number| inputs.mm(number))
-    }
+/// A hole or a shaft that is probed at a height, mm.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Round {
+    pub(super) feature: Feature,
+    pub(super) centre: [f64; 2],
+    pub(super) diameter: f64,
+    pub(super) height: f64,
+}
 
+/// How the probe comes to the start of a probing.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Way {
+    /// In a straight line.
+    Straight,
+    /// On an arc at measuring height.
+    Arc,
+    /// Over the clearance height.
+    Over,
+}
+
+impl Circle {
     /// The nominal centre.
     pub(super) fn nominal(self, inputs: &Inputs) -> [Length; 2] {
         self.centre.map(|number| inputs.length(number))
     }
 
-    /// The hole or shaft at its nominal size.
-    pub(super) fn surface(self, inputs: &Inputs) -> Surface {
-        Surface::Round(Workpiece::round(self.feature, self.centre(inputs), inputs.mm(262)), Plane::Xy)
+    fn round(self, inputs: &Inputs) -> Round {
+        let centre = self.centre.map(|number| inputs.mm(number));
+        Round { feature: self.feature, centre, diameter: inputs.mm(262), height: inputs.mm(261) }
     }
 
-    /// Makes the contacts and leaves to the clearance height.
+    /// The hole or shaft at its nominal size.
+    pub(super) fn surface(self, inputs: &Inputs) -> Surface {
+        self.round(inputs).surface()
+    }
+
+    /// Makes the contacts, at Q325 + k · Q247, and leaves to the clearance height: from above to the first one, to the others as Q301
+    /// says, and at measuring height as Q365 says.
     pub(super) fn probe(self, inputs: &Inputs, course: &mut Course<'_>) -> Result<Vec<Contact>, CycleError> {
         if inputs.length(262) == Length::ZERO {
             let name = ParameterName::new(DIAMETER_NAME, DIAMETER_NAMES);
             return Err(CycleError::NoDiameter { key: Key::Q(262), name });
         }
-        let mut contacts = Vec::new();
-        for touch in self.touches(inputs, course.ball_radius()) {
-            self.pre_position(inputs, &touch, contacts.is_empty(), course);
-            contacts.push(course.touch(&touch)?);
-            course.retract(touch.from);
-        }
+        // Q423 is 3 or 4.
+        let count = usize::try_from(inputs.whole(423)).unwrap_or(4);
+        let angles = (0..4_u8).take(count).map(|number| inputs.angle(325).stepped(inputs.angle(247), number));
+        let next = match (inputs.whole(301), inputs.whole(365)) {
+            (1, _) => Way::Over,
+            (_, 1) => Way::Arc,
+            _ => Way::Straight,
+        };
+        let contacts = self.round(inputs).probe(angles, [Way::Over, next], inputs, course)?;
         course.leave(inputs.mm(260));
         Ok(contacts)
     }
+}
 
-    /// The contacts in order: at Q325 + k · Q247, from inside a hole or from outside a shaft.
-    fn touches(self, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
-        let [x, y] = self.centre(inputs);
-        let height = inputs.mm(261);
-        let radius = inputs.mm(262) / 2.0;
+impl Round {
+    pub(super) fn surface(self) -> Surface {
+        Surface::Round(Workpiece::round(self.feature, self.centre, self.diameter), Plane::Xy)
+    }
+
+    /// Makes a contact at each angle; the first way leads to the first one, the second to each of the others.
+    pub(super) fn probe(
+        self,
+        angles: impl Iterator<Item = Angle>,
+        [first, next]: [Way; 2],
+        inputs: &Inputs,
+        course: &mut Course<'_>,
+    ) -> Result<Vec<Contact>, CycleError> {
+        let mut contacts = Vec::new();
+        for angle in angles {
+            let touch = self.touch(angle, inputs, course.ball_radius());
+            let [x, y] = self.centre;
+            match if contacts.is_empty() { first } else { next } {
+                Way::Straight => course.pre_position(touch.from),
+                Way::Arc => course.pre_position_about(touch.from, [x, y, self.height]),
+                Way::Over => course.pre_position_from_above(touch.from, inputs.mm(260)),
+            }
+            contacts.push(course.touch(&touch)?);
+            course.retract(touch.from);
+        }
+        Ok(contacts)
+    }
+
+    /// From inside a hole, or from outside a shaft.
+    fn touch(self, angle: Angle, inputs: &Inputs, ball_radius: f64) -> Touch {
+        let [x, y] = self.centre;
+        let radius = self.diameter / 2.0;
         let clearance = clearance(inputs);
         let (start, outward) = match self.feature {
             // In a small hole the probe starts at the centre.
             Feature::Hole => ((radius - clearance - ball_radius).max(0.0), 1.0),
             Feature::Shaft => (radius + clearance + ball_radius, -1.0),
         };
-        let count = inputs.whole(423);
-        let step = inputs.angle(247);
-        // Q423 is 3 or 4.
-        (0..4_u8)
-            .take(usize::try_from(count).unwrap_or(4))
-            .map(|number| {
-                let [cos, sin] = inputs.angle(325).stepped(step, number).direction();
-                probing(inputs, [x + start * cos, y + start * sin, height], [outward * cos, outward * sin, 0.0])
-            })
-            .collect()
-    }
-
-    /// From above to the first contact; to the others as Q301 says, and at measuring height as Q365 says.
-    fn pre_position(self, inputs: &Inputs, touch: &Touch, is_first: bool, course: &mut Course<'_>) {
-        if is_first || inputs.whole(301) == 1 {
-            course.pre_position_from_above(touch.from, inputs.mm(260));
-        } else if inputs.whole(365) == 1 {
-            let [x, y] = self.centre(inputs);
-            course.pre_position_about(touch.from, [x, y, inputs.mm(261)]);
-        } else {
-            course.pre_position(touch.from);
-        }
+        let [cos, sin] = angle.direction();
+        probing(inputs, [x + start * cos, y + start * sin, self.height], [outward * cos, outward * sin, 0.0])
     }
 }

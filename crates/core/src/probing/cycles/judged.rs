@@ -2,7 +2,9 @@
 
 use crate::length::Length;
 use crate::probing::contact::Contact;
-use crate::probing::cycle::{Check, CycleError, Inputs, Measured, ResultName, ResultParameter, Stop, nearest};
+use crate::probing::cycle::{
+    Check, CycleError, Inputs, Key, Measured, ResultName, ResultParameter, Stop, Value, nearest,
+};
 use crate::tolerance::Feature;
 use crate::verdict::{AxisPosition, PositionVerdict, Status, classify};
 
@@ -29,20 +31,20 @@ pub(super) fn position(centre: [Length; 2], nominal: [Length; 2], tolerances: [L
     PositionVerdict { axes: [axis(centre_1, nominal_1, tolerance_1), axis(centre_2, nominal_2, tolerance_2)] }
 }
 
-/// Each axis of a centre that has a tolerance, as a check of its own: a wrong position cannot be machined away, so it
-/// is scrap.
+/// A coordinate of a centre against its limits; nothing where it is not monitored. A wrong position cannot be machined away, so it is scrap.
+pub(super) fn place(what: ResultName, measured: Length, limits: Option<(Length, Length)>) -> Option<Check> {
+    let (minimum, maximum) = limits?;
+    let status = if measured < minimum || maximum < measured { Status::Scrap } else { Status::Good };
+    Some(Check { what, measured, minimum, maximum, status })
+}
+
+/// Each axis of a centre that has a tolerance, as a check of its own.
 pub(super) fn centre(centre: [Length; 2], nominal: [Length; 2], position: &PositionVerdict) -> Vec<Check> {
     let names = [ResultName::CENTRE_1, ResultName::CENTRE_2];
     let axes = names.into_iter().zip(centre).zip(nominal.into_iter().zip(position.axes));
     let checks = axes.filter_map(|((what, measured), (nominal, axis))| {
         let tolerance = axis.tolerance?;
-        Some(Check {
-            what,
-            measured,
-            minimum: nominal.saturating_sub(tolerance),
-            maximum: nominal.saturating_sub(tolerance.negated()),
-            status: if axis.is_out() { Status::Scrap } else { Status::Good },
-        })
+        place(what, measured, Some((nominal.saturating_sub(tolerance), nominal.saturating_sub(tolerance.negated()))))
     });
     checks.collect()
 }
@@ -64,6 +66,17 @@ pub(super) fn measured(
     results.extend(ResultParameter::markers(status));
     let stop = if inputs.whole(309) == 1 { Stop::of(1, &checks) } else { None };
     Measured { contacts, checks, status: Some(status), results, stop, ..Measured::default() }
+}
+
+/// Q183: −1 without a tolerance, 0 good, 1 rework, 2 scrap.
+pub(super) fn status(status: Option<Status>) -> ResultParameter {
+    let number = match status {
+        Some(Status::Good) => 0,
+        Some(Status::Rework) => 1,
+        Some(Status::Scrap) => 2,
+        None | Some(Status::ReMeasure | Status::OutOfLimits) => -1,
+    };
+    ResultParameter { key: Some(Key::Q(183)), name: ResultName::STATUS, value: Value::Whole(number) }
 }
 
 /// Whether a nominal size is not between its limits.

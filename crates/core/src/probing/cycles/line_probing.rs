@@ -5,7 +5,7 @@
 
 use super::probed::{approach, clearance, met, met_at, probing};
 use crate::probing::contact::Contact;
-use crate::probing::cycle::{Angle, Course, CycleError, Inputs, ResultName, ResultParameter};
+use crate::probing::cycle::{Angle, Course, CycleError, Inputs, Key, ResultName, ResultParameter};
 use crate::probing::simulated::{Face, Surface};
 use crate::probing::vector::along;
 
@@ -50,11 +50,12 @@ pub(super) fn surface(inputs: &Inputs) -> Surface {
 /// Both contacts: the way between them is at measuring height, or over the clearance height (Q301).
 ///
 /// # Errors
-/// [`CycleError::NoLine`] where the points have one place on the line.
+/// [`CycleError::NoEdge`] where the points have one place on the line.
 pub(super) fn probe(inputs: &Inputs, course: &mut Course<'_>) -> Result<[Contact; 2], CycleError> {
     let [first, second] = points(inputs);
     if across(inputs, [first, second]).0.abs() <= 0.0 {
-        return Err(CycleError::NoLine);
+        let [first, second] = if inputs.whole(272) == 1 { [264, 266] } else { [263, 265] };
+        return Err(CycleError::NoEdge { first: Key::Q(first), second: Key::Q(second) });
     }
     if inputs.whole(272) == 3 {
         course.needs_heights()?;

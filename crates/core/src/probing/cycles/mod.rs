@@ -12,7 +12,10 @@
 //! | `width_cycle` | what 425 and 426 share |
 //! | `width_datum_cycle` | what 408 and 409 share |
 //! | `datum_cycle` | what all cycles share that set a datum |
+//! | `nominal_cycle` | what cycles 14xx share |
+//! | `edge_probing` | the points of 1400 and 1410 |
 //! | `round` | the circle through contacts |
+//! | `sphere` | the sphere through contacts |
 //! | `judged` | sizes and centres against their limits |
 //! | `probed` | the clearance before a surface, the point where the ball met the surface, and along which axis |
 //! | `c400` | 400, basic rotation |
@@ -35,6 +38,10 @@
 //! | `c427` | 427, measure coordinate |
 //! | `c444` | 444, probing in 3-D |
 //! | `g785` | G785 of lathe controls, circle measurement |
+//! | `c1400` | 1400, position probing |
+//! | `c1401` | 1401, circle probing |
+//! | `c1402` | 1402, sphere probing |
+//! | `c1410` | 1410, probing on edge |
 //!
 //! To add a cycle:
 //!
@@ -58,6 +65,10 @@
 //! | `Measured::datum` | where the zero of NC programs is from there on |
 //! | `Measured::rotation` | how their system is turned from there on |
 
+mod c1400;
+mod c1401;
+mod c1402;
+mod c1410;
 mod c400;
 mod c403;
 mod c408;
@@ -81,13 +92,16 @@ mod circle_cycle;
 mod circle_datum_cycle;
 mod circle_probing;
 mod datum_cycle;
+mod edge_probing;
 mod g785;
 mod judged;
 mod line_probing;
+mod nominal_cycle;
 mod probed;
 mod rectangle_cycle;
 mod rectangle_datum_cycle;
 mod round;
+mod sphere;
 mod walls_probing;
 mod width_cycle;
 mod width_datum_cycle;
@@ -95,7 +109,8 @@ mod width_datum_cycle;
 use super::cycle::{Control, Cycle};
 use crate::tolerance::Feature;
 
-/// All cycles: those that judge by number, then 420, which judges nothing, then those that set a datum or a rotation.
+/// All cycles: those that judge by number, then 420, which judges nothing, then those that set a datum or a rotation, then those with nominal
+/// values as texts.
 pub const CYCLES: &[&Cycle] = &[
     &c421::CYCLE,
     &c422::CYCLE,
@@ -117,6 +132,10 @@ pub const CYCLES: &[&Cycle] = &[
     &c413::CYCLE,
     &c417::CYCLE,
     &c419::CYCLE,
+    &c1400::CYCLE,
+    &c1401::CYCLE,
+    &c1402::CYCLE,
+    &c1410::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.
@@ -132,9 +151,9 @@ pub fn cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
     CYCLES.iter().copied().filter(move |cycle| cycle.control == control)
 }
 
-/// Those of them that measure a feature and judge it.
+/// Those of them that measure a feature and judge it by limits of their own.
 pub fn measuring_cycles_of(control: Control) -> impl Iterator<Item = &'static Cycle> {
-    cycles_of(control).filter(|cycle| cycle.judges())
+    cycles_of(control).filter(|cycle| cycle.judges() && !cycle.takes_nominals())
 }
 
 /// A cycle by its number.

@@ -68,7 +68,7 @@ impl<'a> Reader<'a> {
         };
         self.scanner.skip_blanks();
         let Tolerance::Deviations(first) = callout.tolerance() else { return Ok(callout) };
-        if self.grammar == Grammar::Cycle || !self.scanner.eat(|c| c == '/') {
+        if !self.scanner.eat(|c| c == '/') {
             return Ok(callout);
         }
         // The second part of a fit.
@@ -85,17 +85,31 @@ impl<'a> Reader<'a> {
         Ok(deviations)
     }
 
+    /// Reads the deviations of a cycle text, in either order. Behind a plus sign one alone may be a deviation without a size.
+    pub(super) fn deviations_of(&mut self, size: Size) -> Result<Deviations, CalloutError> {
+        let pair = self.pair()?;
+        if size.plus && matches!(pair, Pair::One(_)) {
+            return Err(self.no_nominal(size.place));
+        }
+        self.between(&pair)
+    }
+
     /// The same with something behind them.
     pub(super) fn deviations(&mut self) -> Result<Deviations, CalloutError> {
         self.scanner.skip_blanks();
-        let (one, other) = match self.pair()? {
+        let pair = self.pair()?;
+        self.between(&pair)
+    }
+
+    fn between(&self, pair: &Pair<'a>) -> Result<Deviations, CalloutError> {
+        let (one, other) = match pair {
             Pair::Around(one) => (one.value, one.value.negated()),
             Pair::One(only) if only.value == Length::ZERO => {
                 let end = TextSpan { start: only.place.end, end: only.place.end };
                 return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
             }
             Pair::One(only) => (only.value, Length::ZERO),
-            Pair::Two(first, second) if first.value < second.value => {
+            Pair::Two(first, second) if first.value < second.value && self.grammar == Grammar::Callout => {
                 let place = TextSpan { start: first.place.start, end: second.place.end };
                 let offer = format!("{} {}", signed(second.value), signed(first.value));
                 return Err(self.error(place, Kind::LoneOrder { offer }));
@@ -166,10 +180,10 @@ impl<'a> Reader<'a> {
             return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
         }
         let as_deviation = self.with_deviations(size, only.place, only.value, Length::ZERO);
-        // "12.01-11.985" and "12-11" may also be limits of size; cycle texts have none.
+        // "12.01-11.985" and "12-11" may also be limits of size.
         let nominal = size.value;
         let removed = only.value.negated();
-        if removed < nominal.saturating_sub(removed) || self.grammar == Grammar::Cycle {
+        if removed < nominal.saturating_sub(removed) {
             return as_deviation;
         }
         let Ok(limits) = Callout::with_limits(nominal.max(removed), nominal.min(removed)) else { return as_deviation };
@@ -183,11 +197,11 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Upper and lower deviation. A callout must have the upper one first; cycle texts may have either order.
+    /// Upper and lower deviation. A callout must have the upper one first.
     fn both(&self, size: Size, first: &Deviation<'_>, second: &Deviation<'_>) -> Result<Callout, CalloutError> {
         let place = TextSpan { start: first.place.start, end: second.place.end };
         let callout = self.with_deviations(size, place, first.value, second.value)?;
-        if first.value < second.value && self.grammar == Grammar::Callout {
+        if first.value < second.value {
             return Err(self.error(place, Kind::DeviationOrder { offer: callout }));
         }
         Ok(callout)

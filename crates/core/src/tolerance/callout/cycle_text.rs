@@ -7,8 +7,10 @@ use std::str::FromStr;
 use super::error::CalloutError;
 use super::kind::{CalloutErrorKind, Part};
 use super::reading::{Grammar, Reader, Size};
+use super::scanner::{is_figure, is_sign};
 use super::{Callout, Tolerance};
 use crate::length::Length;
+use crate::tolerance::Deviations;
 
 /// A text of cycles 14xx: `10H7`, `?10H7`, `?`, `10H7@10.004`.
 ///
@@ -41,13 +43,15 @@ pub enum CycleSize {
     Nominal(Length),
     /// A size above zero with its tolerance.
     Callout(Callout),
+    /// A position in millimetres with its deviations, where that is no size: it, or its lower limit, is zero or less.
+    Position(Length, Deviations),
 }
 
 impl CycleText {
     /// The nominal value in millimetres, with or without tolerance.
     pub const fn nominal(&self) -> Option<Length> {
         match self.size {
-            Some(CycleSize::Nominal(nominal)) => Some(nominal),
+            Some(CycleSize::Nominal(nominal) | CycleSize::Position(nominal, _)) => Some(nominal),
             Some(CycleSize::Callout(callout)) => Some(callout.nominal()),
             None => None,
         }
@@ -77,6 +81,7 @@ impl FromStr for CycleText {
         reader.scanner.skip_blanks();
         let size = match reader.scanner.peek() {
             None | Some('@') => CycleSize::Nominal(size.value),
+            Some(c) if is_sign(c) || is_figure(c) => with_deviations(&mut reader, size)?,
             Some(_) => CycleSize::Callout(reader.tolerance(size)?),
         };
         reader.scanner.skip_blanks();
@@ -84,6 +89,17 @@ impl FromStr for CycleText {
         reader.end()?;
         Ok(Self { position_unknown, size: Some(size), actual })
     }
+}
+
+/// A size or a position, and its deviations.
+fn with_deviations(reader: &mut Reader<'_>, size: Size) -> Result<CycleSize, CalloutError> {
+    let deviations = reader.deviations_of(size)?;
+    let nominal = size.value;
+    let minimum = nominal.checked_add(deviations.lower());
+    if nominal <= Length::ZERO || minimum.is_some_and(|minimum| minimum <= Length::ZERO) {
+        return Ok(CycleSize::Position(nominal, deviations));
+    }
+    reader.placed(size.place, Callout::with_deviations(nominal, deviations)).map(CycleSize::Callout)
 }
 
 /// The number after an `@`.
@@ -111,6 +127,7 @@ impl fmt::Display for CycleText {
         match self.size {
             Some(CycleSize::Nominal(nominal)) => text.push_str(&nominal.to_string()),
             Some(CycleSize::Callout(callout)) => text.push_str(&callout_text(&callout)),
+            Some(CycleSize::Position(nominal, deviations)) => text.push_str(&deviations_text(nominal, deviations)),
             None => {}
         }
         if let Some(actual) = self.actual {
@@ -125,13 +142,15 @@ fn callout_text(callout: &Callout) -> String {
     let nominal = callout.nominal();
     match callout.tolerance() {
         Tolerance::Class(class) => format!("{nominal}{class}"),
-        Tolerance::Deviations(deviations) => {
-            let upper = deviations.upper();
-            let lower = deviations.lower();
-            let upper_sign = if upper < Length::ZERO { '-' } else { '+' };
-            let lower_sign = if Length::ZERO < lower { '+' } else { '-' };
-            format!("{nominal}{upper_sign}{}{lower_sign}{}", upper.abs(), lower.abs())
-        }
+        Tolerance::Deviations(deviations) => deviations_text(nominal, deviations),
         Tolerance::Fit { .. } | Tolerance::General(_) | Tolerance::Limits { .. } => callout.to_string(),
     }
+}
+
+fn deviations_text(nominal: Length, deviations: Deviations) -> String {
+    let upper = deviations.upper();
+    let lower = deviations.lower();
+    let upper_sign = if upper < Length::ZERO { '-' } else { '+' };
+    let lower_sign = if Length::ZERO < lower { '+' } else { '-' };
+    format!("{nominal}{upper_sign}{}{lower_sign}{}", upper.abs(), lower.abs())
 }

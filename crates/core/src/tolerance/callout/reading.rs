@@ -43,7 +43,7 @@ pub(super) struct Number<'a> {
 pub(super) struct Size {
     pub(super) value: Length,
     /// Whether it has a plus sign.
-    plus: bool,
+    pub(super) plus: bool,
     pub(super) place: TextSpan,
 }
 
@@ -130,7 +130,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn no_nominal(&self, place: TextSpan) -> CalloutError {
+    pub(super) fn no_nominal(&self, place: TextSpan) -> CalloutError {
         self.error(place, Kind::NoNominal { text: shorten(self.scanner.text().trim()) })
     }
 

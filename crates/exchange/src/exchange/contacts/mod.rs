@@ -9,7 +9,6 @@ use csv::StringRecord;
 pub use error::ContactsError;
 use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::probing::Contact;
-use fitcheck_core::text;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 
 use super::delimited::{Item, Rows, SEPARATORS};
@@ -18,6 +17,7 @@ use super::evidence::{self, marks_simulation};
 use super::given::shorten;
 use super::role::Role;
 use super::sample::Sample;
+use super::source::decode;
 use super::stated;
 use super::warmth::{self, Scale};
 use super::words;
@@ -80,7 +80,7 @@ struct Places {
 /// # Errors
 /// [`ContactsError`] with the line and, as the column, the number of the cell.
 pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
-    let text = text::decode(bytes);
+    let text = decode(bytes);
     let separator = separator(&text);
     let mut read = Contacts { contacts: Vec::new(), has_heights: false, ignored: Vec::new(), warm: None };
     let mut places: Option<Places> = None;
@@ -201,8 +201,9 @@ fn same_sign(row: &[&str], line: usize, sign: &mut Option<char>) -> Result<(), L
 
 /// The separator of the first line that has one; a blank is not a separator.
 fn separator(text: &str) -> u8 {
-    let lines =
-        text::lines(text).map(|(_, line)| line.trim()).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let lines = fitcheck_core::text::lines(text)
+        .map(|(_, line)| line.trim())
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
     let mut lines = lines.take(20);
     lines
         .find_map(|line| SEPARATORS.iter().copied().find(|separator| line.bytes().any(|byte| byte == *separator)))

@@ -63,8 +63,12 @@ fn value_text(cycle: &Cycle, parameter: &Parameter, value: &Value) -> Result<Str
         Value::Whole(whole) => number(whole.to_string()),
         Value::Number(float) => number(float.to_string()),
         Value::Predef => value.to_string(),
-        Value::Text(_) | Value::Band(_) => {
-            let text = value.to_string();
+        Value::Text(_) | Value::Band(_) | Value::Nominal(_) => {
+            let text = match value {
+                // Without a tolerance, as the control writes it.
+                Value::Nominal(nominal) if nominal.limits().is_none() => number(nominal.to_string()),
+                value => value.to_string(),
+            };
             if text.contains(|c: char| c == '"' || c.is_control()) {
                 return Err(ProbeBlockFault::NotWritable { key: parameter.key, given: shown(&text) });
             }

@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | the display (Q305 = 0) | the measured place gets its coordinates, the shift ends, the datum is that of row 0 | TNC7; an iTNC 530 may keep the shift |
 //! | a row of the preset table | acts with cycle 247 of that row; at once where the row is active | the latter TNC 640 and TNC7, from memory |
+//! | the active preset (Q1120) | as a row that is active; where no block has named it, as the display | from memory |
 //! | a row of the datum table | refused: that table is on the control only | |
 //!
 //! A basic rotation goes the same ways; it turns the axes about the zero ("Angle and rotation").

@@ -102,13 +102,12 @@ impl Around {
     }
 
     /// Sets a basic rotation that a cycle has found; what is written into the preset table.
-    pub(in crate::machine) fn set_rotation(
-        &mut self,
-        degrees: f64,
-        (target, row): (DatumTarget, u32),
-        made: ChangingBlock,
-    ) -> TableRow {
-        if target == DatumTarget::Display || self.is_active(row) {
+    pub(in crate::machine) fn set_rotation(&mut self, degrees: f64, row: Option<u32>, made: ChangingBlock) -> TableRow {
+        let is_display = row.is_none();
+        let row = row.unwrap_or(0);
+        // A cycle that has ended the rotation before it measured counts from none.
+        let degrees = self.datum.basic_rotation() + degrees;
+        if is_display || self.is_active(row) {
             let plane = self.plane();
             self.datum.turn(degrees, plane, made.into());
             self.keep_active(row);
@@ -148,14 +147,15 @@ impl Around {
         self.preset = Some(f64::from(row));
     }
 
-    /// Sets what a cycle has found, for a row that the preset table may have: what is to be said of it, and what is written into that row.
+    /// Sets what a cycle has found, for a row that the preset table may have or for the display, which is row 0: what is to be said of it,
+    /// and what is written into that row.
     ///
     /// # Errors
     /// [`FaultKind`] where it is not known what a control would do.
     pub(in crate::machine) fn set_datum(
         &mut self,
         new: &NewDatum,
-        (row, table): (u32, Option<PresetRow>),
+        (row, table): (Option<u32>, Option<PresetRow>),
         made: ChangingBlock,
     ) -> Result<(Vec<Remark>, TableRow), FaultKind> {
         if let Some(tilt) = &self.tilt {
@@ -168,7 +168,8 @@ impl Around {
         let by = [moved(x, by_x), moved(y, by_y), moved(z, by_z)];
         let rotation = self.datum.rotation();
         let zero = sum(self.datum.origin, out(rotation, by.map(Option::unwrap_or_default))?);
-        let is_display = new.target == DatumTarget::Display;
+        let is_display = row.is_none();
+        let row = row.unwrap_or(0);
         if !is_display && !self.is_active(row) {
             // Only the axes that were measured are written.
             let ([to_x, to_y, to_z], [by_x, by_y, by_z]) = (zero, by);
@@ -192,7 +193,8 @@ impl Around {
         self.keep_active(row);
         self.found_again(&new.axes);
         let said = named(zero.map(Some));
-        remarks.push(if is_display {
+        // The controls that correct the active preset by a cycle do so at once.
+        remarks.push(if is_display || new.target == DatumTarget::Active {
             Remark::DatumSet { zero: said }
         } else {
             Remark::ActivePresetSet { row, zero: said }

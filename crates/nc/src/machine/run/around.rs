@@ -78,20 +78,30 @@ impl Run {
         let (remarks, written) = self.around.set_datum(new, (row, table), self.flow.made(at))?;
         let place = self.flow.place_of(at);
         self.remarks.add_all(&place, remarks);
-        let remark = self.presets.write(row, written, files)?;
+        let remark = self.presets.write(row.unwrap_or(0), written, files)?;
         self.remarks.add_all(&place, remark.into_iter().collect());
         Ok(())
     }
 
     /// The row that a cycle writes into, and what the preset table has there.
-    fn row_for(&mut self, target: DatumTarget, files: &mut Files) -> Result<(u32, Option<PresetRow>), FaultKind> {
-        let found = match target {
-            DatumTarget::Preset { row } => (row, self.presets.unlocked(row, files)?),
-            DatumTarget::Display => (0, None),
+    fn row_for(
+        &mut self,
+        target: DatumTarget,
+        files: &mut Files,
+    ) -> Result<(Option<u32>, Option<PresetRow>), FaultKind> {
+        let row = match target {
+            DatumTarget::Preset { row } => Some(row),
+            // Where no block has named the active row: as where the display is set.
+            DatumTarget::Active => self.around.preset().and_then(row_number),
+            DatumTarget::Display => None,
             DatumTarget::Table { row } => return Err(FaultKind::NoDatumTable { row }),
         };
+        let table = match row {
+            Some(row) => self.presets.unlocked(row, files)?,
+            None => None,
+        };
         self.check_presets()?;
-        Ok(found)
+        Ok((row, table))
     }
 
     /// How a cycle has turned the system, or the part in it: what follows counts in that.
@@ -104,8 +114,8 @@ impl Run {
             }
         };
         let (row, _) = self.row_for(target, files)?;
-        let written = self.around.set_rotation(new.degrees, (target, row), self.flow.made(at));
-        let remark = self.presets.write(row, written, files)?;
+        let written = self.around.set_rotation(new.degrees, row, self.flow.made(at));
+        let remark = self.presets.write(row.unwrap_or(0), written, files)?;
         self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
         Ok(())
     }

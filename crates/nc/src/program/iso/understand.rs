@@ -89,12 +89,12 @@ fn left_over(piece: &Piece<'_>, found: &str) -> Odd {
     Odd::of(piece, Stop { at: 0, reason: BlockFault::LeftOver { found: shown(found) } })
 }
 
-/// The number of a cycle with Q parameters: G200 to G299 machine, G400 to G499 probe.
+/// The number of a cycle with Q parameters: G200 to G299 machine, G400 to G499 and G1400 to G1499 probe.
 fn cycle_number(code: &str) -> Option<u32> {
     let mut cursor = Cursor::new(code);
-    let number = cursor.take_prefix("G").then(|| cursor.whole(999).ok().flatten())??;
+    let number = cursor.take_prefix("G").then(|| cursor.whole(1499).ok().flatten())??;
     let is_whole = !cursor.rest().starts_with(['.', ',']);
-    (is_whole && matches!(number, 200..300 | 400..500)).then_some(number)
+    (is_whole && matches!(number, 200..300 | 400..500 | 1400..1500)).then_some(number)
 }
 
 /// A cycle: all words in one line, or lines as in Klartext.
