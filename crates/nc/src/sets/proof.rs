@@ -152,7 +152,12 @@ mod tests {
         };
         check("FIT_MAIN.H", "\"H7\"", "\"H8\"", "F1");
         check("FIT_MAIN.H", "\"+0.2-0\"", "\"+0.3-0\"", "F2");
-        check("FIT_CHECK.H", "QS1116=QS9 ;DIAMETER 1 ~\r\n    Q1115=+0", "Q1116=+Q1 ;DIAMETER 1 ~\r\n    Q1115=+0", "F1");
+        check(
+            "FIT_CHECK.H",
+            "QS1116=QS9 ;DIAMETER 1 ~\r\n    Q1115=+0",
+            "Q1116=+Q1 ;DIAMETER 1 ~\r\n    Q1115=+0",
+            "F1",
+        );
     }
 
     fn fault(block: u32) -> String {
