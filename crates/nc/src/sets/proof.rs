@@ -152,12 +152,11 @@ mod tests {
         };
         check("FIT_MAIN.H", "\"H7\"", "\"H8\"", "F1");
         check("FIT_MAIN.H", "\"+0.2-0\"", "\"+0.3-0\"", "F2");
-        check(
-            "FIT_CHECK.H",
-            "QS1116=QS9 ;DIAMETER 1 ~\r\n    Q1115=+0",
-            "Q1116=+Q1 ;DIAMETER 1 ~\r\n    Q1115=+0",
-            "F1",
-        );
+        // Without a tolerance there is no status, and the program stops itself.
+        let change =
+            ("FIT_CHECK.H", "QS1116=QS9 ;DIAMETER 1 ~\r\n    Q1115=+0", "Q1116=+Q1 ;DIAMETER 1 ~\r\n    Q1115=+0");
+        let stop = r"TNC:\nc_prog\fitcheck\FIT_CHECK.H, block 55, FN 14: ERROR= 1004: the program stopped itself with error 1004";
+        check_target(&target, plan, change, stop);
     }
 
     fn fault(block: u32) -> String {
