@@ -125,6 +125,7 @@ mod rows;
 mod rules;
 mod run_cli;
 mod run_doubts;
+mod series_read;
 mod session;
 mod session_actions;
 mod session_budget;

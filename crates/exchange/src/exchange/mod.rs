@@ -34,6 +34,7 @@
 //! | `refused` | a cell that cannot be used |
 //! | `size`, `sizes` | what was measured alone, of holes or of shafts |
 //! | `vocabulary`, `units`, `words` | the words of names of columns, the units beside them, what a name says |
+//! | `series` | a series of parts: what words say of a part and of its values |
 //! | `samples` | measured values side by side, in columns that are counted |
 //! | `sample`, `column` | the first rows of a CSV; one column of it |
 //! | `columns` | which column of a CSV is which, by header or content |
@@ -147,6 +148,7 @@ mod row;
 mod rules;
 mod sample;
 mod samples;
+mod series;
 mod size;
 mod sizes;
 mod source;
@@ -339,8 +341,14 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
 }
 
 /// The formats whose files may say no unit.
-const MAY_SAY_NO_UNIT: [&Format; 6] =
-    [&calypso::FORMAT, &protocol::FORMAT, &pcdmis::FORMAT, &probed::FORMAT, &geopak::FORMAT, &gauge::FORMAT];
+const MAY_SAY_NO_UNIT: [&Format; 6] = [
+    &calypso::FORMAT,
+    &protocol::FORMAT,
+    &pcdmis::FORMAT,
+    &probed::FORMAT,
+    &geopak::FORMAT,
+    &gauge::FORMAT,
+];
 
 /// The formats that a mapping can be of: tables, and where it says the unit alone those that may say none.
 fn of_mapping(mapping: &Mapping) -> Vec<&'static Format> {
