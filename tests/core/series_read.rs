@@ -241,3 +241,62 @@ fn a_mask_that_leaves_a_value_open_is_refused() {
     let said = read(none, "BORE_1   25.0100 BORE_2   25.0100\n", Some(&plan()));
     assert!(said[0].contains("any of these could be the measured value: Q1801, Q1802"), "{said:?}");
 }
+
+fn table(text: &str, plan: Option<&Plan>) -> Vec<String> {
+    import("OWN.TAB", text, &[], plan)
+}
+
+const OWN: &str = "BEGIN OWN.TAB MM\r\nNR PART SERIAL BORE_1    PIN_3     STATUS\r\n\
+    0  1    A-1    +25.0100  +19.9900  GOOD  \r\n1  2    A-2    +25.o100  +19.9950  REWORK\r\n\
+    2  3    A-3    -         +19.9900  GOOD  \r\n3  0                               \r\n[END]\r\n";
+
+#[test]
+fn a_row_of_a_table_has_the_values_of_its_part_and_garbage_costs_its_cell() {
+    let said = table(OWN, Some(&plan()));
+    let values: Vec<&String> = said.iter().filter(|said| said.contains("] ")).collect();
+    let limits = "19.98..19.993";
+    let expected = [
+        "3 [|A-1|1] BORE_1: 25 H7 25 25..25.021 25.01 GOOD".to_owned(),
+        format!("3 [|A-1|1] PIN_3: 20 g6 20 {limits} 19.99 GOOD"),
+        format!("4 [|A-2|2] PIN_3: 20 g6 20 {limits} 19.995 REWORK"),
+        format!("5 [|A-3|3] PIN_3: 20 g6 20 {limits} 19.99 GOOD"),
+    ];
+    assert_eq!(values, expected.iter().collect::<Vec<_>>(), "{said:?}");
+    assert!(said[2].contains("line 4") && said[2].contains("25.o100"), "{said:?}");
+    assert!(said[4].contains("line 5"), "{said:?}");
+    assert_eq!(said.len(), 6, "{said:?}");
+    // A part that the program calls good is told where one of its values is not; which one is rework, its status does not say.
+    let said = table(&OWN.replace("+19.9900  GOOD", "+19.9700  GOOD"), Some(&plan()));
+    let told = said.iter().filter(|said| said.contains("the file says GOOD, but the limits say SCRAP")).count();
+    assert_eq!(told, 2, "{said:?}");
+}
+
+#[test]
+fn a_table_with_one_value_a_part_has_its_limits_and_status_beside_it() {
+    let one = "BEGIN OWN.TAB MM\r\nNR SERIAL CALLOUT  MIN      MAX      ACTUAL   STATUS\r\n\
+               0  A-1    25 H7    25.0000  25.0210  25.0300  GOOD  \r\n[END]\r\n";
+    let told = "warning: line 3: the file says GOOD, but the limits say SCRAP";
+    assert_eq!(table(one, None), [told, "3 [|A-1|] : 25 H7 25 25..25.021 25.03 SCRAP"]);
+    // Inch: only a column that a control converts is in the unit of the table.
+    assert!(table(&one.replace(" MM", " INCH"), None)[0].contains("LENGTH"));
+    let inch = "BEGIN OWN.TAB INCH\r\nTableDescription (\r\n  columns:= [\r\n    CfgColumnDescription (\r\n      key:=\"SERIAL\",\r\n\
+                width:=8,\r\n      unit:=TEXT\r\n    ),\r\n    CfgColumnDescription (\r\n      key:=\"BORE_1\",\r\n      width:=12,\r\n\
+                unit:=LENGTH\r\n    )\r\n  ]\r\n)\r\nSERIAL  BORE_1      \r\nA-1     0.9844      \r\n[END]\r\n";
+    // 0.9844 inch is 25.00376 mm.
+    assert_eq!(table(inch, Some(&plan())), ["17 [|A-1|] BORE_1: 25 H7 25 25..25.021 25.00376 GOOD"]);
+    // Without a unit it is read in mm, which is told.
+    let said = table(&one.replace(" MM", ""), None);
+    assert!(said[0].contains("mm") && said.last().unwrap().ends_with("25.03 SCRAP"), "{said:?}");
+}
+
+#[test]
+fn a_table_that_says_no_part_or_is_cut_off_is_refused() {
+    let none = "BEGIN OWN.TAB MM\r\nNR F1       F2       \r\n0  25.0100  25.0000  \r\n[END]\r\n";
+    assert!(table(none, Some(&plan()))[0].contains("no column says which part"));
+    for end in OWN.find("\r\n0").unwrap()..OWN.find("[END]").unwrap() {
+        let said = table(&OWN[..end], Some(&plan()));
+        let values = said.iter().filter(|said| said.contains("[|A-")).count();
+        let is_told = said.iter().any(|said| !said.contains("[|A-") && !said.contains("25.o100"));
+        assert!(is_told && values <= 4, "{end}: {said:?}");
+    }
+}
