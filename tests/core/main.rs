@@ -84,6 +84,7 @@ mod nc_cli;
 mod nc_given;
 mod nc_paths;
 mod nc_plans;
+mod nc_series;
 mod nc_sets;
 mod neutral;
 mod option_doubts;

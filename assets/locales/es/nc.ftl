@@ -5,6 +5,8 @@ nc-name = nombre { $name }: se admiten letras de la A a la Z, cifras y _, como m
 nc-not-on-control = { $kind }: se mide con el ciclo { $cycle }, que un { $control } no tiene
 ## Sets
 nc-folder = { $folder } no es una carpeta para programas: escriba TNC:\ y después nombres de letras, cifras, _ y -, separados por \
+nc-series-name = { $name } no puede nombrar una columna de la tabla de la serie: empiece el nombre por una letra y no use NR, PART ni STATUS
+nc-series-sizes = una serie guarda como máximo { $most } medidas de una pieza y el plan tiene { $sizes }: cree varios juegos
 nc-reads-otherwise = { $file } no se puede escribir de modo que se lea igual
 nc-proof = el juego no superó su ejecución de prueba y no se escribió: { $reason }
 nc-proof-no-end = el programa no termina

@@ -5,6 +5,8 @@ nc-name = naam { $name }: toegestaan zijn letters A tot Z, cijfers en _, hoogste
 nc-not-on-control = { $kind } wordt gemeten met cyclus { $cycle }, en die heeft een { $control } niet
 ## Sets
 nc-folder = { $folder } is geen map voor programma's: schrijf TNC:\ en dan namen van letters, cijfers, _ en -, gescheiden door \
+nc-series-name = { $name } kan geen kolom van de serietabel heten: laat de naam met een letter beginnen en gebruik niet NR, PART of STATUS
+nc-series-sizes = een serie bewaart hoogstens { $most } maten van een onderdeel, en het plan heeft er { $sizes }: maak meer sets
 nc-reads-otherwise = { $file } kan niet zo worden geschreven dat hetzelfde wordt teruggelezen
 nc-proof = de set is bij de proefuitvoering afgekeurd en niet geschreven: { $reason }
 nc-proof-no-end = het programma eindigt niet

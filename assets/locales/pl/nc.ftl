@@ -5,6 +5,8 @@ nc-name = nazwa { $name }: dozwolone są litery A do Z, cyfry i _, najwyżej { $
 nc-not-on-control = { $kind }: pomiar cyklem { $cycle }, którego { $control } nie ma
 ## Sets
 nc-folder = { $folder } nie jest folderem na programy: wpisać TNC:\ i nazwy z liter, cyfr, _ i -, rozdzielone przez \
+nc-series-name = { $name } nie może być nazwą kolumny tabeli serii: zacznij nazwę od litery i nie używaj NR, PART ani STATUS
+nc-series-sizes = seria przechowuje najwyżej { $most } wymiarów części, a plan ma ich { $sizes }: utwórz kilka zestawów
 nc-reads-otherwise = { $file } nie można zapisać tak, aby odczytać go tak samo
 nc-proof = wykonanie próbne zestawu nie powiodło się i zestawu nie zapisano: { $reason }
 nc-proof-no-end = program się nie kończy
