@@ -11,7 +11,7 @@ use fitcheck_core::message::{FilePlace, Located};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature};
 use fitcheck_nc::control::simulated::is_mark;
-use fitcheck_nc::control::table::{ControlTable, TableFile, TableUnit};
+use fitcheck_nc::control::table::{Column, ControlTable, TableFile, TableUnit};
 
 use super::characteristic::{Characteristic, CharacteristicKind, Value};
 use super::claim::Claim;
@@ -116,11 +116,12 @@ fn filled(table: &ControlTable, at: usize) -> impl Iterator<Item = &str> {
 
 /// Whether a column is one of numbers: its description says so, or else at least half of its cells do.
 fn holds_numbers(table: &ControlTable, at: usize) -> bool {
-    let said = table.columns.get(at).and_then(|column| column.is_text());
+    let said = table.columns.get(at).and_then(Column::is_text);
     let (mut numbers, mut others) = (0, 0);
-    filled(table, at).for_each(|cell| {
-        *(if cells::is_number(cell.strip_prefix('+').unwrap_or(cell)) { &mut numbers } else { &mut others }) += 1
-    });
+    for cell in filled(table, at) {
+        let is_number = cells::is_number(cell.strip_prefix('+').unwrap_or(cell));
+        *(if is_number { &mut numbers } else { &mut others }) += 1;
+    }
     said.map_or(0 < numbers && others <= numbers, |is_text| !is_text)
 }
 
