@@ -37,7 +37,8 @@ pub(super) const FORMAT: Format = Format {
     read,
     plan: None,
     line_ends: b"",
-    has_marks: true,
+    // Every other table of a control begins so, too.
+    has_marks: false,
     shows_end: true,
 };
 
