@@ -183,7 +183,7 @@ fn a_file_that_is_cut_off_within_a_part_gives_none_of_its_values() {
     let whole = three("1", ["25.01", "25.022", "19.99"]);
     let all = whole.repeat(2);
     for end in whole.len()..all.len() - 1 {
-        let said = read(OF_PART, &all[..end], Some(&plan()));
+        let said = read(OF_PART, all.get(..end).unwrap(), Some(&plan()));
         let values = said.iter().filter(|said| said.contains("] ")).count();
         assert_eq!(values, 3, "{end}: {said:?}");
         let is_begun = "PART    1".len() <= end - whole.len();
@@ -191,7 +191,7 @@ fn a_file_that_is_cut_off_within_a_part_gives_none_of_its_values() {
         assert_eq!(is_told, is_begun, "{end}: {said:?}");
     }
     // The next run appends to what was cut off: no value of either part is taken for one of the other.
-    let cut = &whole[..whole.len() - 20];
+    let cut = whole.get(..whole.len() - 20).unwrap();
     let said = read(OF_PART, &format!("{whole}{cut}{}", three("9", ["25.01", "25.01", "19.99"])), Some(&plan()));
     assert!(!said.iter().any(|said| said.contains("[|S1|1]") && !said.starts_with("1 ")), "{said:?}");
 }
@@ -294,7 +294,7 @@ fn a_table_that_says_no_part_or_is_cut_off_is_refused() {
     let none = "BEGIN OWN.TAB MM\r\nNR F1       F2       \r\n0  25.0100  25.0000  \r\n[END]\r\n";
     assert!(table(none, Some(&plan()))[0].contains("no column says which part"));
     for end in OWN.find("\r\n0").unwrap()..OWN.find("[END]").unwrap() {
-        let said = table(&OWN[..end], Some(&plan()));
+        let said = table(OWN.get(..end).unwrap(), Some(&plan()));
         let values = said.iter().filter(|said| said.contains("[|A-")).count();
         let is_told = said.iter().any(|said| !said.contains("[|A-") && !said.contains("25.o100"));
         assert!(is_told && values <= 4, "{end}: {said:?}");
