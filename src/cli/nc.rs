@@ -9,7 +9,7 @@ use super::io::{not_dash, unless_forced, write_new};
 use super::plan::{is_plan_file, read_named, whole};
 use super::{CliError, CliRemark, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::files;
-use crate::nc::sets::{Control, ControlFolder, FeatureError, NcSet, SetError, SingleFault, Target, single};
+use crate::nc::sets::{Control, ControlFolder, FeatureError, MOST_PARTS, NcSet, SetError, SingleFault, Target, single};
 use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Plan};
 use crate::tolerance::Sources;
 use crate::words::Dialogue;
@@ -20,6 +20,7 @@ Examples:
   fitcheck nc \"35 +0.2/0\" --feature hole --x 40 --y 30 --z -8 --control tnc640 -o folder
   fitcheck nc plan.csv --control itnc530 --language de -o set.zip
   fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
+  fitcheck nc plan.csv --control tnc640 --series=200 -o series
 
 A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLANS.md
 describes each column. The columns of a feature, in any order:
@@ -51,6 +52,12 @@ README.TXT. A plan that names a cycle or parameters is refused.
 
 With --tolerance-texts a TNC7 judges diameters itself, by ISO 286 and the text of its cycle; the
 tables then serve the window. A set whose limits are not those of the text is refused.
+
+--series writes a main program that measures the next part of a series each time it is started,
+without asking. Each part becomes a row of a table and a block of a protocol, with mean, range and
+worst status so far; a part that is scrap stops the program. fitcheck import reads both back: the
+table as it is, the protocol through the mask of the set; with --plan every value finds its feature.
+The table has a row for each of PARTS parts, 100 where no number is given.
 
 A name that ends in .zip becomes one file, any other a folder. Existing files are kept:
 --force overwrites them.
@@ -87,6 +94,16 @@ pub(super) struct Args {
     /// Language of comments, status words and mask
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
+    /// Measure a series: one part after the other, in a table for so many parts
+    #[arg(
+        long,
+        value_name = "PARTS",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "100",
+        value_parser = clap::value_parser!(u16).range(1..=i64::from(MOST_PARTS))
+    )]
+    series: Option<u16>,
     /// Folder on the control; default: the control's usual one
     #[arg(long, value_name = "TNC:\\FOLDER")]
     folder: Option<String>,
@@ -179,7 +196,8 @@ impl Args {
     }
 
     fn target(&self) -> Result<Target, CliError> {
-        let usual = Target { by_text: self.tolerance_texts, ..Target::new(self.control, self.language) };
+        let new = Target::new(self.control, self.language);
+        let usual = Target { by_text: self.tolerance_texts, parts: self.series, ..new };
         let Some(folder) = &self.folder else { return Ok(usual) };
         let folder: ControlFolder = folder.parse().said()?;
         Ok(Target { folder, ..usual })

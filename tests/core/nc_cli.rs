@@ -232,3 +232,41 @@ fn a_callout_without_a_class_is_measured_by_its_own_limits() {
         assert!(answer.out.starts_with(&window), "{}", answer.out);
     }
 }
+
+#[test]
+fn a_series_runs_part_by_part_and_its_files_are_imported() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("plan.csv"), "name,callout,x,y,z\nF1,25 H7,40,30,-8\n").unwrap();
+    let answer = nc(folder.path(), &["plan.csv", "--control", "tnc7", "--series=3", "-o", "set"]);
+    assert_eq!(answer.code, Some(0), "{}", answer.err);
+    // Table and protocol lie in the folder of outputs from the second part on.
+    let run = ["run", "set/FIT_SERIES.H", "--workpiece", "bore.toml", "--output-folder", "out"];
+    std::fs::create_dir(folder.path().join("out")).unwrap();
+    for (diameter, code) in [("25.01", 0), ("24.998", 10), ("25.03", 11)] {
+        let bore = format!("[bore]\ncentre = [40, 30]\ndiameter = {diameter}\n");
+        std::fs::write(folder.path().join("bore.toml"), bore).unwrap();
+        let answer = fitcheck(folder.path(), &run, "");
+        assert_eq!(answer.code, Some(code), "{} {}", answer.out, answer.err);
+    }
+    let full = fitcheck(folder.path(), &run, "");
+    assert!(full.code == Some(1) && full.err.contains("FN 14: ERROR= 1004"), "{}", full.err);
+    let out = "out/nc_prog/fitcheck";
+    for call in [
+        vec!["import", "--plan", "plan.csv", &format!("{out}/FIT_SERIES.TAB"), "--format", "csv"],
+        vec![
+            "import",
+            "--plan",
+            "plan.csv",
+            "--mask",
+            "set/FIT_SERIES.A",
+            &format!("{out}/FIT_SERIES.TXT"),
+            "--format",
+            "csv",
+        ],
+    ] {
+        let answer = fitcheck(folder.path(), &call, "");
+        let rows = |text: &str| answer.out.lines().filter(|line| line.contains(text)).count();
+        let found = ["25.010,10,GOOD", "24.998,-2,REWORK", "25.030,30,SCRAP"].map(rows);
+        assert_eq!((answer.code, found), (Some(11), [1; 3]), "{}\n{}", answer.out, answer.err);
+    }
+}

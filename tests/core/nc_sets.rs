@@ -86,7 +86,7 @@ pub(crate) fn run(set: &NcSet, control: Control, language: Dialogue, contacts: C
 }
 
 /// The native measurement of a feature on a workpiece of this diameter.
-fn measured(feature: &PlanFeature, limits: &Limits, diameter: Length) -> Measurement {
+pub(crate) fn measured(feature: &PlanFeature, limits: &Limits, diameter: Length) -> Measurement {
     let [x, y, z] = feature.place.unwrap();
     let centre = [x, y].map(Length::to_mm_f64);
     let workpiece = Workpiece::round(limits.feature.unwrap(), centre, diameter.to_mm_f64());

@@ -4,6 +4,7 @@
 exchange-format-logs = měřicí protokoly HEIDENHAIN, například TCHPR421.TXT
 exchange-format-log-444 = protokoly 3D snímání, jak je zapisuje Fitcheck
 exchange-format-fn16 = výstup FN 16 z řídicího systému, čtený přes jeho masku (--mask)
+exchange-format-series-table = tabulka řídicího systému, kterou program plní pomocí FN 27, jeden řádek na díl
 exchange-format-contacts = body dotyku jedné kružnice: x, y a volitelně z
 exchange-format-measurements = měření jako CSV: id, callout, measured
 exchange-empty = soubor je prázdný
@@ -28,6 +29,11 @@ exchange-print-ambiguous = maska to může přečíst několika způsoby
 exchange-print-broken = výpis končí předčasně: očekává se výstup řádku { $line } masky
 exchange-print-other = maska takový řádek netiskne, ale jsou v něm čísla: může to být výpis s chybějící nebo změněnou hodnotou; opravte jej nebo odstraňte
 exchange-print-unit = řádek { $line } udává { $unit }, ale výstup řídicího systému se čte v mm: tiskněte hodnoty v mm
+exchange-table-no-part = žádný sloupec neříká, ke kterému dílu řádek patří: tabulka série potřebuje sloupec jako PART nebo SERIAL
+exchange-table-no-values = žádný sloupec neobsahuje naměřené hodnoty
+exchange-table-no-value = není jasné, který sloupec { $name } je naměřená hodnota
+exchange-table-touches = buňka ve sloupci { $column } se dotýká sousední, jedna z nich může být špatně oddělena: oddělte je mezerou
+exchange-table-unit = tabulka je v palcích a sloupec { $column } není typu LENGTH, jeho hodnoty tedy mohou být v mm: použijte typ LENGTH
 exchange-no-rows = žádný řádek neobsahuje měření
 exchange-no-measured-column = chybí sloupec naměřených hodnot: pojmenujte jej v prvním řádku, například id;callout;measured
 exchange-several-columns = více sloupců ({ $columns }) může být: { $role }; zvolte jeden pomocí import --columns, například { $word }=3, nebo sloupce v prvním řádku pojmenujte tak, aby se hodil jen jeden, například id;callout;measured

@@ -6,6 +6,8 @@ nc-not-on-control = { $kind } se měří cyklem { $cycle }, který { $control } 
 ## Sets
 nc-folder = { $folder } není složka pro programy: pište TNC:\ a pak názvy z písmen, číslic, _ a -, oddělené \
 nc-no-texts = sada s texty tolerancí je možná jen pro TNC7, ne pro { $control }
+nc-series-name = { $name } nemůže být názvem sloupce tabulky série: začněte název písmenem a nepoužívejte NR, PART ani STATUS
+nc-series-sizes = série uchovává nejvýše { $most } rozměrů dílu a plán jich má { $sizes }: vytvořte více sad
 nc-reads-otherwise = { $file } nelze zapsat tak, aby se zpět přečetl stejně
 nc-proof = sada neprošla zkušebním během a nebyla zapsána: { $reason }
 nc-proof-no-end = program nekončí

@@ -4,6 +4,7 @@
 exchange-format-logs = HEIDENHAIN-Messprotokolle wie TCHPR421.TXT
 exchange-format-log-444 = Messprotokolle vom Antasten 3D, wie Fitcheck sie schreibt
 exchange-format-fn16 = FN-16-Ausgabe einer Steuerung, über ihre Maske gelesen (--mask)
+exchange-format-series-table = Tabelle einer Steuerung, die ein Programm mit FN 27 füllt, eine Zeile je Teil
 exchange-format-contacts = Antastpunkte eines Kreises: x, y und wahlweise z
 exchange-format-measurements = Messungen als CSV: Name, Toleranzangabe, Messwert
 exchange-empty = die Datei ist leer
@@ -28,6 +29,11 @@ exchange-print-ambiguous = die Maske kann das auf mehrere Arten lesen
 exchange-print-broken = der Ausgabesatz endet zu früh: die Ausgabe von Textzeile { $line } der Maske erwartet
 exchange-print-other = die Maske gibt keine solche Textzeile aus, sie enthält aber Zahlen: es kann ein Ausgabesatz mit fehlendem oder geändertem Wert sein; berichtigen oder entfernen
 exchange-print-unit = Textzeile { $line } nennt { $unit }, die Ausgabe einer Steuerung wird aber in mm gelesen: die Werte in mm ausgeben
+exchange-table-no-part = keine Spalte sagt, zu welchem Teil eine Zeile gehört: die Tabelle einer Serie braucht eine Spalte wie PART oder SERIAL
+exchange-table-no-values = keine Spalte enthält Messwerte
+exchange-table-no-value = welche Spalte von { $name } der Messwert ist, ist nicht eindeutig
+exchange-table-touches = die Zelle in Spalte { $column } berührt ihre Nachbarzelle, eine von beiden kann falsch getrennt sein: mit einem Leerzeichen trennen
+exchange-table-unit = die Tabelle ist in Zoll und Spalte { $column } nicht vom Typ LENGTH, ihre Werte können also in mm sein: den Typ LENGTH verwenden
 exchange-no-rows = keine Zeile enthält eine Messung
 exchange-no-measured-column = keine Spalte mit Messwerten: sie in der ersten Textzeile benennen, wie id;callout;measured
 exchange-several-columns = Spalten { $columns } können jeweils { $role } sein: eine mit import --columns wählen, wie { $word }=3, oder die Spalten in der ersten Textzeile so benennen, dass nur eine passt, wie id;callout;measured

@@ -6,6 +6,8 @@ nc-not-on-control = { $kind } wird mit Zyklus { $cycle } gemessen, den eine { $c
 ## Dateisätze
 nc-folder = { $folder } ist kein Ordner für Programme: TNC:\ schreiben, dann Namen aus Buchstaben, Ziffern, _ und -, getrennt durch \
 nc-no-texts = ein Satz mit Toleranztexten ist nur für TNC7 möglich, nicht für { $control }
+nc-series-name = { $name } kann keine Spalte der Serientabelle benennen: den Namen mit einem Buchstaben beginnen und nicht NR, PART oder STATUS verwenden
+nc-series-sizes = eine Serie nimmt höchstens { $most } Maße eines Teils auf, der Plan hat { $sizes }: mehrere Dateisätze erstellen
 nc-reads-otherwise = { $file } kann nicht so geschrieben werden, dass beim Lesen dasselbe herauskommt
 nc-proof = der Dateisatz hat seinen Probelauf nicht bestanden und wurde nicht geschrieben: { $reason }
 nc-proof-no-end = das Programm endet nicht

@@ -4,6 +4,7 @@
 exchange-format-logs = HEIDENHAIN measuring logs such as TCHPR421.TXT
 exchange-format-log-444 = logs of probing in 3-D as written by Fitcheck
 exchange-format-fn16 = FN 16 output of a control, read through its mask (--mask)
+exchange-format-series-table = table of a control that a program fills with FN 27, a row for each part
 exchange-format-contacts = contacts of one circle: x, y and optionally z
 exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-empty = the file is empty
@@ -28,6 +29,11 @@ exchange-print-ambiguous = the mask can read this in several ways
 exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
 exchange-print-other = the mask prints no such line, but it has figures: it may be a record with a missing or changed value; correct it or remove it
 exchange-print-unit = line { $line } states { $unit }, but the output of a control is read in mm: print the values in mm
+exchange-table-no-part = no column says which part a row is of: a table of a series needs a column such as PART or SERIAL
+exchange-table-no-values = no column holds measured values
+exchange-table-no-value = it is not clear which column of { $name } is the measured value
+exchange-table-touches = the cell in column { $column } touches its neighbour, so either may be split in the wrong place: separate them by a blank
+exchange-table-unit = the table is in inch and column { $column } is not of type LENGTH, so its values could be in mm: use the type LENGTH
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
 exchange-several-columns = columns { $columns } may each be { $role }: choose one with import --columns, such as { $word }=3, or name the columns in the first line so that only one fits, such as id;callout;measured

@@ -6,6 +6,8 @@ nc-not-on-control = a { $kind } is measured by cycle { $cycle }, which an { $con
 ## Sets
 nc-folder = { $folder } is not a folder for programs: write TNC:\ and then names of letters, digits, _ and -, separated by \
 nc-no-texts = a set with tolerance texts is possible for TNC7 only, not for { $control }
+nc-series-name = { $name } cannot name a column of the series table: begin the name with a letter, and do not use NR, PART or STATUS
+nc-series-sizes = a series keeps at most { $most } sizes of a part, and the plan has { $sizes }: make several sets
 nc-reads-otherwise = { $file } cannot be written so that it reads back the same
 nc-proof = the set failed its test run and was not written: { $reason }
 nc-proof-no-end = the program does not end

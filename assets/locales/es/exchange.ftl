@@ -4,6 +4,7 @@
 exchange-format-logs = protocolos de medición HEIDENHAIN como TCHPR421.TXT
 exchange-format-log-444 = protocolos de palpación en 3D como los escribe Fitcheck
 exchange-format-fn16 = salida FN 16 de un control, leída con su máscara (--mask)
+exchange-format-series-table = tabla de un control que un programa rellena con FN 27, una fila por pieza
 exchange-format-contacts = puntos de palpación de un círculo: x, y y opcionalmente z
 exchange-format-measurements = mediciones como CSV: id, callout, measured
 exchange-empty = el archivo está vacío
@@ -28,6 +29,11 @@ exchange-print-ambiguous = la máscara puede leer esto de varias formas
 exchange-print-broken = la salida termina demasiado pronto: se esperaba la salida de la línea { $line } de la máscara
 exchange-print-other = la máscara no imprime una línea así, pero contiene números: puede ser una salida con un valor que falta o que ha cambiado; corríjala o elimínela
 exchange-print-unit = la línea { $line } indica { $unit }, pero la salida de un control se lee en mm: imprima los valores en mm
+exchange-table-no-part = ninguna columna indica a qué pieza corresponde una fila: la tabla de una serie necesita una columna como PART o SERIAL
+exchange-table-no-values = ninguna columna contiene valores medidos
+exchange-table-no-value = no está claro qué columna de { $name } es el valor medido
+exchange-table-touches = la celda de la columna { $column } toca a su vecina y una de las dos puede estar mal separada: sepárelas con un espacio
+exchange-table-unit = la tabla está en pulgadas y la columna { $column } no es del tipo LENGTH, así que sus valores podrían estar en mm: use el tipo LENGTH
 exchange-no-rows = ninguna fila contiene una medición
 exchange-no-measured-column = ninguna columna de valores medidos: nómbrela en la primera línea, como id;callout;measured
 exchange-several-columns = cada una de las columnas { $columns } puede ser { $role }: elija una con import --columns, como { $word }=3, o nombre las columnas en la primera línea de modo que solo una sirva, como id;callout;measured

@@ -6,6 +6,8 @@ nc-not-on-control = { $kind }: se mide con el ciclo { $cycle }, que un { $contro
 ## Sets
 nc-folder = { $folder } no es una carpeta para programas: escriba TNC:\ y después nombres de letras, cifras, _ y -, separados por \
 nc-no-texts = un conjunto con textos de tolerancia solo es posible para TNC7, no para { $control }
+nc-series-name = { $name } no puede nombrar una columna de la tabla de la serie: empiece el nombre por una letra y no use NR, PART ni STATUS
+nc-series-sizes = una serie guarda como máximo { $most } medidas de una pieza y el plan tiene { $sizes }: cree varios juegos
 nc-reads-otherwise = { $file } no se puede escribir de modo que se lea igual
 nc-proof = el juego no superó su ejecución de prueba y no se escribió: { $reason }
 nc-proof-no-end = el programa no termina

@@ -4,6 +4,7 @@
 exchange-format-logs = procès-verbaux de mesure HEIDENHAIN tels que TCHPR421.TXT
 exchange-format-log-444 = procès-verbaux de palpage 3D tels que Fitcheck les écrit
 exchange-format-fn16 = sortie FN 16 d'une commande, lue à travers son masque (--mask)
+exchange-format-series-table = tableau d'une commande qu'un programme remplit avec FN 27, une ligne par pièce
 exchange-format-contacts = points de palpage d'un cercle : x, y et facultativement z
 exchange-format-measurements = mesures en CSV : id, callout, measured
 exchange-empty = le fichier est vide
@@ -28,6 +29,11 @@ exchange-print-ambiguous = le masque peut lire ceci de plusieurs façons
 exchange-print-broken = l'enregistrement finit trop tôt : sortie de la ligne { $line } du masque attendue
 exchange-print-other = le masque n’imprime pas une telle ligne, mais elle contient des nombres : il peut s’agir d’un enregistrement dont une valeur manque ou a changé ; corrigez-la ou supprimez-la
 exchange-print-unit = la ligne { $line } indique { $unit }, mais la sortie d'une commande est lue en mm : imprimer les valeurs en mm
+exchange-table-no-part = aucune colonne n'indique à quelle pièce appartient une ligne : le tableau d'une série a besoin d'une colonne comme PART ou SERIAL
+exchange-table-no-values = aucune colonne ne contient de valeurs mesurées
+exchange-table-no-value = la colonne de { $name } qui contient la valeur mesurée n'est pas claire
+exchange-table-touches = la cellule de la colonne { $column } touche sa voisine, l'une des deux peut être mal séparée : les séparer par une espace
+exchange-table-unit = le tableau est en pouces et la colonne { $column } n'est pas de type LENGTH, ses valeurs peuvent donc être en mm : utiliser le type LENGTH
 exchange-no-rows = aucune rangée ne contient de mesure
 exchange-no-measured-column = pas de colonne de valeurs mesurées : la nommer dans la première ligne, par exemple id;callout;measured
 exchange-several-columns = chacune des colonnes { $columns } peut être { $role } : en choisir une avec import --columns, par exemple { $word }=3, ou nommer les colonnes dans la première ligne pour qu'une seule convienne, par exemple id;callout;measured

@@ -6,6 +6,8 @@ nc-not-on-control = { $kind } : se mesure avec le cycle { $cycle }, absent de {
 ## Ensembles
 nc-folder = { $folder } n'est pas un dossier pour programmes : écrire TNC:\ puis des noms faits de lettres, chiffres, _ et -, séparés par \
 nc-no-texts = un jeu avec des textes de tolérance n'est possible que pour TNC7, pas pour { $control }
+nc-series-name = { $name } ne peut pas nommer une colonne du tableau de la série : commencer le nom par une lettre et ne pas utiliser NR, PART ni STATUS
+nc-series-sizes = une série conserve au plus { $most } cotes d'une pièce et le plan en a { $sizes } : créer plusieurs ensembles
 nc-reads-otherwise = { $file } ne peut pas être écrit de façon à être relu à l'identique
 nc-proof = l'ensemble a échoué à l'essai et n'a pas été écrit : { $reason }
 nc-proof-no-end = le programme ne se termine pas

@@ -4,6 +4,7 @@
 exchange-format-logs = protocolli di misura HEIDENHAIN come TCHPR421.TXT
 exchange-format-log-444 = protocolli della tastatura 3D come li scrive Fitcheck
 exchange-format-fn16 = output FN 16 di un controllo numerico, letto con la sua maschera (--mask)
+exchange-format-series-table = tabella di un controllo numerico che un programma riempie con FN 27, una riga per pezzo
 exchange-format-contacts = punti di contatto di un cerchio: x, y e facoltativamente z
 exchange-format-measurements = misure come CSV: id, callout, measured
 exchange-empty = il file è vuoto
@@ -28,6 +29,11 @@ exchange-print-ambiguous = la maschera può leggerlo in più modi
 exchange-print-broken = il record finisce troppo presto: atteso l'output della linea { $line } della maschera
 exchange-print-other = la maschera non stampa una linea simile, ma contiene numeri: può essere un record con un valore mancante o modificato; correggerla o rimuoverla
 exchange-print-unit = la linea { $line } indica { $unit }, ma l'output di un controllo numerico si legge in mm: stampare i valori in mm
+exchange-table-no-part = nessuna colonna dice a quale pezzo appartiene una riga: la tabella di una serie ha bisogno di una colonna come PART o SERIAL
+exchange-table-no-values = nessuna colonna contiene valori misurati
+exchange-table-no-value = non è chiaro quale colonna di { $name } sia il valore misurato
+exchange-table-touches = la cella nella colonna { $column } tocca quella vicina, una delle due può essere divisa male: separarle con uno spazio
+exchange-table-unit = la tabella è in pollici e la colonna { $column } non è di tipo LENGTH, quindi i valori possono essere in mm: usare il tipo LENGTH
 exchange-no-rows = nessuna riga contiene una misura
 exchange-no-measured-column = nessuna colonna di valori misurati: indicarla nella prima linea, come id;callout;measured
 exchange-several-columns = ciascuna delle colonne { $columns } può essere { $role }: sceglierne una con import --columns, come { $word }=3, o dare nella prima linea nomi tali che solo una corrisponda, come id;callout;measured

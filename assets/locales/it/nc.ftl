@@ -6,6 +6,8 @@ nc-not-on-control = { $kind }: si misura con il ciclo { $cycle }, che un { $cont
 ## Set
 nc-folder = { $folder } non è una cartella per programmi: scrivere TNC:\ e poi nomi di lettere, cifre, _ e -, separati da \
 nc-no-texts = un set con testi di tolleranza è possibile solo per TNC7, non per { $control }
+nc-series-name = { $name } non può essere il nome di una colonna della tabella della serie: iniziare il nome con una lettera e non usare NR, PART o STATUS
+nc-series-sizes = una serie conserva al massimo { $most } quote di un pezzo e il piano ne ha { $sizes }: creare più set
 nc-reads-otherwise = { $file } non si può scrivere in modo da rileggerlo uguale
 nc-proof = il set non ha superato l'esecuzione di prova e non è stato scritto: { $reason }
 nc-proof-no-end = il programma non finisce

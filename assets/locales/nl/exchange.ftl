@@ -4,6 +4,7 @@
 exchange-format-logs = HEIDENHAIN-meetprotocollen zoals TCHPR421.TXT
 exchange-format-log-444 = meetprotocollen van het tasten in 3D, geschreven door Fitcheck
 exchange-format-fn16 = FN 16-uitvoer van een besturing, gelezen via het masker (--mask)
+exchange-format-series-table = tabel van een besturing die een programma met FN 27 vult, een regel per onderdeel
 exchange-format-contacts = meetpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
@@ -28,6 +29,11 @@ exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden g
 exchange-print-broken = het record eindigt te vroeg: de uitvoer van regel { $line } van het masker verwacht
 exchange-print-other = het masker drukt zo’n regel niet af, maar er staan getallen in: het kan een record met een ontbrekende of gewijzigde waarde zijn; corrigeer of verwijder de regel
 exchange-print-unit = regel { $line } noemt { $unit }, maar uitvoer van een besturing wordt in mm gelezen: druk de waarden in mm af
+exchange-table-no-part = geen kolom zegt bij welk onderdeel een regel hoort: de tabel van een serie heeft een kolom zoals PART of SERIAL nodig
+exchange-table-no-values = geen kolom bevat meetwaarden
+exchange-table-no-value = welke kolom van { $name } de meetwaarde is, is niet duidelijk
+exchange-table-touches = de cel in kolom { $column } raakt de cel ernaast, een van beide kan verkeerd gescheiden zijn: zet er een spatie tussen
+exchange-table-unit = de tabel is in inch en kolom { $column } is niet van het type LENGTH, de waarden kunnen dus in mm zijn: gebruik het type LENGTH
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
 exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: kies er een met import --columns, bijvoorbeeld { $word }=3, of benoem de kolommen in de eerste regel zo dat er maar één past, bijvoorbeeld id;passing;gemeten

@@ -6,6 +6,8 @@ nc-not-on-control = { $kind } wordt gemeten met cyclus { $cycle }, en die heeft 
 ## Sets
 nc-folder = { $folder } is geen map voor programma's: schrijf TNC:\ en dan namen van letters, cijfers, _ en -, gescheiden door \
 nc-no-texts = een set met tolerantieteksten is alleen mogelijk voor TNC7, niet voor { $control }
+nc-series-name = { $name } kan geen kolom van de serietabel heten: laat de naam met een letter beginnen en gebruik niet NR, PART of STATUS
+nc-series-sizes = een serie bewaart hoogstens { $most } maten van een onderdeel, en het plan heeft er { $sizes }: maak meer sets
 nc-reads-otherwise = { $file } kan niet zo worden geschreven dat hetzelfde wordt teruggelezen
 nc-proof = de set is bij de proefuitvoering afgekeurd en niet geschreven: { $reason }
 nc-proof-no-end = het programma eindigt niet

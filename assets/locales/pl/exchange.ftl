@@ -4,6 +4,7 @@
 exchange-format-logs = protokoły pomiaru HEIDENHAIN, np. TCHPR421.TXT
 exchange-format-log-444 = protokoły próbkowania w 3-D zapisane przez Fitcheck
 exchange-format-fn16 = wydruk FN 16 ze sterowania, czytany przez jego maskę (--mask)
+exchange-format-series-table = tabela sterowania, którą program wypełnia przez FN 27, jeden wiersz na część
 exchange-format-contacts = punkty pomiarowe jednego okręgu: x, y i opcjonalnie z
 exchange-format-measurements = pomiary w CSV: id, callout, measured
 exchange-empty = plik jest pusty
@@ -28,6 +29,11 @@ exchange-print-ambiguous = maska może to odczytać na kilka sposobów
 exchange-print-broken = rekord kończy się za wcześnie: oczekiwany wydruk linii { $line } maski
 exchange-print-other = maska nie drukuje takiej linii, ale są w niej liczby: może to być rekord z brakującą lub zmienioną wartością; popraw ją lub usuń
 exchange-print-unit = linia { $line } podaje { $unit }, ale wydruk ze sterowania jest czytany w mm: drukować wartości w mm
+exchange-table-no-part = żadna kolumna nie mówi, której części dotyczy wiersz: tabela serii wymaga kolumny takiej jak PART lub SERIAL
+exchange-table-no-values = żadna kolumna nie zawiera wartości zmierzonych
+exchange-table-no-value = nie wiadomo, która kolumna { $name } jest wartością zmierzoną
+exchange-table-touches = komórka w kolumnie { $column } styka się z sąsiednią, jedna z nich może być źle rozdzielona: rozdziel je odstępem
+exchange-table-unit = tabela jest w calach, a kolumna { $column } nie jest typu LENGTH, więc jej wartości mogą być w mm: użyj typu LENGTH
 exchange-no-rows = żaden wiersz nie zawiera pomiaru
 exchange-no-measured-column = nie ma kolumny wartości zmierzonych: nazwać ją w pierwszej linii, np. id;callout;measured
 exchange-several-columns = każda z kolumn { $columns } może zawierać: { $role }; wybrać jedną przez import --columns, np. { $word }=3, lub nazwać kolumny w pierwszej linii tak, aby pasowała tylko jedna, np. id;callout;measured

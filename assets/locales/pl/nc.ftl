@@ -6,6 +6,8 @@ nc-not-on-control = { $kind }: pomiar cyklem { $cycle }, którego { $control } n
 ## Sets
 nc-folder = { $folder } nie jest folderem na programy: wpisać TNC:\ i nazwy z liter, cyfr, _ i -, rozdzielone przez \
 nc-no-texts = zestaw z tekstami tolerancji jest możliwy tylko dla TNC7, nie dla { $control }
+nc-series-name = { $name } nie może być nazwą kolumny tabeli serii: zacznij nazwę od litery i nie używaj NR, PART ani STATUS
+nc-series-sizes = seria przechowuje najwyżej { $most } wymiarów części, a plan ma ich { $sizes }: utwórz kilka zestawów
 nc-reads-otherwise = { $file } nie można zapisać tak, aby odczytać go tak samo
 nc-proof = wykonanie próbne zestawu nie powiodło się i zestawu nie zapisano: { $reason }
 nc-proof-no-end = program się nie kończy

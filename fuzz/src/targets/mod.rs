@@ -48,6 +48,7 @@ mod qif;
 mod question;
 mod report_data;
 mod report_template;
+mod series_table;
 mod shared;
 mod state;
 mod table;
@@ -116,6 +117,7 @@ targets! {
     question "question"
     report_data "none"
     report_template "toml"
+    series_table "table"
     state "toml"
     table "table"
     tool_table "table"

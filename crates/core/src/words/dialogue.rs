@@ -39,6 +39,35 @@ pub struct DialogueWords {
     pub readme: String,
     /// The status words of program 82551.
     pub status: StatusWords,
+    /// The words of a protocol of a series.
+    pub series: SeriesWords,
+}
+
+/// What the protocol of a series calls its figures. All of them are ASCII, and the readers of measurements know them.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SeriesWords {
+    /// The number of the part.
+    pub part: String,
+    /// The status of the part.
+    pub status: String,
+    /// The worst status of the parts so far.
+    pub worst: String,
+    pub minimum: String,
+    pub maximum: String,
+    pub measured: String,
+    /// The mean of the parts so far.
+    pub mean: String,
+    /// The largest less the smallest value so far.
+    pub range: String,
+    /// Heading of the blocks that find the row of the next part.
+    pub next_part: String,
+    /// Heading of those that write it.
+    pub row: String,
+    /// Heading of those that compute mean, range and worst status.
+    pub so_far: String,
+    /// Heading of those that print.
+    pub protocol: String,
 }
 
 /// The status words that program 82551 puts into QS3.

@@ -149,6 +149,12 @@ impl Claim {
         Self::new(shorten(said), ClaimContent::Status(agrees))
     }
 
+    /// Whether it says something of each value of a part when it is said of the part: all values of a good part are good, and which value of
+    /// another part is not, it does not say.
+    pub(super) fn is_of_each(&self) -> bool {
+        !matches!(self.what, ClaimContent::Status([first, ..]) if *first != Status::Good)
+    }
+
     /// That a value is out of its limits, or that something else is wrong with it.
     pub(super) fn out(said: &str) -> Self {
         // Whoever knows no rework calls it so as well.

@@ -6,6 +6,7 @@ use fitcheck_core::tolerance::fit::thermal::ThermalDoubt;
 use fitcheck_core::tolerance::{Callout, CalloutError, Feature, LimitsError};
 use fitcheck_nc::control::log::LogFault;
 use fitcheck_nc::control::point_log::PointFault;
+use fitcheck_nc::control::table::TableFault;
 
 use super::aqdef::AqdefFault;
 use super::calypso::CalypsoFault;
@@ -148,6 +149,25 @@ pub enum ImportErrorKind {
     PrintUnit {
         line: usize,
         unit: String,
+    },
+    /// A table of a control that cannot be read.
+    #[say(transparent)]
+    Table(TableFault),
+    /// A table of a control without a column that says which part a row is of.
+    TableNoPart,
+    /// A table of a control without measured values.
+    TableNoValues,
+    /// A name of which several columns of a table could be the measured value, or none.
+    TableNoValue {
+        name: String,
+    },
+    /// A cell that begins where the one before it ends: either may be split wrongly.
+    TableTouches {
+        column: String,
+    },
+    /// A value in a table in inch whose column is no length: it may be in mm.
+    TableUnit {
+        column: String,
     },
     /// Only a header, comments or blank lines.
     NoRows,

@@ -34,6 +34,8 @@
 //! | `refused` | a cell that cannot be used |
 //! | `size`, `sizes` | what was measured alone, of holes or of shafts |
 //! | `vocabulary`, `units`, `words` | the words of names of columns, the units beside them, what a name says |
+//! | `series` | a series of parts: what words say of a part and of its values |
+//! | `series_table` | tables of a control with a row for each part |
 //! | `samples` | measured values side by side, in columns that are counted |
 //! | `sample`, `column` | the first rows of a CSV; one column of it |
 //! | `columns` | which column of a CSV is which, by header or content |
@@ -147,6 +149,8 @@ mod row;
 mod rules;
 mod sample;
 mod samples;
+mod series;
+mod series_table;
 mod size;
 mod sizes;
 mod source;
@@ -227,6 +231,7 @@ pub const FORMATS: &[Format] = &[
     pcdmis::FORMAT,
     probed::FORMAT,
     logs::FORMAT,
+    series_table::FORMAT,
     geopak::FORMAT,
     gauge::FORMAT,
     CONTACTS,
@@ -339,8 +344,15 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: ImportInputs<'_>
 }
 
 /// The formats whose files may say no unit.
-const MAY_SAY_NO_UNIT: [&Format; 6] =
-    [&calypso::FORMAT, &protocol::FORMAT, &pcdmis::FORMAT, &probed::FORMAT, &geopak::FORMAT, &gauge::FORMAT];
+const MAY_SAY_NO_UNIT: [&Format; 7] = [
+    &calypso::FORMAT,
+    &protocol::FORMAT,
+    &pcdmis::FORMAT,
+    &probed::FORMAT,
+    &geopak::FORMAT,
+    &gauge::FORMAT,
+    &series_table::FORMAT,
+];
 
 /// The formats that a mapping can be of: tables, and where it says the unit alone those that may say none.
 fn of_mapping(mapping: &Mapping) -> Vec<&'static Format> {

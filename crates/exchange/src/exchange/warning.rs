@@ -5,6 +5,7 @@ use fitcheck_core::message::{Message, Say};
 use fitcheck_core::probing::Caveat;
 use fitcheck_core::tolerance::{Callout, Feature};
 use fitcheck_nc::control::log::LogWarningKind;
+use fitcheck_nc::control::table::TableWarningKind;
 
 use super::aqdef::AqdefWarning;
 use super::calypso::CalypsoWarning;
@@ -32,6 +33,9 @@ pub enum ImportWarningKind {
     /// A warning about a log.
     #[say(transparent)]
     Log(LogWarningKind),
+    /// A warning about a table of a control.
+    #[say(transparent)]
+    Table(TableWarningKind),
     /// A warning about a file of AQDEF.
     #[say(transparent)]
     Aqdef(AqdefWarning),
@@ -403,6 +407,7 @@ impl ImportWarningKind {
             | Self::ColumnsHidden { .. }
             | Self::QifCount { .. }
             | Self::QifTwice { .. }
+            | Self::Table(TableWarningKind::NoEnd)
             | Self::CutOff { .. } => true,
             Self::SheetsLeft { may_hold_rows, .. } => *may_hold_rows,
             Self::Aqdef(warning) => warning.stands_against(),
@@ -418,6 +423,7 @@ impl ImportWarningKind {
                 | LogWarningKind::Ignored { .. }
                 | LogWarningKind::TextBefore,
             )
+            | Self::Table(_)
             | Self::Corrected
             | Self::OtherRule
             | Self::IgnoredColumns { .. }

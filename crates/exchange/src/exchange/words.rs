@@ -230,7 +230,7 @@ pub(super) fn is_status(header: &str) -> bool {
 /// Names of rows that are figures of several parts, or of what a gauge was set by.
 const OF_SEVERAL: &str = "mean|average|avg|max|maximum|min|minimum|range|median|sigma|std|std dev|stdev|standard deviation|cp|cpk|pp|ppk|usl|lsl|\
     count|sum|total|mittelwert|mittel|spannweite|streuung|standardabweichung|anzahl|summe|gemiddelde|gemiddeld|spreiding|standaarddeviatie|\
-    aantal|totaal|media|mediana|massimo|minimo|deviazione standard|scarto tipo|master|setting master|setting ring|reference ring|master ring|\
+    aantal|totaal|media|mediana|massimo|minimo|escursione|deviazione standard|scarto tipo|master|setting master|setting ring|reference ring|master ring|\
     einstellring|einstellmeister|meister|instelring|meesterring|nominal|nennmaß|sollwert|nominaal|nominale";
 
 /// Whether a row of this name is of no part.

@@ -13,7 +13,8 @@ use super::remark::{Remark, Remarks};
 use super::values::{Values, shown_arg};
 use crate::control::deviations::other_spelling;
 use crate::control::mask::FileUse;
-use crate::control::table::{Column, TableFile, TableUnit, WriteError, is_blank, is_number};
+use crate::control::simulated::{MARK, is_mark};
+use crate::control::table::{Column, Comment, CommentPlace, TableFile, TableUnit, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::program::{Columns, Operand, Unit};
 
@@ -267,15 +268,25 @@ impl Tables {
         Ok(cells)
     }
 
-    /// FN 27: in memory; the file is written when the table is closed.
-    pub(super) fn write(&mut self, at: usize, cells: WrittenRow, files: &mut Files) -> Result<(), FaultKind> {
+    /// FN 27: in memory; the file is written when the table is closed. What a simulation has measured gets its mark, as a comment.
+    pub(super) fn write(
+        &mut self,
+        at: usize,
+        cells: WrittenRow,
+        is_simulated: bool,
+        files: &mut Files,
+    ) -> Result<(), FaultKind> {
         let changed = self.changed.len();
         let Some(open) = &mut self.open else { return Err(FaultKind::NoTable) };
         if open.changed_at.is_none() {
             files.keep(open.bytes, changed)?;
             open.changed_at = Some(at);
         }
-        let rows = &mut Arc::make_mut(&mut open.file).table.rows;
+        let table = &mut Arc::make_mut(&mut open.file).table;
+        if is_simulated && !table.comments.iter().any(|comment| is_mark(&comment.text)) {
+            table.comments.insert(0, Comment { place: CommentPlace::Header, text: MARK.to_owned() });
+        }
+        let rows = &mut table.rows;
         for (number, text) in cells.texts {
             if let Some(cell) = rows.get_mut(cells.row).and_then(|cells| cells.get_mut(number)) {
                 *cell = text;

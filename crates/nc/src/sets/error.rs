@@ -69,6 +69,15 @@ pub enum SetError {
         /// Why.
         error: WriteError,
     },
+    /// A feature whose name is none for a column of the table of a series.
+    SeriesName { name: String },
+    /// More sizes of a part than a series keeps.
+    SeriesSizes {
+        /// How many there are.
+        sizes: usize,
+        /// How many there may be.
+        most: usize,
+    },
     /// A program or a mask that does not read back correctly.
     ReadsOtherwise { file: String },
     /// The set does not run as it should.

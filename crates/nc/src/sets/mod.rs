@@ -7,6 +7,8 @@
 //! | `names` | names of files and folders, by generation of controls |
 //! | `blocks` | what the programs share, block by block |
 //! | `programs` | the main program |
+//! | `series` | the main program of a series of parts: the next part, its row, its block of the protocol |
+//! | `series_files` | the mask and the table of a series |
 //! | `given` | features without a class: their limits stand in the main program |
 //! | `check` | the called programs |
 //! | `masks` | their masks |
@@ -32,6 +34,8 @@ mod names;
 mod programs;
 mod proof;
 mod readme;
+mod series;
+mod series_files;
 mod single;
 mod tables;
 
@@ -63,12 +67,17 @@ pub struct Target {
     pub folder: ControlFolder,
     /// Whether diameters are measured by the cycle that takes the tolerance as a text, and judges by it. Only a TNC7 has that.
     pub by_text: bool,
+    /// How many parts a series has room for; `None` for a set that measures a part alone.
+    pub parts: Option<u16>,
 }
 
+/// The most parts of a series: the program reads the rows of all parts so far after each of them.
+pub const MOST_PARTS: u16 = 1_000;
+
 impl Target {
-    /// A control with its usual folder.
+    /// A control with its usual folder, for a part alone.
     pub fn new(control: Control, language: Dialogue) -> Self {
-        Self { control, language, folder: control.usual_folder(), by_text: false }
+        Self { control, language, folder: control.usual_folder(), by_text: false, parts: None }
     }
 }
 
@@ -151,7 +160,11 @@ impl NcSet {
         remarks.extend(planned.iter().filter_map(|planned| feature::unknown(planned.feature)));
         remarks.extend(figures(&planned, sources));
         remarks.extend(planned.iter().flat_map(|planned| programs::moved_nominals(*planned, target.control)));
-        let mut files = vec![SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) }];
+        let main = match target.parts {
+            Some(parts) => series::main(&names, &planned, parts)?,
+            None => programs::main(&names, &planned),
+        };
+        let mut files = vec![SetFile { name: names.main.clone(), bytes: main }];
         for called in Called::ALL {
             // The program of diameters is in every set.
             let is_wanted = |planned: &Planned<'_>| Called::of(&planned.feature.kind) == Some(called);
@@ -162,8 +175,18 @@ impl NcSet {
                 files.push(SetFile { name: names.mask(called).clone(), bytes: masks::mask(target, called) });
             }
         }
+        let series_table = match target.parts {
+            Some(parts) => {
+                files.push(SetFile { name: names.series_mask.clone(), bytes: series_files::mask(&names, &planned) });
+                Some(SetFile {
+                    name: names.series_table.to_owned(),
+                    bytes: series_files::table(&names, &planned, parts)?,
+                })
+            }
+            None => None,
+        };
         check_programs(&files)?;
-        files.extend(tables);
+        files.extend(tables.into_iter().chain(series_table));
         proof::run(&files, &planned, &names)?;
         files.push(SetFile { name: names.readme.to_owned(), bytes: readme::page(&names, &planned, &remarks) });
         Ok(Self { files, remarks })

@@ -134,6 +134,10 @@ pub(super) struct Names<'a> {
     masks: [String; 5],
     tables: [&'static str; 2],
     pub(super) readme: &'static str,
+    /// Mask, protocol and table of a series.
+    pub(super) series_mask: String,
+    pub(super) protocol: &'static str,
+    pub(super) series_table: &'static str,
 }
 
 /// The name for a kind of called program.
@@ -164,6 +168,13 @@ impl<'a> Names<'a> {
                 (["FIT_MAIN.H", "FIT_HOLE.TAB", "FIT_SHAFT.TAB"], checks, masks)
             }
         };
+        let is_itnc = target.control == Control::Itnc530;
+        let main = match target.parts {
+            None => main,
+            Some(_) if is_itnc => "8255_series_",
+            Some(_) => "FIT_SERIES.H",
+        };
+        let series_mask = if is_itnc { "82552_series_" } else { "FIT_SERIES.A" };
         let full = |name: &str, ending: &str| {
             if name.ends_with('_') { format!("{name}{language}{ending}") } else { name.to_owned() }
         };
@@ -174,6 +185,9 @@ impl<'a> Names<'a> {
             masks: masks.map(|mask| full(mask, ".a")),
             tables: [hole, shaft],
             readme: &language.words().readme,
+            series_mask: full(series_mask, ".a"),
+            protocol: if is_itnc { "8255_series.txt" } else { "FIT_SERIES.TXT" },
+            series_table: if is_itnc { "82553_series.tab" } else { "FIT_SERIES.TAB" },
         }
     }
 

@@ -17,8 +17,8 @@ use crate::program::{Body, TextExpression, TextOperand};
 /// The class, or the band of a point.
 const CLASS: Parameter = Parameter::qs(1);
 
-/// The main program: for each feature its parameters, the call, a file with its result, and a stop.
-pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
+/// The blocks of the built-in program: those before the parameters of a feature, those of a feature, and those behind its stop.
+pub(super) fn built_in(names: &Names<'_>) -> [Blocks; 3] {
     let blocks = shipped_program("8255", names.target.language);
     // Blocks that occur only once are before the first parameter or after the stop.
     let is_parameter = |(body, _): &(Body, String)| matches!(body, Body::Assign { .. } | Body::AssignText { .. });
@@ -26,18 +26,28 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
     let behind = blocks.iter().position(|(body, _)| matches!(body, Body::Stop(_))).map_or(first, |at| at + 1);
     let (head, rest) = blocks.split_at(first);
     let (each, tail) = rest.split_at(behind - first);
-    let mut made = head.to_vec();
+    [head, each, tail].map(<[_]>::to_vec)
+}
+
+/// The main program: for each feature its parameters, the call, a file with its result, and a stop.
+pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
+    let [mut made, each, tail] = built_in(names);
     for planned in planned {
-        let text = format!("{}: {}", planned.feature.name, given::asked(*planned));
-        made.push(bare(Body::Heading { depth: 2, text }));
+        made.push(heading(*planned));
         made.extend(each.iter().flat_map(|block| main_block(block, names, *planned)));
     }
-    made.extend_from_slice(tail);
+    made.extend(tail);
     written(&names.main, &made)
 }
 
+/// The heading of a feature: its name, and what it asks for.
+pub(super) fn heading(planned: Planned<'_>) -> (Body, String) {
+    let text = format!("{}: {}", planned.feature.name, given::asked(planned));
+    bare(Body::Heading { depth: 2, text })
+}
+
 /// A block of the main program for a feature.
-fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Planned<'_>) -> Blocks {
+pub(super) fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Planned<'_>) -> Blocks {
     let feature = planned.feature;
     let [x, y, z] = planned.place;
     let comment = comment.replace(Control::Itnc530.clearance(), names.target.control.clearance());

@@ -19,6 +19,10 @@ const OF_UNKNOWN: &str = "{?unknown}";
 /// What begins a line that is only there where a feature has no class.
 const OF_GIVEN: &str = "{?given}";
 
+/// What begins a line of a series alone, and one of a part alone.
+const OF_SERIES: &str = "{?series}";
+const OF_ONE: &str = "{?one}";
+
 /// The page as a file: Windows-1252, CRLF.
 pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRemark]) -> Vec<u8> {
     let template = shipped::text(shipped::NC, &format!("readme_{}.txt", names.target.language));
@@ -28,6 +32,11 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
         if !is_for(line, planned) {
             continue;
         }
+        let (of, other) = if names.target.parts.is_some() { (OF_SERIES, OF_ONE) } else { (OF_ONE, OF_SERIES) };
+        if line.starts_with(other) {
+            continue;
+        }
+        let line = line.strip_prefix(of).unwrap_or(line);
         match line.trim() {
             "{features}" => planned.iter().for_each(|planned| add(&mut page, &feature(*planned, names))),
             "{nominal}" => {
@@ -102,6 +111,10 @@ fn filled(line: &str, names: &Names<'_>) -> String {
         ("{hole}", names.table(Feature::Hole).to_owned()),
         ("{shaft}", names.table(Feature::Shaft).to_owned()),
         ("{result}", names.result("*")),
+        ("{series_mask}", names.series_mask.clone()),
+        ("{series_table}", names.series_table.to_owned()),
+        ("{protocol}", names.protocol.to_owned()),
+        ("{parts}", names.target.parts.map_or_else(String::new, |parts| parts.to_string())),
         ("{control}", control.name().to_owned()),
         ("{clearance}", control.clearance().to_owned()),
         ("{folder}", names.target.folder.to_string()),
@@ -114,9 +127,13 @@ fn filled(line: &str, names: &Names<'_>) -> String {
 /// same in every language.
 fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
     let feature = planned.feature;
-    let result = names.result(&planned.feature.name);
     let [x, y, z] = planned.place;
-    let place = format!("X{x} Y{y} Z{z} ({}) -> {result}", feature.clearance_height);
+    let result = match names.target.parts {
+        // The columns of a series have the names of the features.
+        Some(_) => String::new(),
+        None => format!(" -> {}", names.result(&planned.feature.name)),
+    };
+    let place = format!("X{x} Y{y} Z{z} ({}){result}", feature.clearance_height);
     let callouts = feature.kind.callouts();
     let asked = |number| callouts.get(number).map_or_else(|| feature.kind.asked(), ToString::to_string);
     let lines = planned.limits.iter().enumerate().map(|(number, limits)| {

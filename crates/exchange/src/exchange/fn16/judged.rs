@@ -13,13 +13,15 @@ use fitcheck_nc::control::mask::{FieldContent, Printed, Slot};
 use fitcheck_nc::control::status::status_of;
 use jiff::civil::{Date, DateTime, Time};
 
-use super::roles::{Reading, ReadingKind, Roles, asked, is_printed, last_digit, length, limits, value};
+use super::fields::{Reading, ReadingKind, length, value};
+use super::roles::{Roles, asked, is_printed, last_digit, limits};
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind, Value};
 use crate::exchange::claim::Claim;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Coordinate, Labels, Sink, StatedLimits, Unjudged, WhyUnjudged};
 use crate::exchange::point_log;
+use crate::exchange::quantity::is_shape;
 use crate::exchange::source::Context;
 
 /// What a print is judged with.
@@ -27,6 +29,8 @@ pub(super) struct PrintJudging<'a> {
     pub(super) slots: &'a [Slot],
     pub(super) roles: &'a Roles,
     pub(super) context: &'a Context<'a>,
+    /// Whether a plan judges what is read: it may know that a value is no diameter.
+    pub(super) has_plan: bool,
 }
 
 /// What a print says besides its value.
@@ -35,7 +39,9 @@ struct PrintFacts {
     name: String,
     time: DateTime,
     labels: Labels,
-    /// Whether the cycle that the name ends with measures inside or outside.
+    /// What the print says of the status.
+    claims: Vec<Claim>,
+    /// Whether the cycle that the name ends with measures inside or outside, or a word of the print says it.
     feature: Option<Feature>,
     /// Whether a simulation printed it.
     is_simulated: bool,
@@ -45,20 +51,49 @@ impl PrintJudging<'_> {
     /// Judges the values of a print that begins at a line.
     pub(super) fn judge(&self, line: usize, printed: &Printed, is_simulated: bool, sink: &mut Sink<'_>) {
         let name = self.roles.name.and_then(|at| value(printed, at)).unwrap_or("");
-        let feature = cycle_in(name).map(|cycle| cycle.shape().feature());
+        let side = self.roles.side.and_then(|at| value(printed, at)).and_then(is_shape).map(side);
+        let feature = cycle_in(name).map(|cycle| cycle.shape().feature()).or(side);
         let place = self.roles.centre.map(|centre| centre.map(|at| length(printed, at)));
         let place = place.map_or([None; 3], |[x, y]| [x, y, None]);
         let said = PrintFacts {
             line,
             name: name.to_owned(),
             time: self.time(line, printed, sink),
-            labels: Labels { place, claims: self.claims(printed), ..Labels::default() },
+            labels: Labels { place, ..self.roles.part.labels(printed) },
+            claims: self.claims(printed),
             feature,
             is_simulated,
         };
         for reading in &self.roles.readings {
+            let labels = Labels { claims: self.claims_of(&said, reading, printed), ..said.labels.clone() };
+            let name = self.name_of(&said, reading);
+            let said = PrintFacts { labels, name, claims: Vec::new(), ..said };
             self.reading(&said, reading, printed, sink);
         }
+    }
+
+    /// What the print says of a value: with a status of its own this one, else that of the part. A part is good where all of its values
+    /// are; which one is not, only a status of its own tells.
+    fn claims_of(&self, said: &PrintFacts, reading: &Reading, printed: &Printed) -> Vec<Claim> {
+        let word = |at| value(printed, at).and_then(|word| Some(Claim::of(word, status_of(word)?)));
+        let is_alone = self.roles.readings.len() == 1 || reading.name.is_empty();
+        match reading.status.and_then(word) {
+            Some(own) => vec![own],
+            None if is_alone => said.claims.clone(),
+            None => said.claims.iter().filter(|claim| claim.is_of_each()).cloned().collect(),
+        }
+    }
+
+    /// What a value is called: as the mask calls it, else as the print does.
+    fn name_of(&self, said: &PrintFacts, reading: &Reading) -> String {
+        if !reading.name.is_empty() {
+            return reading.name.clone();
+        }
+        if self.roles.readings.len() == 1 {
+            return said.name.clone();
+        }
+        let of = self.slots.get(reading.measured).map_or_else(String::new, |slot| slot.of.to_string());
+        format!("{} {of}", said.name).trim_start().to_owned()
     }
 
     /// What the print says of the status: its word, and the markers of the cycle.
@@ -74,6 +109,10 @@ impl PrintJudging<'_> {
         let text = value(printed, reading.measured).unwrap_or("");
         let measured = match Length::parse_in(&shorten(text), Unit::Millimetre) {
             Ok(measured) if reading.kind != ReadingKind::Size || Length::ZERO < measured => measured,
+            Ok(measured) if self.has_plan => {
+                let why = WhyUnjudged::NotPositive { given: shorten(text), column: 1 };
+                return self.set_aside(said, measured, why, sink);
+            }
             Ok(_) => {
                 let reason = ImportErrorKind::NotPositive { given: shorten(text) };
                 return sink.refuse(FilePlace::line(said.line), reason, shorten(text));
@@ -149,8 +188,9 @@ impl PrintJudging<'_> {
         (printed, measured, pair): (&Printed, Length, Option<(Length, Length)>),
         sink: &mut Sink<'_>,
     ) {
-        let callout = asked(printed, self.roles);
-        let given = self.roles.callout.and_then(|at| value(printed, at)).unwrap_or("");
+        let at = reading.callout.or(self.roles.callout);
+        let callout = asked(printed, at, reading.nominal.or(self.roles.nominal));
+        let given = at.and_then(|at| value(printed, at)).unwrap_or("");
         // Limits that were printed with fewer digits than they have are those of the class.
         let of_class = callout.and_then(|callout| limits(&callout, self.context.sources));
         let is_of_class = of_class.is_some_and(|limits| {
@@ -161,18 +201,16 @@ impl PrintJudging<'_> {
         });
         let pair = pair.filter(|_| !is_of_class);
         let labels = Labels { rounded_by: rounded_by(value(printed, reading.measured)), ..said.labels.clone() };
-        let name = if self.roles.readings.len() == 1 {
-            said.name.clone()
-        } else {
-            let of = self.slots.get(reading.measured).map_or_else(String::new, |slot| slot.of.to_string());
-            format!("{} {of}", said.name).trim_start().to_owned()
-        };
+        let nominal = || length(printed, reading.nominal.or(self.roles.nominal)?);
+        // A class says it itself.
+        let said_side = || reading.is_hole.map(side).or(said.feature);
+        let is_said = callout.is_some_and(|callout| callout.feature().is_some());
         let characteristic = Characteristic {
-            name,
+            name: said.name.clone(),
             what: CharacteristicKind::Size,
             class: callout.map_or_else(|| given.to_owned(), |callout| class_of(&callout)),
-            feature: said.feature,
-            nominal: callout.map(|callout| callout.nominal()),
+            feature: if is_said { None } else { said_side() },
+            nominal: callout.map(|callout| callout.nominal()).or_else(nominal),
             minimum: pair.map(|pair| pair.0),
             maximum: pair.map(|pair| pair.1),
             expanded: None,
@@ -204,6 +242,11 @@ impl PrintJudging<'_> {
             self.context.now
         })
     }
+}
+
+/// Hole or shaft.
+const fn side(is_hole: bool) -> Feature {
+    if is_hole { Feature::Hole } else { Feature::Shaft }
 }
 
 /// How far a value may be from what was printed of it, by the decimals that were printed.

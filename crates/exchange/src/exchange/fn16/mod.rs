@@ -4,12 +4,18 @@
 //! |---|---|
 //! | here | which mask fits, and its prints one after the other |
 //! | `roles` | which field of a mask is what: measured value, limits, callout, status, time |
+//! | `fields` | the fields of a mask, and a value as numbers of fields |
+//! | `part` | which fields tell the part: its number, its serial number, a counter |
+//! | `labelled` | the values of a part in a series, by the words before their fields |
 //! | `judged` | a print as a measurement |
 //!
 //! A mask is needed: the file alone does not say what its figures are. The mask whose literal texts the beginning of the file has is the
 //! one; a file that none or several of them fit is refused.
 
+mod fields;
 mod judged;
+mod labelled;
+mod part;
 mod roles;
 
 use std::collections::VecDeque;
@@ -63,7 +69,8 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
         );
     }
     in_mm(&mut source.pieces(text::LINE_END_BYTES)?)?;
-    let judging = PrintJudging { slots: inverse.slots(), roles: &roles, context: &context };
+    let has_plan = source.given.has_plan;
+    let judging = PrintJudging { slots: inverse.slots(), roles: &roles, context: &context, has_plan };
     let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut window = Window { inverse: &inverse, lines: VecDeque::new(), simulated_from: None };
     let mut next = 1;

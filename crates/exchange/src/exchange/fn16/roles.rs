@@ -1,32 +1,25 @@
-//! Which field of a mask is what: by the number of its parameter, else by what was printed.
+//! Which field of a mask is what: by the number of its parameter, else by the words before it or by what was printed.
 //!
 //! Results and limits of measuring cycles have numbers of their own. A parameter of the user's own is told by the limits of the callout that
 //! is printed beside it: the minimum and the maximum are always these, with more than one callout, and what is left is the measured value.
-//! If more than one is left, the mask is refused.
+//! If more than one is left, the mask is refused. A mask that says which part it is prints one value or several of each part: there the
+//! words before the fields tell (see `labelled`).
 
 use std::collections::BTreeSet;
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::probing::cycle::number;
 use fitcheck_core::tolerance::{Callout, Limits, Sources, ToleranceClass};
-use fitcheck_core::verdict::Status;
 use fitcheck_nc::control::mask::{FieldContent, Printed, Slot};
-use fitcheck_nc::control::status::status_of;
-use fitcheck_nc::control::variables::{Family, Parameter};
+use fitcheck_nc::control::variables::Parameter;
 
+use super::fields::{Fields, MARKERS, Reading, ReadingKind, STATUS, is_callout, is_status, length, value};
+use super::labelled;
+use super::part::PartFields;
 use crate::exchange::claim::Claim;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
-
-/// What a measured value is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum ReadingKind {
-    /// A diameter, a width or the side of a rectangle.
-    Size,
-    Coordinate,
-    /// A deviation along the normal.
-    Point,
-}
+use crate::exchange::vocabulary;
 
 /// A result of a measuring cycle, and the parameters that hold its limits: those of the cycle itself, and those of programs that call it.
 struct CycleReading {
@@ -34,15 +27,22 @@ struct CycleReading {
     kind: ReadingKind,
     /// Minimum and maximum.
     limits: &'static [(u16, u16)],
+    /// The nominal size of the cycle.
+    nominal: Option<u16>,
 }
 
 /// The results that have limits; `docs/SOURCES.md` says where the numbers are from.
 const RESULTS: [CycleReading; 5] = [
-    CycleReading { measured: 153, kind: ReadingKind::Size, limits: &[(33, 23), (276, 275), (278, 277)] },
-    CycleReading { measured: 154, kind: ReadingKind::Size, limits: &[(285, 284), (83, 73)] },
-    CycleReading { measured: 155, kind: ReadingKind::Size, limits: &[(287, 286), (33, 23)] },
-    CycleReading { measured: 156, kind: ReadingKind::Size, limits: &[(289, 288), (33, 23)] },
-    CycleReading { measured: 160, kind: ReadingKind::Coordinate, limits: &[(289, 288), (33, 23)] },
+    CycleReading {
+        measured: 153,
+        kind: ReadingKind::Size,
+        limits: &[(33, 23), (276, 275), (278, 277)],
+        nominal: Some(262),
+    },
+    CycleReading { measured: 154, kind: ReadingKind::Size, limits: &[(285, 284), (83, 73)], nominal: Some(282) },
+    CycleReading { measured: 155, kind: ReadingKind::Size, limits: &[(287, 286), (33, 23)], nominal: Some(283) },
+    CycleReading { measured: 156, kind: ReadingKind::Size, limits: &[(289, 288), (33, 23)], nominal: Some(311) },
+    CycleReading { measured: 160, kind: ReadingKind::Coordinate, limits: &[(289, 288), (33, 23)], nominal: None },
 ];
 
 /// The deviation along the normal, which cycle 444 leaves; rectangles have that of their first side there.
@@ -51,20 +51,8 @@ const NORMAL: u16 = 164;
 /// Texts that hold its tolerance: that of the cycle, and that of programs that call it.
 const BANDS: [u16; 2] = [400, 1];
 
-/// Deviations from nominal values, which are computed here.
-const DEVIATIONS: std::ops::RangeInclusive<u16> = 161..=166;
-
 /// The centre in two axes.
 const CENTRE: [u16; 2] = [151, 152];
-
-/// A measured value and what it is compared with, as numbers of fields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Reading {
-    pub(super) measured: usize,
-    pub(super) kind: ReadingKind,
-    pub(super) minimum: Option<usize>,
-    pub(super) maximum: Option<usize>,
-}
 
 /// What the fields of a mask are.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -78,15 +66,13 @@ pub(super) struct Roles {
     /// The tolerance of a point.
     pub(super) band: Option<usize>,
     pub(super) centre: Option<[usize; 2]>,
+    /// What tells the part from others: its number, its serial number, a counter.
+    pub(super) part: PartFields,
+    /// Hole or shaft, where a text says it.
+    pub(super) side: Option<usize>,
     /// The markers of a cycle, by their numbers.
     markers: Vec<(u16, usize)>,
 }
-
-/// Markers of measuring cycles that are 1: the workpiece is good, can be reworked, or is scrap.
-const MARKERS: [(u16, Status); 3] = [(180, Status::Good), (181, Status::Rework), (182, Status::Scrap)];
-
-/// The status of cycles that have one number for it: -1 undefined, 0 good, 1 rework, 2 scrap.
-const STATUS: u16 = 183;
 
 impl Roles {
     /// The roles of a mask's fields, by what was printed with it.
@@ -97,16 +83,19 @@ impl Roles {
         sources: &Sources,
     ) -> Result<Self, ImportErrorKind> {
         let fields = Fields { slots, sample };
+        let part = PartFields::of(slots);
         let centre = CENTRE.map(|number| fields.number(number));
         let mut roles = Self {
             readings: fields.known(),
             name: None,
             callout: fields.text(is_callout),
             nominal: fields.number(1),
-            status: fields.text(|text| status_of(text).is_some()).or_else(|| fields.at(Parameter::qs(3))),
+            status: fields.text(is_status).or_else(|| fields.at(Parameter::qs(3))),
             band: None,
             markers: fields.markers(),
             centre: centre[0].zip(centre[1]).map(<[usize; 2]>::from),
+            side: fields.text(is_side),
+            part,
         };
         if roles.nominal.is_some() {
             roles.callout = roles.callout.or_else(|| fields.text(is_class));
@@ -115,11 +104,29 @@ impl Roles {
             roles.band = BANDS.into_iter().find_map(|number| fields.at(Parameter::qs(number)));
             roles.centre = None;
         }
+        if roles.readings.is_empty() && roles.part.is_any() {
+            roles.readings = labelled::readings(&fields, roles.nominal);
+        }
         if roles.readings.is_empty() {
             roles.readings.push(fields.by_callout(mask, &roles, sources)?);
         }
-        let taken = [roles.callout, roles.status, roles.band];
-        roles.name = fields.texts().find(|at| !taken.contains(&Some(*at)));
+        let own: Vec<usize> = roles.readings.iter().flat_map(Reading::others).flatten().collect();
+        // The status of one value is not that of the part.
+        if 1 < roles.readings.len() {
+            roles.status = fields.texts_that(is_status).find(|at| !own.contains(at)).or(roles.status);
+        }
+        let taken = [roles.callout, roles.status, roles.band, roles.side];
+        let is_free = |at: &usize| !taken.contains(&Some(*at)) && !own.contains(at) && !roles.part.has(*at);
+        roles.name = fields.texts().find(is_free);
+        if roles.name.is_none() && roles.part.is_any() {
+            roles.readings.iter_mut().filter(|reading| reading.name.is_empty()).for_each(|reading| {
+                reading.name = labelled::name(slots, reading.measured);
+            });
+        }
+        // What a print calls the part names its only value, where nothing else does.
+        if roles.name.is_none() && roles.readings.iter().all(|reading| reading.name.is_empty()) {
+            roles.name = roles.part.take_named(slots).or(roles.side);
+        }
         Ok(roles)
     }
 
@@ -160,55 +167,19 @@ impl Roles {
     /// What is not used, by name.
     pub(super) fn ignored(&self, slots: &[Slot]) -> Vec<String> {
         let readings =
-            self.readings.iter().flat_map(|reading| [Some(reading.measured), reading.minimum, reading.maximum]);
-        let others = [self.name, self.callout, self.nominal, self.status, self.band];
+            self.readings.iter().flat_map(|reading| reading.others().into_iter().chain([Some(reading.measured)]));
+        let others = [self.name, self.callout, self.nominal, self.status, self.band, self.side];
         let markers = self.markers.iter().map(|(_, at)| *at);
         let others = others.into_iter().chain(self.centre.into_iter().flatten().map(Some));
         let used: Vec<usize> = readings.chain(others).flatten().chain(markers).collect();
-        let ignored =
-            (0..).zip(slots).filter(|(at, slot)| !used.contains(at) && matches!(slot.of, FieldContent::Parameter(_)));
+        let ignored = (0..).zip(slots).filter(|(at, _)| !used.contains(at) && !self.part.has(*at));
+        let ignored = ignored.filter(|(_, slot)| matches!(slot.of, FieldContent::Parameter(_)));
         let firsts = ignored.filter(|(at, slot)| slots.iter().position(|other| other.of == slot.of) == Some(*at));
         firsts.map(|(_, slot)| slot.of.to_string()).collect()
     }
 }
 
-/// The fields of a mask and what was printed in them.
-struct Fields<'a> {
-    slots: &'a [Slot],
-    sample: &'a [Printed],
-}
-
 impl Fields<'_> {
-    /// The field of a parameter; of several, the first, which has the values of all of them.
-    fn at(&self, parameter: Parameter) -> Option<usize> {
-        self.slots.iter().position(|slot| slot.of == FieldContent::Parameter(parameter))
-    }
-
-    fn number(&self, number: u16) -> Option<usize> {
-        self.at(Parameter::q(number))
-    }
-
-    /// The fields for texts of parameters.
-    fn texts(&self) -> impl Iterator<Item = usize> {
-        let is_first = |at: usize, slot: &Slot| self.slots.iter().position(|other| other.of == slot.of) == Some(at);
-        let is_text = |slot: &Slot| slot.digits.is_none() && matches!(slot.of, FieldContent::Parameter(_));
-        (0..).zip(self.slots).filter(move |(at, slot)| is_text(slot) && is_first(*at, slot)).map(|(at, _)| at)
-    }
-
-    /// What was printed in a field.
-    fn values(&self, at: usize) -> impl Iterator<Item = &str> {
-        let values = self.sample.iter().flat_map(|printed| &printed.values);
-        values.filter(move |(slot, _)| *slot == at).map(|(_, value)| value.as_str())
-    }
-
-    /// The first text that is always of a kind, where there is one.
-    fn text(&self, kind: impl Fn(&str) -> bool) -> Option<usize> {
-        self.texts().find(|at| {
-            let mut texts = self.values(*at).filter(|text| !text.is_empty()).peekable();
-            texts.peek().is_some() && texts.all(&kind)
-        })
-    }
-
     /// The markers that it prints.
     fn markers(&self) -> Vec<(u16, usize)> {
         let numbers = MARKERS.into_iter().map(|(number, _)| number).chain([STATUS]);
@@ -217,16 +188,17 @@ impl Fields<'_> {
 
     /// The results of cycles that it prints.
     fn known(&self) -> Vec<Reading> {
-        let reading =
-            |measured, kind, [minimum, maximum]: [Option<usize>; 2]| Reading { measured, kind, minimum, maximum };
         if let Some(deviation) = self.number(NORMAL).filter(|_| self.number(154).is_none()) {
-            return vec![reading(deviation, ReadingKind::Point, [None, None])];
+            return vec![Reading::of(deviation, ReadingKind::Point)];
         }
         let found = RESULTS.iter().filter_map(|result| {
             let measured = self.number(result.measured)?;
             let pair = |(minimum, maximum): &(u16, u16)| [self.number(*minimum), self.number(*maximum)];
             let limits = result.limits.iter().map(pair).find(|pair| pair.iter().any(Option::is_some));
-            Some(reading(measured, result.kind, limits.unwrap_or([None; 2])))
+            let [minimum, maximum] = limits.unwrap_or([None; 2]);
+            let nominal = result.nominal.and_then(|number| self.number(number));
+            let is_hole = labelled::side(self, [Some(measured), minimum, maximum, nominal].into_iter().flatten());
+            Some(Reading { minimum, maximum, nominal, is_hole, ..Reading::of(measured, result.kind) })
         });
         found.collect()
     }
@@ -235,7 +207,9 @@ impl Fields<'_> {
     fn by_callout(&self, mask: &str, roles: &Roles, sources: &Sources) -> Result<Reading, ImportErrorKind> {
         let limits: Vec<(usize, Limits)> = (0..)
             .zip(self.sample)
-            .filter_map(|(number, printed)| Some((number, limits(&asked(printed, roles)?, sources)?)))
+            .filter_map(|(number, printed)| {
+                Some((number, limits(&asked(printed, roles.callout, roles.nominal)?, sources)?))
+            })
             .collect();
         // Whether a field always is what the callout says, to its last digit. That a measured value lies on a limit is chance, and that it
         // lies on two different ones is not: a field is a limit once it has followed it from one callout to another.
@@ -248,18 +222,7 @@ impl Fields<'_> {
             };
             limits.iter().all(&mut is) && 1 < followed.len()
         };
-        let is_own = |slot: &Slot| match slot.of {
-            FieldContent::Parameter(Parameter { family: Family::Q, number }) => {
-                !DEVIATIONS.contains(&number) && !is_marker(number)
-            }
-            FieldContent::Parameter(_) => true,
-            FieldContent::Word(_) => false,
-        };
-        let numbers =
-            (0..).zip(self.slots).filter(|(_, slot)| slot.digits.is_some_and(|digits| 0 < digits) && is_own(slot));
-        let is_first =
-            |(at, slot): &(usize, &Slot)| self.slots.iter().position(|other| other.of == slot.of) == Some(*at);
-        let numbers: Vec<usize> = numbers.filter(is_first).map(|(at, _)| at).collect();
+        let numbers = self.numbers();
         let named = |list: &[usize]| {
             RESULTS.iter().flat_map(|result| result.limits).find_map(|(minimum, maximum)| {
                 let minimum = self.number(*minimum)?;
@@ -279,10 +242,9 @@ impl Fields<'_> {
         let doubtful = if left.is_empty() && pair.is_none() { &numbers } else { &left };
         match doubtful.as_slice() {
             [measured] => Ok(Reading {
-                measured: *measured,
-                kind: ReadingKind::Size,
                 minimum: pair.map(|pair| pair.0).or_else(|| minima.first().copied()),
                 maximum: pair.map(|pair| pair.1).or_else(|| maxima.first().copied()),
+                ..Reading::of(*measured, ReadingKind::Size)
             }),
             [] => Err(ImportErrorKind::MaskNoMeasured { mask: mask.to_owned() }),
             several => {
@@ -294,26 +256,12 @@ impl Fields<'_> {
     }
 }
 
-fn is_marker(number: u16) -> bool {
-    number == STATUS || MARKERS.iter().any(|(marker, _)| *marker == number)
-}
-
-/// What a print has in a field.
-pub(super) fn value(printed: &Printed, at: usize) -> Option<&str> {
-    printed.values.iter().find(|(slot, _)| *slot == at).map(|(_, value)| value.as_str())
-}
-
-/// A length in a field, in millimetres.
-pub(super) fn length(printed: &Printed, at: usize) -> Option<Length> {
-    Length::parse_in(value(printed, at)?, Unit::Millimetre).ok()
-}
-
 /// The callout of a print: printed as one, or as nominal size and class.
-pub(super) fn asked(printed: &Printed, roles: &Roles) -> Option<Callout> {
-    let text = value(printed, roles.callout?)?;
+pub(super) fn asked(printed: &Printed, callout: Option<usize>, nominal: Option<usize>) -> Option<Callout> {
+    let text = value(printed, callout?)?;
     match text.parse() {
         Ok(callout) => Some(callout),
-        Err(_) => Callout::new(length(printed, roles.nominal?)?, text.parse().ok()?).ok(),
+        Err(_) => Callout::new(length(printed, nominal?)?, text.parse().ok()?).ok(),
     }
 }
 
@@ -335,8 +283,11 @@ pub(super) fn is_printed(length: Length, text: &str) -> bool {
     value.is_ok_and(|value| 2 * length.saturating_sub(value).abs().nanometres() <= last_digit(text))
 }
 
-fn is_callout(text: &str) -> bool {
-    text.parse::<Callout>().is_ok()
+/// Words of a hole or a shaft that are no names of one.
+const SIDES: &str = "hole|shaft|bohrung|welle|boring|gat|as|foro|albero|alésage|alesage|arbre|agujero|eje";
+
+fn is_side(text: &str) -> bool {
+    vocabulary::has(SIDES, &text.to_lowercase())
 }
 
 fn is_class(text: &str) -> bool {

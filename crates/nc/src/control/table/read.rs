@@ -29,7 +29,7 @@ impl ControlTable {
     ///
     /// # Errors
     /// As for [`Self::read`].
-    pub(crate) fn read_with_short_rows(bytes: &[u8], file: &str) -> Result<TableFile, TableError> {
+    pub fn read_with_short_rows(bytes: &[u8], file: &str) -> Result<TableFile, TableError> {
         Self::read_rows(bytes, file, true)
     }
 

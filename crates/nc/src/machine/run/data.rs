@@ -41,7 +41,9 @@ impl Run {
                     self.around.lose_system(|| self.flow.made(at));
                     self.remark(at, Remark::NotFollowed);
                 }
-                self.tables.write(at, cells, files)
+                // What was not measured stays known as such.
+                let is_simulated = self.cycles.is_simulated() && !self.cycles.runs().is_empty();
+                self.tables.write(at, cells, is_simulated, files)
             }
             _ => Ok(()),
         }

@@ -68,6 +68,10 @@ pub struct Slot {
     pub of: FieldContent,
     /// How many digits a number has after its decimal sign; `None` for a text.
     pub digits: Option<usize>,
+    /// The literal text before it on its line, down to the field before; without blanks around it.
+    pub label: String,
+    /// The line of the mask that prints it, from 1.
+    pub line: usize,
 }
 
 /// What was printed at one time.
@@ -180,6 +184,7 @@ fn step(record: &Record, hides: bool, slots: &mut Vec<Slot>) -> Result<Step, Inv
     let mut before: Option<(&Format, &Name)> = None;
     // The text field before nothing but blanks.
     let mut text: Option<&Name> = None;
+    let mut label = "";
     for part in &record.parts {
         match part {
             Part::Text(literal) => {
@@ -198,6 +203,7 @@ fn step(record: &Record, hides: bool, slots: &mut Vec<Slot>) -> Result<Step, Inv
                         last.push(Piece::Literal(line.to_owned()));
                     }
                 }
+                label = literal.rsplit('\n').next().unwrap_or(literal).trim();
                 before = None;
                 text = text.filter(|_| literal.chars().all(|c| c == ' '));
             }
@@ -220,7 +226,8 @@ fn step(record: &Record, hides: bool, slots: &mut Vec<Slot>) -> Result<Step, Inv
                 if let Some(last) = lines.last_mut() {
                     last.push(Piece::Slot { number: slots.len(), format: *format, is_text_parameter });
                 }
-                slots.push(Slot { of: name.of(), digits: format.decimals() });
+                let label = std::mem::take(&mut label).to_owned();
+                slots.push(Slot { of: name.of(), digits: format.decimals(), label, line: record.line });
             }
         }
     }
