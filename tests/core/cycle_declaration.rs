@@ -7,7 +7,7 @@ use fitcheck::probing::cycle::{
 };
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
 use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
-use fitcheck::probing::{Contact, Recorded};
+use fitcheck::probing::{Contact, Recorded, Source};
 use fitcheck::shipped;
 use fitcheck::tolerance::{Deviations, Feature, Nominal};
 use fitcheck::verdict::Status;
@@ -536,8 +536,8 @@ fn what_has_no_effect_is_kept_and_said() {
     for cycle in CYCLES {
         let required = asked(cycle);
         let run = |inputs: &Inputs| {
-            let mut machine = Simulation::perfect(cycle.nominal(inputs).unwrap()).machine().unwrap();
-            cycle.measure(inputs, &mut machine).unwrap()
+            let mut prober = Source::Perfect.prober(cycle, inputs).unwrap();
+            cycle.measure(inputs, &mut *prober).unwrap()
         };
         // The required parameters are enough, and the workpiece at nominal size is good.
         let plain = run(&required);

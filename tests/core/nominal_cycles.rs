@@ -10,7 +10,7 @@ use fitcheck::probing::simulated::{Face, FreePoint, Part, Probe, Simulation, Sur
 use fitcheck::tolerance::{Feature, Nominal};
 use fitcheck::verdict::Status;
 
-use crate::datum::{check, machine, over, ran, remarks, sample, verdicts, zero};
+use crate::datum::{check, machine, over, ran, remarks, run, sample, verdicts, zero};
 
 const CIRCLE: &str = "QS1100=25 QS1101=50 QS1102=-5 QS1116=25H7";
 
@@ -332,4 +332,45 @@ fn a_sphere_gives_its_centre_and_diameter_and_is_judged_like_a_stud() {
     // A tolerance of the height counts: it is measured.
     let high = on_sphere(&sphere.replace("QS1102=-15", "QS1102=-15±0.1"), [20.0, 30.0, -14.8], 14.995).unwrap();
     assert_eq!(high.verdict(), Some(Status::Scrap));
+}
+
+/// Two holes 80 mm apart, turned by 0.4 degrees about the first.
+#[test]
+fn two_circles_give_their_sizes_and_the_line_through_them() {
+    let (sin, cos) = 0.4_f64.to_radians().sin_cos();
+    let text = format!(
+        "[[feature]]\nname = \"A\"\nkind = \"bore\"\ncentre = [10, 20]\ndiameter = 20.012\nbottom = -20\n\
+         [[feature]]\nname = \"B\"\nkind = \"stud\"\ncentre = [{}, {}]\ndiameter = 25.03\ntop = 0\nbottom = -20\n[probe]\nball_radius = 3\n",
+        10.0 + 80.0 * cos,
+        20.0 + 80.0 * sin
+    );
+    let block = "TCH PROBE 1411 PROBING TWO CIRCLES ~\nQS1100=\"10\" ~\nQS1101=\"20\" ~\nQS1102=\"-5\" ~\nQS1116=\"20H7\" ~\nQS1103=\"90\" ~\n\
+                 QS1104=\"20\" ~\nQS1105=\"-5\" ~\nQS1117=\"25h7\" ~\nQ1115=+2 ~\nQ423=+4 ~\nQ325=+0 ~\nQ1119=+360 ~\nQ320=+2 ~\nQ260=+40 ~\n\
+                 Q1125=+1 ~\nQ309=+0 ~\nQ1126=+0 ~\nQ1120=+0 ~\nQ1121=+1";
+    let part = || Contacts::Workpiece(Part::read(&text).unwrap());
+    let (machine, fault) = run(&format!("{block}\nFN 18: SYSREAD Q1 = ID210 NR1"), part());
+    assert_eq!(fault, None);
+    check(&machine, &[(950, 10.0), (951, 20.0), (966, 20.012), (953, 10.0 + 80.0 * cos), (954, 20.0 + 80.0 * sin)]);
+    check(&machine, &[(967, 25.03), (964, 0.4), (1, 0.4), (183, 1.0)]);
+    let result = &machine.cycles()[0].result;
+    // The hole is good, the stud above its maximum of 25.
+    assert_eq!(result.checks.iter().map(|check| check.status).collect::<Vec<_>>(), [Status::Good, Status::Rework]);
+    // A perfect workpiece has both in the middle of their zones.
+    let (machine, fault) = run(block, Contacts::Perfect);
+    assert_eq!(fault, None);
+    check(&machine, &[(966, 20.0105), (967, 24.9895), (964, 0.0), (183, 0.0)]);
+    for (from, to, why) in [
+        ("QS1103=\"90\"", "QS1103=\"10\"", "an edge needs two points along it"),
+        ("QS1117=\"25h7\"", "QS1117=\"25H7\"", "Q1115"),
+        ("Q1120=+0", "Q1120=+3", "Q1121 CONFIRM ROTATION"),
+    ] {
+        let fault = run(&block.replace(from, to), part()).1.unwrap();
+        assert!(fault.contains(why), "{fault}");
+    }
+    // The middle of both centres corrects the preset.
+    let middle = block.replace("Q1120=+0", "Q1120=+3").replace("Q1121=+1", "Q1121=+0");
+    let (machine, fault) = run(&middle, part());
+    assert_eq!(fault, None);
+    let datum = machine.cycles()[0].result.datum.clone().unwrap();
+    assert_eq!(datum.axes.iter().map(|axis| axis.wanted.to_string()).collect::<Vec<_>>(), ["50", "20"]);
 }

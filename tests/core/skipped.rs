@@ -320,7 +320,7 @@ fn a_good_run_that_leaves_a_measurement_out_is_looked_at_first() {
     exits(HOLE, 0);
     for skipped in [
         "TCH PROBE 430 MEAS. BOLT HOLE CIRC",
-        "TCH PROBE 1411 PROBING TWO CIRCLES",
+        "TCH PROBE 1420 PROBING IN PLANE",
         "TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5",
         "CYCL DEF 421 MEASURE HOLE ~\nQ1=+1",
         DATUM,

@@ -206,6 +206,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = uvnitř
 cycles-choice-side-1 = vně
+cycles-choice-geometries-0 = dvě díry
+cycles-choice-geometries-1 = dva čepy
+cycles-choice-geometries-2 = díra a čep
+cycles-choice-geometries-3 = čep a díra
 
 ## The tool table
 

@@ -203,6 +203,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = innen
 cycles-choice-side-1 = außen
+cycles-choice-geometries-0 = zwei Bohrungen
+cycles-choice-geometries-1 = zwei Zapfen
+cycles-choice-geometries-2 = Bohrung und Zapfen
+cycles-choice-geometries-3 = Zapfen und Bohrung
 
 ## Die Werkzeugtabelle
 

@@ -203,6 +203,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = inside
 cycles-choice-side-1 = outside
+cycles-choice-geometries-0 = two holes
+cycles-choice-geometries-1 = two studs
+cycles-choice-geometries-2 = a hole and a stud
+cycles-choice-geometries-3 = a stud and a hole
 
 ## The tool table
 

@@ -203,6 +203,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = por dentro
 cycles-choice-side-1 = por fuera
+cycles-choice-geometries-0 = dos taladros
+cycles-choice-geometries-1 = dos pivotes
+cycles-choice-geometries-2 = un taladro y un pivote
+cycles-choice-geometries-3 = un pivote y un taladro
 
 ## The tool table
 

@@ -203,6 +203,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = intérieur
 cycles-choice-side-1 = extérieur
+cycles-choice-geometries-0 = deux trous
+cycles-choice-geometries-1 = deux tenons
+cycles-choice-geometries-2 = un trou et un tenon
+cycles-choice-geometries-3 = un tenon et un trou
 
 ## Le tableau d'outils
 

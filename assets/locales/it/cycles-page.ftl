@@ -203,6 +203,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = interno
 cycles-choice-side-1 = esterno
+cycles-choice-geometries-0 = due fori
+cycles-choice-geometries-1 = due perni
+cycles-choice-geometries-2 = un foro e un perno
+cycles-choice-geometries-3 = un perno e un foro
 
 ## La tabella utensili
 

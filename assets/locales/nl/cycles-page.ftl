@@ -203,6 +203,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = binnen
 cycles-choice-side-1 = buiten
+cycles-choice-geometries-0 = twee boringen
+cycles-choice-geometries-1 = twee tappen
+cycles-choice-geometries-2 = een boring en een tap
+cycles-choice-geometries-3 = een tap en een boring
 
 ## De gereedschapstabel
 

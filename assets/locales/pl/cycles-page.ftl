@@ -205,6 +205,10 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = wewnątrz
 cycles-choice-side-1 = na zewnątrz
+cycles-choice-geometries-0 = dwa otwory
+cycles-choice-geometries-1 = dwa czopy
+cycles-choice-geometries-2 = otwór i czop
+cycles-choice-geometries-3 = czop i otwór
 
 ## The tool table
 

@@ -285,9 +285,9 @@ rows! {
 /// The paragraph of a parameter of a cycle.
 const fn of_meaning(meaning: Meaning) -> &'static str {
     match meaning {
-        Meaning::Centre(_) => "nominal-centre",
+        Meaning::Centre(_) | Meaning::SecondCentre(_) => "nominal-centre",
         Meaning::CentreTolerance(_) => "tolerance-of-the-centre",
-        Meaning::Diameter | Meaning::Side(_) | Meaning::Width => "nominal-length",
+        Meaning::Diameter | Meaning::SecondDiameter | Meaning::Side(_) | Meaning::Width => "nominal-length",
         Meaning::MaximumDiameter
         | Meaning::MinimumDiameter
         | Meaning::MaximumSide(_)
@@ -311,6 +311,7 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         Meaning::ContactCount => "contacts-of-the-circle",
         Meaning::Plane
         | Meaning::InsideOutside
+        | Meaning::Geometries
         | Meaning::MeasuredAxis
         | Meaning::AxisOfPlane
         | Meaning::Direction

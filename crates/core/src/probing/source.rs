@@ -1,7 +1,7 @@
 //! Where a cycle's contacts come from: a perfect workpiece at nominal size, a simulated one, or recorded contacts.
 
 use super::contact::{Contact, NoContact, Prober, Recorded, Touch};
-use super::cycle::{Cycle, CycleError, Inputs, Move, Phase};
+use super::cycle::{Cycle, CycleError, Inputs, Meaning, Move, Phase, Value};
 use super::simulated::{Machine, Part, Simulation, Surface, WorkpieceError};
 use crate::message::Say;
 
@@ -51,10 +51,19 @@ impl Source<'_> {
         };
         let machine = machine.map_err(|error| self.refused(error, cycle, inputs))?;
         let machine = machine.calibrated(inputs.probe());
-        let top = cycle.nominal_top(inputs).filter(|_top| matches!(self, Self::Perfect));
-        Ok(match top {
+        let other = cycle.nominal_beside(inputs).filter(|_other| matches!(self, Self::Perfect));
+        Ok(match other {
             None => Box::new(machine),
-            Some(top) => Box::new(WithTop { machine, top: Simulation::perfect(Surface::Face(top)).machine()? }),
+            Some(other) => {
+                let beside = Simulation::perfect(other).machine()?.calibrated(inputs.probe());
+                let is_circle = matches!(other, Surface::Round(..));
+                let count = match cycle.value_of(inputs, Meaning::ContactCount) {
+                    Some(Value::Whole(count)) => *count,
+                    _ => USUAL_COUNT,
+                };
+                let of_first = is_circle.then_some(count);
+                Box::new(Two { machine, beside, of_first })
+            }
         })
     }
 
@@ -73,16 +82,30 @@ impl Source<'_> {
     }
 }
 
-/// A perfect workpiece and a top beside it: neither is in the way of the other, whatever the figures of a cycle say.
-struct WithTop {
+/// The contacts of a circle where the cycle is not told how many.
+const USUAL_COUNT: i64 = 4;
+
+/// A perfect workpiece and another surface beside it: neither is in the way of the other, whatever the figures of a cycle say.
+struct Two {
     machine: Machine,
-    top: Machine,
+    beside: Machine,
+    /// How many probings are still of the first, where both are circles; a top has those straight along the probe axis.
+    of_first: Option<i64>,
 }
 
-impl Prober for WithTop {
-    /// Only a probing straight along the probe axis is of the top.
-    fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
+impl Two {
+    fn is_of_other(&mut self, touch: &Touch) -> bool {
+        if let Some(left) = &mut self.of_first {
+            *left -= 1;
+            return *left < 0;
+        }
         let [x, y, _] = touch.direction;
-        if x.abs() + y.abs() <= 0.0 { self.top.touch(touch) } else { self.machine.touch(touch) }
+        x.abs() + y.abs() <= 0.0
+    }
+}
+
+impl Prober for Two {
+    fn touch(&mut self, touch: &Touch) -> Result<Contact, NoContact> {
+        if self.is_of_other(touch) { self.beside.touch(touch) } else { self.machine.touch(touch) }
     }
 }

@@ -189,6 +189,7 @@ fn given(meaning: Meaning, feature: Feature, nominal: &str) -> Option<&str> {
         | Meaning::StopOnScrap
         | Meaning::PresetCorrection
         | Meaning::InsideOutside
+        | Meaning::Geometries
         | Meaning::Tool
         | Meaning::CentreTolerance(_) => "0",
         _ => return None,

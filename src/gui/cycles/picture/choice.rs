@@ -54,6 +54,7 @@ impl Choice<'_> {
             Meaning::ContactCount => self.contacts(number),
             Meaning::Plane => self.plane(number),
             Meaning::InsideOutside => self.side(number == 1),
+            Meaning::Geometries => self.side(matches!(number, 1 | 2)),
             Meaning::MeasuredAxis | Meaning::AxisOfPlane | Meaning::DirectedAxis => self.measured_axis(number),
             Meaning::Direction => self.direction(number < 0),
             Meaning::Log => self.log(number),

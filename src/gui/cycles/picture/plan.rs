@@ -33,12 +33,12 @@ struct Plan<'a> {
 pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
     let plan = Plan { canvas, scene, key };
     match meaning {
-        Meaning::Centre(axis) | Meaning::NewDatum(axis) => plan.centre(axis),
+        Meaning::Centre(axis) | Meaning::SecondCentre(axis) | Meaning::NewDatum(axis) => plan.centre(axis),
         Meaning::NewCoordinate if scene.shape == Shape::Face => plan.coordinate(0.0),
         Meaning::NewCoordinate => plan.centre(Axis::First),
         Meaning::ToolAxisPoint(axis) => plan.top(axis),
         Meaning::CentreTolerance(axis) => plan.centre_tolerance(axis),
-        Meaning::Diameter => plan.diameter(),
+        Meaning::Diameter | Meaning::SecondDiameter => plan.diameter(),
         Meaning::StartDiameter => plan.start_diameter(),
         Meaning::MaximumDiameter => plan.limit(RADIUS + 10.0),
         Meaning::MinimumDiameter => plan.limit(RADIUS - 8.0),

@@ -40,6 +40,12 @@ pub enum Meaning {
     SecondPoint(Axis),
     /// The second point of a line, in one axis.
     NextPoint(Axis),
+    /// The nominal centre of a second circle, in one axis.
+    SecondCentre(Axis),
+    /// Its nominal diameter.
+    SecondDiameter,
+    /// Holes or studs: the first one and the second.
+    Geometries,
     /// The diameter of the circle on which the probe waits before each contact.
     StartDiameter,
     /// The angle of the first contact.
@@ -165,6 +171,9 @@ impl Meaning {
             | Self::FirstPoint(_)
             | Self::SecondPoint(_)
             | Self::NextPoint(_)
+            | Self::SecondCentre(_)
+            | Self::SecondDiameter
+            | Self::Geometries
             | Self::Point(_)
             | Self::Normal(_)
             | Self::Plane
@@ -293,6 +302,10 @@ impl Meaning {
             Self::FirstPoint(_) => "cycle-picture-first-point-2",
             Self::SecondPoint(Axis::First) => "cycle-picture-second-point-1",
             Self::SecondPoint(_) => "cycle-picture-second-point-2",
+            Self::SecondCentre(Axis::First) => "cycle-picture-second-centre-1",
+            Self::SecondCentre(_) => "cycle-picture-second-centre-2",
+            Self::SecondDiameter => "cycle-picture-second-diameter",
+            Self::Geometries => "cycle-picture-geometries",
             Self::NextPoint(Axis::First) => "cycle-picture-next-point-1",
             Self::NextPoint(_) => "cycle-picture-next-point-2",
             Self::Point(Axis::First) => "cycle-picture-point-1",

@@ -64,7 +64,7 @@ pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};
 
 use super::contact::{Contact, Prober};
-use super::simulated::{Face, Shape, Surface};
+use super::simulated::{Face, Shape, Surface, Workpiece};
 use crate::length::Length;
 use crate::tolerance::{Bounds, Deviations, Feature, proportion};
 use crate::verdict::Status;
@@ -191,6 +191,21 @@ impl Cycle {
         let Some(Value::Whole(1)) = self.value_of(inputs, Meaning::ToolAxisProbing) else { return None };
         let along = |axis| self.length_of(inputs, Meaning::ToolAxisPoint(axis)).unwrap_or(Length::ZERO).to_mm_f64();
         Some(Face::plane([Axis::First, Axis::Second, Axis::Third].map(along), [0.0, 0.0, 1.0]))
+    }
+
+    /// What else a cycle expects besides its surface: a top that its inputs ask for, or a second circle.
+    pub fn nominal_beside(&self, inputs: &Inputs) -> Option<Surface> {
+        if let Some(top) = self.nominal_top(inputs) {
+            return Some(Surface::Face(top));
+        }
+        let of = |meaning| match self.value_of(inputs, meaning)? {
+            Value::Nominal(nominal) => Some(nominal.target().to_mm_f64()),
+            _ => None,
+        };
+        let centre = [of(Meaning::SecondCentre(Axis::First))?, of(Meaning::SecondCentre(Axis::Second))?];
+        let is_stud = matches!(self.value_of(inputs, Meaning::Geometries), Some(Value::Whole(1 | 2)));
+        let feature = if is_stud { Feature::Shaft } else { Feature::Hole };
+        Some(Surface::Round(Workpiece::round(feature, centre, of(Meaning::SecondDiameter)?), Plane::Xy))
     }
 
     /// What is measured, as its drawings show it. Where an input decides, this is the shape without inputs.

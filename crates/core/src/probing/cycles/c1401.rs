@@ -5,8 +5,8 @@
 
 use super::circle_probing::FIRST_ANGLE;
 use super::nominal_cycle::{
-    ARC, CLEARANCE_MODE, COUNT, DIAMETER, Findings, GEOMETRY, NominalCircle, POINT_1, POINT_2, POINT_3, PRESET,
-    REACTION, leave, ways,
+    ARC, CLEARANCE_MODE, COUNT, DIAMETER, FIRST_CIRCLE, Findings, GEOMETRY, NominalCircle, POINT_1, POINT_2, POINT_3,
+    PRESET, REACTION, leave, ways,
 };
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
@@ -63,6 +63,6 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let (contacts, found) = circle.probe(ways(inputs), inputs, course)?;
     leave(inputs, course);
     let mut findings = Findings::default();
-    circle.add(&found, ([[950, 980], [951, 981]], [966, 996]), inputs, &mut findings);
+    circle.add(&found, &FIRST_CIRCLE, inputs, &mut findings);
     Ok(Measured { circle: Some(found), ..findings.measured(inputs, contacts) })
 }

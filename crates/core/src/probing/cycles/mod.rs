@@ -13,6 +13,7 @@
 //! | `width_datum_cycle` | what 408 and 409 share |
 //! | `datum_cycle` | what all cycles share that set a datum |
 //! | `nominal_cycle` | what cycles 14xx share |
+//! | `two_points` | what 1410 and 1411 share |
 //! | `edge_probing` | the points of 1400 and 1410 |
 //! | `round` | the circle through contacts |
 //! | `sphere` | the sphere through contacts |
@@ -42,6 +43,7 @@
 //! | `c1401` | 1401, circle probing |
 //! | `c1402` | 1402, sphere probing |
 //! | `c1410` | 1410, probing on edge |
+//! | `c1411` | 1411, probing two circles |
 //!
 //! To add a cycle:
 //!
@@ -69,6 +71,7 @@ mod c1400;
 mod c1401;
 mod c1402;
 mod c1410;
+mod c1411;
 mod c400;
 mod c403;
 mod c408;
@@ -102,6 +105,7 @@ mod rectangle_cycle;
 mod rectangle_datum_cycle;
 mod round;
 mod sphere;
+mod two_points;
 mod walls_probing;
 mod width_cycle;
 mod width_datum_cycle;
@@ -136,6 +140,7 @@ pub const CYCLES: &[&Cycle] = &[
     &c1401::CYCLE,
     &c1402::CYCLE,
     &c1410::CYCLE,
+    &c1411::CYCLE,
 ];
 
 /// The cycle that measures a hole, or the one that measures a shaft.

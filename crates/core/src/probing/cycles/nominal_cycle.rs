@@ -162,6 +162,11 @@ impl Findings {
         self.axes.push(DatumAxis { axis, measured, wanted: nominal.target() });
     }
 
+    /// What corrects it instead.
+    pub(super) fn correct_by(&mut self, axes: Vec<DatumAxis>) {
+        self.axes = axes;
+    }
+
     /// What the cycle says: the status, the stop that Q309 asks for, the correction of the preset.
     pub(super) fn measured(self, inputs: &Inputs, contacts: Vec<Contact>) -> Measured {
         let Self { checks, results, deviations, axes } = self;
@@ -229,26 +234,34 @@ impl NominalCircle {
         round::found(contacts, self.feature, Plane::Xy, course.ball_radius(), targets, halves)
     }
 
-    /// What was found of it; the numbers are those of the results of its centre and of its diameter, and of their deviations.
-    pub(super) fn add(
-        &self,
-        found: &CircleFound,
-        ([at_1, at_2], at): ([[u16; 2]; 2], [u16; 2]),
-        inputs: &Inputs,
-        findings: &mut Findings,
-    ) {
-        let [of_1, of_2] = self.centre.map(|of| inputs.nominal(of.key));
-        let [centre_1, centre_2] = found.centre;
-        let names = [ResultName::CENTRE_1, ResultName::CENTRE_DEVIATION_1];
-        findings.centre(Axis::First, (of_1, centre_1), at_1, names);
-        let names = [ResultName::CENTRE_2, ResultName::CENTRE_DEVIATION_2];
-        findings.centre(Axis::Second, (of_2, centre_2), at_2, names);
+    /// What was found of it.
+    pub(super) fn add(&self, found: &CircleFound, results: &CircleResults, inputs: &Inputs, findings: &mut Findings) {
+        let axes = [Axis::First, Axis::Second];
+        let CircleResults { centre, diameter: (at, names) } = *results;
+        for (((of, measured), axis), (at, names)) in self.centre.iter().zip(found.centre).zip(axes).zip(centre) {
+            findings.centre(axis, (inputs.nominal(of.key), measured), at, names);
+        }
         let nominal = inputs.nominal(self.diameter.key);
-        let check = judged::size(ResultName::DIAMETER, found.diameter, nominal.limits(), self.feature);
-        let names = [ResultName::DIAMETER, ResultName::DIAMETER_DEVIATION];
+        let [name, _] = names;
+        let check = judged::size(name, found.diameter, nominal.limits(), self.feature);
         findings.add((nominal, found.diameter), at, names, check);
     }
 }
+
+/// The results of a circle, each with its deviation: numbers and names.
+pub(super) struct CircleResults {
+    pub(super) centre: [([u16; 2], [ResultName; 2]); 2],
+    pub(super) diameter: ([u16; 2], [ResultName; 2]),
+}
+
+/// Those of the first circle of a cycle.
+pub(super) const FIRST_CIRCLE: CircleResults = CircleResults {
+    centre: [
+        ([950, 980], [ResultName::CENTRE_1, ResultName::CENTRE_DEVIATION_1]),
+        ([951, 981], [ResultName::CENTRE_2, ResultName::CENTRE_DEVIATION_2]),
+    ],
+    diameter: ([966, 996], [ResultName::DIAMETER, ResultName::DIAMETER_DEVIATION]),
+};
 
 /// Refuses a diameter of zero, and a class of the other feature.
 pub(super) fn of_feature(
