@@ -369,8 +369,9 @@ fn datum_said<'a>(
         (said, Some(block))
     });
     let tilt = datum.tilt.as_ref().map(|(angles, block)| {
-        let [a, b, c] = angles.map(angle);
-        (Message::new(tilt).text("a", a).text("b", b).text("c", c), Some(block))
+        let said = ["a", "b", "c"].into_iter().zip(angles);
+        let said = said.fold(Message::new(tilt), |said, (name, degrees)| said.text(name, angle(*degrees)));
+        (said, Some(block))
     });
     [Some((zero, datum.set_by.as_ref())), rotation, tilt].into_iter().flatten().collect()
 }

@@ -6,7 +6,7 @@ use fitcheck::probing::cycle::{
     Angle, Cycle, CycleError, DatumTarget, Inputs, Key, Meaning, Parameter, Range, Remark, Unset, Value,
 };
 use fitcheck::probing::cycles::{CYCLES, cycle, cycle_named};
-use fitcheck::probing::simulated::{Machine, Probe, Simulation, Workpiece};
+use fitcheck::probing::simulated::{Machine, Probe, Workpiece};
 use fitcheck::probing::{Contact, Recorded, Source};
 use fitcheck::shipped;
 use fitcheck::tolerance::{Deviations, Feature, Nominal};

@@ -8,8 +8,9 @@ use eframe::egui::{Color32, FontId, Key, Modifiers, Rect, TextStyle, Theme, Vec2
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
-use fitcheck::session::Page;
+use fitcheck::nc::sets::Control;
 use fitcheck::session::program::Run;
+use fitcheck::session::{Page, ProgramCommand};
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
 
@@ -766,6 +767,39 @@ fn a_set_for_a_control_is_created_from_the_callout_and_asks_before_it_replaces()
     assert_eq!(page.state().session().notices().len() + 1, notices, "what it offered is done");
     press(&mut page, Key::F5);
     says(&page, "GOOD");
+}
+
+#[test]
+fn a_set_for_a_series_or_with_texts_is_chosen_and_its_files_are_looked_at() {
+    let mut page = Window::default().open();
+    type_into(&mut page, "Callout", "25 H7");
+    key(&mut page, Modifiers::COMMAND, Key::K);
+    scan(&mut page, "create for a control⏎");
+    let shown = |page: &Harness<'_, App>| {
+        let creating = &page.state().session().program().creating;
+        creating.shown().map(|(_, text)| text).unwrap_or_default()
+    };
+    page.get_by_label("FIT_CHECK.H").click();
+    page.run();
+    assert!(shown(&page).contains("TCH PROBE 421"), "{}", shown(&page));
+    page.get_by_label_contains("TCH PROBE 421");
+    // Only a control that has the cycle offers its texts.
+    let texts = "Tolerances of diameters as texts of the cycle";
+    assert!(page.query_by_label(texts).is_none());
+    let ctx = page.ctx.clone();
+    page.state_mut().send(&ctx, ProgramCommand::CreateFor(Control::Tnc7).into());
+    page.run();
+    page.get_by_label(texts).click();
+    page.run();
+    assert!(shown(&page).contains("TCH PROBE 1401"), "{}", shown(&page));
+    page.get_by_label("FIT_CHECK.H").click();
+    page.run();
+    assert_eq!(shown(&page), "");
+    page.get_by_label(texts).click();
+    page.get_by_label("For a series: each start measures the next part").click();
+    page.run();
+    let set = page.state().session().program().creating.set().unwrap();
+    assert!(set.files.iter().any(|file| file.name == "FIT_SERIES.TAB"));
 }
 
 #[test]

@@ -193,8 +193,10 @@ fn print_cycle(cycle: &CycleCheck, io: &mut Io<'_>) {
             line("datum", format_args!("axes turned by {}, since {}", Angle::nearest(*angle), by(block)), io);
         }
         if let Some((angles, block)) = &datum.tilt {
-            let [a, b, c] = angles.map(Angle::nearest);
-            line("datum", format_args!("plane tilted by A {a}, B {b}, C {c}, since {}", by(block)), io);
+            let tilted = ["A", "B", "C"].into_iter().zip(angles);
+            let tilted = tilted.map(|(axis, angle)| format!("{axis} {}", Angle::nearest(*angle)));
+            let tilted = tilted.collect::<Vec<_>>().join(", ");
+            line("datum", format_args!("plane tilted by {tilted}, since {}", by(block)), io);
         }
     }
     for (name, value) in &cycle.parameters {

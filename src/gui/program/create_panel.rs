@@ -1,5 +1,7 @@
 //! Right: the files with which a control measures for itself. A card where there is room, else a button that shows it over the page.
 
+use std::sync::Arc;
+
 use eframe::egui::{Align2, Id, Key, Label, RichText, ScrollArea, Ui, Vec2, Window, vec2};
 
 use crate::gui::section::{self, Section};
@@ -7,7 +9,7 @@ use crate::gui::spoken::icon_ui;
 use crate::gui::theme::{self, Icon, Weight, control, palette, sizes, space};
 use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
 use crate::message::message;
-use crate::nc::sets::Control;
+use crate::nc::sets::{Control, NcSet};
 use crate::session::program::SetFrom;
 use crate::session::{ProgramAction, ProgramCommand};
 use crate::words::Dialogue;
@@ -72,6 +74,7 @@ fn create_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     target_ui(ui, view);
     source_ui(ui, view);
+    options_ui(ui, view);
     let creating = &view.session.program().creating;
     match creating.made() {
         None => _ = quiet(ui, view.text("program-page-create-nothing")),
@@ -81,13 +84,9 @@ fn create_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
         Some(Ok(set)) => {
-            ui.horizontal_wrapped(|ui| {
-                ui.spacing_mut().item_spacing = vec2(space(2.0), space(1.0));
-                for file in &set.files {
-                    let name = RichText::new(&file.name).font(theme::mono(sizes().small));
-                    ui.add(Label::new(name.background_color(palette(ui.ctx()).sunken.0)));
-                }
-            });
+            let set = Arc::clone(set);
+            files_ui(ui, view, &set);
+            let creating = &view.session.program().creating;
             if let Some(folder) = creating.folder() {
                 quiet(ui, view.words.say(&message!("program-page-create-folder").text("folder", folder)));
             }
@@ -105,6 +104,43 @@ fn create_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let width = ui.available_width() - space(2.0);
     view.sized_button(ui, ProgramAction::CreateFiles, vec2(width, control(ui)));
+}
+
+/// The files by name; who presses one sees what is in it.
+fn files_ui(ui: &mut Ui, view: &mut View<'_>, set: &NcSet) {
+    let shown = view.session.program().creating.shown();
+    let mut pressed = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(space(2.0), space(1.0));
+        for file in &set.files {
+            let is_shown = shown.as_ref().is_some_and(|(name, _)| *name == file.name);
+            let name = RichText::new(&file.name).font(theme::mono(sizes().small));
+            if ui.selectable_label(is_shown, name).clicked() {
+                pressed = Some((!is_shown).then(|| file.name.clone()));
+            }
+        }
+    });
+    if let Some((_, text)) = shown {
+        ScrollArea::both().id_salt("program-create-shown").max_height(space(45.0)).show(ui, |ui| {
+            ui.add(Label::new(RichText::new(text).font(theme::mono(sizes().small))).extend());
+        });
+    }
+    if let Some(name) = pressed {
+        view.send(ProgramCommand::CreateShow(name));
+    }
+}
+
+/// For a series, and by texts where the control has that.
+fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let creating = &view.session.program().creating;
+    let (mut is_series, mut by_text, has_texts) =
+        (creating.is_series, creating.by_text, creating.control.takes_texts());
+    if ui.checkbox(&mut is_series, view.text("program-page-create-series")).clicked() {
+        view.send(ProgramCommand::CreateSeries(is_series));
+    }
+    if has_texts && ui.checkbox(&mut by_text, view.text("program-page-create-texts")).clicked() {
+        view.send(ProgramCommand::CreateByText(by_text));
+    }
 }
 
 /// For which control, and in which language of its dialogue.

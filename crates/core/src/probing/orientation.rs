@@ -81,8 +81,8 @@ impl Orientation {
 
     /// Whether Z is that of the workpiece: what is turned is turned about it.
     pub fn is_upright(self) -> bool {
-        let [_, _, up] = self.axes;
-        up == [0.0, 0.0, 1.0]
+        let [_, _, [x, y, z]] = self.axes;
+        x.abs() + y.abs() <= 0.0 && 0.0 < z
     }
 
     /// By how many degrees X is turned about Z.
@@ -119,8 +119,11 @@ mod tests {
 
     #[test]
     fn a_quarter_turn_is_exact() {
-        assert_eq!(Orientation::in_plane(Plane::Xy, 90.0).out([1.0, 2.0, 3.0]), [-2.0, 1.0, 3.0]);
-        assert_eq!(Orientation::in_plane(Plane::Zx, -90.0).out([0.0, 0.0, 1.0]), [-1.0, 0.0, 0.0]);
+        let exact = |found: [f64; 3], right: [f64; 3]| {
+            assert!(found.iter().zip(right).all(|(found, right)| (found - right).abs() <= 0.0), "{found:?}, {right:?}");
+        };
+        exact(Orientation::in_plane(Plane::Xy, 90.0).out([1.0, 2.0, 3.0]), [-2.0, 1.0, 3.0]);
+        exact(Orientation::in_plane(Plane::Zx, -90.0).out([0.0, 0.0, 1.0]), [-1.0, 0.0, 0.0]);
         assert!(Orientation::in_plane(Plane::Yz, 360.0).is_level());
         assert!(Orientation::in_plane(Plane::Xy, 0.4).is_upright());
     }

@@ -31,6 +31,9 @@ pub(super) enum Probed {
     Recorded(Recorded),
 }
 
+/// One contact, and the radius of the ball that made it.
+pub(super) type Touched = Result<(Contact, f64), NoContact>;
+
 /// The path of the probe, and the outcome.
 type Measured = (Vec<Move>, Result<CycleResult, CycleError>);
 
@@ -114,7 +117,7 @@ impl Probed {
         touch: &Touch,
         probe: TouchProbe,
         placement: Placement,
-    ) -> Result<Option<Result<(Contact, f64), NoContact>>, FaultKind> {
+    ) -> Result<Option<Touched>, FaultKind> {
         self.switch_on()?;
         Ok(match self {
             Self::Machine(machine) => {

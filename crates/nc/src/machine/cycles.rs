@@ -4,13 +4,13 @@ use fitcheck_core::length::Length;
 use fitcheck_core::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use fitcheck_core::probing::cycles::cycles_of;
 use fitcheck_core::probing::simulated::Surface;
-use fitcheck_core::probing::{Contact, NoContact, Touch, TouchProbe};
+use fitcheck_core::probing::{Touch, TouchProbe};
 use fitcheck_core::tolerance::Nominal;
 use fitcheck_core::verdict::Status;
 
 use super::around::{Around, ChangingBlock, DatumInForce, Global, INCH, Moment};
 use super::budget::{Budget, Settings, UsedUp};
-use super::contacts::{Contacts, Probed};
+use super::contacts::{Contacts, Probed, Touched};
 use super::fault::{BlockPlace, FaultKind};
 use super::placement::{Placement, System};
 use super::remark::Remark;
@@ -162,7 +162,7 @@ impl Cycles {
         &mut self,
         (from, direction): ([f64; 3], [f64; 3]),
         placement: Placement,
-    ) -> Result<Option<Result<(Contact, f64), NoContact>>, FaultKind> {
+    ) -> Result<Option<Touched>, FaultKind> {
         if let Some(ChangingBlock { line, text }) = self.lost.clone() {
             return Err(FaultKind::ContactsUnknown { line, text });
         }

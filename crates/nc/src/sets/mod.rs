@@ -71,6 +71,9 @@ pub struct Target {
     pub parts: Option<u16>,
 }
 
+/// The parts of a series where no number is given.
+pub const USUAL_PARTS: u16 = 100;
+
 /// The most parts of a series: the program reads the rows of all parts so far after each of them.
 pub const MOST_PARTS: u16 = 1_000;
 
@@ -145,7 +148,7 @@ impl NcSet {
     /// set is returned unless the machine runs it to the plan's limits.
     pub fn make(plan: &Plan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
         let names = Names::new(target);
-        if target.by_text && target.control != Control::Tnc7 {
+        if target.by_text && !target.control.takes_texts() {
             return Err(SetError::NoTexts { control: target.control.name() });
         }
         let planned: Vec<Planned<'_>> = feature::planned(plan, target)?;

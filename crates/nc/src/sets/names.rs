@@ -27,6 +27,11 @@ impl Control {
     /// Every generation.
     pub const ALL: [Self; 3] = [Self::Itnc530, Self::Tnc640, Self::Tnc7];
 
+    /// Whether it has the cycle that takes the tolerance of a diameter as a text.
+    pub const fn takes_texts(self) -> bool {
+        matches!(self, Self::Tnc7)
+    }
+
     /// The name on the command line.
     pub const fn code(self) -> &'static str {
         match self {

@@ -65,6 +65,9 @@ impl PageState for ProgramPage {
             ProgramCommand::CreateFor(control) => self.creating.control = control,
             ProgramCommand::CreateIn(language) => self.creating.choose_language(language),
             ProgramCommand::CreateFrom(from) => self.creating.choose_source(from),
+            ProgramCommand::CreateSeries(is_series) => self.creating.is_series = is_series,
+            ProgramCommand::CreateByText(by_text) => self.creating.by_text = by_text,
+            ProgramCommand::CreateShow(name) => self.creating.shown = name,
         }
         self.keep_new(shared);
         Vec::new()

@@ -69,6 +69,12 @@ pub enum ProgramCommand {
     CreateIn(Dialogue),
     /// Makes them of the callout, or of the plan.
     CreateFrom(SetFrom),
+    /// Makes them for a series of parts, or for a part alone.
+    CreateSeries(bool),
+    /// Has diameters measured by the cycle that takes their tolerances as texts, or not.
+    CreateByText(bool),
+    /// Shows what is in one of them, by its name, or in none.
+    CreateShow(Option<String>),
 }
 
 /// What can be switched on or off for a run.

@@ -9,10 +9,11 @@ use std::sync::Arc;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say, message};
 use fitcheck_core::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Plan};
+use fitcheck_core::text::decode;
 use fitcheck_core::tolerance::Sources;
 use fitcheck_core::words::Dialogue;
 use fitcheck_files::FileError;
-use fitcheck_nc::sets::{Control, NcSet, SetError, Target, single};
+use fitcheck_nc::sets::{Control, NcSet, SetError, Target, USUAL_PARTS, single};
 
 use super::ProgramPage;
 use crate::notice::Notice;
@@ -87,6 +88,12 @@ impl PartialEq for Asked {
 #[derive(Debug)]
 pub struct Creating {
     pub control: Control,
+    /// Whether it measures the parts of a series, one at each start.
+    pub is_series: bool,
+    /// Whether diameters are measured by the cycle that takes their tolerances as texts, where the control has it.
+    pub by_text: bool,
+    /// The name of the file whose content is shown.
+    pub shown: Option<String>,
     /// The language of its comments and its window; `None` follows the window.
     language: Option<Dialogue>,
     /// What it is made of; `None` is the plan where one is open.
@@ -99,7 +106,17 @@ pub struct Creating {
 
 impl Default for Creating {
     fn default() -> Self {
-        Self { control: Control::Tnc640, language: None, from: None, asked: None, made: None, looks: 0 }
+        Self {
+            control: Control::Tnc640,
+            is_series: false,
+            by_text: false,
+            shown: None,
+            language: None,
+            from: None,
+            asked: None,
+            made: None,
+            looks: 0,
+        }
     }
 }
 
@@ -112,6 +129,13 @@ impl Creating {
     /// The set, where there is one.
     pub fn set(&self) -> Option<&Arc<NcSet>> {
         self.made()?.ok()
+    }
+
+    /// The file whose content is shown, and its text.
+    pub fn shown(&self) -> Option<(&str, String)> {
+        let shown = self.shown.as_ref()?;
+        let file = self.set()?.files.iter().find(|file| file.name == *shown)?;
+        Some((&file.name, decode(&file.bytes).replace('\r', "")))
     }
 
     /// The language of its comments and its window.
@@ -221,7 +245,11 @@ impl ProgramPage {
         let usual = if has_plan { SetFrom::Plan } else { SetFrom::Callout };
         // A plan that was chosen may be closed again.
         let from = creating.from.filter(|from| has_plan || *from == SetFrom::Callout).unwrap_or(usual);
-        let target = Target::new(creating.control, language);
+        let target = Target {
+            parts: creating.is_series.then_some(USUAL_PARTS),
+            by_text: creating.by_text && creating.control.takes_texts(),
+            ..Target::new(creating.control, language)
+        };
         let asked = Asked { target, from, given, sources: Arc::clone(&shared.sources) };
         if creating.asked.as_ref() != Some(&asked) {
             creating.made = make(&asked);

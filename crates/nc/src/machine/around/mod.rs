@@ -135,6 +135,14 @@ pub(super) fn machining(cycle: &CycleBlock) -> Option<u32> {
     })
 }
 
+/// What a cycle probes for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    Measurement,
+    /// A datum, also where one is missing.
+    Datum,
+}
+
 /// Something that a block behind it loses where it is taken out of its program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum CarriedState {
@@ -325,11 +333,11 @@ impl Around {
     ///
     /// # Errors
     /// [`FaultKind`] outside milling mode, without a tool axis unless Z is assumed, and under a change of the system.
-    pub(super) fn placement(&self, assumes_tool: bool, sets_datum: bool) -> Result<Placement, FaultKind> {
+    pub(super) fn placement(&self, assumes_tool: bool, purpose: Purpose) -> Result<Placement, FaultKind> {
         if self.mode != Mode::Mill {
             return Err(FaultKind::Mode(self.mode));
         }
-        let refused = |change: &Change| !(sets_datum && *change == Change::AxisTurned);
+        let refused = |change: &Change| !(purpose == Purpose::Datum && *change == Change::AxisTurned);
         if let Some((change, ChangingBlock { line, text })) = self.changes.iter().find(|(change, _)| refused(change)) {
             return Err(FaultKind::Changed { change: *change, line: *line, text: text.clone() });
         }

@@ -74,6 +74,10 @@ impl Around {
         self.datum.basic_rotation()
     }
 
+    pub(in crate::machine) const fn is_tilted(&self) -> bool {
+        self.tilt.is_some()
+    }
+
     /// The spatial angles of the tilted plane, degrees; all 0 where none is.
     pub(in crate::machine) fn tilted(&self) -> [f64; 3] {
         self.tilt.as_ref().map_or([0.0; 3], |tilt| tilt.angles)

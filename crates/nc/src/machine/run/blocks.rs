@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fitcheck_core::message::Say as _;
 use fitcheck_core::probing::cycle::{Control, LogTarget};
 
-use super::super::around::reset_datum;
+use super::super::around::{Purpose, reset_datum};
 use super::super::budget::{Settings, UsedUp};
 use super::super::cycles::{CycleRequest, CycleRun, cycle_of, hand_over};
 use super::super::fault::{BlockPlace, Counted, Fault, FaultKind};
@@ -53,7 +53,7 @@ impl Run {
     /// not looked at with.
     fn look_at_travels(&mut self, place: &BlockPlace, before: usize, settings: &Settings) {
         // Where no tool was called, its axis is Z.
-        let placement = self.around.placement(settings.assumes_tool, true);
+        let placement = self.around.placement(settings.assumes_tool, Purpose::Datum);
         let is_upright = placement.ok().is_none_or(Placement::is_upright);
         let Some(travels) = self.way.travels().get(before..) else { return };
         let probed = self.cycles.probed();
@@ -306,7 +306,8 @@ impl Run {
         };
         self.cycles.check_count()?;
         let place = self.flow.place_of(at);
-        let placement = self.around.placement(settings.assumes_tool, cycle.sets_datum())?;
+        let purpose = if cycle.sets_datum() { Purpose::Datum } else { Purpose::Measurement };
+        let placement = self.around.placement(settings.assumes_tool, purpose)?;
         let ended = cycle.ends_rotation().then(|| self.around.end_rotation(self.flow.made(at))).flatten();
         let placement =
             if ended.is_some() { Placement { system: self.around.system(), ..placement } } else { placement };

@@ -4,7 +4,7 @@ use fitcheck_core::probing::Orientation;
 use fitcheck_core::probing::cycle::{CycleError, Move, Phase, Plane};
 use fitcheck_core::probing::{Contact, NoContact};
 
-use super::super::around::millimetres;
+use super::super::around::{Purpose, millimetres};
 use super::super::budget::Settings;
 use super::super::cycles::put_contact;
 use super::super::fault::FaultKind;
@@ -78,7 +78,7 @@ impl Run {
         direction: [f64; 3],
         settings: &Settings,
     ) -> Result<(), FaultKind> {
-        let placement = self.around.placement(settings.assumes_tool, false)?;
+        let placement = self.around.placement(settings.assumes_tool, Purpose::Measurement)?;
         // The axes of the block are those of the machine, whatever the tool axis is.
         let placement = Placement { plane: Plane::Xy, ..placement };
         let unit = self.flow.unit();

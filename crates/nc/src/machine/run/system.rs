@@ -173,7 +173,7 @@ impl Run {
             (210, 1) => Some(self.around.basic_rotation()),
             (210, 2) => self.around.is_plain().then_some(0.0),
             (210, 5) => self.around.tilted().get(whole(index??)?.checked_sub(1)?).copied(),
-            (210, 6) => Some(if self.around.tilted() == [0.0; 3] { 0.0 } else { -1.0 }),
+            (210, 6) => Some(if self.around.is_tilted() { -1.0 } else { 0.0 }),
             (220, 2) => place(self.around.shift_in_force()?),
             (IN_MACHINE, 1) => place(self.around.in_machine(self.way.place()?)),
             (270, 1) => place(self.around.in_system(self.way.place()?)?),
