@@ -1,0 +1,45 @@
+//! Figures of a series: control charts, capability, gauge studies, trends and advice.
+//!
+//! Values come in as `f64` in one unit, which is that of every answer; the program uses millimetres. Every figure that is
+//! estimated comes with its interval, and what is not defined is refused with a [`Reason`]. Nothing here reads a file,
+//! starts a thread or asks for the time.
+//!
+//! | file | what |
+//! |---|---|
+//! | `reason` | why there is no figure |
+//! | `law` | the laws of test statistics: normal, chi-square, Student's, Fisher's |
+//! | `moments` | count, mean and standard deviation of values; estimates with their intervals |
+//! | `constants` | d2, d3 and c4 of control charts |
+//! | `sigma` | the standard deviation within subgroups |
+//! | `rules` | the rules of Nelson and of Western Electric |
+//! | `chart` | charts of individuals, of means and ranges, of means and standard deviations |
+//! | `weighted` | EWMA and CUSUM |
+//!
+//! ```
+//! use fitcheck_statistics::{ChartKind, ChartPlan, Sample, chart};
+//!
+//! let samples = [10.0, 12.0, 11.0, 13.0, 12.0].map(|value| Sample::of(vec![value]));
+//! let drawn = chart(&samples, &ChartPlan::of(ChartKind::Individuals))?;
+//! assert!((drawn.stages[0].sigma.value - 1.329_340_388_179_137).abs() < 1e-12);
+//! # Ok::<(), fitcheck_statistics::Reason>(())
+//! ```
+
+#![warn(missing_docs)]
+
+pub mod law;
+
+mod chart;
+mod constants;
+mod moments;
+mod reason;
+mod rules;
+mod sigma;
+mod weighted;
+
+pub use chart::{Baseline, Chart, ChartKind, ChartPlan, ChartPoint, Point, Sample, Stage, StageFigures, chart};
+pub use constants::{LARGEST_RANGE, c4, d2, d3};
+pub use moments::{Estimate, Moments, count, median};
+pub use reason::Reason;
+pub use rules::{Rule, Rules, RulesIter, Scanner};
+pub use sigma::{Method, Sigma};
+pub use weighted::{Cusum, CusumPoint, Ewma, EwmaPoint};
