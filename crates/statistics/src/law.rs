@@ -1,6 +1,6 @@
 //! The laws of test statistics: normal, chi-square, Student's, Fisher's.
 //!
-//! Quantiles are found by halving on the distribution functions, whose values keep their digits in both tails; the
+//! Quantiles are sought on the distribution functions, whose values keep their digits in both tails; the
 //! functions behind them are those of `libm` and `statrs`. The quantiles of `statrs` itself are not used: those of the beta
 //! and F laws have open faults. Tests compare with 30 digits.
 
@@ -40,7 +40,7 @@ pub fn normal_quantile(share: f64) -> f64 {
     if share <= 0.0 {
         return f64::NEG_INFINITY;
     }
-    -halved([0.0, 40.0], |z| share < normal(z).above)
+    -root([0.0, 40.0], |z| share.ln() - normal(z).above.ln()).unwrap_or(f64::NAN)
 }
 
 /// The chi-square law of this many degrees of freedom, which need not be whole.
@@ -119,29 +119,43 @@ fn beta(a: f64, b: f64, part: f64, rest: f64) -> f64 {
     checked_beta_reg(a, b, share).unwrap_or(f64::NAN)
 }
 
-/// The quantile of a law of positive values: halved over all magnitudes.
+/// The quantile of a law of positive values: sought over all magnitudes, on the tail that has the digits.
 fn positive_quantile(at: Tails, law: impl Fn(f64) -> Tails) -> f64 {
     if !(0.0..=1.0).contains(&at.below) {
         return f64::NAN;
     }
-    let is_below = |logarithm: f64| {
+    let lacks = |logarithm: f64| {
         let Tails { below, above } = law(logarithm.exp());
-        if at.below < 0.5 { below < at.below } else { at.above < above }
+        if at.below < 0.5 { below.ln() - at.below.ln() } else { at.above.ln() - above.ln() }
     };
-    halved([-700.0, 700.0], is_below).exp()
+    root([-700.0, 700.0], lacks).map_or(f64::NAN, f64::exp)
 }
 
-/// Where a condition that holds below ends, to the last bits.
-fn halved([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
-    loop {
+/// Where a function changes its sign, to the last bits: regula falsi with the weights of Illinois, and every third step halves.
+/// `None` where it does not change its sign.
+pub(crate) fn root([mut low, mut high]: [f64; 2], of: impl Fn(f64) -> f64) -> Option<f64> {
+    let (mut at_low, mut at_high) = (of(low), of(high));
+    if at_low.is_nan() || at_high.is_nan() || (0.0 < at_low) == (0.0 < at_high) {
+        return None;
+    }
+    let mut last = 0.0;
+    for step in 0..300 {
         let middle = f64::midpoint(low, high);
         if middle <= low || high <= middle {
-            return middle;
+            break;
         }
-        if holds(middle) {
-            low = middle;
+        let chord = (low * at_high - high * at_low) / (at_high - at_low);
+        let next = if step % 3 < 2 && low < chord && chord < high { chord } else { middle };
+        let found = of(next);
+        let is_high = (0.0 < found) == (0.0 < at_high);
+        if is_high {
+            (high, at_high) = (next, found);
+            at_low *= if 0.0 < found * last { 0.5 } else { 1.0 };
         } else {
-            high = middle;
+            (low, at_low) = (next, found);
+            at_high *= if 0.0 < found * last { 0.5 } else { 1.0 };
         }
+        last = found;
     }
+    Some(if at_low.abs() < at_high.abs() { low } else { high })
 }

@@ -14,6 +14,11 @@
 //! | `rules` | the rules of Nelson and of Western Electric |
 //! | `chart` | charts of individuals, of means and ranges, of means and standard deviations |
 //! | `weighted` | EWMA and CUSUM |
+//! | `tolerance` | the limits of a feature |
+//! | `capability` | what a process can do, by the normal law |
+//! | `fitted` | the normal, lognormal, Weibull and folded normal law of given values |
+//! | `shape` | whether values come from a law |
+//! | `percentile` | what a process can do, by the percentiles of a law |
 //!
 //! ```
 //! use fitcheck_statistics::{ChartKind, ChartPlan, Sample, chart};
@@ -28,18 +33,28 @@
 
 pub mod law;
 
+mod capability;
 mod chart;
 mod constants;
+mod fitted;
 mod moments;
+mod percentile;
 mod reason;
 mod rules;
+mod shape;
 mod sigma;
+mod tolerance;
 mod weighted;
 
+pub use capability::{Capability, CapabilityPlan, Degrees, Indices, Side, capability};
 pub use chart::{Baseline, Chart, ChartKind, ChartPlan, ChartPoint, Point, Sample, Stage, StageFigures, chart};
 pub use constants::{LARGEST_RANGE, c4, d2, d3};
+pub use fitted::{Family, Fitted, Law};
 pub use moments::{Estimate, Moments, count, median};
+pub use percentile::{Percentiles, percentiles};
 pub use reason::Reason;
 pub use rules::{Rule, Rules, RulesIter, Scanner};
+pub use shape::{AndersonDarling, anderson_darling};
 pub use sigma::{Method, Sigma};
+pub use tolerance::Tolerance;
 pub use weighted::{Cusum, CusumPoint, Ewma, EwmaPoint};

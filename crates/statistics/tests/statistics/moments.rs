@@ -1,4 +1,4 @@
-//! Means and deviations, with the certified values of the NIST statistical reference datasets (StRD), univariate.
+//! Means and deviations, with the certified values of the NIST statistical reference datasets (`StRD`), univariate.
 
 use fitcheck_statistics::{Moments, Reason, median};
 
