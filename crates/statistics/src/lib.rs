@@ -19,6 +19,10 @@
 //! | `fitted` | the normal, lognormal, Weibull and folded normal law of given values |
 //! | `shape` | whether values come from a law |
 //! | `percentile` | what a process can do, by the percentiles of a law |
+//! | `anova` | analysis of variance; the comparison of groups |
+//! | `line` | a straight line through points |
+//! | `trend` | where a series goes, and the offset of a tool |
+//! | [`gauge`] | studies of gauges |
 //!
 //! ```
 //! use fitcheck_statistics::{ChartKind, ChartPlan, Sample, chart};
@@ -31,12 +35,15 @@
 
 #![warn(missing_docs)]
 
+pub mod gauge;
 pub mod law;
 
+mod anova;
 mod capability;
 mod chart;
 mod constants;
 mod fitted;
+mod line;
 mod moments;
 mod percentile;
 mod reason;
@@ -44,12 +51,15 @@ mod rules;
 mod shape;
 mod sigma;
 mod tolerance;
+mod trend;
 mod weighted;
 
+pub use anova::{GroupMean, Groups, Ratio, Row, compare};
 pub use capability::{Capability, CapabilityPlan, Degrees, Indices, Side, capability};
 pub use chart::{Baseline, Chart, ChartKind, ChartPlan, ChartPoint, Point, Sample, Stage, StageFigures, chart};
 pub use constants::{LARGEST_RANGE, c4, d2, d3};
 pub use fitted::{Family, Fitted, Law};
+pub use line::{Coefficient, Line};
 pub use moments::{Estimate, Moments, count, median};
 pub use percentile::{Percentiles, percentiles};
 pub use reason::Reason;
@@ -57,4 +67,5 @@ pub use rules::{Rule, Rules, RulesIter, Scanner};
 pub use shape::{AndersonDarling, anderson_darling};
 pub use sigma::{Method, Sigma};
 pub use tolerance::Tolerance;
+pub use trend::{Offset, Reach, Trend, offset, trend};
 pub use weighted::{Cusum, CusumPoint, Ewma, EwmaPoint};

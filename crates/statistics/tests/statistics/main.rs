@@ -6,15 +6,21 @@
 //! | `moments` | means and deviations with the certified values of NIST StRD |
 //! | `charts` | constants, charts, rules, EWMA and CUSUM |
 //! | `capability` | capability by the normal law and by percentiles; Anderson and Darling |
+//! | `gauges` | studies of gauges |
+//! | `trends` | lines, trends, offsets, groups |
+//! | `properties` | what holds of any series; average run lengths |
 //! | `simulated` | values by chance, for the levels of intervals |
 
 #![cfg(test)]
 
 mod capability;
 mod charts;
+mod gauges;
 mod laws;
 mod moments;
+mod properties;
 mod simulated;
+mod trends;
 
 use serde_json::Value;
 
