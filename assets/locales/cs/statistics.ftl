@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 z 5 bodů za hranicí 1 s na jedné straně
 statistics-rule-fifteen-within = 15 bodů za sebou do 1 s od střední přímky
 statistics-rule-eight-beyond = 8 bodů za sebou za hranicí 1 s na kterékoli straně
 statistics-rule-eight-one-side = 8 bodů za sebou na jedné straně střední přímky
+
+# Co s čísly udělat
+statistics-advice-few-values = počet hodnot { $count }: intervaly jsou široké, obvyklých je { $enough } nebo více
+statistics-advice-few-points = počet bodů pro regulační meze je { $count }: obvyklých je { $enough } nebo více
+statistics-advice-unstable = počet bodů, v nichž zasáhlo některé pravidlo: { $count }; způsobilost platí jen pro stabilní proces
+statistics-advice-not-of-law = hodnoty sotva pocházejí z tohoto rozdělení (p = { $p }): jeho podíly mimo meze nejsou spolehlivé
+statistics-advice-centred = nekorigovat: průměr je { $um } µm od středu tolerance, což je při počtu hodnot { $count } šum
+statistics-advice-near = nekorigovat: průměr je { $um } µm od středu tolerance, počet hodnot { $count }
+statistics-advice-correct = korigovat o { $correction } µm: průměr je { $um } µm od středu tolerance, počet hodnot { $count }
+statistics-advice-no-trend = žádný trend: změna od dílu k dílu je šum
+statistics-advice-trend = rozměr se mění o { $um } µm na díl
+statistics-advice-trend-at-limit = rozměr se mění o { $um } µm na díl a od této chvíle je třeba počítat s díly za mezí
+statistics-advice-trend-to = rozměr se mění o { $um } µm na díl: počet dílů do meze je asi { $parts } ({ $level } %: { $least } až { $most })
+statistics-advice-groups-alike = skupiny se neliší více než náhodně (p = { $p })
+statistics-advice-groups-differ = skupiny se liší (p = { $p })

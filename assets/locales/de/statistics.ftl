@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 von 5 Punkten jenseits von 1 s auf einer Seite
 statistics-rule-fifteen-within = 15 Punkte in Folge innerhalb von 1 s um die Mittellinie
 statistics-rule-eight-beyond = 8 Punkte in Folge jenseits von 1 s, auf beiden Seiten
 statistics-rule-eight-one-side = 8 Punkte in Folge auf einer Seite der Mittellinie
+
+# Was mit den Zahlen zu tun ist
+statistics-advice-few-values = { $count } Werte: die Vertrauensbereiche sind weit, üblich sind { $enough } oder mehr
+statistics-advice-few-points = die Eingriffsgrenzen stammen aus { $count } Punkten: üblich sind { $enough } oder mehr
+statistics-advice-unstable = Punkte, an denen eine Regel anspricht: { $count }; Fähigkeit gilt nur für einen stabilen Prozess
+statistics-advice-not-of-law = die Werte stammen kaum aus dieser Verteilung (p = { $p }): ihre Anteile außerhalb der Grenzwerte sind nicht verlässlich
+statistics-advice-centred = nicht korrigieren: der Mittelwert liegt { $um } µm neben der Toleranzmitte, bei { $count } Werten ist das Rauschen
+statistics-advice-near = nicht korrigieren: der Mittelwert liegt { $um } µm neben der Toleranzmitte, { $count } Werte
+statistics-advice-correct = um { $correction } µm korrigieren: der Mittelwert liegt { $um } µm neben der Toleranzmitte, { $count } Werte
+statistics-advice-no-trend = kein Trend: die Änderung von Teil zu Teil ist Rauschen
+statistics-advice-trend = das Maß ändert sich um { $um } µm je Teil
+statistics-advice-trend-at-limit = das Maß ändert sich um { $um } µm je Teil, und ab sofort ist mit Teilen außerhalb des Grenzwerts zu rechnen
+statistics-advice-trend-to = das Maß ändert sich um { $um } µm je Teil: bis zum Grenzwert bleiben etwa { $parts } Teile ({ $level } %: { $least } bis { $most })
+statistics-advice-groups-alike = die Gruppen unterscheiden sich nicht mehr als durch Zufall (p = { $p })
+statistics-advice-groups-differ = die Gruppen unterscheiden sich (p = { $p })

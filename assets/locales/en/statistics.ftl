@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 of 5 points beyond 1 s on one side
 statistics-rule-fifteen-within = 15 points in a row within 1 s of the centre line
 statistics-rule-eight-beyond = 8 points in a row beyond 1 s, on either side
 statistics-rule-eight-one-side = 8 points in a row on one side of the centre line
+
+# What to do with the figures
+statistics-advice-few-values = { $count } values: the intervals are wide, { $enough } or more are usual
+statistics-advice-few-points = control limits come from { $count } points: { $enough } or more are usual
+statistics-advice-unstable = points at which a rule fires: { $count }; capability holds for a stable process only
+statistics-advice-not-of-law = the values hardly come from this distribution (p = { $p }): its shares outside the limits are not reliable
+statistics-advice-centred = do not correct: the mean is { $um } µm off the middle of the tolerance, which is noise with { $count } values
+statistics-advice-near = do not correct: the mean is { $um } µm off the middle of the tolerance, { $count } values
+statistics-advice-correct = correct by { $correction } µm: the mean is { $um } µm off the middle of the tolerance, { $count } values
+statistics-advice-no-trend = no trend: the change from part to part is noise
+statistics-advice-trend = the size changes by { $um } µm per part
+statistics-advice-trend-at-limit = the size changes by { $um } µm per part, and parts beyond the limit must be expected now
+statistics-advice-trend-to = the size changes by { $um } µm per part: about { $parts } parts are left until the limit ({ $level } %: { $least } to { $most })
+statistics-advice-groups-alike = the groups do not differ more than by chance (p = { $p })
+statistics-advice-groups-differ = the groups differ (p = { $p })

@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 de 5 puntos más allá de 1 s a un mismo lado
 statistics-rule-fifteen-within = 15 puntos seguidos a menos de 1 s de la línea central
 statistics-rule-eight-beyond = 8 puntos seguidos más allá de 1 s, a uno u otro lado
 statistics-rule-eight-one-side = 8 puntos seguidos a un mismo lado de la línea central
+
+# Qué hacer con las cifras
+statistics-advice-few-values = { $count } valores: los intervalos son amplios, lo habitual son { $enough } o más
+statistics-advice-few-points = los límites de control vienen de { $count } puntos: lo habitual son { $enough } o más
+statistics-advice-unstable = puntos en los que salta una regla: { $count }; la capacidad solo vale para un proceso estable
+statistics-advice-not-of-law = los valores apenas siguen esta distribución (p = { $p }): sus partes fuera de los límites no son fiables
+statistics-advice-centred = no corregir: la media está a { $um } µm del centro de la tolerancia, lo que con { $count } valores es ruido
+statistics-advice-near = no corregir: la media está a { $um } µm del centro de la tolerancia, { $count } valores
+statistics-advice-correct = corregir { $correction } µm: la media está a { $um } µm del centro de la tolerancia, { $count } valores
+statistics-advice-no-trend = sin tendencia: el cambio de una pieza a otra es ruido
+statistics-advice-trend = la medida cambia { $um } µm por pieza
+statistics-advice-trend-at-limit = la medida cambia { $um } µm por pieza, y desde ahora cabe esperar piezas fuera del límite
+statistics-advice-trend-to = la medida cambia { $um } µm por pieza: quedan unas { $parts } piezas hasta el límite ({ $level } %: de { $least } a { $most })
+statistics-advice-groups-alike = los grupos no difieren más que por azar (p = { $p })
+statistics-advice-groups-differ = los grupos difieren (p = { $p })

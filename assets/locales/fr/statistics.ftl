@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 points sur 5 au-delà de 1 s d'un même côté
 statistics-rule-fifteen-within = 15 points de suite à moins de 1 s de la ligne centrale
 statistics-rule-eight-beyond = 8 points de suite au-delà de 1 s, d'un côté ou de l'autre
 statistics-rule-eight-one-side = 8 points de suite d'un même côté de la ligne centrale
+
+# Que faire des chiffres
+statistics-advice-few-values = { $count } valeurs : les intervalles sont larges, { $enough } ou plus sont d'usage
+statistics-advice-few-points = les limites de contrôle viennent de { $count } points : { $enough } ou plus sont d'usage
+statistics-advice-unstable = points où une règle se déclenche : { $count } ; la capabilité ne vaut que pour un procédé stable
+statistics-advice-not-of-law = les valeurs ne suivent guère cette loi (p = { $p }) : ses parts hors limites ne sont pas fiables
+statistics-advice-centred = ne pas corriger : la moyenne est à { $um } µm du milieu de la tolérance, ce qui n'est que du bruit avec { $count } valeurs
+statistics-advice-near = ne pas corriger : la moyenne est à { $um } µm du milieu de la tolérance, { $count } valeurs
+statistics-advice-correct = corriger de { $correction } µm : la moyenne est à { $um } µm du milieu de la tolérance, { $count } valeurs
+statistics-advice-no-trend = pas de tendance : la variation d'une pièce à l'autre n'est que du bruit
+statistics-advice-trend = la cote varie de { $um } µm par pièce
+statistics-advice-trend-at-limit = la cote varie de { $um } µm par pièce, et des pièces hors limite sont à attendre dès maintenant
+statistics-advice-trend-to = la cote varie de { $um } µm par pièce : il reste environ { $parts } pièces jusqu'à la limite ({ $level } % : { $least } à { $most })
+statistics-advice-groups-alike = les groupes ne diffèrent pas plus que par hasard (p = { $p })
+statistics-advice-groups-differ = les groupes diffèrent (p = { $p })

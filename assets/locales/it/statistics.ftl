@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 punti su 5 oltre 1 s dallo stesso lato
 statistics-rule-fifteen-within = 15 punti di seguito entro 1 s dalla linea centrale
 statistics-rule-eight-beyond = 8 punti di seguito oltre 1 s, da un lato o dall'altro
 statistics-rule-eight-one-side = 8 punti di seguito dallo stesso lato della linea centrale
+
+# Che cosa fare dei valori
+statistics-advice-few-values = { $count } valori: gli intervalli sono ampi, di solito ne servono { $enough } o più
+statistics-advice-few-points = i limiti di controllo vengono da { $count } punti: di solito ne servono { $enough } o più
+statistics-advice-unstable = punti in cui scatta una regola: { $count }; la capacità vale solo per un processo stabile
+statistics-advice-not-of-law = i valori seguono a stento questa distribuzione (p = { $p }): le sue quote fuori limite non sono affidabili
+statistics-advice-centred = non correggere: la media dista { $um } µm dal centro della tolleranza, che con { $count } valori è rumore
+statistics-advice-near = non correggere: la media dista { $um } µm dal centro della tolleranza, { $count } valori
+statistics-advice-correct = correggere di { $correction } µm: la media dista { $um } µm dal centro della tolleranza, { $count } valori
+statistics-advice-no-trend = nessuna tendenza: la variazione da un pezzo all'altro è rumore
+statistics-advice-trend = la misura varia di { $um } µm per pezzo
+statistics-advice-trend-at-limit = la misura varia di { $um } µm per pezzo, e da ora sono da attendersi pezzi fuori limite
+statistics-advice-trend-to = la misura varia di { $um } µm per pezzo: restano circa { $parts } pezzi fino al limite ({ $level } %: da { $least } a { $most })
+statistics-advice-groups-alike = i gruppi non differiscono più che per caso (p = { $p })
+statistics-advice-groups-differ = i gruppi differiscono (p = { $p })

@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 van 5 punten voorbij 1 s aan één kant
 statistics-rule-fifteen-within = 15 punten na elkaar binnen 1 s van de middellijn
 statistics-rule-eight-beyond = 8 punten na elkaar voorbij 1 s, aan weerskanten
 statistics-rule-eight-one-side = 8 punten na elkaar aan één kant van de middellijn
+
+# Wat er met de cijfers te doen is
+statistics-advice-few-values = { $count } waarden: de intervallen zijn breed, gebruikelijk zijn er { $enough } of meer
+statistics-advice-few-points = de regelgrenzen komen uit { $count } punten: gebruikelijk zijn er { $enough } of meer
+statistics-advice-unstable = punten waar een regel aanslaat: { $count }; bekwaamheid geldt alleen voor een stabiel proces
+statistics-advice-not-of-law = de waarden komen nauwelijks uit deze verdeling (p = { $p }): haar aandelen buiten de grenzen zijn niet betrouwbaar
+statistics-advice-centred = niet corrigeren: het gemiddelde ligt { $um } µm naast het midden van de tolerantie, met { $count } waarden is dat ruis
+statistics-advice-near = niet corrigeren: het gemiddelde ligt { $um } µm naast het midden van de tolerantie, { $count } waarden
+statistics-advice-correct = corrigeer met { $correction } µm: het gemiddelde ligt { $um } µm naast het midden van de tolerantie, { $count } waarden
+statistics-advice-no-trend = geen trend: de verandering van onderdeel tot onderdeel is ruis
+statistics-advice-trend = de maat verandert { $um } µm per onderdeel
+statistics-advice-trend-at-limit = de maat verandert { $um } µm per onderdeel, en vanaf nu zijn onderdelen buiten de grens te verwachten
+statistics-advice-trend-to = de maat verandert { $um } µm per onderdeel: er resten ongeveer { $parts } onderdelen tot de grens ({ $level } %: { $least } tot { $most })
+statistics-advice-groups-alike = de groepen verschillen niet meer dan door toeval (p = { $p })
+statistics-advice-groups-differ = de groepen verschillen (p = { $p })

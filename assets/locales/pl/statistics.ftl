@@ -27,3 +27,18 @@ statistics-rule-four-of-five = 4 z 5 punktów poza 1 s po jednej stronie
 statistics-rule-fifteen-within = 15 punktów z rzędu w odległości do 1 s od linii środkowej
 statistics-rule-eight-beyond = 8 punktów z rzędu poza 1 s, po dowolnej stronie
 statistics-rule-eight-one-side = 8 punktów z rzędu po jednej stronie linii środkowej
+
+# Co zrobić z liczbami
+statistics-advice-few-values = liczba wartości { $count }: przedziały są szerokie, zwykle jest ich { $enough } lub więcej
+statistics-advice-few-points = granice kontrolne wynikają z tylu punktów: { $count }; zwykle jest ich { $enough } lub więcej
+statistics-advice-unstable = liczba punktów, w których zadziałała reguła: { $count }; zdolność dotyczy tylko procesu stabilnego
+statistics-advice-not-of-law = wartości raczej nie pochodzą z tego rozkładu (p = { $p }): jego udziały poza granicami nie są wiarygodne
+statistics-advice-centred = nie korygować: średnia leży { $um } µm od środka tolerancji, a przy liczbie wartości { $count } to szum
+statistics-advice-near = nie korygować: średnia leży { $um } µm od środka tolerancji, liczba wartości { $count }
+statistics-advice-correct = skorygować o { $correction } µm: średnia leży { $um } µm od środka tolerancji, liczba wartości { $count }
+statistics-advice-no-trend = brak trendu: zmiana między kolejnymi częściami to szum
+statistics-advice-trend = wymiar zmienia się o { $um } µm na część
+statistics-advice-trend-at-limit = wymiar zmienia się o { $um } µm na część i od teraz należy się spodziewać części poza granicą
+statistics-advice-trend-to = wymiar zmienia się o { $um } µm na część: do granicy pozostało około { $parts } części ({ $level } %: od { $least } do { $most })
+statistics-advice-groups-alike = grupy nie różnią się bardziej niż przypadkowo (p = { $p })
+statistics-advice-groups-differ = grupy się różnią (p = { $p })

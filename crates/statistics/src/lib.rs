@@ -23,6 +23,7 @@
 //! | `line` | a straight line through points |
 //! | `trend` | where a series goes, and the offset of a tool |
 //! | [`gauge`] | studies of gauges |
+//! | `advice` | what a person does with the figures, in sentences |
 //!
 //! ```
 //! use fitcheck_statistics::{ChartKind, ChartPlan, Sample, chart};
@@ -38,6 +39,7 @@
 pub mod gauge;
 pub mod law;
 
+mod advice;
 mod anova;
 mod capability;
 mod chart;
@@ -54,6 +56,7 @@ mod tolerance;
 mod trend;
 mod weighted;
 
+pub use advice::{Advice, ENOUGH_POINTS, ENOUGH_VALUES, probability};
 pub use anova::{GroupMean, Groups, Ratio, Row, compare};
 pub use capability::{Capability, CapabilityPlan, Degrees, Indices, Side, capability};
 pub use chart::{Baseline, Chart, ChartKind, ChartPlan, ChartPoint, Point, Sample, Stage, StageFigures, chart};

@@ -9,10 +9,12 @@
 //! | `gauges` | studies of gauges |
 //! | `trends` | lines, trends, offsets, groups |
 //! | `properties` | what holds of any series; average run lengths |
+//! | `advice` | the sentences |
 //! | `simulated` | values by chance, for the levels of intervals |
 
 #![cfg(test)]
 
+mod advice;
 mod capability;
 mod charts;
 mod gauges;
