@@ -33,9 +33,18 @@ statistics-advice-few-values = počet hodnot { $count }: intervaly jsou široké
 statistics-advice-few-points = počet bodů pro regulační meze je { $count }: obvyklých je { $enough } nebo více
 statistics-advice-unstable = počet bodů, v nichž zasáhlo některé pravidlo: { $count }; způsobilost platí jen pro stabilní proces
 statistics-advice-not-of-law = hodnoty sotva pocházejí z tohoto rozdělení (p = { $p }): jeho podíly mimo meze nejsou spolehlivé
-statistics-advice-centred = nekorigovat: průměr je { $um } µm od středu tolerance, což je při počtu hodnot { $count } šum
-statistics-advice-near = nekorigovat: průměr je { $um } µm od středu tolerance, počet hodnot { $count }
-statistics-advice-correct = korigovat o { $correction } µm: průměr je { $um } µm od středu tolerance, počet hodnot { $count }
+statistics-advice-centred = nekorigovat: { $what ->
+        [line] rozměr je teď
+       *[mean] průměr je
+    } { $um } µm od středu tolerance, což je při počtu hodnot { $count } šum
+statistics-advice-near = nekorigovat: { $what ->
+        [line] rozměr je teď
+       *[mean] průměr je
+    } { $um } µm od středu tolerance, počet hodnot { $count }
+statistics-advice-correct = korigovat o { $correction } µm: { $what ->
+        [line] rozměr je teď
+       *[mean] průměr je
+    } { $um } µm od středu tolerance, počet hodnot { $count }
 statistics-advice-no-trend = žádný trend: změna od dílu k dílu je šum
 statistics-advice-trend = rozměr se mění o { $um } µm na díl
 statistics-advice-trend-at-limit = rozměr se mění o { $um } µm na díl a od této chvíle je třeba počítat s díly za mezí

@@ -33,9 +33,18 @@ statistics-advice-few-values = { $count } Werte: die Vertrauensbereiche sind wei
 statistics-advice-few-points = die Eingriffsgrenzen stammen aus { $count } Punkten: üblich sind { $enough } oder mehr
 statistics-advice-unstable = Punkte, an denen eine Regel anspricht: { $count }; Fähigkeit gilt nur für einen stabilen Prozess
 statistics-advice-not-of-law = die Werte stammen kaum aus dieser Verteilung (p = { $p }): ihre Anteile außerhalb der Grenzwerte sind nicht verlässlich
-statistics-advice-centred = nicht korrigieren: der Mittelwert liegt { $um } µm neben der Toleranzmitte, bei { $count } Werten ist das Rauschen
-statistics-advice-near = nicht korrigieren: der Mittelwert liegt { $um } µm neben der Toleranzmitte, { $count } Werte
-statistics-advice-correct = um { $correction } µm korrigieren: der Mittelwert liegt { $um } µm neben der Toleranzmitte, { $count } Werte
+statistics-advice-centred = nicht korrigieren: { $what ->
+        [line] das Maß liegt jetzt
+       *[mean] der Mittelwert liegt
+    } { $um } µm neben der Toleranzmitte, bei { $count } Werten ist das Rauschen
+statistics-advice-near = nicht korrigieren: { $what ->
+        [line] das Maß liegt jetzt
+       *[mean] der Mittelwert liegt
+    } { $um } µm neben der Toleranzmitte, { $count } Werte
+statistics-advice-correct = um { $correction } µm korrigieren: { $what ->
+        [line] das Maß liegt jetzt
+       *[mean] der Mittelwert liegt
+    } { $um } µm neben der Toleranzmitte, { $count } Werte
 statistics-advice-no-trend = kein Trend: die Änderung von Teil zu Teil ist Rauschen
 statistics-advice-trend = das Maß ändert sich um { $um } µm je Teil
 statistics-advice-trend-at-limit = das Maß ändert sich um { $um } µm je Teil, und ab sofort ist mit Teilen außerhalb des Grenzwerts zu rechnen

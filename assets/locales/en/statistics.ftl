@@ -33,9 +33,18 @@ statistics-advice-few-values = { $count } values: the intervals are wide, { $eno
 statistics-advice-few-points = control limits come from { $count } points: { $enough } or more are usual
 statistics-advice-unstable = points at which a rule fires: { $count }; capability holds for a stable process only
 statistics-advice-not-of-law = the values hardly come from this distribution (p = { $p }): its shares outside the limits are not reliable
-statistics-advice-centred = do not correct: the mean is { $um } µm off the middle of the tolerance, which is noise with { $count } values
-statistics-advice-near = do not correct: the mean is { $um } µm off the middle of the tolerance, { $count } values
-statistics-advice-correct = correct by { $correction } µm: the mean is { $um } µm off the middle of the tolerance, { $count } values
+statistics-advice-centred = do not correct: { $what ->
+        [line] the size is now
+       *[mean] the mean is
+    } { $um } µm off the middle of the tolerance, which is noise with { $count } values
+statistics-advice-near = do not correct: { $what ->
+        [line] the size is now
+       *[mean] the mean is
+    } { $um } µm off the middle of the tolerance, { $count } values
+statistics-advice-correct = correct by { $correction } µm: { $what ->
+        [line] the size is now
+       *[mean] the mean is
+    } { $um } µm off the middle of the tolerance, { $count } values
 statistics-advice-no-trend = no trend: the change from part to part is noise
 statistics-advice-trend = the size changes by { $um } µm per part
 statistics-advice-trend-at-limit = the size changes by { $um } µm per part, and parts beyond the limit must be expected now

@@ -33,9 +33,18 @@ statistics-advice-few-values = { $count } valores: los intervalos son amplios, l
 statistics-advice-few-points = los límites de control vienen de { $count } puntos: lo habitual son { $enough } o más
 statistics-advice-unstable = puntos en los que salta una regla: { $count }; la capacidad solo vale para un proceso estable
 statistics-advice-not-of-law = los valores apenas siguen esta distribución (p = { $p }): sus partes fuera de los límites no son fiables
-statistics-advice-centred = no corregir: la media está a { $um } µm del centro de la tolerancia, lo que con { $count } valores es ruido
-statistics-advice-near = no corregir: la media está a { $um } µm del centro de la tolerancia, { $count } valores
-statistics-advice-correct = corregir { $correction } µm: la media está a { $um } µm del centro de la tolerancia, { $count } valores
+statistics-advice-centred = no corregir: { $what ->
+        [line] la medida está ahora a
+       *[mean] la media está a
+    } { $um } µm del centro de la tolerancia, lo que con { $count } valores es ruido
+statistics-advice-near = no corregir: { $what ->
+        [line] la medida está ahora a
+       *[mean] la media está a
+    } { $um } µm del centro de la tolerancia, { $count } valores
+statistics-advice-correct = corregir { $correction } µm: { $what ->
+        [line] la medida está ahora a
+       *[mean] la media está a
+    } { $um } µm del centro de la tolerancia, { $count } valores
 statistics-advice-no-trend = sin tendencia: el cambio de una pieza a otra es ruido
 statistics-advice-trend = la medida cambia { $um } µm por pieza
 statistics-advice-trend-at-limit = la medida cambia { $um } µm por pieza, y desde ahora cabe esperar piezas fuera del límite

@@ -33,9 +33,18 @@ statistics-advice-few-values = { $count } valeurs : les intervalles sont larges,
 statistics-advice-few-points = les limites de contrôle viennent de { $count } points : { $enough } ou plus sont d'usage
 statistics-advice-unstable = points où une règle se déclenche : { $count } ; la capabilité ne vaut que pour un procédé stable
 statistics-advice-not-of-law = les valeurs ne suivent guère cette loi (p = { $p }) : ses parts hors limites ne sont pas fiables
-statistics-advice-centred = ne pas corriger : la moyenne est à { $um } µm du milieu de la tolérance, ce qui n'est que du bruit avec { $count } valeurs
-statistics-advice-near = ne pas corriger : la moyenne est à { $um } µm du milieu de la tolérance, { $count } valeurs
-statistics-advice-correct = corriger de { $correction } µm : la moyenne est à { $um } µm du milieu de la tolérance, { $count } valeurs
+statistics-advice-centred = ne pas corriger : { $what ->
+        [line] la cote est maintenant à
+       *[mean] la moyenne est à
+    } { $um } µm du milieu de la tolérance, ce qui n'est que du bruit avec { $count } valeurs
+statistics-advice-near = ne pas corriger : { $what ->
+        [line] la cote est maintenant à
+       *[mean] la moyenne est à
+    } { $um } µm du milieu de la tolérance, { $count } valeurs
+statistics-advice-correct = corriger de { $correction } µm : { $what ->
+        [line] la cote est maintenant à
+       *[mean] la moyenne est à
+    } { $um } µm du milieu de la tolérance, { $count } valeurs
 statistics-advice-no-trend = pas de tendance : la variation d'une pièce à l'autre n'est que du bruit
 statistics-advice-trend = la cote varie de { $um } µm par pièce
 statistics-advice-trend-at-limit = la cote varie de { $um } µm par pièce, et des pièces hors limite sont à attendre dès maintenant

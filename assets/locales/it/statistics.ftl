@@ -33,9 +33,18 @@ statistics-advice-few-values = { $count } valori: gli intervalli sono ampi, di s
 statistics-advice-few-points = i limiti di controllo vengono da { $count } punti: di solito ne servono { $enough } o più
 statistics-advice-unstable = punti in cui scatta una regola: { $count }; la capacità vale solo per un processo stabile
 statistics-advice-not-of-law = i valori seguono a stento questa distribuzione (p = { $p }): le sue quote fuori limite non sono affidabili
-statistics-advice-centred = non correggere: la media dista { $um } µm dal centro della tolleranza, che con { $count } valori è rumore
-statistics-advice-near = non correggere: la media dista { $um } µm dal centro della tolleranza, { $count } valori
-statistics-advice-correct = correggere di { $correction } µm: la media dista { $um } µm dal centro della tolleranza, { $count } valori
+statistics-advice-centred = non correggere: { $what ->
+        [line] la misura ora dista
+       *[mean] la media dista
+    } { $um } µm dal centro della tolleranza, che con { $count } valori è rumore
+statistics-advice-near = non correggere: { $what ->
+        [line] la misura ora dista
+       *[mean] la media dista
+    } { $um } µm dal centro della tolleranza, { $count } valori
+statistics-advice-correct = correggere di { $correction } µm: { $what ->
+        [line] la misura ora dista
+       *[mean] la media dista
+    } { $um } µm dal centro della tolleranza, { $count } valori
 statistics-advice-no-trend = nessuna tendenza: la variazione da un pezzo all'altro è rumore
 statistics-advice-trend = la misura varia di { $um } µm per pezzo
 statistics-advice-trend-at-limit = la misura varia di { $um } µm per pezzo, e da ora sono da attendersi pezzi fuori limite

@@ -33,9 +33,18 @@ statistics-advice-few-values = { $count } waarden: de intervallen zijn breed, ge
 statistics-advice-few-points = de regelgrenzen komen uit { $count } punten: gebruikelijk zijn er { $enough } of meer
 statistics-advice-unstable = punten waar een regel aanslaat: { $count }; bekwaamheid geldt alleen voor een stabiel proces
 statistics-advice-not-of-law = de waarden komen nauwelijks uit deze verdeling (p = { $p }): haar aandelen buiten de grenzen zijn niet betrouwbaar
-statistics-advice-centred = niet corrigeren: het gemiddelde ligt { $um } µm naast het midden van de tolerantie, met { $count } waarden is dat ruis
-statistics-advice-near = niet corrigeren: het gemiddelde ligt { $um } µm naast het midden van de tolerantie, { $count } waarden
-statistics-advice-correct = corrigeer met { $correction } µm: het gemiddelde ligt { $um } µm naast het midden van de tolerantie, { $count } waarden
+statistics-advice-centred = niet corrigeren: { $what ->
+        [line] de maat ligt nu
+       *[mean] het gemiddelde ligt
+    } { $um } µm naast het midden van de tolerantie, met { $count } waarden is dat ruis
+statistics-advice-near = niet corrigeren: { $what ->
+        [line] de maat ligt nu
+       *[mean] het gemiddelde ligt
+    } { $um } µm naast het midden van de tolerantie, { $count } waarden
+statistics-advice-correct = corrigeer met { $correction } µm: { $what ->
+        [line] de maat ligt nu
+       *[mean] het gemiddelde ligt
+    } { $um } µm naast het midden van de tolerantie, { $count } waarden
 statistics-advice-no-trend = geen trend: de verandering van onderdeel tot onderdeel is ruis
 statistics-advice-trend = de maat verandert { $um } µm per onderdeel
 statistics-advice-trend-at-limit = de maat verandert { $um } µm per onderdeel, en vanaf nu zijn onderdelen buiten de grens te verwachten

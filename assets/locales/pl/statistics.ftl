@@ -33,9 +33,18 @@ statistics-advice-few-values = liczba wartości { $count }: przedziały są szer
 statistics-advice-few-points = granice kontrolne wynikają z tylu punktów: { $count }; zwykle jest ich { $enough } lub więcej
 statistics-advice-unstable = liczba punktów, w których zadziałała reguła: { $count }; zdolność dotyczy tylko procesu stabilnego
 statistics-advice-not-of-law = wartości raczej nie pochodzą z tego rozkładu (p = { $p }): jego udziały poza granicami nie są wiarygodne
-statistics-advice-centred = nie korygować: średnia leży { $um } µm od środka tolerancji, a przy liczbie wartości { $count } to szum
-statistics-advice-near = nie korygować: średnia leży { $um } µm od środka tolerancji, liczba wartości { $count }
-statistics-advice-correct = skorygować o { $correction } µm: średnia leży { $um } µm od środka tolerancji, liczba wartości { $count }
+statistics-advice-centred = nie korygować: { $what ->
+        [line] wymiar leży teraz
+       *[mean] średnia leży
+    } { $um } µm od środka tolerancji, a przy liczbie wartości { $count } to szum
+statistics-advice-near = nie korygować: { $what ->
+        [line] wymiar leży teraz
+       *[mean] średnia leży
+    } { $um } µm od środka tolerancji, liczba wartości { $count }
+statistics-advice-correct = skorygować o { $correction } µm: { $what ->
+        [line] wymiar leży teraz
+       *[mean] średnia leży
+    } { $um } µm od środka tolerancji, liczba wartości { $count }
 statistics-advice-no-trend = brak trendu: zmiana między kolejnymi częściami to szum
 statistics-advice-trend = wymiar zmienia się o { $um } µm na część
 statistics-advice-trend-at-limit = wymiar zmienia się o { $um } µm na część i od teraz należy się spodziewać części poza granicą

@@ -41,16 +41,20 @@ pub enum Advice {
         #[say(with = printed)]
         p: String,
     },
-    /// A mean that may as well be in the middle.
+    /// A size that may as well be in the middle.
     Centred {
+        /// What is off: `mean`, or the end of the `line` of a trend.
+        what: &'static str,
         /// How far it is off.
         #[say(with = printed)]
         um: String,
         /// Of how many values.
         count: usize,
     },
-    /// A mean that is off by less than a step of the correction.
+    /// A size that is off by less than a step of the correction.
     Near {
+        /// What is off: `mean`, or the end of the `line` of a trend.
+        what: &'static str,
         /// How far it is off.
         #[say(with = printed)]
         um: String,
@@ -62,7 +66,9 @@ pub enum Advice {
         /// By how much sizes must change, with its sign.
         #[say(with = printed)]
         correction: String,
-        /// How far the mean is off.
+        /// What is off: `mean`, or the end of the `line` of a trend.
+        what: &'static str,
+        /// How far it is off.
         #[say(with = printed)]
         um: String,
         /// Of how many values.
@@ -117,12 +123,13 @@ pub enum Advice {
 impl Advice {
     /// What an offset says.
     pub fn of_offset(offset: &Offset) -> Self {
-        let (um, count) = (um(offset.mean.value), offset.count);
-        let Estimate { lower, upper, .. } = offset.mean;
+        let what = if offset.is_of_trend { "line" } else { "mean" };
+        let (um, count) = (um(offset.distance.value), offset.count);
+        let Estimate { lower, upper, .. } = offset.distance;
         match offset.correction {
-            Some(correction) => Self::Correct { correction: signed_um(correction, 0), um, count },
-            None if lower <= 0.0 && 0.0 <= upper => Self::Centred { um, count },
-            None => Self::Near { um, count },
+            Some(correction) => Self::Correct { correction: signed_um(correction, 0), what, um, count },
+            None if lower <= 0.0 && 0.0 <= upper => Self::Centred { what, um, count },
+            None => Self::Near { what, um, count },
         }
     }
 

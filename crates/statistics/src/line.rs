@@ -84,6 +84,13 @@ impl Line {
         student_factor(count(self.count) - 2.0, level)
     }
 
+    /// Where the line is at x, with the interval of its mean there (NIST/SEMATECH e-Handbook 4.5.1.2).
+    pub fn at(&self, x: f64, level: f64) -> Estimate {
+        let away = x - self.middle;
+        let error = self.deviation * (1.0 / count(self.count) + away * away / self.squares).sqrt();
+        Estimate::about(self.level + self.slope.value * away, self.factor(level) * error)
+    }
+
     /// The slope with its interval.
     pub fn slope_estimate(&self, level: f64) -> Estimate {
         Estimate::about(self.slope.value, self.factor(level) * self.slope.error)

@@ -103,6 +103,12 @@ impl Rules {
         Self(self.0 & other.0)
     }
 
+    /// The rules that are in one of them.
+    #[must_use]
+    pub const fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
     /// Whether there is none in it.
     pub const fn is_empty(self) -> bool {
         self.0 == 0

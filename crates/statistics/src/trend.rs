@@ -74,16 +74,19 @@ fn parts_until(line: &Line, value: f64, level: f64) -> Estimate {
 /// Whether and how far a tool must be corrected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Offset {
-    /// How far the mean is above the middle of the tolerance; negative below.
-    pub mean: Estimate,
-    /// By how much sizes must change: whole steps and never more than the mean is off. `None` where the interval holds 0, which is
+    /// How far the size is above the middle of the tolerance; negative below.
+    pub distance: Estimate,
+    /// Whether that is the end of the line of a trend: the mean of a drift is where the size was some time ago.
+    pub is_of_trend: bool,
+    /// By how much sizes must change: whole steps and never more than the size is off. `None` where the interval holds 0, which is
     /// noise, or less than one step is left.
     pub correction: Option<f64>,
     /// How many values it comes from.
     pub count: usize,
 }
 
-/// What the mean says of the tool's offset. Who corrects noise makes the scatter larger (Deming's funnel).
+/// What the mean, or with a trend the last point of its line, says of the tool's offset. Who corrects noise makes the scatter
+/// larger (Deming's funnel).
 ///
 /// # Errors
 /// Fewer than two values, equal ones, values that are no finite numbers, a step that is not above 0.
@@ -92,9 +95,12 @@ pub fn offset(values: &[f64], middle: f64, step: f64, level: f64) -> Result<Offs
     if !(0.0 < step && step.is_finite()) {
         return Err(parameter("step", step));
     }
-    let mean = moments.mean_estimate(level)?.map(|mean| mean - middle);
-    let is_real = 0.0 < mean.lower || mean.upper < 0.0;
-    let steps = (mean.value / step).trunc();
-    let correction = (is_real && steps.abs() >= 1.0).then_some(-steps * step);
-    Ok(Offset { mean, correction, count: moments.count })
+    let mean = moments.mean_estimate(level)?;
+    let drift = trend(values, None, 0.0, level).ok().filter(Trend::is_real);
+    let now = drift.map_or(mean, |drift| drift.line.at(count(moments.count), level));
+    let distance = now.map(|size| size - middle);
+    let is_real = 0.0 < distance.lower || distance.upper < 0.0;
+    let steps = (distance.value / step).trunc();
+    let correction = (is_real && 1.0 <= steps.abs()).then_some(-steps * step);
+    Ok(Offset { distance, is_of_trend: drift.is_some(), correction, count: moments.count })
 }

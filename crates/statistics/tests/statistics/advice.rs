@@ -22,6 +22,13 @@ fn an_offset_is_said_with_what_to_do() {
 }
 
 #[test]
+fn a_drift_is_said_with_where_the_size_is_now() {
+    let found = offset(&line(0.0002), 25.0, 0.001, 0.95).unwrap();
+    let said = Advice::of_offset(&found).to_string();
+    assert_eq!(said, "correct by -10 µm: the size is now 10.0 µm off the middle of the tolerance, 50 values");
+}
+
+#[test]
 fn a_trend_is_said_with_the_parts_that_are_left() {
     let limits = Tolerance::new(Some(24.9), Some(25.021)).unwrap();
     let of = |step: f64, limits: Option<&Tolerance>| {

@@ -126,13 +126,31 @@ fn an_offset_is_corrected_in_whole_steps_and_noise_is_left_alone() {
     let of = |um: f64| -> Vec<f64> { scatter.iter().map(|scatter| 25.0105 + (um + scatter) / 1_000.0).collect() };
     let found = offset(&of(-4.2), 25.0105, 0.001, 0.95).unwrap();
     assert_eq!(found.count, 12);
-    within(found.mean.value, -0.0042, 1e-12);
+    within(found.distance.value, -0.0042, 1e-12);
     within(found.correction.unwrap(), 0.004, 1e-12);
     within(offset(&of(4.9), 25.0105, 0.001, 0.95).unwrap().correction.unwrap(), -0.004, 1e-12);
     assert_eq!(offset(&of(0.3), 25.0105, 0.001, 0.95).unwrap().correction, None);
     // Real, and less than a step.
     let small = offset(&of(0.8), 25.0105, 0.001, 0.95).unwrap();
-    assert!(0.0 < small.mean.lower && small.correction.is_none());
+    assert!(0.0 < small.distance.lower && small.correction.is_none());
     assert_eq!(offset(&[25.0], 25.0105, 0.001, 0.95), Err(Reason::TooFew { found: 1, needed: 2 }));
     assert!(offset(&of(1.0), 25.0105, 0.0, 0.95).is_err());
+}
+
+/// A drift that has come to the middle: its mean is off, and the tool is right now.
+#[test]
+fn a_drift_is_corrected_by_where_it_is_now() {
+    let drift = |first: f64| -> Vec<f64> {
+        (0..12).map(|at| first + f64::from(at) / 2_000.0 + if at % 2 == 0 { 0.0003 } else { -0.0003 }).collect()
+    };
+    let found = offset(&drift(25.005), 25.0105, 0.001, 0.95).unwrap();
+    assert!(found.is_of_trend && found.correction.is_none(), "{found:?}");
+    let mean = drift(25.005).iter().sum::<f64>() / 12.0;
+    assert!(mean < 25.008);
+    let late = offset(&drift(25.0102), 25.0105, 0.001, 0.95).unwrap();
+    within(late.correction.unwrap(), -0.005, 1e-12);
+    // The interval of the line at the mean of x is that of the mean of y about the line.
+    let line = Line::of(&[[1.0, 2.0], [2.0, 2.5], [3.0, 3.5], [4.0, 3.8]]).unwrap();
+    let half = fitcheck_statistics::law::student_factor(2.0, 0.95) * line.deviation / 2.0;
+    near(line.at(2.5, 0.95).upper, 2.95 + half, 1e-12);
 }
