@@ -75,7 +75,7 @@ fn the_piston_rings_have_their_published_figures() {
 #[test]
 fn a_baseline_freezes_the_limits() {
     let text = rings();
-    let first: String = text.lines().take(1 + 50).map(|line| format!("{line}\n")).collect();
+    let first = text.lines().take(1 + 50).collect::<Vec<_>>().join("\n");
     let (_, frozen) = answer(&text, &["--group", "5", "--baseline", "10"]);
     let (_, alone) = answer(&first, &["--group", "5"]);
     for name in ["centre_mm", "lower_control_mm", "upper_control_mm", "spread_upper_mm"] {
@@ -104,8 +104,8 @@ fn simulated_and_doubtful_values_are_left_out_and_counted() {
 #[test]
 fn what_cannot_be_computed_has_a_reason() {
     let of = |rows: &[&str]| -> (Option<i32>, Value) {
-        let rows: String = rows.iter().map(|row| format!("25 H7;{row}\n")).collect();
-        answer(&format!("callout;measured\n{rows}"), &[])
+        let rows: Vec<String> = rows.iter().map(|row| format!("25 H7;{row}")).collect();
+        answer(&format!("callout;measured\n{}\n", rows.join("\n")), &[])
     };
     let (code, none) = of(&[]);
     assert_eq!((code, &none["mean_mm"]["reason"]), (Some(1), &"there are no values".into()));
@@ -155,4 +155,16 @@ fn several_features_are_asked_about() {
     assert!(code == Some(1) && said.contains("limits differ from value to value"), "{said}");
     let (code, _, said) = stats(differ.path(), &["values.csv", "--lower", "25", "--upper", "25.02", "--by-part"]);
     assert!(code == Some(1) && said.contains("no part or serial number"), "{said}");
+}
+
+/// A series that alarms everywhere is not a page of numbers; machines get all of them.
+#[test]
+fn people_see_the_first_points_of_a_rule() {
+    let rows: Vec<String> = (0..80).map(|at| format!("{}", 25.0 + f64::from(at) / 1_000.0)).collect();
+    let text = format!("measured [mm]\n{}\n", rows.join("\n"));
+    let folder = with(&text);
+    let (_, out, _) = stats(folder.path(), &["values.csv", "--rules", "nelson-3"]);
+    assert!(out.contains("(nelson-3): at 6, 7, 8,") && out.contains(", 25, … (75 points)"), "{out}");
+    let (_, found) = answer(&text, &["--rules", "nelson-3"]);
+    assert_eq!(found["rules"][0]["points"].as_array().unwrap().len(), 75);
 }

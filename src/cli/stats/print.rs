@@ -27,6 +27,9 @@ fn what_was_read(series: &Series<'_>) -> String {
     read.join(", ")
 }
 
+/// So many points of a rule are listed for people.
+const MOST_POINTS: usize = 20;
+
 const TABLE: Aligned<4> =
     Aligned { columns: [("", Side::Left), ("", Side::Right), ("", Side::Left), ("", Side::Left)], widest: 80 };
 
@@ -53,8 +56,11 @@ pub(super) fn text(series: &Series<'_>, answer: &Answer, io: &mut Io<'_>) {
     }
     writeln!(io.people());
     for (rule, points) in &answer.fired {
-        let points: Vec<String> = points.iter().map(usize::to_string).collect();
-        writeln!(io.people(), "{rule} ({}): at {}", rule.word(), points.join(", "));
+        let mut shown: Vec<String> = points.iter().take(MOST_POINTS).map(usize::to_string).collect();
+        if MOST_POINTS < points.len() {
+            shown.push(format!("… ({} points)", points.len()));
+        }
+        writeln!(io.people(), "{rule} ({}): at {}", rule.word(), shown.join(", "));
     }
     for sentence in answer.sentences() {
         writeln!(io.people(), "{sentence}");
