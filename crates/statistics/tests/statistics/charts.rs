@@ -383,9 +383,9 @@ fn the_ewma_is_that_of_the_nist_handbook() {
     let published = &study["published"];
     let ewma = Ewma { weight: number(&study["lam"]), width: number(&study["L"]) };
     let points = ewma.points(&numbers(&study["data"]), number(&study["target"]), number(&study["s"])).unwrap();
-    // The first value of the list is the start. The page rounds as it goes.
+    // The first value of the list is the start.
     for (point, expected) in points.iter().zip(numbers(&published["ewma"]).into_iter().skip(1)) {
-        within(point.value, expected, 0.0101);
+        printed(point.value, expected, 2);
     }
     assert!(!points.iter().any(fitcheck_statistics::EwmaPoint::is_out));
     let last = points.last().unwrap();
