@@ -13,6 +13,7 @@
 //! | [`pairing`] | which measured holes go with which measured shafts |
 //! | [`budget`] | how sure a measured value is |
 //! | [`part`] | whole parts: plans of features |
+//! | [`statistics`] | charts, capability, gauge studies and advice |
 //! | [`control`] | the control's tables, masks and logs |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
@@ -40,4 +41,5 @@ pub use fitcheck_gauges as gauges;
 pub use fitcheck_nc::{self as nc, control};
 pub use fitcheck_session as session;
 pub use fitcheck_shipped as shipped;
+pub use fitcheck_statistics as statistics;
 pub use fitcheck_store::{self as store, watch};

@@ -61,6 +61,14 @@ pub(super) enum CliError {
     LineTooLong,
     /// A file that can be read and has no deviations.
     NotATable { name: String },
+    /// Values of several features, of which none is named.
+    StatsFeatures { names: String },
+    /// A feature without values.
+    StatsNoFeature { given: String, names: String },
+    /// Limits that differ from value to value.
+    StatsLimits,
+    /// Values without parts.
+    StatsNoParts,
 
     /// Hole or shaft must be named.
     AddFeature { error: LimitsError },

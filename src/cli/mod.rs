@@ -87,6 +87,7 @@ mod run;
 mod said;
 mod sql;
 mod start;
+mod stats;
 mod table;
 mod tools;
 mod watch;
@@ -141,6 +142,7 @@ subcommands! {
     Report(report::Args),
     Run(run::Args),
     Sql(sql::Args),
+    Stats(stats::Args),
     Table(table::Args),
     Watch(watch::Args),
 }

@@ -169,6 +169,7 @@ mod sources;
 mod sql;
 mod start_cli;
 mod stated_units;
+mod stats_cli;
 mod supply;
 mod system_data;
 mod table_cli;

@@ -78,6 +78,7 @@ fn every_test_that_a_document_names_exists() {
     let mut files = Vec::new();
     sources(&root().join("tests"), &mut files);
     sources(&root().join("crates/exchange/tests"), &mut files);
+    sources(&root().join("crates/statistics/tests"), &mut files);
     for folder in source_folders() {
         sources(&folder, &mut files);
     }

@@ -50,6 +50,10 @@ cli-line-too-long = linia jest dłuższa niż { $limit } { $limit ->
        *[other] bajtów
     }
 cli-not-a-table = { $name } nie jest tabelą odchyłek
+cli-stats-features = kilka cech: wybierz jedną przez --feature: { $names }
+cli-stats-no-feature = nie ma cechy { $given }: pliki mają { $names }
+cli-stats-limits = granice różnią się między wartościami: podaj --lower i --upper albo wybierz cechę przez --feature
+cli-stats-no-parts = wartości nie mają części ani numeru seryjnego: pogrupuj je przez --group
 cli-add-feature = { $error }: dodać --feature hole lub --feature shaft
 cli-add-wide-zone = { $asked }: { $error }; jeśli takie pole tolerancji jest zamierzone, dodać --wide-zone
 cli-add-far-temperature = { $what }: { $error }; jeśli ta temperatura jest zamierzona, dodać --far-temperature

@@ -1,0 +1,53 @@
+# statistics
+
+# Warum es keine Zahl gibt
+statistics-reason-empty = es gibt keine Werte
+statistics-reason-not-a-number = Wert { $place } ist keine Zahl
+statistics-reason-too-few = zu wenige Werte oder Gruppen: { $found }, mindestens { $needed } nötig
+statistics-reason-all-equal = alle Werte sind gleich: es gibt keine Streuung, mit der gerechnet werden kann
+statistics-reason-no-subgroups = keine Stichprobe hat zwei oder mehr Werte
+statistics-reason-large-subgroup = eine Stichprobe hat { $found } Werte: Spannweiten werden bis höchstens { $most } verwendet
+statistics-reason-no-limits = es gibt keine Grenzwerte
+statistics-reason-one-limit = es gibt nur einen Grenzwert, beide sind nötig
+statistics-reason-swapped-limits = der untere Grenzwert liegt nicht unter dem oberen
+statistics-reason-not-positive = diese Verteilung hat nur positive Werte
+statistics-reason-negative = diese Verteilung hat keine negativen Werte
+statistics-reason-no-fit = diese Verteilung passt nicht zu den Werten
+statistics-reason-uneven-cell = Messungen von Teil { $part } durch Prüfer { $operator }: { $found }, erwartet { $needed }
+statistics-reason-no-baseline = der Bezugszeitraum liegt nicht in seinem Abschnitt, oder seine Zahlen sind nicht verwendbar
+statistics-reason-parameter = { $name } kann nicht { $given } sein
+
+# Regeln der Regelkarten, wo eine anspricht
+statistics-rule-beyond-limits = 1 Punkt außerhalb einer Eingriffsgrenze
+statistics-rule-nine-one-side = 9 Punkte in Folge auf einer Seite der Mittellinie
+statistics-rule-six-trend = 6 Punkte in Folge steigend oder fallend
+statistics-rule-fourteen-alternating = 14 Punkte in Folge abwechselnd auf und ab
+statistics-rule-two-of-three = 2 von 3 Punkten jenseits von 2 s auf einer Seite
+statistics-rule-four-of-five = 4 von 5 Punkten jenseits von 1 s auf einer Seite
+statistics-rule-fifteen-within = 15 Punkte in Folge innerhalb von 1 s um die Mittellinie
+statistics-rule-eight-beyond = 8 Punkte in Folge jenseits von 1 s, auf beiden Seiten
+statistics-rule-eight-one-side = 8 Punkte in Folge auf einer Seite der Mittellinie
+
+# Was mit den Zahlen zu tun ist
+statistics-advice-few-values = { $count } Werte: die Vertrauensbereiche sind weit, üblich sind { $enough } oder mehr
+statistics-advice-few-points = die Eingriffsgrenzen stammen aus { $count } Punkten: üblich sind { $enough } oder mehr
+statistics-advice-unstable = Punkte, an denen eine Regel anspricht: { $count }; Fähigkeit gilt nur für einen stabilen Prozess
+statistics-advice-not-of-law = die Werte stammen kaum aus dieser Verteilung (p = { $p }): ihre Anteile außerhalb der Grenzwerte sind nicht verlässlich
+statistics-advice-centred = nicht korrigieren: { $what ->
+        [line] das Maß liegt jetzt
+       *[mean] der Mittelwert liegt
+    } { $um } µm neben der Toleranzmitte, bei { $count } Werten ist das Rauschen
+statistics-advice-near = nicht korrigieren: { $what ->
+        [line] das Maß liegt jetzt
+       *[mean] der Mittelwert liegt
+    } { $um } µm neben der Toleranzmitte, { $count } Werte
+statistics-advice-correct = um { $correction } µm korrigieren: { $what ->
+        [line] das Maß liegt jetzt
+       *[mean] der Mittelwert liegt
+    } { $um } µm neben der Toleranzmitte, { $count } Werte
+statistics-advice-no-trend = kein Trend: die Änderung von Teil zu Teil ist Rauschen
+statistics-advice-trend = das Maß ändert sich um { $um } µm je Teil
+statistics-advice-trend-at-limit = das Maß ändert sich um { $um } µm je Teil, und ab sofort ist mit Teilen außerhalb des Grenzwerts zu rechnen
+statistics-advice-trend-to = das Maß ändert sich um { $um } µm je Teil: bis zum Grenzwert bleiben etwa { $parts } Teile ({ $level } %: { $least } bis { $most })
+statistics-advice-groups-alike = die Gruppen unterscheiden sich nicht mehr als durch Zufall (p = { $p })
+statistics-advice-groups-differ = die Gruppen unterscheiden sich (p = { $p })

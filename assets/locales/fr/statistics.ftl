@@ -1,0 +1,53 @@
+# statistics
+
+# Pourquoi il n'y a pas de chiffre
+statistics-reason-empty = il n'y a pas de valeurs
+statistics-reason-not-a-number = la valeur { $place } n'est pas un nombre
+statistics-reason-too-few = trop peu de valeurs ou de groupes : { $found }, au moins { $needed } nécessaires
+statistics-reason-all-equal = toutes les valeurs sont égales : il n'y a pas de dispersion à calculer
+statistics-reason-no-subgroups = aucun sous-groupe n'a deux valeurs ou plus
+statistics-reason-large-subgroup = un sous-groupe a { $found } valeurs : l'étendue ne sert que jusqu'à { $most }
+statistics-reason-no-limits = il n'y a pas de limites
+statistics-reason-one-limit = il n'y a qu'une limite, et les deux sont nécessaires
+statistics-reason-swapped-limits = la limite inférieure n'est pas sous la limite supérieure
+statistics-reason-not-positive = cette loi ne prend que des valeurs positives
+statistics-reason-negative = cette loi ne prend pas de valeurs négatives
+statistics-reason-no-fit = cette loi ne convient pas aux valeurs
+statistics-reason-uneven-cell = mesures de la pièce { $part } par l'opérateur { $operator } : { $found }, attendu { $needed }
+statistics-reason-no-baseline = la période de référence n'est pas dans son étape, ou ses chiffres sont inutilisables
+statistics-reason-parameter = { $name } ne peut pas valoir { $given }
+
+# Règles des cartes de contrôle, là où l'une se déclenche
+statistics-rule-beyond-limits = 1 point au-delà d'une limite de contrôle
+statistics-rule-nine-one-side = 9 points de suite d'un même côté de la ligne centrale
+statistics-rule-six-trend = 6 points de suite en hausse ou en baisse
+statistics-rule-fourteen-alternating = 14 points de suite alternant hausse et baisse
+statistics-rule-two-of-three = 2 points sur 3 au-delà de 2 s d'un même côté
+statistics-rule-four-of-five = 4 points sur 5 au-delà de 1 s d'un même côté
+statistics-rule-fifteen-within = 15 points de suite à moins de 1 s de la ligne centrale
+statistics-rule-eight-beyond = 8 points de suite au-delà de 1 s, d'un côté ou de l'autre
+statistics-rule-eight-one-side = 8 points de suite d'un même côté de la ligne centrale
+
+# Que faire des chiffres
+statistics-advice-few-values = { $count } valeurs : les intervalles sont larges, { $enough } ou plus sont d'usage
+statistics-advice-few-points = les limites de contrôle viennent de { $count } points : { $enough } ou plus sont d'usage
+statistics-advice-unstable = points où une règle se déclenche : { $count } ; la capabilité ne vaut que pour un procédé stable
+statistics-advice-not-of-law = les valeurs ne suivent guère cette loi (p = { $p }) : ses parts hors limites ne sont pas fiables
+statistics-advice-centred = ne pas corriger : { $what ->
+        [line] la cote est maintenant à
+       *[mean] la moyenne est à
+    } { $um } µm du milieu de la tolérance, ce qui n'est que du bruit avec { $count } valeurs
+statistics-advice-near = ne pas corriger : { $what ->
+        [line] la cote est maintenant à
+       *[mean] la moyenne est à
+    } { $um } µm du milieu de la tolérance, { $count } valeurs
+statistics-advice-correct = corriger de { $correction } µm : { $what ->
+        [line] la cote est maintenant à
+       *[mean] la moyenne est à
+    } { $um } µm du milieu de la tolérance, { $count } valeurs
+statistics-advice-no-trend = pas de tendance : la variation d'une pièce à l'autre n'est que du bruit
+statistics-advice-trend = la cote varie de { $um } µm par pièce
+statistics-advice-trend-at-limit = la cote varie de { $um } µm par pièce, et des pièces hors limite sont à attendre dès maintenant
+statistics-advice-trend-to = la cote varie de { $um } µm par pièce : il reste environ { $parts } pièces jusqu'à la limite ({ $level } % : { $least } à { $most })
+statistics-advice-groups-alike = les groupes ne diffèrent pas plus que par hasard (p = { $p })
+statistics-advice-groups-differ = les groupes diffèrent (p = { $p })

@@ -1,0 +1,53 @@
+# statistics
+
+# Dlaczego nie ma liczby
+statistics-reason-empty = nie ma żadnych wartości
+statistics-reason-not-a-number = wartość { $place } nie jest liczbą
+statistics-reason-too-few = za mało wartości lub grup: { $found }, potrzeba co najmniej { $needed }
+statistics-reason-all-equal = wszystkie wartości są równe: nie ma rozrzutu, z którym można liczyć
+statistics-reason-no-subgroups = żadna podgrupa nie ma dwóch lub więcej wartości
+statistics-reason-large-subgroup = liczba wartości w podgrupie to { $found }: rozstęp stosuje się najwyżej do { $most }
+statistics-reason-no-limits = nie ma granic
+statistics-reason-one-limit = jest tylko jedna granica, a potrzebne są obie
+statistics-reason-swapped-limits = dolna granica nie leży poniżej górnej
+statistics-reason-not-positive = ten rozkład ma tylko wartości dodatnie
+statistics-reason-negative = ten rozkład nie ma wartości ujemnych
+statistics-reason-no-fit = ten rozkład nie pasuje do wartości
+statistics-reason-uneven-cell = odczyty części { $part } przez operatora { $operator }: { $found }, oczekiwano { $needed }
+statistics-reason-no-baseline = okres odniesienia nie leży w swoim etapie albo jego liczb nie można użyć
+statistics-reason-parameter = { $name } nie może wynosić { $given }
+
+# Reguły kart kontrolnych, gdy któraś zadziała
+statistics-rule-beyond-limits = 1 punkt poza granicą kontrolną
+statistics-rule-nine-one-side = 9 punktów z rzędu po jednej stronie linii środkowej
+statistics-rule-six-trend = 6 punktów z rzędu rosnących lub malejących
+statistics-rule-fourteen-alternating = 14 punktów z rzędu na przemian w górę i w dół
+statistics-rule-two-of-three = 2 z 3 punktów poza 2 s po jednej stronie
+statistics-rule-four-of-five = 4 z 5 punktów poza 1 s po jednej stronie
+statistics-rule-fifteen-within = 15 punktów z rzędu w odległości do 1 s od linii środkowej
+statistics-rule-eight-beyond = 8 punktów z rzędu poza 1 s, po dowolnej stronie
+statistics-rule-eight-one-side = 8 punktów z rzędu po jednej stronie linii środkowej
+
+# Co zrobić z liczbami
+statistics-advice-few-values = liczba wartości { $count }: przedziały są szerokie, zwykle jest ich { $enough } lub więcej
+statistics-advice-few-points = granice kontrolne wynikają z tylu punktów: { $count }; zwykle jest ich { $enough } lub więcej
+statistics-advice-unstable = liczba punktów, w których zadziałała reguła: { $count }; zdolność dotyczy tylko procesu stabilnego
+statistics-advice-not-of-law = wartości raczej nie pochodzą z tego rozkładu (p = { $p }): jego udziały poza granicami nie są wiarygodne
+statistics-advice-centred = nie korygować: { $what ->
+        [line] wymiar leży teraz
+       *[mean] średnia leży
+    } { $um } µm od środka tolerancji, a przy liczbie wartości { $count } to szum
+statistics-advice-near = nie korygować: { $what ->
+        [line] wymiar leży teraz
+       *[mean] średnia leży
+    } { $um } µm od środka tolerancji, liczba wartości { $count }
+statistics-advice-correct = skorygować o { $correction } µm: { $what ->
+        [line] wymiar leży teraz
+       *[mean] średnia leży
+    } { $um } µm od środka tolerancji, liczba wartości { $count }
+statistics-advice-no-trend = brak trendu: zmiana między kolejnymi częściami to szum
+statistics-advice-trend = wymiar zmienia się o { $um } µm na część
+statistics-advice-trend-at-limit = wymiar zmienia się o { $um } µm na część i od teraz należy się spodziewać części poza granicą
+statistics-advice-trend-to = wymiar zmienia się o { $um } µm na część: do granicy pozostało około { $parts } części ({ $level } %: od { $least } do { $most })
+statistics-advice-groups-alike = grupy nie różnią się bardziej niż przypadkowo (p = { $p })
+statistics-advice-groups-differ = grupy się różnią (p = { $p })

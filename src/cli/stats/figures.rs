@@ -1,0 +1,266 @@
+//! What is computed of a series: each figure with its interval and its method, or why there is none.
+
+use super::series::Series;
+use crate::message::Say as _;
+use crate::statistics::{
+    Advice, Baseline, CapabilityPlan, Chart, ChartKind, ChartPlan, ENOUGH_POINTS, ENOUGH_VALUES, Estimate, Family,
+    Fitted, Indices, Method, Moments, Reason, Rule, Rules, Sample, Sigma, Stage, Tolerance, anderson_darling,
+    capability, chart, offset, percentiles, trend,
+};
+
+/// What is asked of a series.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted {
+    pub(super) limits: [Option<f64>; 2],
+    pub(super) target: Option<f64>,
+    pub(super) chart: Option<ChartKind>,
+    pub(super) rules: Rules,
+    pub(super) baseline: Option<usize>,
+    pub(super) law: Option<Family>,
+    pub(super) level: f64,
+}
+
+/// How a figure is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Millimetres.
+    Length,
+    /// An index, a statistic, a distance in s.
+    Index,
+    /// Parts in a million.
+    Ppm,
+    /// A probability.
+    Probability,
+}
+
+/// A figure.
+#[derive(Debug)]
+pub(super) struct Figure {
+    /// Its name for machines.
+    pub(super) name: &'static str,
+    /// Its name for people.
+    pub(super) label: &'static str,
+    pub(super) kind: Kind,
+    /// The figure, with an interval where it is estimated; or why there is none.
+    pub(super) value: Result<(f64, Option<[f64; 2]>), Reason>,
+    pub(super) method: String,
+}
+
+/// All that is said of a series.
+#[derive(Debug)]
+pub(super) struct Answer {
+    pub(super) wanted: Wanted,
+    pub(super) figures: Vec<Figure>,
+    /// How many values are below the lower and above the upper limit.
+    pub(super) outside: [usize; 2],
+    /// The rules that fire, each with its points, from 1.
+    pub(super) fired: Vec<(Rule, Vec<usize>)>,
+    pub(super) advice: Vec<Advice>,
+}
+
+/// A step of a tool's offset, in millimetres.
+const STEP: f64 = 0.001;
+
+/// How near to a limit a trend may come, in standard deviations.
+const RESERVE: f64 = 3.0;
+
+impl Answer {
+    pub(super) fn of(series: &Series<'_>, wanted: &Wanted) -> Self {
+        let values = series.groups.concat();
+        let mut answer =
+            Self { wanted: *wanted, figures: Vec::new(), outside: [0, 0], fired: Vec::new(), advice: Vec::new() };
+        let tolerance = Tolerance::new(wanted.limits[0], wanted.limits[1]);
+        let largest = series.groups.iter().map(Vec::len).max().unwrap_or_default();
+        let kind = wanted.chart.unwrap_or(ChartKind::for_size(largest));
+        answer.moments(series, &values, kind.method());
+        match tolerance.clone() {
+            Ok(tolerance) => answer.capability(series, &values, &tolerance, kind),
+            Err(reason) => answer.put("cpk", "Cpk", Kind::Index, Err(reason), String::new()),
+        }
+        answer.shape(&values, tolerance.as_ref().ok());
+        answer.chart(series, kind);
+        answer.advise(&values, tolerance.as_ref().ok());
+        answer
+    }
+
+    /// Whether nothing could be computed.
+    pub(super) fn is_empty(&self) -> bool {
+        self.figures.iter().all(|figure| figure.value.is_err())
+    }
+
+    fn put(
+        &mut self,
+        name: &'static str,
+        label: &'static str,
+        kind: Kind,
+        value: Result<(f64, Option<[f64; 2]>), Reason>,
+        method: String,
+    ) {
+        self.figures.push(Figure { name, label, kind, value, method });
+    }
+
+    fn estimate(&mut self, name: &'static str, label: &'static str, kind: Kind, value: Estimate, method: &str) {
+        self.put(name, label, kind, Ok((value.value, Some([value.lower, value.upper]))), method.to_owned());
+    }
+
+    fn moments(&mut self, series: &Series<'_>, values: &[f64], method: Method) {
+        let level = self.wanted.level;
+        let moments = Moments::of(values);
+        let whole = |value: Estimate| (value.value, Some([value.lower, value.upper]));
+        // A mean without an interval would be a bare figure: the reason stands in its place.
+        let mean = moments.clone().and_then(|of| of.mean_estimate(level)).map(whole);
+        let deviation = moments.and_then(|of| of.deviation_estimate(level)).map(whole);
+        self.put("mean_mm", "mean", Kind::Length, mean, "mean, Student".to_owned());
+        self.put("sd_mm", "s", Kind::Length, deviation, "standard deviation, chi-square".to_owned());
+        let within = Sigma::within(series.groups.iter().map(Vec::as_slice), method);
+        let within = within.map(|sigma| whole(Estimate::of_deviation(sigma.value, sigma.degrees, level)));
+        self.put("sigma_mm", "s within", Kind::Length, within, method.word().to_owned());
+    }
+
+    fn capability(&mut self, series: &Series<'_>, values: &[f64], tolerance: &Tolerance, kind: ChartKind) {
+        let Wanted { target, level, .. } = self.wanted;
+        let plan = CapabilityPlan { target, level, ..CapabilityPlan::of(*tolerance, kind.method()) };
+        self.outside = tolerance.outside(values);
+        let found = match capability(series.groups.iter().map(Vec::as_slice), &plan) {
+            Ok(found) => found,
+            Err(reason) => return self.put("cpk", "Cpk", Kind::Index, Err(reason), String::new()),
+        };
+        match &found.within {
+            Ok(inside) => {
+                let method = inside.sigma.method.word();
+                self.indices(["cp", "cpk"], ["Cp", "Cpk"], inside, method);
+                self.estimate("ppm_within", "ppm, within", Kind::Ppm, inside.ppm, method);
+            }
+            Err(reason) => self.put("cpk", "Cpk", Kind::Index, Err(reason.clone()), kind.method().word().to_owned()),
+        }
+        let overall = &found.overall;
+        let method = overall.sigma.method.word();
+        self.indices(["pp", "ppk"], ["Pp", "Ppk"], overall, method);
+        if let Some(cpm) = overall.about_target {
+            self.estimate("cpm", "Cpm", Kind::Index, cpm, "about the target, Boyles");
+        }
+        self.estimate("ppm_overall", "ppm, overall", Kind::Ppm, overall.ppm, method);
+        for (side, name, label) in [
+            (overall.lower, "lower_distance_s", "lower limit at s"),
+            (overall.upper, "upper_distance_s", "upper limit at s"),
+        ] {
+            if let Some(side) = side {
+                self.estimate(name, label, Kind::Index, side.distance, method);
+            }
+        }
+    }
+
+    fn indices(&mut self, names: [&'static str; 2], labels: [&'static str; 2], of: &Indices, method: &str) {
+        if let Some(potential) = of.potential {
+            self.estimate(names[0], labels[0], Kind::Index, potential, method);
+        }
+        self.estimate(names[1], labels[1], Kind::Index, of.actual, method);
+    }
+
+    /// The test of the law, and capability by its percentiles where one is asked for.
+    fn shape(&mut self, values: &[f64], tolerance: Option<&Tolerance>) {
+        let Wanted { law, level, .. } = self.wanted;
+        let family = law.unwrap_or(Family::Normal);
+        let test = Fitted::of(values, family).and_then(|fitted| anderson_darling(values, &fitted));
+        let method = format!("Anderson-Darling, {}", family.word());
+        match test {
+            Ok(test) => {
+                self.put("anderson_darling", "A²", Kind::Index, Ok((test.statistic, None)), method.clone());
+                if let Some(p) = test.p {
+                    self.put("anderson_darling_p", "p of A²", Kind::Probability, Ok((p, None)), method);
+                    if p < 1.0 - level {
+                        self.advice.push(Advice::NotOfLaw { p: crate::statistics::probability(p) });
+                    }
+                }
+            }
+            Err(reason) => self.put("anderson_darling", "A²", Kind::Index, Err(reason), method),
+        }
+        let (Some(family), Some(tolerance)) = (law, tolerance) else { return };
+        let method = format!("percentiles, {}", family.word());
+        let found = match percentiles(values, family, tolerance, level) {
+            Ok(found) => found,
+            Err(reason) => return self.put("ppk_percentile", "Ppk", Kind::Index, Err(reason), method),
+        };
+        if let Some(potential) = found.potential {
+            self.estimate("pp_percentile", "Pp", Kind::Index, potential, &method);
+        }
+        self.estimate("ppk_percentile", "Ppk", Kind::Index, found.actual, &method);
+        for (ppm, name, label) in [(found.below, "ppm_below", "ppm below"), (found.above, "ppm_above", "ppm above")] {
+            if let Some(ppm) = ppm {
+                self.estimate(name, label, Kind::Ppm, ppm, &method);
+            }
+        }
+    }
+
+    fn chart(&mut self, series: &Series<'_>, kind: ChartKind) {
+        let Wanted { rules, baseline, .. } = self.wanted;
+        let samples: Vec<Sample> = match kind {
+            ChartKind::Individuals => series.groups.iter().flatten().map(|value| Sample::of(vec![*value])).collect(),
+            ChartKind::MeansRanges | ChartKind::MeansDeviations => {
+                series.groups.iter().cloned().map(Sample::of).collect()
+            }
+        };
+        let baseline = baseline.map_or(Baseline::All, |count| Baseline::Points(0..count));
+        let plan = ChartPlan { rules, stages: vec![Stage { first: 0, baseline }], ..ChartPlan::of(kind) };
+        match chart(&samples, &plan) {
+            Ok(drawn) => self.drawn(&drawn),
+            Err(reason) => self.put("centre_mm", "centre line", Kind::Length, Err(reason), kind.word().to_owned()),
+        }
+    }
+
+    fn drawn(&mut self, drawn: &Chart) {
+        let method = drawn.kind.word();
+        // Of points of several sizes the last one has the limits that count now.
+        let last = drawn.points.last();
+        let spread = drawn.points.iter().rev().find_map(|point| point.spread);
+        let lines = [
+            ("centre_mm", "centre line", last.map(|point| point.location.centre)),
+            ("lower_control_mm", "lower control limit", last.map(|point| point.location.lower)),
+            ("upper_control_mm", "upper control limit", last.map(|point| point.location.upper)),
+            ("spread_centre_mm", "centre line, spread", spread.map(|spread| spread.centre)),
+            ("spread_upper_mm", "upper control limit, spread", spread.map(|spread| spread.upper)),
+        ];
+        for (name, label, value) in lines {
+            if let Some(value) = value {
+                self.put(name, label, Kind::Length, Ok((value, None)), method.to_owned());
+            }
+        }
+        let fires = |point: &crate::statistics::ChartPoint, rule| {
+            point.location.fired.has(rule) || point.spread.is_some_and(|spread| spread.fired.has(rule))
+        };
+        for rule in Rule::ALL {
+            let points = (1..).zip(&drawn.points).filter(|(_, point)| fires(point, rule));
+            let points: Vec<usize> = points.map(|(number, _)| number).collect();
+            if !points.is_empty() {
+                self.fired.push((rule, points));
+            }
+        }
+        let count: usize = drawn.stages.iter().map(|stage| stage.baseline).sum();
+        if count < ENOUGH_POINTS {
+            self.advice.push(Advice::FewPoints { count, enough: ENOUGH_POINTS });
+        }
+        let alarms = drawn.points.iter().filter(|point| Rule::ALL.into_iter().any(|rule| fires(point, rule))).count();
+        if 0 < alarms {
+            self.advice.push(Advice::Unstable { count: alarms });
+        }
+    }
+
+    fn advise(&mut self, values: &[f64], tolerance: Option<&Tolerance>) {
+        let level = self.wanted.level;
+        if (2..ENOUGH_VALUES).contains(&values.len()) {
+            self.advice.push(Advice::FewValues { count: values.len(), enough: ENOUGH_VALUES });
+        }
+        if let Ok(trend) = trend(values, tolerance, RESERVE, level) {
+            self.advice.push(Advice::of_trend(&trend, level));
+        }
+        let middle = self.wanted.target.or_else(|| tolerance.and_then(|tolerance| tolerance.middle().ok()));
+        if let Some(found) = middle.and_then(|middle| offset(values, middle, STEP, level).ok()) {
+            self.advice.push(Advice::of_offset(&found));
+        }
+    }
+
+    /// The sentences, in English.
+    pub(super) fn sentences(&self) -> impl Iterator<Item = String> {
+        self.advice.iter().map(|advice| advice.message().to_string())
+    }
+}
