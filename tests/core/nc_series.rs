@@ -257,6 +257,22 @@ fn fifty_parts_one_after_the_other_give_the_native_verdicts() {
     }
 }
 
+/// A TNC7 judges by the text itself, and the series is the same.
+#[test]
+fn a_series_by_texts_gives_the_native_verdicts() {
+    let (plan, control) = (plan(), Control::Tnc7);
+    let target = Target { parts: Some(20), by_text: true, ..Target::new(control, Dialogue::En) };
+    let set = NcSet::make(&plan, &target, &Sources::default()).unwrap();
+    let disk = Disk::with(&set, control);
+    for part in 1..=17 {
+        let recorded = Contacts::Recorded(contacts(&plan, &values(&plan, part)));
+        run(&disk, (control, Dialogue::En), recorded).unwrap_or_else(|fault| panic!("{fault}"));
+    }
+    let of = names(control);
+    let (rows, said) = import(of.table, &disk.text(control, of.table), None, Some(&plan));
+    assert_eq!((rows, said), (expected(&plan, 1..=17), vec![]));
+}
+
 /// The words of every dialogue are known to the reader of the protocol.
 #[test]
 fn the_protocol_of_every_language_reads_back() {

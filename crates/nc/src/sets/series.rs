@@ -66,7 +66,8 @@ pub(super) fn sizes(planned: Planned<'_>) -> Vec<SeriesSize> {
     let side =
         |result, side, limits| SeriesSize { column: format!("{name}_{side}"), limits: Some(limits), ..one(result) };
     match Called::of(&planned.feature.kind) {
-        Some(Called::Diameter) => vec![one(153)],
+        // The cycle that takes the tolerance as a text has its own parameter.
+        Some(Called::Diameter) => vec![one(if planned.by_text { 966 } else { 153 })],
         Some(Called::Width) => vec![one(156)],
         Some(Called::Face) => vec![one(160)],
         Some(Called::Rectangle) => vec![side(154, "X", ["Q83", "Q73"]), side(155, "Y", ["Q33", "Q23"])],
