@@ -301,7 +301,7 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         Meaning::Step | Meaning::Arc => "stepping-angle",
         Meaning::Path => "probing-path",
         Meaning::Difference => "difference-of-two-contacts",
-        Meaning::MeasuringHeight => "measuring-height",
+        Meaning::MeasuringHeight | Meaning::SecondHeight => "measuring-height",
         Meaning::SetUpClearance | Meaning::ClearanceHeight | Meaning::Retract => "safe-distances",
         Meaning::Point(_) | Meaning::NextPoint(_) => "measured-point",
         Meaning::MaximumCoordinate | Meaning::MinimumCoordinate => "limits-of-the-coordinate",
@@ -320,6 +320,11 @@ const fn of_meaning(meaning: Meaning) -> &'static str {
         Meaning::Tool => "tool-for-monitoring",
         Meaning::ToolAxisProbing | Meaning::ToolAxisPoint(_) => "probe-axis-of-a-datum-cycle",
         Meaning::NewDatum(_) | Meaning::NewCoordinate | Meaning::PresetCorrection => "new-datum",
+        Meaning::AlignedAngle
+        | Meaning::CompensationAxis
+        | Meaning::ZeroAfterAlignment
+        | Meaning::RotaryAlignment
+        | Meaning::RotationTransfer => "new-rotation",
         Meaning::TableRow | Meaning::Transfer => "table-of-the-datum",
         Meaning::Length | Meaning::Angle | Meaning::Choice | Meaning::Number => "other-parameter",
     }

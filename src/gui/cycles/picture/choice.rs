@@ -61,6 +61,10 @@ impl Choice<'_> {
             Meaning::ToolAxisProbing => _ = self.tripod((number == 1).then_some(2)),
             // A table is a page.
             Meaning::Transfer => self.log(i64::from(0 <= number)),
+            // A rotary axis turns about the axis of the same place: A about X.
+            Meaning::CompensationAxis => _ = self.tripod(usize::try_from(number - 4).ok()),
+            Meaning::ZeroAfterAlignment | Meaning::RotaryAlignment => _ = self.tripod((0 < number).then_some(2)),
+            Meaning::RotationTransfer => _ = self.tripod(usize::try_from(number - 1).ok()),
             Meaning::PresetCorrection => _ = self.tripod((0 < number).then_some(0)),
             Meaning::Stop | Meaning::StopOnScrap => self.go_or_stop(self.middle, 18.0, 0 < number),
             Meaning::StopOnUndersize => self.stop_on(number),

@@ -79,6 +79,8 @@ fn draw(canvas: &Canvas<'_>, scene: Scene, parameter: &Parameter) {
     let key = parameter.key.to_string();
     match meaning {
         Meaning::MeasuringHeight
+        | Meaning::SecondHeight
+        | Meaning::NextPoint(Axis::Third)
         | Meaning::SetUpClearance
         | Meaning::ClearanceHeight
         | Meaning::Difference

@@ -42,7 +42,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &st
         Meaning::StartDiameter => plan.start_diameter(),
         Meaning::MaximumDiameter => plan.limit(RADIUS + 10.0),
         Meaning::MinimumDiameter => plan.limit(RADIUS - 8.0),
-        Meaning::FirstAngle => plan.first_angle(),
+        Meaning::FirstAngle | Meaning::AlignedAngle => plan.first_angle(),
         Meaning::Step | Meaning::Arc => plan.step(),
         Meaning::Path => plan.path(),
         Meaning::Point(axis) | Meaning::NextPoint(axis) => plan.point(axis),

@@ -39,7 +39,7 @@ struct Section<'a> {
 pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, meaning: Meaning, key: &str) {
     let section = Section { canvas, scene, key };
     match meaning {
-        Meaning::Point(axis) => section.point(axis),
+        Meaning::Point(axis) | Meaning::NextPoint(axis) => section.point(axis),
         Meaning::SetUpClearance => section.set_up(),
         Meaning::ClearanceHeight => section.clearance_height(),
         Meaning::Difference => section.difference(),

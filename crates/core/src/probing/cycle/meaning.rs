@@ -44,6 +44,8 @@ pub enum Meaning {
     SecondCentre(Axis),
     /// Its nominal diameter.
     SecondDiameter,
+    /// The height at which a second circle is probed.
+    SecondHeight,
     /// Holes or studs: the first one and the second.
     Geometries,
     /// The diameter of the circle on which the probe waits before each contact.
@@ -110,6 +112,16 @@ pub enum Meaning {
     Transfer,
     /// Whether the active preset is corrected, and by which point.
     PresetCorrection,
+    /// The angle that the measured edge is aligned to.
+    AlignedAngle,
+    /// The rotary axis that turns the edge into line.
+    CompensationAxis,
+    /// Whether that axis is set to zero afterwards.
+    ZeroAfterAlignment,
+    /// Whether rotary axes move to align the measured line.
+    RotaryAlignment,
+    /// What the measured angle becomes: nothing, a basic rotation, an offset of the rotary axis.
+    RotationTransfer,
     /// The measuring log.
     Log,
     /// Whether the program stops.
@@ -173,6 +185,7 @@ impl Meaning {
             | Self::NextPoint(_)
             | Self::SecondCentre(_)
             | Self::SecondDiameter
+            | Self::SecondHeight
             | Self::Geometries
             | Self::Point(_)
             | Self::Normal(_)
@@ -198,6 +211,11 @@ impl Meaning {
             | Self::StopOnScrap
             | Self::Tool
             | Self::PresetCorrection
+            | Self::AlignedAngle
+            | Self::CompensationAxis
+            | Self::ZeroAfterAlignment
+            | Self::RotaryAlignment
+            | Self::RotationTransfer
             | Self::NewDatum(_)
             | Self::NewCoordinate
             | Self::TableRow
@@ -251,6 +269,10 @@ impl Meaning {
                 | Self::StopOnUndersize
                 | Self::StopOnScrap
                 | Self::PresetCorrection
+                | Self::AlignedAngle
+                | Self::ZeroAfterAlignment
+                | Self::RotaryAlignment
+                | Self::RotationTransfer
                 | Self::Tool
                 | Self::Shift
                 | Self::SetUpClearance
@@ -305,9 +327,11 @@ impl Meaning {
             Self::SecondCentre(Axis::First) => "cycle-picture-second-centre-1",
             Self::SecondCentre(_) => "cycle-picture-second-centre-2",
             Self::SecondDiameter => "cycle-picture-second-diameter",
+            Self::SecondHeight => "cycle-picture-second-height",
             Self::Geometries => "cycle-picture-geometries",
             Self::NextPoint(Axis::First) => "cycle-picture-next-point-1",
-            Self::NextPoint(_) => "cycle-picture-next-point-2",
+            Self::NextPoint(Axis::Second) => "cycle-picture-next-point-2",
+            Self::NextPoint(Axis::Third) => "cycle-picture-next-point-3",
             Self::Point(Axis::First) => "cycle-picture-point-1",
             Self::Point(Axis::Second) => "cycle-picture-point-2",
             Self::Point(Axis::Third) => "cycle-picture-point-3",
@@ -355,6 +379,11 @@ impl Meaning {
             Self::TableRow => "cycle-picture-table-row",
             Self::Transfer => "cycle-picture-transfer",
             Self::PresetCorrection => "cycle-picture-preset-correction",
+            Self::AlignedAngle => "cycle-picture-aligned-angle",
+            Self::CompensationAxis => "cycle-picture-compensation-axis",
+            Self::ZeroAfterAlignment => "cycle-picture-zero-after-alignment",
+            Self::RotaryAlignment => "cycle-picture-rotary-alignment",
+            Self::RotationTransfer => "cycle-picture-rotation-transfer",
             Self::Log => "cycle-picture-log",
             Self::Stop => "cycle-picture-stop",
             Self::StopOnUndersize => "cycle-picture-stop-on-undersize",

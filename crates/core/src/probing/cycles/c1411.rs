@@ -64,7 +64,7 @@ const CENTRE: [Parameter; 2] =
 const HEIGHT: Parameter = POINT_3.means(Meaning::MeasuringHeight);
 const SECOND_CENTRE: [Parameter; 2] =
     [SECOND_1.means(Meaning::SecondCentre(Axis::First)), SECOND_2.means(Meaning::SecondCentre(Axis::Second))];
-const SECOND_HEIGHT: Parameter = SECOND_3.means(Meaning::MeasuringHeight);
+const SECOND_HEIGHT: Parameter = SECOND_3.means(Meaning::SecondHeight);
 /// The nominal diameter of the second.
 const SECOND_DIAMETER: Parameter = Parameter::nominal_size(1117, "DIAMETER 2")
     .named(&[(Nl, "DIAMETER 2"), (De, "DURCHMESSER 2"), (It, "DIAMETRO 2")])

@@ -11,7 +11,7 @@ use crate::probing::cycle::shared::{
     SET_UP_CLEARANCE,
 };
 use crate::probing::cycle::{
-    Control, Course, Cycle, CycleError, DatumTarget, Inputs, Key, Log, Measured, NewRotation, Note, Parameter,
+    Control, Course, Cycle, CycleError, DatumTarget, Inputs, Key, Log, Meaning, Measured, NewRotation, Note, Parameter,
     TurnedBy, Window,
 };
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -46,7 +46,8 @@ pub(super) const CYCLE: Cycle = Cycle {
                 (De, "Voreinstellung Drehwinkel?"),
                 (It, "Preimpostazione angolo rotaz.?"),
             ])
-            .or(0),
+            .or(0)
+            .means(Meaning::AlignedAngle),
         ROW,
     ],
     surface,

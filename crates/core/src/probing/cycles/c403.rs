@@ -11,7 +11,7 @@ use crate::probing::cycle::shared::{
     SECOND_POINT_2, SET_UP_CLEARANCE,
 };
 use crate::probing::cycle::{
-    Control, Course, Cycle, CycleError, Inputs, Key, Log, Measured, NewRotation, Note, Parameter, RotaryAxis, TurnedBy,
+    Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, NewRotation, Note, Parameter, RotaryAxis, TurnedBy,
     Window,
 };
 use crate::words::Dialogue::{De, En, It, Nl};
@@ -52,7 +52,8 @@ pub(super) const CYCLE: Cycle = Cycle {
                 (Nl, "As voor compensatiebeweging?"),
                 (De, "Achse für Ausgleichsbewegung?"),
                 (It, "Asse per movimento compensaz.?"),
-            ]),
+            ])
+            .means(Meaning::CompensationAxis),
         Parameter::choice(SET_TO_ZERO, "SET TO ZERO", &[0, 1])
             .named(&[(Nl, "OP NUL ZETTEN"), (De, "NULL SETZEN"), (It, "AZZERARE")])
             .asked(&[
@@ -61,7 +62,8 @@ pub(super) const CYCLE: Cycle = Cycle {
                 (De, "Nullsetzen nach Ausrichtung?"),
                 (It, "Azzerare dopo allineamento?"),
             ])
-            .or(0),
+            .or(0)
+            .means(Meaning::ZeroAfterAlignment),
         ROW,
         TRANSFER,
         Parameter::angle(REFERENCE_ANGLE, "REFERENCE ANGLE", 360, 0)
@@ -72,7 +74,8 @@ pub(super) const CYCLE: Cycle = Cycle {
                 (De, "Bezugswinkel? (0=Hauptachse)"),
                 (It, "Angolo riferim.? (0=asse princ.)"),
             ])
-            .or(0),
+            .or(0)
+            .means(Meaning::AlignedAngle),
     ],
     surface,
     run,

@@ -8,7 +8,7 @@ use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, DIRECTION, MEASURED_AXIS, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, POINT_1, POINT_2,
     SECOND_POINT_1, SECOND_POINT_2, SET_UP_CLEARANCE,
 };
-use crate::probing::cycle::{Control, Course, Cycle, CycleError, Inputs, Log, Measured, Note, Window};
+use crate::probing::cycle::{Control, Course, Cycle, CycleError, Inputs, Log, Meaning, Measured, Note, Window};
 use crate::words::Dialogue::{De, En, It, Nl};
 
 // De: title remembered. Nl, It: ours.
@@ -31,7 +31,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         SET_UP_CLEARANCE,
         CLEARANCE_HEIGHT.required(),
         MOVE_TO_CLEARANCE,
-        MEASURING_LOG.without_effect(),
+        MEASURING_LOG.without_effect().means(Meaning::Choice),
     ],
     surface,
     run,

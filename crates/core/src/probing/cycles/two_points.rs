@@ -21,7 +21,7 @@ pub(super) const SECOND_1: Parameter = Parameter::nominal_coordinate(1103, "2ND 
         (De, "2. Sollposition Hauptachse?"),
         (It, "2. posizione nom. asse princ.?"),
     ])
-    .means(Meaning::Point(Axis::First));
+    .means(Meaning::NextPoint(Axis::First));
 /// Second axis.
 pub(super) const SECOND_2: Parameter = Parameter::nominal_coordinate(1104, "2ND POINT MINOR AXIS")
     .named(&[(Nl, "2E PUNT NEVENAS"), (De, "2.PUNKT NEBENACHSE"), (It, "2. PUNTO ASSE SECOND.")])
@@ -31,7 +31,7 @@ pub(super) const SECOND_2: Parameter = Parameter::nominal_coordinate(1104, "2ND 
         (De, "2. Sollposition Nebenachse?"),
         (It, "2. posizione nom. asse second.?"),
     ])
-    .means(Meaning::Point(Axis::Second));
+    .means(Meaning::NextPoint(Axis::Second));
 /// Third axis.
 pub(super) const SECOND_3: Parameter = Parameter::nominal_coordinate(1105, "2ND POINT TOOL AXIS")
     .named(&[(Nl, "2E PUNT GS-AS"), (De, "2.PUNKT WZ-ACHSE"), (It, "2. PUNTO ASSE UTENS.")])
@@ -41,7 +41,7 @@ pub(super) const SECOND_3: Parameter = Parameter::nominal_coordinate(1105, "2ND 
         (De, "2. Sollposition Werkzeugachse?"),
         (It, "2. posizione nom. asse utensile?"),
     ])
-    .means(Meaning::Point(Axis::Third));
+    .means(Meaning::NextPoint(Axis::Third));
 /// Whether a rotary axis is aligned.
 pub(super) const ALIGN: Parameter = Parameter::choice(Key::Q(1126), "ALIGN ROTARY AXIS", &[0, 1, 2])
     .named(&[(Nl, "ROTATIEAS UITLIJNEN"), (De, "DREHACHSEN AUSRICHTEN"), (It, "ALLINEARE ASSE ROT.")])
@@ -51,7 +51,8 @@ pub(super) const ALIGN: Parameter = Parameter::choice(Key::Q(1126), "ALIGN ROTAR
         (De, "Drehachse ausrichten (0/1/2)?"),
         (It, "Allineare asse rotativo (0/1/2)?"),
     ])
-    .or(0);
+    .or(0)
+    .means(Meaning::RotaryAlignment);
 /// By which point the active preset is corrected: the first, the second, the middle of both.
 pub(super) const CORRECTION: Parameter = PRESET.of(&[0, 1, 2, 3]);
 /// What becomes of the rotation.
@@ -63,7 +64,8 @@ pub(super) const ROTATION: Parameter = Parameter::choice(Key::Q(1121), "CONFIRM 
         (De, "Drehung übernehmen (0/1/2)?"),
         (It, "Confermare rotazione (0/1/2)?"),
     ])
-    .or(0);
+    .or(0)
+    .means(Meaning::RotationTransfer);
 
 /// From the first point to the second, in the plane.
 pub(super) fn line([from_x, from_y, _]: [f64; 3], [to_x, to_y, _]: [f64; 3]) -> [f64; 2] {
