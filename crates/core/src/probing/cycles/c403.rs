@@ -11,8 +11,8 @@ use crate::probing::cycle::shared::{
     SECOND_POINT_2, SET_UP_CLEARANCE,
 };
 use crate::probing::cycle::{
-    Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, NewRotation, Note, Parameter, RotaryAxis, TurnedBy,
-    Window,
+    Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, NewRotation, Note, Parameter, RotaryAxis,
+    TurnedBy, Window,
 };
 use crate::words::Dialogue::{De, En, It, Nl};
 
