@@ -17,6 +17,7 @@
 //! | [`control`] | the control's tables, masks and logs |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
+//! | [`series`] | values of a feature in a row, with their figures |
 //! | [`batch`] | rows by the million, judged by several workers |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
@@ -35,7 +36,7 @@ pub mod cli;
 pub mod gui;
 
 pub use fitcheck_core::{budget, length, message, pairing, part, probing, text, tolerance, verdict, words};
-pub use fitcheck_exchange::{batch, exchange, journal, proof, report};
+pub use fitcheck_exchange::{batch, exchange, journal, proof, report, series};
 pub use fitcheck_files as files;
 pub use fitcheck_gauges as gauges;
 pub use fitcheck_nc::{self as nc, control};

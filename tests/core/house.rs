@@ -108,6 +108,7 @@ pub const ROOMS: [(&str, &str, &[&str]); 26] = [
     ("nc", "nc", &["control"]),
     ("exchange", "journal", &[]),
     ("exchange", "exchange", &["journal"]),
+    ("exchange", "series", &["journal", "exchange"]),
     ("exchange", "batch", &["exchange"]),
     ("exchange", "report", &["journal", "exchange"]),
     ("exchange", "proof", &["journal", "report"]),
@@ -216,6 +217,7 @@ fn the_core_touches_no_file_thread_or_clock() {
             "statistics/",
             "report/",
             "exchange/",
+            "series/",
         ];
         rooms.iter().chain(&["session/"]).any(|room| name.starts_with(room))
             || name.starts_with("verdict/")

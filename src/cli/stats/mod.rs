@@ -2,23 +2,19 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `series` | which values of the files count, and which are left out |
-//! | `figures` | what is computed of them, each figure with its method |
-//! | `print` | the same as text, CSV and JSON |
+//! | `read` | the values of the files |
+//! | `print` | the figures as text, CSV and JSON |
 
-mod figures;
 mod print;
-mod series;
+mod read;
 
 use std::path::PathBuf;
-
-use figures::{Answer, Wanted};
-use series::{Grouping, Series};
 
 use super::args::one_of;
 use super::import::columns;
 use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::length::Length;
+use crate::series::{Answer, Grouping, Series, SeriesError, Wanted};
 use crate::statistics::{ChartKind, Family, Rule, Rules};
 
 const EXAMPLES: &str = "\
@@ -130,13 +126,14 @@ impl Args {
         let sources = self.tables.load(io)?;
         let mapping = self.columns.as_deref().map(columns::mapping).transpose()?;
         let plan = self.plan.as_ref().map(|path| super::plan::read_plan(path, &sources, io)).transpose()?;
-        let read = series::read(&self.files, &sources, mapping.as_ref(), plan.as_ref(), io);
+        let read = read::read(&self.files, &sources, mapping.as_ref(), plan.as_ref(), io);
         let grouping = match self.group {
             Some(size) => Grouping::Of(usize::try_from(size).unwrap_or(usize::MAX)),
             None if self.by_part => Grouping::ByPart,
             None => Grouping::Single,
         };
-        let series = Series::of(&read.values, self.feature.as_deref(), grouping)?;
+        let series =
+            Series::of(&read.values, self.feature.as_deref(), grouping).map_err(|error| self.refused(error))?;
         let wanted = self.wanted(&series)?;
         let answer = Answer::of(&series, &wanted);
         match self.format {
@@ -162,7 +159,11 @@ impl Args {
         {
             return Err(CliError::NoLimits);
         }
-        let limits = if given.iter().any(Option::is_some) { given } else { series.limits()? };
+        let limits = if given.iter().any(Option::is_some) {
+            given
+        } else {
+            series.limits().map_err(|error| self.refused(error))?
+        };
         Ok(Wanted {
             limits,
             target: mm("target", &self.target)?,
@@ -172,5 +173,16 @@ impl Args {
             law: self.law,
             level: self.level,
         })
+    }
+
+    fn refused(&self, error: SeriesError) -> CliError {
+        match error {
+            SeriesError::Features(names) => CliError::StatsFeatures { names },
+            SeriesError::NoFeature(names) => {
+                CliError::StatsNoFeature { given: self.feature.clone().into_iter().collect(), names }
+            }
+            SeriesError::Limits => CliError::StatsLimits,
+            SeriesError::NoParts => CliError::StatsNoParts,
+        }
     }
 }

@@ -2,11 +2,10 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::figures::{Answer, Figure, Kind};
-use super::series::Series;
 use crate::cli::Io;
 use crate::cli::people::{Aligned, Side};
 use crate::cli::rows::csv_line;
+use crate::series::{Answer, Figure, FigureKind, Series};
 
 /// `125 values, 25 groups of 5, 2 left out: 2 simulated`
 fn what_was_read(series: &Series<'_>) -> String {
@@ -69,12 +68,12 @@ pub(super) fn text(series: &Series<'_>, answer: &Answer, io: &mut Io<'_>) {
 
 fn cells(figure: &Figure) -> [String; 4] {
     let shown = |value: f64| match figure.kind {
-        Kind::Length => format!("{value:.5}"),
-        Kind::Ppm if 100.0 <= value => format!("{value:.0}"),
-        Kind::Index | Kind::Ppm => format!("{value:.3}"),
-        Kind::Probability => format!("{value:.4}"),
+        FigureKind::Length => format!("{value:.5}"),
+        FigureKind::Ppm if 100.0 <= value => format!("{value:.0}"),
+        FigureKind::Index | FigureKind::Ppm => format!("{value:.3}"),
+        FigureKind::Probability => format!("{value:.4}"),
     };
-    let unit = if figure.kind == Kind::Length { " mm" } else { "" };
+    let unit = if figure.kind == FigureKind::Length { " mm" } else { "" };
     let (value, ends) = match &figure.value {
         Ok((value, ends)) => {
             let ends = ends.map(|[lower, upper]| format!("{} to {}", shown(lower), shown(upper)));

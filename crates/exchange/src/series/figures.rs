@@ -1,8 +1,8 @@
 //! What is computed of a series: each figure with its interval and its method, or why there is none.
 
-use super::series::Series;
-use crate::message::Say as _;
-use crate::statistics::{
+use super::Series;
+use fitcheck_core::message::Say as _;
+use fitcheck_statistics::{
     Advice, Baseline, CapabilityPlan, Chart, ChartKind, ChartPlan, ENOUGH_POINTS, ENOUGH_VALUES, Estimate, Family,
     Fitted, Indices, Method, Moments, Reason, Rule, Rules, Sample, Sigma, Stage, Tolerance, anderson_darling,
     capability, chart, offset, percentiles, trend,
@@ -10,19 +10,19 @@ use crate::statistics::{
 
 /// What is asked of a series.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wanted {
-    pub(super) limits: [Option<f64>; 2],
-    pub(super) target: Option<f64>,
-    pub(super) chart: Option<ChartKind>,
-    pub(super) rules: Rules,
-    pub(super) baseline: Option<usize>,
-    pub(super) law: Option<Family>,
-    pub(super) level: f64,
+pub struct Wanted {
+    pub limits: [Option<f64>; 2],
+    pub target: Option<f64>,
+    pub chart: Option<ChartKind>,
+    pub rules: Rules,
+    pub baseline: Option<usize>,
+    pub law: Option<Family>,
+    pub level: f64,
 }
 
 /// How a figure is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub enum FigureKind {
     /// Millimetres.
     Length,
     /// An index, a statistic, a distance in s.
@@ -35,27 +35,27 @@ pub(super) enum Kind {
 
 /// A figure.
 #[derive(Debug)]
-pub(super) struct Figure {
+pub struct Figure {
     /// Its name for machines.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Its name for people.
-    pub(super) label: &'static str,
-    pub(super) kind: Kind,
+    pub label: &'static str,
+    pub kind: FigureKind,
     /// The figure, with an interval where it is estimated; or why there is none.
-    pub(super) value: Result<(f64, Option<[f64; 2]>), Reason>,
-    pub(super) method: String,
+    pub value: Result<(f64, Option<[f64; 2]>), Reason>,
+    pub method: String,
 }
 
 /// All that is said of a series.
 #[derive(Debug)]
-pub(super) struct Answer {
-    pub(super) wanted: Wanted,
-    pub(super) figures: Vec<Figure>,
+pub struct Answer {
+    pub wanted: Wanted,
+    pub figures: Vec<Figure>,
     /// How many values are below the lower and above the upper limit.
-    pub(super) outside: [usize; 2],
+    pub outside: [usize; 2],
     /// The rules that fire, each with its points, from 1.
-    pub(super) fired: Vec<(Rule, Vec<usize>)>,
-    pub(super) advice: Vec<Advice>,
+    pub fired: Vec<(Rule, Vec<usize>)>,
+    pub advice: Vec<Advice>,
 }
 
 /// A step of a tool's offset, in millimetres.
@@ -65,7 +65,7 @@ const STEP: f64 = 0.001;
 const RESERVE: f64 = 3.0;
 
 impl Answer {
-    pub(super) fn of(series: &Series<'_>, wanted: &Wanted) -> Self {
+    pub fn of(series: &Series<'_>, wanted: &Wanted) -> Self {
         let values = series.groups.concat();
         let mut answer =
             Self { wanted: *wanted, figures: Vec::new(), outside: [0, 0], fired: Vec::new(), advice: Vec::new() };
@@ -75,7 +75,7 @@ impl Answer {
         answer.moments(series, &values, kind.method());
         match tolerance.clone() {
             Ok(tolerance) => answer.capability(series, &values, &tolerance, kind),
-            Err(reason) => answer.put("cpk", "Cpk", Kind::Index, Err(reason), String::new()),
+            Err(reason) => answer.put("cpk", "Cpk", FigureKind::Index, Err(reason), String::new()),
         }
         answer.shape(&values, tolerance.as_ref().ok());
         answer.chart(series, kind);
@@ -84,7 +84,7 @@ impl Answer {
     }
 
     /// Whether nothing could be computed.
-    pub(super) fn is_empty(&self) -> bool {
+    pub fn is_empty(&self) -> bool {
         self.figures.iter().all(|figure| figure.value.is_err())
     }
 
@@ -92,14 +92,14 @@ impl Answer {
         &mut self,
         name: &'static str,
         label: &'static str,
-        kind: Kind,
+        kind: FigureKind,
         value: Result<(f64, Option<[f64; 2]>), Reason>,
         method: String,
     ) {
         self.figures.push(Figure { name, label, kind, value, method });
     }
 
-    fn estimate(&mut self, name: &'static str, label: &'static str, kind: Kind, value: Estimate, method: &str) {
+    fn estimate(&mut self, name: &'static str, label: &'static str, kind: FigureKind, value: Estimate, method: &str) {
         self.put(name, label, kind, Ok((value.value, Some([value.lower, value.upper]))), method.to_owned());
     }
 
@@ -110,11 +110,11 @@ impl Answer {
         // A mean without an interval would be a bare figure: the reason stands in its place.
         let mean = moments.clone().and_then(|of| of.mean_estimate(level)).map(whole);
         let deviation = moments.and_then(|of| of.deviation_estimate(level)).map(whole);
-        self.put("mean_mm", "mean", Kind::Length, mean, "mean, Student".to_owned());
-        self.put("sd_mm", "s", Kind::Length, deviation, "standard deviation, chi-square".to_owned());
+        self.put("mean_mm", "mean", FigureKind::Length, mean, "mean, Student".to_owned());
+        self.put("sd_mm", "s", FigureKind::Length, deviation, "standard deviation, chi-square".to_owned());
         let within = Sigma::within(series.groups.iter().map(Vec::as_slice), method);
         let within = within.map(|sigma| whole(Estimate::of_deviation(sigma.value, sigma.degrees, level)));
-        self.put("sigma_mm", "s within", Kind::Length, within, method.word().to_owned());
+        self.put("sigma_mm", "s within", FigureKind::Length, within, method.word().to_owned());
     }
 
     fn capability(&mut self, series: &Series<'_>, values: &[f64], tolerance: &Tolerance, kind: ChartKind) {
@@ -123,38 +123,40 @@ impl Answer {
         self.outside = tolerance.outside(values);
         let found = match capability(series.groups.iter().map(Vec::as_slice), &plan) {
             Ok(found) => found,
-            Err(reason) => return self.put("cpk", "Cpk", Kind::Index, Err(reason), String::new()),
+            Err(reason) => return self.put("cpk", "Cpk", FigureKind::Index, Err(reason), String::new()),
         };
         match &found.within {
             Ok(inside) => {
                 let method = inside.sigma.method.word();
                 self.indices(["cp", "cpk"], ["Cp", "Cpk"], inside, method);
-                self.estimate("ppm_within", "ppm, within", Kind::Ppm, inside.ppm, method);
+                self.estimate("ppm_within", "ppm, within", FigureKind::Ppm, inside.ppm, method);
             }
-            Err(reason) => self.put("cpk", "Cpk", Kind::Index, Err(reason.clone()), kind.method().word().to_owned()),
+            Err(reason) => {
+                self.put("cpk", "Cpk", FigureKind::Index, Err(reason.clone()), kind.method().word().to_owned())
+            }
         }
         let overall = &found.overall;
         let method = overall.sigma.method.word();
         self.indices(["pp", "ppk"], ["Pp", "Ppk"], overall, method);
         if let Some(cpm) = overall.about_target {
-            self.estimate("cpm", "Cpm", Kind::Index, cpm, "about the target, Boyles");
+            self.estimate("cpm", "Cpm", FigureKind::Index, cpm, "about the target, Boyles");
         }
-        self.estimate("ppm_overall", "ppm, overall", Kind::Ppm, overall.ppm, method);
+        self.estimate("ppm_overall", "ppm, overall", FigureKind::Ppm, overall.ppm, method);
         for (side, name, label) in [
             (overall.lower, "lower_distance_s", "lower limit at s"),
             (overall.upper, "upper_distance_s", "upper limit at s"),
         ] {
             if let Some(side) = side {
-                self.estimate(name, label, Kind::Index, side.distance, method);
+                self.estimate(name, label, FigureKind::Index, side.distance, method);
             }
         }
     }
 
     fn indices(&mut self, names: [&'static str; 2], labels: [&'static str; 2], of: &Indices, method: &str) {
         if let Some(potential) = of.potential {
-            self.estimate(names[0], labels[0], Kind::Index, potential, method);
+            self.estimate(names[0], labels[0], FigureKind::Index, potential, method);
         }
-        self.estimate(names[1], labels[1], Kind::Index, of.actual, method);
+        self.estimate(names[1], labels[1], FigureKind::Index, of.actual, method);
     }
 
     /// The test of the law, and capability by its percentiles where one is asked for.
@@ -165,29 +167,29 @@ impl Answer {
         let method = format!("Anderson-Darling, {}", family.word());
         match test {
             Ok(test) => {
-                self.put("anderson_darling", "A²", Kind::Index, Ok((test.statistic, None)), method.clone());
+                self.put("anderson_darling", "A²", FigureKind::Index, Ok((test.statistic, None)), method.clone());
                 if let Some(p) = test.p {
-                    self.put("anderson_darling_p", "p of A²", Kind::Probability, Ok((p, None)), method);
+                    self.put("anderson_darling_p", "p of A²", FigureKind::Probability, Ok((p, None)), method);
                     if p < 1.0 - level {
-                        self.advice.push(Advice::NotOfLaw { p: crate::statistics::probability(p) });
+                        self.advice.push(Advice::NotOfLaw { p: fitcheck_statistics::probability(p) });
                     }
                 }
             }
-            Err(reason) => self.put("anderson_darling", "A²", Kind::Index, Err(reason), method),
+            Err(reason) => self.put("anderson_darling", "A²", FigureKind::Index, Err(reason), method),
         }
         let (Some(family), Some(tolerance)) = (law, tolerance) else { return };
         let method = format!("percentiles, {}", family.word());
         let found = match percentiles(values, family, tolerance, level) {
             Ok(found) => found,
-            Err(reason) => return self.put("ppk_percentile", "Ppk", Kind::Index, Err(reason), method),
+            Err(reason) => return self.put("ppk_percentile", "Ppk", FigureKind::Index, Err(reason), method),
         };
         if let Some(potential) = found.potential {
-            self.estimate("pp_percentile", "Pp", Kind::Index, potential, &method);
+            self.estimate("pp_percentile", "Pp", FigureKind::Index, potential, &method);
         }
-        self.estimate("ppk_percentile", "Ppk", Kind::Index, found.actual, &method);
+        self.estimate("ppk_percentile", "Ppk", FigureKind::Index, found.actual, &method);
         for (ppm, name, label) in [(found.below, "ppm_below", "ppm below"), (found.above, "ppm_above", "ppm above")] {
             if let Some(ppm) = ppm {
-                self.estimate(name, label, Kind::Ppm, ppm, &method);
+                self.estimate(name, label, FigureKind::Ppm, ppm, &method);
             }
         }
     }
@@ -204,7 +206,9 @@ impl Answer {
         let plan = ChartPlan { rules, stages: vec![Stage { first: 0, baseline }], ..ChartPlan::of(kind) };
         match chart(&samples, &plan) {
             Ok(drawn) => self.drawn(&drawn),
-            Err(reason) => self.put("centre_mm", "centre line", Kind::Length, Err(reason), kind.word().to_owned()),
+            Err(reason) => {
+                self.put("centre_mm", "centre line", FigureKind::Length, Err(reason), kind.word().to_owned())
+            }
         }
     }
 
@@ -222,10 +226,10 @@ impl Answer {
         ];
         for (name, label, value) in lines {
             if let Some(value) = value {
-                self.put(name, label, Kind::Length, Ok((value, None)), method.to_owned());
+                self.put(name, label, FigureKind::Length, Ok((value, None)), method.to_owned());
             }
         }
-        let fires = |point: &crate::statistics::ChartPoint, rule| {
+        let fires = |point: &fitcheck_statistics::ChartPoint, rule| {
             point.location.fired.has(rule) || point.spread.is_some_and(|spread| spread.fired.has(rule))
         };
         for rule in Rule::ALL {
@@ -260,7 +264,7 @@ impl Answer {
     }
 
     /// The sentences, in English.
-    pub(super) fn sentences(&self) -> impl Iterator<Item = String> {
+    pub fn sentences(&self) -> impl Iterator<Item = String> {
         self.advice.iter().map(|advice| advice.message().to_string())
     }
 }

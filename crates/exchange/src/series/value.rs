@@ -1,0 +1,146 @@
+//! A value of a series: what was measured, its limits, where it comes from, and why it is left out.
+
+use fitcheck_core::length::Length;
+
+use crate::exchange::{Labels, StatedLimits, Unjudged, WhyUnjudged};
+use crate::journal::Record;
+
+/// Why a value is left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LeftOut {
+    /// Nobody measured it.
+    Simulated,
+    /// Its file says that it is none.
+    Invalid,
+    /// It contradicts something, or may be another quantity.
+    Doubtful,
+}
+
+impl LeftOut {
+    /// All reasons, in the order in which they are counted.
+    pub const ALL: [Self; 3] = [Self::Simulated, Self::Invalid, Self::Doubtful];
+
+    /// Its name in files.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Simulated => "simulated",
+            Self::Invalid => "invalid",
+            Self::Doubtful => "doubtful",
+        }
+    }
+}
+
+/// Where a value comes from, as far as it is known; empty where it is not.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Origin {
+    /// The part, such as its drawing number.
+    pub part: String,
+    /// What tells the part from others of its kind.
+    pub piece: String,
+    /// Who measured.
+    pub who: String,
+    /// The machine that made the part.
+    pub machine: String,
+    /// What it was measured with, or at which station.
+    pub gauge: String,
+}
+
+impl Origin {
+    fn of(labels: &Labels) -> Self {
+        let Labels { part, who, machine, gauge, .. } = labels.clone();
+        Self { part, piece: labels.piece().to_owned(), who, machine, gauge }
+    }
+
+    /// Whether nothing names the part.
+    pub const fn is_of_no_part(&self) -> bool {
+        self.part.is_empty() && self.piece.is_empty()
+    }
+
+    /// Whether both are of the same part.
+    pub fn is_of_same_part(&self, other: &Self) -> bool {
+        self.part == other.part && self.piece == other.piece
+    }
+}
+
+/// A measured value with what is known of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Value {
+    /// The feature.
+    pub name: String,
+    /// What was measured.
+    pub measured: Length,
+    /// Lower and upper limit, where there are any. The natural limit 0 of a form is none.
+    pub limits: [Option<Length>; 2],
+    /// Where it comes from.
+    pub origin: Origin,
+    /// Why it is left out, where it is.
+    pub left_out: Option<LeftOut>,
+}
+
+/// Whether a value that makes no record is one all the same: for a series it needs no limits.
+fn is_value(why: &WhyUnjudged) -> bool {
+    match why {
+        WhyUnjudged::NoCallout
+        | WhyUnjudged::NotPositive { .. }
+        | WhyUnjudged::NoLimits { .. }
+        | WhyUnjudged::Coordinate(_)
+        | WhyUnjudged::CoordinateWithoutLimits
+        | WhyUnjudged::Size { .. }
+        | WhyUnjudged::SizeWithoutLimits { .. }
+        | WhyUnjudged::Point(_)
+        | WhyUnjudged::PointWithoutTolerance
+        | WhyUnjudged::OneLimit
+        | WhyUnjudged::NoTolerance
+        | WhyUnjudged::Rounded { .. }
+        | WhyUnjudged::NotASize { .. }
+        | WhyUnjudged::NotInPlan(_) => true,
+        WhyUnjudged::SwappedLimits { .. }
+        | WhyUnjudged::Quantity { .. }
+        | WhyUnjudged::Kind { .. }
+        | WhyUnjudged::Attribute { .. }
+        | WhyUnjudged::NotValid { .. }
+        | WhyUnjudged::Declaration { .. }
+        | WhyUnjudged::Contacts { .. } => false,
+    }
+}
+
+impl Value {
+    fn of(name: &str, measured: Length, limits: StatedLimits, labels: &Labels) -> Self {
+        // Nothing is less than round: the 0 of a form is no limit that a process could come near to.
+        let lower = limits.minimum.filter(|minimum| *minimum != Length::ZERO);
+        let origin = Origin::of(labels);
+        Self { name: name.to_owned(), measured, limits: [lower, limits.maximum], origin, left_out: None }
+    }
+
+    /// The value of a record; without one in doubt it counts unless it was simulated.
+    pub fn of_record(record: &Record, labels: &Labels, is_doubted: bool) -> Self {
+        let limits = &record.limits;
+        let stated = StatedLimits {
+            nominal: Some(limits.nominal),
+            minimum: Some(limits.minimum()),
+            maximum: Some(limits.maximum()),
+        };
+        let measurement = &record.measurement;
+        let doubtful = is_doubted.then_some(LeftOut::Doubtful);
+        let left_out = if measurement.origin.is_simulated() { Some(LeftOut::Simulated) } else { doubtful };
+        Self { left_out, ..Self::of(&record.id, measurement.diameter, stated, labels) }
+    }
+
+    /// A value that makes no record: for a series it needs no limits.
+    pub fn of_unjudged(of: &Unjudged, measured: Length, is_doubted: bool) -> Self {
+        let asked = of.asked();
+        let mut value = Self::of(&of.id, measured, asked, &of.labels);
+        if matches!(of.why, WhyUnjudged::Coordinate(_) | WhyUnjudged::Point(_)) {
+            let [lower, _] = &mut value.limits;
+            *lower = asked.minimum;
+        }
+        value.left_out = if of.origin.is_simulated() {
+            Some(LeftOut::Simulated)
+        } else if is_value(&of.why) {
+            is_doubted.then_some(LeftOut::Doubtful)
+        } else {
+            Some(LeftOut::Invalid)
+        };
+        value
+    }
+}
