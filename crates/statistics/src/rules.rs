@@ -59,6 +59,20 @@ impl Rule {
         }
     }
 
+    /// How many points its pattern has.
+    pub const fn points(self) -> usize {
+        match self {
+            Self::BeyondLimits => 1,
+            Self::NineOneSide => 9,
+            Self::SixTrend => 6,
+            Self::FourteenAlternating => 14,
+            Self::TwoOfThree => 3,
+            Self::FourOfFive => 5,
+            Self::FifteenWithin => 15,
+            Self::EightBeyond | Self::EightOneSide => 8,
+        }
+    }
+
     const fn bit(self) -> u16 {
         match self {
             Self::BeyondLimits => 1,
