@@ -110,7 +110,7 @@ pub const ROOMS: [(&str, &str, &[&str]); 26] = [
     ("exchange", "exchange", &["journal"]),
     ("exchange", "series", &["journal", "exchange"]),
     ("exchange", "batch", &["exchange"]),
-    ("exchange", "report", &["journal", "exchange"]),
+    ("exchange", "report", &["journal", "exchange", "series"]),
     ("exchange", "proof", &["journal", "report"]),
     ("files", "files", &[]),
     ("store", "store", &[]),

@@ -16,6 +16,7 @@ use super::html::{MOST_CHECKS, closing};
 use super::part::PartSheet;
 use super::said::{decimals_of, heading, lacks, title};
 use super::seen::ReportSurvey;
+use super::statistics;
 use super::told::{CheckSaid, callout, mark, on_one_line, standing, verdict};
 use super::{Rendering, Report, text};
 use crate::journal::Record;
@@ -79,6 +80,12 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     }
     for part in &report.parts {
         of_part(part, words, out)?;
+    }
+    for feature in statistics::of(report, words)? {
+        writeln!(out, "\n## {}\n\n{}\n", escaped(&feature.heading), escaped(&feature.read))?;
+        let figures =
+            feature.figures.iter().map(|figure| format!("**{}**: {}", escaped(&figure.label), escaped(&figure.value)));
+        figures.chain(feature.told.iter().map(|line| escaped(line))).try_for_each(|line| writeln!(out, "- {line}"))?;
     }
     let notes = seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note)));
     let notes: Vec<String> = notes.collect();

@@ -20,6 +20,7 @@
 //! | `shapes` | the picture of a part as shapes, for drawing |
 //! | `paper` | what pages are printed on |
 //! | `template` | what a report for people shows, and in which order |
+//! | `statistics` | the figures and charts of each feature, where the template shows them |
 //! | `told` | a check and a part in words, for the cells of tables |
 //! | `text` | sentences about status, source of the limits, size and position |
 //! | `head`, `said`, `origins`, `seen`, `shared` | what pages for people say of the report, of a part, of a check and of all checks |
@@ -65,6 +66,7 @@ mod said;
 mod seen;
 pub mod shapes;
 mod shared;
+mod statistics;
 pub mod template;
 pub mod text;
 mod told;

@@ -11,7 +11,7 @@ use crate::signal::signals;
 use crate::tolerance::Tolerance;
 
 /// How wide and how high a sheet is.
-const SIZE: [f64; 2] = [1_120.0, 760.0];
+const SIZE: [f64; 2] = [880.0, 660.0];
 /// Room for a title.
 const TITLE: f64 = 26.0;
 const GAP: f64 = 20.0;

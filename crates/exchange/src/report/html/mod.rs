@@ -26,6 +26,7 @@ use super::part::PartSheet;
 use super::picture;
 use super::said::{cause, decimals_of, nearest, title, undecided};
 use super::seen::ReportSurvey;
+use super::statistics::{self, FeatureStatistics};
 use super::template::{Company, Section as Shown};
 use super::text;
 use super::told::printable;
@@ -97,6 +98,14 @@ struct PartSection<'a> {
     part: part::PartView,
 }
 
+/// The statistics of a feature.
+#[derive(Template)]
+#[template(path = "statistics.html", config = "../../assets/report/askama.toml")]
+struct StatisticsSection<'a> {
+    words: &'a Words,
+    feature: FeatureStatistics,
+}
+
 /// Notes and counts, up to the head of the list of checks.
 #[derive(Template)]
 #[template(path = "notes.html", config = "../../assets/report/askama.toml")]
@@ -153,7 +162,7 @@ macro_rules! parts {
     )+};
 }
 
-parts!(Head, PartSection, Notes, Line, Section, Annex, Foot);
+parts!(Head, PartSection, StatisticsSection, Notes, Line, Section, Annex, Foot);
 
 struct Summary {
     counts: Vec<Count>,
@@ -231,6 +240,9 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     let mut parts = part::PartViews::default();
     for part in &report.parts {
         PartSection { words, part: parts.view(part, words).map_err(io::Error::other)? }.write(out)?;
+    }
+    for feature in statistics::of(report, words)? {
+        StatisticsSection { words, feature }.write(out)?;
     }
     let said =
         |changes: &Changes| (words.say(&changes.heading()), changes.lines.iter().map(|line| words.say(line)).collect());

@@ -9,6 +9,7 @@
 //! | `bands`, `pictures`, `svg`, `signs` | limit bands, pictures with balloons, signs of verdicts |
 //! | `grounds` | what the verdicts rest on |
 //! | `lot` | many parts with their verdicts, the worst first |
+//! | `statistics` | a page for each feature: figures and charts |
 //! | `closing`, `code` | notes, statement, signature and code, and what stands on every page |
 //! | `label` | the answer on a label |
 //! | `pages`, `raster` | the pages for a window; a page as a picture |
@@ -48,6 +49,7 @@ mod raster;
 mod rows;
 mod sheet;
 mod signs;
+mod statistics;
 mod svg;
 mod table;
 mod tags;
@@ -118,7 +120,7 @@ fn made(
     refused: Option<&str>,
 ) -> Result<Vec<u8>, EmitError> {
     let fonts = Fonts::new()?;
-    let pictures = Pictures::of(report, refused);
+    let pictures = Pictures::of(report, super::statistics::of(report, words)?, refused);
     let mut flow = Flow::new(&fonts, report.paper.points());
     let name = title(report, words);
     let outline = set(&mut flow, report, (seen, attachments, &pictures), words)?;
@@ -167,7 +169,7 @@ fn set_pages(report: &Report, words: &Words) -> io::Result<Pages> {
     let fonts = Fonts::new()?;
     let seen = ReportSurvey::of(report, MOST_CHECKS)?;
     let attachments = Attachments::named(report, words, &seen)?;
-    let pictures = Pictures::of(report, None);
+    let pictures = Pictures::of(report, super::statistics::of(report, words)?, None);
     let mut flow = Flow::new(&fonts, report.paper.points());
     set(&mut flow, report, (&seen, &attachments, &pictures), words)?;
     Ok(Pages::new(flow.size(), flow.sheets, pictures.sources))
@@ -207,7 +209,10 @@ fn write(
         lot::write(flow, section, &report.parts, words);
     }
     let is_one = report.parts.len() == 1;
-    for (number, part) in report.parts.iter().enumerate() {
+    // Without anything of a part its page would be a heading: what it lacks stands above.
+    let of_parts = [Section::Picture, Section::Features, Section::Rule, Section::Caveats, Section::Remarks];
+    let has_pages = is_one || of_parts.into_iter().any(shows);
+    for (number, part) in report.parts.iter().enumerate().filter(|_| has_pages) {
         let mut section = section;
         if !is_one {
             flow.turn();
@@ -235,6 +240,7 @@ fn write(
         }
         checks::write(flow, section, report, seen, words)?;
     }
+    outline.extend(statistics::write(flow, pictures));
     closing::write_notes(flow, report, (seen, attachments), words);
     closing::write_end(flow, report, seen, words);
     Ok(outline)

@@ -18,6 +18,7 @@ use crate::report::image::{Image, ImageKind, broken};
 use crate::report::part::PartSheet;
 use crate::report::said::balloon_said;
 use crate::report::shapes;
+use crate::report::statistics::FeatureStatistics;
 
 /// The most dots of a PNG: all of them are in memory while they are packed anew.
 const MOST_DOTS: u64 = 16_000_000;
@@ -58,13 +59,15 @@ pub(super) struct Pictures {
     pub logo: Option<usize>,
     /// Why it is not shown.
     pub no_logo: Option<Message>,
+    /// The statistics of features, each with the place of its charts.
+    pub statistics: Vec<(FeatureStatistics, Option<usize>)>,
     /// Of each part: its picture, or why there is none.
     of_parts: Vec<Option<Result<usize, Message>>>,
 }
 
 impl Pictures {
     /// Looks at the pictures of all parts. `refused` says why a writer could not do with one of them.
-    pub fn of(report: &Report, refused: Option<&str>) -> Self {
+    pub fn of(report: &Report, statistics: Vec<FeatureStatistics>, refused: Option<&str>) -> Self {
         let mut pictures = Self::default();
         let mut known: HashMap<&[u8], Result<usize, Message>> = HashMap::new();
         for part in &report.parts {
@@ -99,6 +102,18 @@ impl Pictures {
             }
             Some(Err(why)) => pictures.no_logo = Some(why),
             None => {}
+        }
+        for (at, feature) in statistics.into_iter().enumerate() {
+            let charts = feature.charts.as_ref().filter(|_| refused.is_none());
+            let name = format!("charts-{}.svg", at + 1);
+            let charts = charts.and_then(|svg| Image::read(&name, svg.as_bytes()).ok());
+            let drawn = charts.and_then(|image| Some((drawable(&name, &image).ok()?, image)));
+            let place = drawn.map(|(drawable, image)| {
+                pictures.all.push(drawable);
+                pictures.sources.push((name, image));
+                pictures.all.len() - 1
+            });
+            pictures.statistics.push((feature, place));
         }
         pictures
     }

@@ -44,6 +44,8 @@ words! {
         Lot: "lot", "report-section-lot";
         /// Every size with its limits, its value and its verdict.
         Features: "features", "report-section-features";
+        /// Of each feature: mean, spread, capability with intervals, charts, what rules find, advice.
+        Statistics: "statistics", "report-section-statistics";
         /// That the values conform, or which do not, by the decision rule.
         Statement: "statement", "report-section-statement";
         /// The decision rule, the uncertainty, the sources of the limits, the temperature.
@@ -108,7 +110,7 @@ words! {
 impl Section {
     /// Those of an inspection report.
     pub fn usual() -> Vec<Self> {
-        Self::ALL.iter().copied().filter(|section| *section != Self::Statement).collect()
+        Self::ALL.iter().copied().filter(|section| !matches!(section, Self::Statement | Self::Statistics)).collect()
     }
 }
 

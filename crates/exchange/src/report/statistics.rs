@@ -1,0 +1,265 @@
+//! The statistics of each feature of a report: figures with their intervals, charts, rules that fire, advice.
+//!
+//! Features are those of the parts, or else checks of one name. Checks that all have other names and the same limits are one feature.
+
+use std::collections::HashMap;
+use std::io;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::message;
+use fitcheck_core::words::Words;
+use fitcheck_statistics::picture::{sheet, svg};
+use fitcheck_statistics::{Family, Rules, Tolerance};
+
+use super::Report;
+use super::origins::Entry;
+use super::template::Section;
+use crate::exchange::Labels;
+use crate::journal::Record;
+use crate::series::{Answer, Figure, Grouping, Series, Value, Wanted};
+
+/// The most values that are kept in memory.
+const MOST_VALUES: usize = 1_000_000;
+
+/// So many points of a rule are listed.
+const MOST_POINTS: usize = 20;
+
+/// The level of the intervals.
+const LEVEL: f64 = 0.95;
+
+/// What a Ppk is asked to be (AIAG PPAP, 4th edition, and ISO 22514-2 leave it to the customer; 1.33 is what most of them ask).
+const ASKED_INDEX: f64 = 1.33;
+
+/// A feature with everything that is said of it.
+pub(super) struct FeatureStatistics {
+    pub heading: String,
+    /// What was read.
+    pub read: String,
+    pub figures: Vec<Entry>,
+    /// What is proven, what fires, and what to do.
+    pub told: Vec<String>,
+    /// Its charts as SVG, where there are any.
+    pub charts: Option<String>,
+}
+
+impl FeatureStatistics {
+    /// The charts in words: a screen reader says what they show.
+    pub fn said(&self) -> String {
+        let figures = self.figures.iter().map(|figure| format!("{}: {}", figure.label, figure.value));
+        let all: Vec<String> = [self.heading.clone(), self.read.clone()].into_iter().chain(figures).collect();
+        all.join("; ")
+    }
+}
+
+/// The features of a report; none where its template shows no statistics.
+///
+/// # Errors
+/// Those of its checks.
+pub(super) fn of(report: &Report, words: &Words) -> io::Result<Vec<FeatureStatistics>> {
+    if !report.template.has(Section::Statistics) {
+        return Ok(Vec::new());
+    }
+    let mut gathered = Gathered::default();
+    gathered.take(report)?;
+    let one_name = gathered.features.len() == gathered.count && gathered.are_alike();
+    if one_name && 1 < gathered.count {
+        let features = std::mem::take(&mut gathered.features);
+        let mut all = features.into_iter();
+        let Some(mut first) = all.next() else { return Ok(Vec::new()) };
+        first.values.extend(all.flat_map(|feature| feature.values));
+        first.name.clear();
+        gathered.features.push(first);
+    }
+    let left_out = gathered.left_out;
+    let mut features: Vec<_> = gathered.features.iter().map(|feature| feature.statistics(words)).collect();
+    if let Some(first) = features.first_mut().filter(|_| 0 < left_out) {
+        let most = message!("report-statistics-most").count("count", MOST_VALUES);
+        first.told.insert(0, words.say(&most));
+    }
+    Ok(features)
+}
+
+/// The values of a feature.
+struct Gatherer {
+    name: String,
+    callout: String,
+    nominal: Length,
+    values: Vec<Value>,
+}
+
+#[derive(Default)]
+struct Gathered {
+    features: Vec<Gatherer>,
+    places: HashMap<String, usize>,
+    count: usize,
+    left_out: usize,
+}
+
+impl Gathered {
+    fn take(&mut self, report: &Report) -> io::Result<()> {
+        for part in &report.parts {
+            for (size, _, record) in part.sizes() {
+                if let Some(record) = record {
+                    let labels = Labels { serial: part.serial().to_owned(), ..Labels::default() };
+                    self.add(&size.name(), record, &labels);
+                }
+            }
+        }
+        if report.parts.is_empty() {
+            report.checks.each(&mut |record| {
+                self.add(&record.id, record, &Labels::default());
+                Ok(())
+            })?;
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, name: &str, record: &Record, labels: &Labels) {
+        if self.count == MOST_VALUES {
+            self.left_out += 1;
+            return;
+        }
+        self.count += 1;
+        let value = Value { name: name.to_owned(), ..Value::of_record(record, labels, record.doubt.is_some()) };
+        let place = self.places.get(name).copied().unwrap_or(self.features.len());
+        match self.features.get_mut(place) {
+            Some(feature) => feature.values.push(value),
+            None => {
+                self.places.insert(name.to_owned(), place);
+                let callout = record.callout.map(|callout| callout.to_string()).unwrap_or_default();
+                let nominal = record.limits.nominal;
+                self.features.push(Gatherer { name: name.to_owned(), callout, nominal, values: vec![value] });
+            }
+        }
+    }
+
+    fn are_alike(&self) -> bool {
+        let limits = |feature: &Gatherer| feature.values.first().map(|value| value.limits);
+        self.features.windows(2).all(|pair| matches!(pair, [one, other] if limits(one) == limits(other)))
+    }
+}
+
+impl Gatherer {
+    fn statistics(&self, words: &Words) -> FeatureStatistics {
+        let names = [self.name.clone(), words.number(&self.callout)];
+        let heading: Vec<String> = names.into_iter().filter(|name| !name.is_empty()).collect();
+        let heading = heading.join(", ");
+        let mut told = Vec::new();
+        let series = match Series::of(&self.values, None, Grouping::Single) {
+            Ok(series) => series,
+            Err(_) => {
+                return FeatureStatistics { heading, read: String::new(), figures: Vec::new(), told, charts: None };
+            }
+        };
+        let limits = series.limits().unwrap_or_else(|_| {
+            told.push(words.get("report-statistics-limits"));
+            [None, None]
+        });
+        let wanted =
+            Wanted { limits, target: None, chart: None, rules: Rules::NELSON, baseline: None, law: None, level: LEVEL };
+        let answer = Answer::of(&series, &wanted);
+        told.extend(proven(&answer, words));
+        told.extend(answer.fired.iter().map(|(rule, points)| {
+            let mut all: Vec<String> = points.iter().take(MOST_POINTS).map(usize::to_string).collect();
+            if MOST_POINTS < points.len() {
+                all.push("…".to_owned());
+            }
+            format!("{}: {}", words.told(rule), all.join(", "))
+        }));
+        told.extend(answer.advice.iter().map(|advice| words.told(advice)));
+        let mut of = FeatureStatistics {
+            heading,
+            read: read(&series, words),
+            figures: figures(&answer, &series, words),
+            told,
+            charts: None,
+        };
+        let tolerance = Tolerance::new(limits[0], limits[1]).ok();
+        of.charts = answer.chart.as_ref().ok().map(|chart| {
+            let (of_law, base) = ((tolerance.as_ref(), Family::Normal), (self.nominal.to_mm_f64(), LEVEL));
+            svg(&sheet(chart, &series.groups.concat(), of_law, base, words), &of.said())
+        });
+        of
+    }
+}
+
+/// `125 values, 2 left out: simulated`
+fn read(series: &Series<'_>, words: &Words) -> String {
+    let mut read = vec![words.say(&message!("statistics-page-values").count("count", series.count()))];
+    let left_out = series.left_out();
+    read.extend(
+        left_out.map(|(why, count)| {
+            words.say(&message!("statistics-page-out").count("count", count).text("why", why.word()))
+        }),
+    );
+    read.join(", ")
+}
+
+/// The figures that the page Statistics shows, too.
+const FIGURES: [(&str, &str); 6] = [
+    ("mean_mm", "statistics-page-figure-mean"),
+    ("sd_mm", "statistics-page-figure-deviation"),
+    ("cp", "statistics-page-figure-cp"),
+    ("cpk", "statistics-page-figure-cpk"),
+    ("pp", "statistics-page-figure-pp"),
+    ("ppk", "statistics-page-figure-ppk"),
+];
+
+fn figures(answer: &Answer, series: &Series<'_>, words: &Words) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = FIGURES
+        .iter()
+        .filter_map(|(name, label)| {
+            let figure = answer.figures.iter().find(|figure| figure.name == *name)?;
+            Some(Entry { label: words.get(label), value: shown(figure, words) })
+        })
+        .collect();
+    let [below, above] = answer.outside;
+    let mut outside =
+        format!("{} {}", below + above, words.say(&message!("statistics-page-of").count("count", series.count())));
+    let expected = answer.figures.iter().find(|figure| figure.name == "ppm_overall");
+    if let Some(Ok((ppm, _))) = expected.map(|figure| figure.value.clone()) {
+        let said = message!("statistics-page-expected").text("ppm", words.number(&format!("{ppm:.0}")));
+        outside = format!("{outside}; {}", words.say(&said));
+    }
+    if answer.wanted.limits.iter().any(Option::is_some) {
+        entries.push(Entry { label: words.get("statistics-page-figure-outside"), value: outside });
+    }
+    entries
+}
+
+/// A figure with its interval, or why there is none.
+fn shown(figure: &Figure, words: &Words) -> String {
+    let number = |value: f64| match figure.name {
+        "mean_mm" => words.number(&format!("{value:.4}")),
+        "sd_mm" => words.number(&format!("{:.2}", value * 1_000.0)),
+        _ => words.number(&format!("{value:.2}")),
+    };
+    let unit = match figure.name {
+        "mean_mm" => " mm",
+        "sd_mm" => " µm",
+        _ => "",
+    };
+    match &figure.value {
+        Ok((value, Some([lower, upper]))) => {
+            let interval =
+                message!("statistics-page-interval").text("lower", number(*lower)).text("upper", number(*upper));
+            format!("{}{unit} ({})", number(*value), words.say(&interval))
+        }
+        Ok((value, None)) => format!("{}{unit}", number(*value)),
+        Err(reason) => words.told(reason),
+    }
+}
+
+/// Whether the lower bound of Ppk proves what is asked for.
+fn proven(answer: &Answer, words: &Words) -> Option<String> {
+    let ppk = answer.figures.iter().find(|figure| figure.name == "ppk")?;
+    let Ok((_, Some([lower, _]))) = &ppk.value else { return None };
+    let asked = words.number(&format!("{ASKED_INDEX:.2}"));
+    let bound = words.number(&format!("{lower:.2}"));
+    let said = if ASKED_INDEX <= *lower {
+        message!("statistics-page-proven").text("asked", asked).text("lower", bound)
+    } else {
+        message!("statistics-page-not-proven").text("asked", asked).text("lower", bound)
+    };
+    Some(words.say(&said))
+}
