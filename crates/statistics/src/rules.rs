@@ -7,7 +7,7 @@
 use fitcheck_core::message::Say;
 
 /// A rule.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Say)]
 #[say(prefix = "statistics-rule")]
 pub enum Rule {
     /// Nelson 1, Western Electric 1: a point beyond 3 s.
@@ -56,6 +56,20 @@ impl Rule {
             Self::FifteenWithin => "nelson-7",
             Self::EightBeyond => "nelson-8",
             Self::EightOneSide => "western-electric-4",
+        }
+    }
+
+    /// How many points its pattern has, from the first one to that at which it fires.
+    pub const fn points(self) -> usize {
+        match self {
+            Self::BeyondLimits => 1,
+            Self::NineOneSide => 9,
+            Self::SixTrend => 6,
+            Self::FourteenAlternating => 14,
+            Self::TwoOfThree => 3,
+            Self::FourOfFive => 5,
+            Self::FifteenWithin => 15,
+            Self::EightBeyond | Self::EightOneSide => 8,
         }
     }
 

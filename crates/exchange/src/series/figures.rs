@@ -53,6 +53,10 @@ pub struct Answer {
     pub figures: Vec<Figure>,
     /// How many values are below the lower and above the upper limit.
     pub outside: [usize; 2],
+    /// The chart, or why there is none.
+    pub chart: Result<Chart, Reason>,
+    /// The law that fits the values best, of the family that is asked for; or why there is none.
+    pub fitted: Result<Fitted, Reason>,
     /// The rules that fire, each with its points, from 1.
     pub fired: Vec<(Rule, Vec<usize>)>,
     pub advice: Vec<Advice>,
@@ -67,18 +71,25 @@ const RESERVE: f64 = 3.0;
 impl Answer {
     pub fn of(series: &Series<'_>, wanted: &Wanted) -> Self {
         let values = series.groups.concat();
-        let mut answer =
-            Self { wanted: *wanted, figures: Vec::new(), outside: [0, 0], fired: Vec::new(), advice: Vec::new() };
-        let tolerance = Tolerance::new(wanted.limits[0], wanted.limits[1]);
         let largest = series.groups.iter().map(Vec::len).max().unwrap_or_default();
         let kind = wanted.chart.unwrap_or(ChartKind::for_size(largest));
+        let mut answer = Self {
+            wanted: *wanted,
+            figures: Vec::new(),
+            outside: [0, 0],
+            chart: drawn(series, kind, wanted),
+            fitted: Fitted::of(&values, wanted.law.unwrap_or(Family::Normal)),
+            fired: Vec::new(),
+            advice: Vec::new(),
+        };
+        let tolerance = Tolerance::new(wanted.limits[0], wanted.limits[1]);
         answer.moments(series, &values, kind.method());
         match tolerance.clone() {
             Ok(tolerance) => answer.capability(series, &values, &tolerance, kind),
             Err(reason) => answer.put("cpk", "Cpk", FigureKind::Index, Err(reason), String::new()),
         }
         answer.shape(&values, tolerance.as_ref().ok());
-        answer.chart(series, kind);
+        answer.lines(kind);
         answer.advise(&values, tolerance.as_ref().ok());
         answer
     }
@@ -163,7 +174,7 @@ impl Answer {
     fn shape(&mut self, values: &[f64], tolerance: Option<&Tolerance>) {
         let Wanted { law, level, .. } = self.wanted;
         let family = law.unwrap_or(Family::Normal);
-        let test = Fitted::of(values, family).and_then(|fitted| anderson_darling(values, &fitted));
+        let test = self.fitted.clone().and_then(|fitted| anderson_darling(values, &fitted));
         let method = format!("Anderson-Darling, {}", family.word());
         match test {
             Ok(test) => {
@@ -194,17 +205,9 @@ impl Answer {
         }
     }
 
-    fn chart(&mut self, series: &Series<'_>, kind: ChartKind) {
-        let Wanted { rules, baseline, .. } = self.wanted;
-        let samples: Vec<Sample> = match kind {
-            ChartKind::Individuals => series.groups.iter().flatten().map(|value| Sample::of(vec![*value])).collect(),
-            ChartKind::MeansRanges | ChartKind::MeansDeviations => {
-                series.groups.iter().cloned().map(Sample::of).collect()
-            }
-        };
-        let baseline = baseline.map_or(Baseline::All, |count| Baseline::Points(0..count));
-        let plan = ChartPlan { rules, stages: vec![Stage { first: 0, baseline }], ..ChartPlan::of(kind) };
-        match chart(&samples, &plan) {
+    /// Centre line and limits of the chart, and the rules that fire on it.
+    fn lines(&mut self, kind: ChartKind) {
+        match self.chart.clone() {
             Ok(drawn) => self.drawn(&drawn),
             Err(reason) => {
                 self.put("centre_mm", "centre line", FigureKind::Length, Err(reason), kind.word().to_owned())
@@ -267,4 +270,19 @@ impl Answer {
     pub fn sentences(&self) -> impl Iterator<Item = String> {
         self.advice.iter().map(|advice| advice.message().to_string())
     }
+}
+
+fn drawn(series: &Series<'_>, kind: ChartKind, wanted: &Wanted) -> Result<Chart, Reason> {
+    let Wanted { rules, baseline, .. } = *wanted;
+    let single = |sample: Sample| {
+        let Sample { values, left_out } = sample;
+        values.into_iter().map(move |value| Sample { values: vec![value], left_out: left_out.clone() })
+    };
+    let samples: Vec<Sample> = match kind {
+        ChartKind::Individuals => series.samples().into_iter().flat_map(single).collect(),
+        ChartKind::MeansRanges | ChartKind::MeansDeviations => series.samples(),
+    };
+    let baseline = baseline.map_or(Baseline::All, |count| Baseline::Points(0..count));
+    let plan = ChartPlan { rules, stages: vec![Stage { first: 0, baseline }], ..ChartPlan::of(kind) };
+    chart(&samples, &plan)
 }

@@ -4,16 +4,23 @@
 //! |---|---|
 //! | `value` | one value with what is known of it, and why it is left out |
 //! | `figures` | what is computed, each figure with its method; rules that fire; advice |
+//! | `signals` | the patterns that rules find, with where each begins |
+//! | `journal` | the series of a journal, one for each feature, and what is computed of one |
 //!
 //! `fitcheck stats` and the page Statistics show the same figures.
 
 mod figures;
+mod journal;
+mod signals;
 mod value;
 
 use std::collections::BTreeSet;
 
 pub use figures::{Answer, Figure, FigureKind, Wanted};
 use fitcheck_core::length::Length;
+use fitcheck_statistics::Sample;
+pub use journal::{ASKED_INDEX, Evaluated, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
+pub use signals::{Signal, signals};
 pub use value::{LeftOut, Origin, Value};
 
 /// What makes a subgroup.
@@ -47,8 +54,8 @@ pub struct Series<'a> {
     pub name: Option<String>,
     /// The subgroups of the values that count, in millimetres.
     pub groups: Vec<Vec<f64>>,
-    /// The values that count, in their order.
-    pub counted: Vec<&'a Value>,
+    /// The subgroups that somebody left out and why, with their places among all of them.
+    apart: Vec<(usize, Sample)>,
     of: Vec<&'a Value>,
 }
 
@@ -70,7 +77,7 @@ impl<'a> Series<'a> {
         let counted: Vec<&Value> = of.iter().filter(|value| value.left_out.is_none()).copied().collect();
         let groups: Vec<&[&Value]> = match grouping {
             Grouping::Single => counted.chunks(1).collect(),
-            Grouping::Of(size) => counted.chunks(size).collect(),
+            Grouping::Of(size) => counted.chunks(size.max(1)).collect(),
             Grouping::ByPart if counted.iter().any(|value| value.origin.is_of_no_part()) => {
                 return Err(SeriesError::NoParts);
             }
@@ -78,7 +85,16 @@ impl<'a> Series<'a> {
         };
         let mm = |group: &[&Value]| group.iter().map(|value| value.measured.to_mm_f64()).collect();
         let groups = groups.into_iter().map(mm).collect();
-        Ok(Self { name: name.map(str::to_owned), groups, counted, of })
+        Ok(Self { name: name.map(str::to_owned), groups, apart: Vec::new(), of })
+    }
+
+    /// All subgroups in their order.
+    fn samples(&self) -> Vec<Sample> {
+        let mut samples: Vec<Sample> = self.groups.iter().cloned().map(Sample::of).collect();
+        for (point, sample) in &self.apart {
+            samples.insert((*point).min(samples.len()), sample.clone());
+        }
+        samples
     }
 
     /// Lower and upper limit in millimetres, as far as the files state them.
