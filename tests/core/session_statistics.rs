@@ -215,8 +215,7 @@ fn other_limits_begin_another_series() {
     let mut entries = of_values(&TEN);
     entries.push((30, check(30, "A1", "25 H8", "25.010"), false));
     let session = page(&entries);
-    let names: Vec<String> =
-        session.statistics().features().map(|(feature, _)| feature.key.callout.clone()).collect();
+    let names: Vec<String> = session.statistics().features().map(|(feature, _)| feature.key.callout.clone()).collect();
     assert_eq!(names, ["25 H7", "25 H8"]);
 }
 

@@ -426,9 +426,14 @@ fn recorded(window: &mut Harness<'_, App>) {
 const fn has_verdict(page: Page) -> bool {
     match page {
         Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget => true,
-        Page::Parts | Page::Tables | Page::Program | Page::Records | Page::Statistics | Page::Reports | Page::Help | Page::Settings => {
-            false
-        }
+        Page::Parts
+        | Page::Tables
+        | Page::Program
+        | Page::Records
+        | Page::Statistics
+        | Page::Reports
+        | Page::Help
+        | Page::Settings => false,
     }
 }
 

@@ -89,6 +89,12 @@ statistics-page-chart-said = { $count ->
         [many] { $signals } signálu
        *[other] { $signals } signálů
     }, mimo meze { $outside }.
+statistics-page-said-mean-mm = průměr
+statistics-page-said-sd-mm = směrodatná odchylka
+statistics-page-said-spread-centre-mm = střední rozptýlení
+statistics-page-said-spread-upper-mm = horní regulační mez rozptýlení
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Jiný bod
 statistics-page-open = Otevřít záznam
 statistics-page-zoom-in = Méně bodů

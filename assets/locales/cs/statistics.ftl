@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 z 5 bodů za hranicí 1 s na jedné straně
 statistics-rule-fifteen-within = 15 bodů za sebou do 1 s od střední přímky
 statistics-rule-eight-beyond = 8 bodů za sebou za hranicí 1 s na kterékoli straně
 statistics-rule-eight-one-side = 8 bodů za sebou na jedné straně střední přímky
+statistics-chart-maximum = největší { $size }
+statistics-chart-minimum = nejmenší { $size }
+statistics-chart-upper = horní { $size }
+statistics-chart-mean = průměr { $size }
+statistics-chart-lower = dolní { $size }
+statistics-chart-values = Jednotlivé hodnoty v µm od { $base }, nejstarší vlevo
+statistics-chart-means = Průměry podskupin v µm od { $base }, nejstarší vlevo
+statistics-chart-histogram = Histogram
+statistics-chart-moving-range = Klouzavé rozpětí, µm
+statistics-chart-range = Rozpětí podskupin, µm
+statistics-chart-deviation = Směrodatná odchylka podskupin, µm
+statistics-chart-probability = Pravděpodobnostní graf
+statistics-chart-probability-test = Pravděpodobnostní graf, Anderson-Darling { $statistic }, p = { $p }
 
 # Co s čísly udělat
 statistics-advice-few-values = počet hodnot { $count }: intervaly jsou široké, obvyklých je { $enough } nebo více

@@ -77,6 +77,12 @@ statistics-page-chart-said = { $count ->
         [one] 1 Signal
        *[other] { $signals } Signale
     }, { $outside } außerhalb der Grenzwerte.
+statistics-page-said-mean-mm = Mittelwert
+statistics-page-said-sd-mm = Standardabweichung
+statistics-page-said-spread-centre-mm = mittlere Streuung
+statistics-page-said-spread-upper-mm = obere Eingriffsgrenze der Streuung
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Ein anderer Punkt
 statistics-page-open = Eintrag öffnen
 statistics-page-zoom-in = Weniger Punkte

@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 von 5 Punkten jenseits von 1 s auf einer Seite
 statistics-rule-fifteen-within = 15 Punkte in Folge innerhalb von 1 s um die Mittellinie
 statistics-rule-eight-beyond = 8 Punkte in Folge jenseits von 1 s, auf beiden Seiten
 statistics-rule-eight-one-side = 8 Punkte in Folge auf einer Seite der Mittellinie
+statistics-chart-maximum = Höchstmaß { $size }
+statistics-chart-minimum = Mindestmaß { $size }
+statistics-chart-upper = obere { $size }
+statistics-chart-mean = Mittel { $size }
+statistics-chart-lower = untere { $size }
+statistics-chart-values = Einzelwerte in µm ab { $base }, die ältesten links
+statistics-chart-means = Mittelwerte der Gruppen in µm ab { $base }, die ältesten links
+statistics-chart-histogram = Histogramm
+statistics-chart-moving-range = Gleitende Spannweite, µm
+statistics-chart-range = Spannweite der Gruppen, µm
+statistics-chart-deviation = Standardabweichung der Gruppen, µm
+statistics-chart-probability = Wahrscheinlichkeitsnetz
+statistics-chart-probability-test = Wahrscheinlichkeitsnetz, Anderson-Darling { $statistic }, p = { $p }
 
 # Was mit den Zahlen zu tun ist
 statistics-advice-few-values = { $count } Werte: die Vertrauensbereiche sind weit, üblich sind { $enough } oder mehr

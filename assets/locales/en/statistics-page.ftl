@@ -77,6 +77,12 @@ statistics-page-chart-said = { $count ->
         [one] 1 signal
        *[other] { $signals } signals
     }, { $outside } outside the limits.
+statistics-page-said-mean-mm = mean
+statistics-page-said-sd-mm = standard deviation
+statistics-page-said-spread-centre-mm = mean spread
+statistics-page-said-spread-upper-mm = upper control limit of the spread
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Another point
 statistics-page-open = Open the record
 statistics-page-zoom-in = Fewer points

@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 of 5 points beyond 1 s on one side
 statistics-rule-fifteen-within = 15 points in a row within 1 s of the centre line
 statistics-rule-eight-beyond = 8 points in a row beyond 1 s, on either side
 statistics-rule-eight-one-side = 8 points in a row on one side of the centre line
+statistics-chart-maximum = maximum { $size }
+statistics-chart-minimum = minimum { $size }
+statistics-chart-upper = upper { $size }
+statistics-chart-mean = mean { $size }
+statistics-chart-lower = lower { $size }
+statistics-chart-values = Single values in µm from { $base }, oldest left
+statistics-chart-means = Means of groups in µm from { $base }, oldest left
+statistics-chart-histogram = Histogram
+statistics-chart-moving-range = Moving range, µm
+statistics-chart-range = Range of groups, µm
+statistics-chart-deviation = Standard deviation of groups, µm
+statistics-chart-probability = Probability plot
+statistics-chart-probability-test = Probability plot, Anderson-Darling { $statistic }, p = { $p }
 
 # What to do with the figures
 statistics-advice-few-values = { $count } values: the intervals are wide, { $enough } or more are usual

@@ -77,6 +77,12 @@ statistics-page-chart-said = { $count ->
         [one] 1 señal
        *[other] { $signals } señales
     }, { $outside } fuera de los límites.
+statistics-page-said-mean-mm = media
+statistics-page-said-sd-mm = desviación típica
+statistics-page-said-spread-centre-mm = dispersión media
+statistics-page-said-spread-upper-mm = límite de control superior de la dispersión
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Otro punto
 statistics-page-open = Abrir el registro
 statistics-page-zoom-in = Menos puntos

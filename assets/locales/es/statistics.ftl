@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 de 5 puntos más allá de 1 s a un mismo lado
 statistics-rule-fifteen-within = 15 puntos seguidos a menos de 1 s de la línea central
 statistics-rule-eight-beyond = 8 puntos seguidos más allá de 1 s, a uno u otro lado
 statistics-rule-eight-one-side = 8 puntos seguidos a un mismo lado de la línea central
+statistics-chart-maximum = máximo { $size }
+statistics-chart-minimum = mínimo { $size }
+statistics-chart-upper = superior { $size }
+statistics-chart-mean = media { $size }
+statistics-chart-lower = inferior { $size }
+statistics-chart-values = Valores individuales en µm desde { $base }, los más antiguos a la izquierda
+statistics-chart-means = Medias de los grupos en µm desde { $base }, las más antiguas a la izquierda
+statistics-chart-histogram = Histograma
+statistics-chart-moving-range = Rango móvil, µm
+statistics-chart-range = Rango de los grupos, µm
+statistics-chart-deviation = Desviación típica de los grupos, µm
+statistics-chart-probability = Gráfico de probabilidad
+statistics-chart-probability-test = Gráfico de probabilidad, Anderson-Darling { $statistic }, p = { $p }
 
 # Qué hacer con las cifras
 statistics-advice-few-values = { $count } valores: los intervalos son amplios, lo habitual son { $enough } o más

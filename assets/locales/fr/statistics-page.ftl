@@ -77,6 +77,12 @@ statistics-page-chart-said = { $count ->
         [one] 1 signal
        *[other] { $signals } signaux
     }, { $outside } hors limites.
+statistics-page-said-mean-mm = moyenne
+statistics-page-said-sd-mm = écart-type
+statistics-page-said-spread-centre-mm = dispersion moyenne
+statistics-page-said-spread-upper-mm = limite de contrôle supérieure de la dispersion
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Un autre point
 statistics-page-open = Ouvrir le relevé
 statistics-page-zoom-in = Moins de points

@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 points sur 5 au-delà de 1 s d'un même côté
 statistics-rule-fifteen-within = 15 points de suite à moins de 1 s de la ligne centrale
 statistics-rule-eight-beyond = 8 points de suite au-delà de 1 s, d'un côté ou de l'autre
 statistics-rule-eight-one-side = 8 points de suite d'un même côté de la ligne centrale
+statistics-chart-maximum = maximum { $size }
+statistics-chart-minimum = minimum { $size }
+statistics-chart-upper = supérieure { $size }
+statistics-chart-mean = moyenne { $size }
+statistics-chart-lower = inférieure { $size }
+statistics-chart-values = Valeurs individuelles en µm à partir de { $base }, les plus anciennes à gauche
+statistics-chart-means = Moyennes des groupes en µm à partir de { $base }, les plus anciennes à gauche
+statistics-chart-histogram = Histogramme
+statistics-chart-moving-range = Étendue mobile, µm
+statistics-chart-range = Étendue des groupes, µm
+statistics-chart-deviation = Écart-type des groupes, µm
+statistics-chart-probability = Diagramme de probabilité
+statistics-chart-probability-test = Diagramme de probabilité, Anderson-Darling { $statistic }, p = { $p }
 
 # Que faire des chiffres
 statistics-advice-few-values = { $count } valeurs : les intervalles sont larges, { $enough } ou plus sont d'usage

@@ -77,6 +77,12 @@ statistics-page-chart-said = { $count ->
         [one] 1 segnale
        *[other] { $signals } segnali
     }, { $outside } fuori limite.
+statistics-page-said-mean-mm = media
+statistics-page-said-sd-mm = scarto tipo
+statistics-page-said-spread-centre-mm = dispersione media
+statistics-page-said-spread-upper-mm = limite di controllo superiore della dispersione
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Un altro punto
 statistics-page-open = Aprire la registrazione
 statistics-page-zoom-in = Meno punti

@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 punti su 5 oltre 1 s dallo stesso lato
 statistics-rule-fifteen-within = 15 punti di seguito entro 1 s dalla linea centrale
 statistics-rule-eight-beyond = 8 punti di seguito oltre 1 s, da un lato o dall'altro
 statistics-rule-eight-one-side = 8 punti di seguito dallo stesso lato della linea centrale
+statistics-chart-maximum = massimo { $size }
+statistics-chart-minimum = minimo { $size }
+statistics-chart-upper = superiore { $size }
+statistics-chart-mean = media { $size }
+statistics-chart-lower = inferiore { $size }
+statistics-chart-values = Valori singoli in µm da { $base }, i più vecchi a sinistra
+statistics-chart-means = Medie dei gruppi in µm da { $base }, le più vecchie a sinistra
+statistics-chart-histogram = Istogramma
+statistics-chart-moving-range = Escursione mobile, µm
+statistics-chart-range = Escursione dei gruppi, µm
+statistics-chart-deviation = Deviazione standard dei gruppi, µm
+statistics-chart-probability = Grafico di probabilità
+statistics-chart-probability-test = Grafico di probabilità, Anderson-Darling { $statistic }, p = { $p }
 
 # Che cosa fare dei valori
 statistics-advice-few-values = { $count } valori: gli intervalli sono ampi, di solito ne servono { $enough } o più

@@ -77,6 +77,12 @@ statistics-page-chart-said = { $count ->
         [one] 1 signaal
        *[other] { $signals } signalen
     }, { $outside } buiten de grenzen.
+statistics-page-said-mean-mm = gemiddelde
+statistics-page-said-sd-mm = standaardafwijking
+statistics-page-said-spread-centre-mm = gemiddelde spreiding
+statistics-page-said-spread-upper-mm = bovenste regelgrens van de spreiding
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Een ander punt
 statistics-page-open = Regel openen
 statistics-page-zoom-in = Minder punten

@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 van 5 punten voorbij 1 s aan één kant
 statistics-rule-fifteen-within = 15 punten na elkaar binnen 1 s van de middellijn
 statistics-rule-eight-beyond = 8 punten na elkaar voorbij 1 s, aan weerskanten
 statistics-rule-eight-one-side = 8 punten na elkaar aan één kant van de middellijn
+statistics-chart-maximum = grootste { $size }
+statistics-chart-minimum = kleinste { $size }
+statistics-chart-upper = bovenste { $size }
+statistics-chart-mean = gemiddelde { $size }
+statistics-chart-lower = onderste { $size }
+statistics-chart-values = Losse waarden in µm vanaf { $base }, oudste links
+statistics-chart-means = Gemiddelden van groepen in µm vanaf { $base }, oudste links
+statistics-chart-histogram = Histogram
+statistics-chart-moving-range = Voortschrijdend bereik, µm
+statistics-chart-range = Spreidingsbreedte van groepen, µm
+statistics-chart-deviation = Standaardafwijking van groepen, µm
+statistics-chart-probability = Kansdiagram
+statistics-chart-probability-test = Kansdiagram, Anderson-Darling { $statistic }, p = { $p }
 
 # Wat er met de cijfers te doen is
 statistics-advice-few-values = { $count } waarden: de intervallen zijn breed, gebruikelijk zijn er { $enough } of meer

@@ -89,6 +89,12 @@ statistics-page-chart-said = { $count ->
         [many] { $signals } sygnałów
        *[other] { $signals } sygnału
     }, poza granicami { $outside }.
+statistics-page-said-mean-mm = średnia
+statistics-page-said-sd-mm = odchylenie standardowe
+statistics-page-said-spread-centre-mm = średni rozrzut
+statistics-page-said-spread-upper-mm = górna granica kontrolna rozrzutu
+statistics-page-said-anderson-darling = Anderson-Darling
+statistics-page-said-anderson-darling-p = p
 statistics-page-move-point = Inny punkt
 statistics-page-open = Otwórz zapis
 statistics-page-zoom-in = Mniej punktów

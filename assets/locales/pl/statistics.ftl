@@ -27,6 +27,19 @@ statistics-rule-four-of-five = 4 z 5 punktów poza 1 s po jednej stronie
 statistics-rule-fifteen-within = 15 punktów z rzędu w odległości do 1 s od linii środkowej
 statistics-rule-eight-beyond = 8 punktów z rzędu poza 1 s, po dowolnej stronie
 statistics-rule-eight-one-side = 8 punktów z rzędu po jednej stronie linii środkowej
+statistics-chart-maximum = największy { $size }
+statistics-chart-minimum = najmniejszy { $size }
+statistics-chart-upper = górna { $size }
+statistics-chart-mean = średnia { $size }
+statistics-chart-lower = dolna { $size }
+statistics-chart-values = Wartości pojedyncze w µm od { $base }, najstarsze z lewej
+statistics-chart-means = Średnie grup w µm od { $base }, najstarsze z lewej
+statistics-chart-histogram = Histogram
+statistics-chart-moving-range = Ruchomy rozstęp, µm
+statistics-chart-range = Rozstęp grup, µm
+statistics-chart-deviation = Odchylenie standardowe grup, µm
+statistics-chart-probability = Wykres prawdopodobieństwa
+statistics-chart-probability-test = Wykres prawdopodobieństwa, Anderson-Darling { $statistic }, p = { $p }
 
 # Co zrobić z liczbami
 statistics-advice-few-values = liczba wartości { $count }: przedziały są szerokie, zwykle jest ich { $enough } lub więcej

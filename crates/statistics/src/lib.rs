@@ -13,6 +13,7 @@
 //! | `sigma` | the standard deviation within subgroups |
 //! | `rules` | the rules of Nelson and of Western Electric |
 //! | `chart` | charts of individuals, of means and ranges, of means and standard deviations |
+//! | `signal` | what fires on a chart, as stretches of points |
 //! | `weighted` | EWMA and CUSUM |
 //! | `tolerance` | the limits of a feature |
 //! | `capability` | what a process can do, by the normal law |
@@ -23,6 +24,7 @@
 //! | `line` | a straight line through points |
 //! | `trend` | where a series goes, and the offset of a tool |
 //! | [`gauge`] | studies of gauges |
+//! | [`picture`] | charts as drawings |
 //! | `advice` | what a person does with the figures, in sentences |
 //!
 //! To add a statistic or a chart:
@@ -46,6 +48,7 @@
 
 pub mod gauge;
 pub mod law;
+pub mod picture;
 
 mod advice;
 mod anova;
@@ -60,6 +63,7 @@ mod reason;
 mod rules;
 mod shape;
 mod sigma;
+mod signal;
 mod tolerance;
 mod trend;
 mod weighted;
@@ -77,6 +81,7 @@ pub use reason::Reason;
 pub use rules::{Rule, Rules, RulesIter, Scanner};
 pub use shape::{AndersonDarling, anderson_darling};
 pub use sigma::{Method, Sigma};
+pub use signal::{Place, Signal, signals};
 pub use tolerance::Tolerance;
 pub use trend::{Offset, Reach, Trend, offset, trend};
 pub use weighted::{Cusum, CusumPoint, Ewma, EwmaPoint};

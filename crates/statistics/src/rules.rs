@@ -59,7 +59,7 @@ impl Rule {
         }
     }
 
-    /// How many points its pattern has, from the first one to that at which it fires.
+    /// How many points its pattern has.
     pub const fn points(self) -> usize {
         match self {
             Self::BeyondLimits => 1,

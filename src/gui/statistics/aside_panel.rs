@@ -2,21 +2,25 @@
 
 use eframe::egui::{Sense, Ui};
 
+use super::paint::drawn_ui;
 use super::signals_panel;
-use crate::gui::columns::column_ui;
 use crate::gui::spoken;
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading};
+use crate::series::Drawn;
+use crate::session::StatisticsAction;
 use crate::session::statistics::Aside;
 
 pub(super) fn aside_ui(ui: &mut Ui, view: &mut View<'_>, aside: Aside) {
-    let id = match aside {
-        Aside::Signals => return column_ui(ui, "statistics-signals", |ui| signals_panel::signals_ui(ui, view)),
-        Aside::Histogram => "statistics-page-histogram",
-        Aside::Spread => "statistics-page-spread",
-        Aside::Probability => "statistics-page-probability",
+    let what = match aside {
+        Aside::Signals => return signals_panel::card_ui(ui, view),
+        Aside::Histogram => Drawn::Histogram,
+        Aside::Spread => Drawn::Spread,
+        Aside::Probability => Drawn::Probability,
     };
-    heading(ui, view.text(id));
-    quiet(ui, "");
-    let (_, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
-    spoken::picture_named(&response, view.text(id));
+    let name = StatisticsAction::Show(aside).text(view.session, view.words);
+    heading(ui, &name);
+    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+    drawn_ui(ui, view, what, rect);
+    let said = view.session.statistics().aside_said(aside, view.words);
+    spoken::picture(ui, &response, name, said);
 }

@@ -46,9 +46,10 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<usize>> {
     let page = view.session.statistics();
     let chosen = page.chosen();
+    let with_part = page.has_parts();
     let features = page.features().enumerate().skip(places.start).take(places.len());
     let row = |(place, (feature, of)): (usize, (&crate::series::FeatureSeries, &crate::series::Evaluated))| {
-        let name = feature_name(feature);
+        let name = feature_name(feature, with_part);
         let ppk = of.ppk();
         let number = ppk.as_ref().map_or_else(|_| "–".to_owned(), |(ppk, _)| view.words.number(&format!("{ppk:.2}")));
         let bar = ppk.as_ref().ok().map(|(ppk, _)| [*ppk, ASKED_INDEX].map(|index| screen(index / LONGEST)));

@@ -34,7 +34,7 @@ use super::theme::{Icon, control, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::message;
 use crate::session::focused::FEATURES;
-use crate::session::statistics::Aside;
+use crate::session::statistics::{Aside, feature_name};
 use crate::session::{StatisticsAction, WindowAction};
 
 /// From this width of the page on, features stand beside the charts.
@@ -55,7 +55,7 @@ pub(super) const PAGE: PageView = PageView {
 /// The chosen feature.
 fn opened(view: &View<'_>) -> Vec<String> {
     let open = view.session.statistics().open();
-    open.map(|(feature, _)| crate::session::statistics::feature_name(feature)).into_iter().collect()
+    open.map(|(feature, _)| feature_name(feature, true)).into_iter().collect()
 }
 
 /// The page.
@@ -143,6 +143,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, with_features: bool) {
     let aside = view.session.statistics().aside;
     if aside == Aside::Signals {
         signals_panel::signals_ui(ui, view);
+        signals_panel::advice_ui(ui, view);
     } else {
         of_height(ui, height, |ui| aside_panel::aside_ui(ui, view, aside));
     }

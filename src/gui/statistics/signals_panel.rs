@@ -2,6 +2,7 @@
 
 use eframe::egui::{Button, Label, RichText, Ui, vec2};
 
+use crate::gui::columns::footed_column_ui;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::session::StatisticsAction;
@@ -11,6 +12,11 @@ use crate::statistics::Rule;
 
 /// So many signals are listed.
 const MOST: usize = 100;
+
+/// Signals that scroll, and below them what to do.
+pub(super) fn card_ui(ui: &mut Ui, view: &mut View<'_>) {
+    footed_column_ui(ui, view, "statistics-signals", signals_ui, advice_ui);
+}
 
 pub(super) fn signals_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.statistics();
@@ -30,6 +36,11 @@ pub(super) fn signals_ui(ui: &mut Ui, view: &mut View<'_>) {
     for signal in signals.iter().take(MOST) {
         signal_ui(ui, view, signal);
     }
+}
+
+/// Whether what is asked for is proven, and what to do.
+pub(super) fn advice_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let page = view.session.statistics();
     heading(ui, view.text("statistics-page-advice"));
     for said in page.proof_text(view.words).into_iter().chain(page.advice(view.words)) {
         ui.add(Label::new(RichText::new(said).size(sizes().small)).wrap());

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
 use fitcheck_shipped::fonts;
+use resvg::tiny_skia::{Pixmap, Transform};
 use usvg::{Group, ImageHrefResolver, Node, Options, Tree};
 
-use super::image::broken;
+use super::image::{broken, check_dots};
 
 /// The most shapes, each counted as often as it is drawn.
 const MOST_SHAPES: usize = 200_000;
@@ -45,6 +46,23 @@ pub fn tree(name: &str, bytes: &[u8]) -> Result<Tree, Message> {
     }
     let tree = Tree::from_data(bytes, &options).map_err(|error| broken(name, &error))?;
     if is_light(&tree) { Ok(tree) } else { Err(message!("parts-page-picture-heavy").text("name", name)) }
+}
+
+/// The dots of a picture in this size: red, green, blue and opacity, row by row.
+///
+/// # Errors
+/// A side of no dots, or more than fit.
+pub fn dots(name: &str, tree: &Tree, [width, height]: [u32; 2]) -> Result<Vec<u8>, Message> {
+    check_dots(name, (width, height))?;
+    let ratio = |drawn: u32, given: f32| u16::try_from(drawn).map_or(1.0, |drawn| f32::from(drawn) / given.max(1e-3));
+    let [x, y] = [ratio(width, tree.size().width()), ratio(height, tree.size().height())];
+    let mut map = Pixmap::new(width, height).ok_or_else(|| broken(name, &"0 × 0"))?;
+    resvg::render(tree, Transform::from_scale(x, y), &mut map.as_mut());
+    let dots = map.pixels().iter().flat_map(|dot| {
+        let dot = dot.demultiply();
+        [dot.red(), dot.green(), dot.blue(), dot.alpha()]
+    });
+    Ok(dots.collect())
 }
 
 /// What drawing a picture needs.

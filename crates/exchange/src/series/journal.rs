@@ -7,9 +7,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_statistics::{Reason, Rules, Sample};
+use fitcheck_statistics::{Reason, Rules, Sample, Signal, signals};
 
-use super::{Answer, LeftOut, Series, Signal, Value, Wanted, signals};
+use super::{Answer, LeftOut, Series, Value, Wanted};
 use crate::journal::entry::{Checked, Entry};
 use crate::journal::natural::Natural;
 use crate::journal::query::callout;
@@ -32,6 +32,8 @@ pub struct FeatureKey {
     pub name: Natural,
     /// What was asked for, as it is written; empty where only limits are known.
     pub callout: String,
+    /// The nominal size; `None` where only limits are known.
+    pub nominal: Option<Length>,
     /// Lower and upper limit.
     pub limits: [Option<Length>; 2],
 }
@@ -55,12 +57,12 @@ impl Gathering {
     /// Takes an entry by its number; `is_replaced` where another one corrects it or takes it back.
     pub fn take(&mut self, number: u64, entry: &Entry, is_replaced: bool) {
         let Some(value) = Value::of_entry(number, entry, is_replaced) else { return };
-        let callout = match entry.check().map(|check| &check.what) {
-            Some(Checked::Size(record)) => callout(record),
-            _ => String::new(),
+        let (callout, nominal) = match entry.check().map(|check| &check.what) {
+            Some(Checked::Size(record)) => (callout(record), Some(record.limits.nominal)),
+            _ => (String::new(), None),
         };
         let [part, name] = [&value.origin.part, &value.name].map(|text| Natural(text.clone()));
-        let key = FeatureKey { part, name, callout, limits: value.limits };
+        let key = FeatureKey { part, name, callout, nominal, limits: value.limits };
         self.found.entry(key).or_default().push((number, value));
         self.corrects.extend(entry.corrects().map(|correction| (number, correction.target.number)));
     }
@@ -114,10 +116,12 @@ impl Default for Look {
 #[derive(Debug)]
 pub struct Evaluated {
     pub answer: Answer,
-    /// The patterns that rules find, numbered as they stand.
+    /// What fires on the chart, numbered as it stands.
     pub signals: Vec<Signal>,
     /// The values that count, in millimetres.
     pub values: Vec<f64>,
+    /// What lengths of charts are counted from, in millimetres.
+    pub base: f64,
     /// The values of all points, by their places in the series.
     pub shown: Vec<usize>,
     /// Which of them each point has.
@@ -131,6 +135,13 @@ pub struct Evaluated {
 }
 
 impl FeatureSeries {
+    /// The nominal size, or else a limit or a value.
+    fn base(&self) -> Option<Length> {
+        let FeatureKey { nominal, limits: [lower, upper], .. } = self.key;
+        let first = self.values.first().map(|value| value.measured);
+        nominal.or(lower).or(upper).or(first)
+    }
+
     /// Computes everything.
     pub fn evaluate(&self, look: &Look) -> Evaluated {
         let size = look.size.max(1);
@@ -163,6 +174,7 @@ impl FeatureSeries {
             signals: answer.chart.as_ref().map_or_else(|_| Vec::new(), signals),
             answer,
             values: series.groups.concat(),
+            base: self.base().map_or(0.0, Length::to_mm_f64),
             points,
             groups: series.groups.len(),
             left_out: series.left_out().collect(),

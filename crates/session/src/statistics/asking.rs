@@ -127,6 +127,7 @@ impl StatisticsPage {
     pub(super) fn take_answers(&mut self, run: u64, answers: Arc<Vec<Evaluated>>) {
         let Some((_, found)) = self.computing.take_if(|(of, _)| *of == run) else { return };
         self.shown = Some(Shown { found, answers });
+        self.version += 1;
         if self.chosen().is_none() {
             let first = self.features().next().map(|(feature, _)| feature.key.clone());
             self.chosen = first;

@@ -108,6 +108,8 @@ pub struct StatisticsPage {
     /// Why nothing could be read.
     pub problem: Option<Message>,
     shown: Option<Shown>,
+    /// Goes up with every answer.
+    version: u64,
     chosen: Option<FeatureKey>,
     pub points_of: PointsOf,
     look: Look,
@@ -133,6 +135,11 @@ impl StatisticsPage {
         features.iter().map(Arc::as_ref).zip(answers)
     }
 
+    /// A number that changes with what is shown.
+    pub const fn version(&self) -> u64 {
+        self.version
+    }
+
     /// The place of the chosen feature.
     pub fn chosen(&self) -> Option<usize> {
         let chosen = self.chosen.as_ref()?;
@@ -154,6 +161,13 @@ impl StatisticsPage {
     pub fn part(&self) -> Option<&str> {
         let question = self.texts.text(StatisticsField::Question).trim();
         self.parts().find(|part| asks_for(part) == question)
+    }
+
+    /// Whether features of several parts are listed.
+    pub fn has_parts(&self) -> bool {
+        let mut parts = self.features().map(|(feature, _)| &feature.key.part);
+        let first = parts.next();
+        parts.any(|part| Some(part) != first)
     }
 
     /// What was found of the question that is shown.

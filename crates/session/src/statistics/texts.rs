@@ -1,13 +1,15 @@
 //! Figures, signals and charts in words: the same for the eye, for a screen reader and for the clipboard.
 
+use std::ops::Range;
+
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::text::{grouped, long};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::series::{ASKED_INDEX, Evaluated, FeatureSeries, Signal, Value};
-use fitcheck_statistics::Reason;
+use fitcheck_exchange::series::{ASKED_INDEX, Evaluated, FeatureSeries, Value};
+use fitcheck_statistics::{Place, Reason, Signal};
 
-use super::{PointsOf, StatisticsPage};
+use super::{Aside, PointsOf, StatisticsPage};
 
 /// A figure as it stands on the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -33,15 +35,19 @@ pub struct SignalText {
     pub point: usize,
 }
 
+/// So many patterns of a rule are named.
+const MOST_STRETCHES: usize = 3;
+
 /// A number with so many decimals, in the words of a language.
 fn decimals(words: &Words, value: f64, decimals: usize) -> String {
     words.number(&format!("{value:.decimals$}"))
 }
 
-/// The name of a feature and what was asked for: `B1, 25 H7`.
-pub fn feature_name(feature: &FeatureSeries) -> String {
+/// The name of a feature and what was asked for: `Flange, B1, 25 H7`; a feature of a part is named without it, too.
+pub fn feature_name(feature: &FeatureSeries, with_part: bool) -> String {
     let key = &feature.key;
-    let texts = [key.part.0.as_str(), key.name.0.as_str(), key.callout.as_str()];
+    let part = if with_part || key.name.0.is_empty() { key.part.0.as_str() } else { "" };
+    let texts = [part, key.name.0.as_str(), key.callout.as_str()];
     texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
@@ -131,20 +137,24 @@ impl StatisticsPage {
 
     fn signal(&self, words: &Words, number: usize, signal: &Signal) -> SignalText {
         let rule = words.told(&signal.rule);
-        let rule = if signal.is_of_spread {
-            words.say(&message!("statistics-page-on-spread").text("rule", rule))
-        } else {
-            rule
+        let rule = match signal.place {
+            Place::Location => rule,
+            Place::Spread => words.say(&message!("statistics-page-on-spread").text("rule", rule)),
         };
-        let [first, last] = [signal.first, signal.last].map(|point| (point + 1).to_string());
-        let points = if signal.first == signal.last {
-            message!("statistics-page-at").text("point", last)
-        } else {
-            message!("statistics-page-from-to").text("first", first).text("last", last)
+        let points = |of: &Range<usize>| {
+            words.say(&match of.len() {
+                1 => message!("statistics-page-at").text("point", of.end),
+                _ => message!("statistics-page-from-to").text("first", of.start + 1).text("last", of.end),
+            })
         };
-        let of = self.values_of(signal.last).last().map(|value| said_of_value(value, words));
-        let place = [Some(words.say(&points)), of].into_iter().flatten().collect::<Vec<_>>().join(": ");
-        SignalText { number, rule, place, point: signal.last }
+        let mut places: Vec<String> = signal.stretches.iter().take(MOST_STRETCHES).map(points).collect();
+        if MOST_STRETCHES < signal.stretches.len() {
+            places.push("…".to_owned());
+        }
+        let point = signal.stretches.last().map_or(0, |of| of.end.saturating_sub(1));
+        let of = self.values_of(point).last().map(|value| said_of_value(value, words));
+        let place = [Some(places.join(", ")), of].into_iter().flatten().collect::<Vec<_>>().join(": ");
+        SignalText { number, rule, place, point }
     }
 
     /// What a screen reader says of the chart: one sentence with its figures.
@@ -172,26 +182,52 @@ impl StatisticsPage {
 
     /// What is said of the point at which the keys are.
     pub fn cursor_text(&self, words: &Words) -> Option<String> {
-        let point = self.cursor?;
-        let (_, of) = self.open()?;
+        self.cursor.map(|point| self.point_text(point, words))
+    }
+
+    /// What is said of a point: its values, why it is left out, and what fires there.
+    pub fn point_text(&self, point: usize, words: &Words) -> String {
         let values: Vec<String> = self.values_of(point).map(|value| said_of_value(value, words)).collect();
         let said = message!("statistics-page-at").text("point", point + 1);
         let mut said = vec![format!("{}: {}", words.say(&said), values.join("; "))];
         if let Some(reason) = self.reason_of(point) {
             said.push(words.say(&message!("statistics-page-left-out-because").text("reason", reason)));
         }
-        for (number, signal) in (1..).zip(&of.signals) {
-            if (signal.first..=signal.last).contains(&point) {
+        let signals = self.open().map_or(&[][..], |(_, of)| of.signals.as_slice());
+        for (number, signal) in (1..).zip(signals) {
+            if signal.stretches.iter().any(|of| of.contains(&point)) {
                 said.push(format!("{number} {}", words.told(&signal.rule)));
             }
         }
-        Some(said.join(". "))
+        said.join(". ")
+    }
+
+    /// What a screen reader says of one of the smaller charts.
+    pub fn aside_said(&self, aside: Aside, words: &Words) -> String {
+        let Some((_, of)) = self.open() else { return String::new() };
+        let figures: &[(&str, &str, usize, f64)] = match aside {
+            Aside::Signals => &[],
+            Aside::Histogram => &[("mean_mm", "mm", 4, 1.0), ("sd_mm", "µm", 2, 1_000.0)],
+            Aside::Spread => &[("spread_centre_mm", "µm", 1, 1_000.0), ("spread_upper_mm", "µm", 1, 1_000.0)],
+            Aside::Probability => &[("anderson_darling", "", 2, 1.0), ("anderson_darling_p", "", 3, 1.0)],
+        };
+        let said = figures.iter().filter_map(|(name, unit, digits, scale)| {
+            let figure = of.answer.figures.iter().find(|figure| figure.name == *name)?;
+            let label = words.get(&format!("statistics-page-said-{}", name.replace('_', "-")));
+            Some(match &figure.value {
+                Ok((value, _)) => {
+                    format!("{label} {} {unit}", decimals(words, value * scale, *digits)).trim_end().to_owned()
+                }
+                Err(why) => format!("{label}: {}", words.told(why)),
+            })
+        });
+        said.collect::<Vec<_>>().join(", ")
     }
 
     /// Figures and signals as a table for a spreadsheet.
     pub(super) fn copied(&self, words: &Words) -> Option<String> {
         let (feature, _) = self.open()?;
-        let mut lines = vec![feature_name(feature)];
+        let mut lines = vec![feature_name(feature, true)];
         lines.extend(self.read_text(words));
         let cells = |figure: FigureText| {
             let FigureText { name, value, unit, note } = figure;

@@ -9,6 +9,7 @@
 //! | `gauges` | studies of gauges |
 //! | `trends` | lines, trends, offsets, groups |
 //! | `properties` | what holds of any series; average run lengths |
+//! | `pictures` | charts as drawings |
 //! | `advice` | the sentences |
 //! | `simulated` | values by chance, for the levels of intervals |
 
@@ -20,6 +21,7 @@ mod charts;
 mod gauges;
 mod laws;
 mod moments;
+mod pictures;
 mod properties;
 mod simulated;
 mod trends;
