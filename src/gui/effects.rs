@@ -34,7 +34,7 @@ use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
-    RecordsCommand, RowsCommand, SettingsCommand, Working, WorkpieceCommand,
+    RecordsCommand, RowsCommand, SettingsCommand, StatisticsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
@@ -269,6 +269,7 @@ fn may_wait(effect: &Effect) -> bool {
         | Effect::List(_)
         | Effect::Launch(..)
         | Effect::Pair { .. }
+        | Effect::EvaluateSeries { .. }
         | Effect::ReadPicture(_)
         | Effect::DrawReport { .. }
         | Effect::Print(_)
@@ -338,6 +339,10 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         Effect::Pair { run, asked } => {
             vec![PairingCommand::Paired { run, paired: Arc::new(Paired::of(*asked)) }.into()]
         }
+        Effect::EvaluateSeries { run, features, looks } => {
+            let answers = features.iter().zip(&looks).map(|(feature, look)| feature.evaluate(look));
+            vec![StatisticsCommand::Evaluated { run, answers: Arc::new(answers.collect()) }.into()]
+        }
         Effect::ReadPicture(path) => {
             let result = picture::read(&path).map(Arc::new);
             vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
@@ -366,6 +371,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::Keep { .. }
         | Effect::AskRecords { .. }
         | Effect::ReadPart { .. }
+        | Effect::ReadSeries { .. }
         | Effect::FindRecords { .. }
         | Effect::Watch { .. }
         | Effect::WatchTaken { .. }

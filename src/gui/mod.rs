@@ -13,7 +13,7 @@
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
 //! | `operator` | the window for an operator |
-//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `reports`, `parts`, `help`, `settings` | the pages |
+//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `statistics`, `reports`, `parts`, `help`, `settings` | the pages |
 //! | `pages`, `page` | the list of the pages; what the window has to know of one |
 //! | `over_page`, `palette` | what lies over a page; everything that can be done, found by its name |
 //! | `rail`, `top_bar`, `dialogs`, `notices`, `folder_list`, `columns_panel` | what belongs to every page |
@@ -105,6 +105,7 @@ mod shapes;
 mod sound;
 mod split;
 mod spoken;
+mod statistics;
 mod store;
 mod table;
 mod tables;

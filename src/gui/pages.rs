@@ -4,7 +4,9 @@ use eframe::egui::Ui;
 
 use super::page::PageView;
 use super::view::View;
-use super::{budget, check, cycles, fit, help, pairing, parts, program, records, reports, settings, tables};
+use super::{
+    budget, check, cycles, fit, help, pairing, parts, program, records, reports, settings, statistics, tables,
+};
 use crate::session::Page;
 
 pub(super) const fn page_of(page: Page) -> PageView {
@@ -17,6 +19,7 @@ pub(super) const fn page_of(page: Page) -> PageView {
         Page::Pairing => pairing::PAGE,
         Page::Budget => budget::PAGE,
         Page::Records => records::PAGE,
+        Page::Statistics => statistics::PAGE,
         Page::Reports => reports::PAGE,
         Page::Parts => parts::PAGE,
         Page::Help => help::PAGE,

@@ -36,6 +36,7 @@ mod settings_page;
 mod shift;
 mod sizes;
 mod small_windows;
+mod statistics_page;
 mod table_page;
 mod tools;
 mod walk_page;

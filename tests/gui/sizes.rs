@@ -389,6 +389,10 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
         }
         Page::Help => send(&mut window, HelpCommand::Open(HelpPlace::of(HelpTopic::Manual("programs.md")))),
         Page::Settings => return settings_page(&mut window, tongue, &what),
+        Page::Statistics => {
+            measured(&mut window, &["25.012", "25.005", "25.0185", "25.023", "24.998"]);
+            send(&mut window, Command::OpenPage(page));
+        }
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
@@ -422,9 +426,14 @@ fn recorded(window: &mut Harness<'_, App>) {
 const fn has_verdict(page: Page) -> bool {
     match page {
         Page::Check | Page::Fit | Page::Cycles | Page::Pairing | Page::Budget => true,
-        Page::Parts | Page::Tables | Page::Program | Page::Records | Page::Reports | Page::Help | Page::Settings => {
-            false
-        }
+        Page::Parts
+        | Page::Tables
+        | Page::Program
+        | Page::Records
+        | Page::Statistics
+        | Page::Reports
+        | Page::Help
+        | Page::Settings => false,
     }
 }
 

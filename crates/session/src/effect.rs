@@ -9,6 +9,7 @@ use fitcheck_exchange::exchange::batch::{ListedRows, Part, Sifting};
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_exchange::report::pairing::PairingRequest;
+use fitcheck_exchange::series::{FeatureSeries, Look};
 use fitcheck_gauges::PortSettings;
 use fitcheck_nc::sets::NcSet;
 
@@ -139,6 +140,24 @@ pub enum Effect {
         question: Box<Question>,
         /// How many checks.
         most: usize,
+    },
+    /// Read the values that answer a question from the journal, of each feature so many that count, and send
+    /// `StatisticsCommand::Found`; the question before is given up.
+    ReadSeries {
+        /// The number of the question.
+        run: u64,
+        /// What is asked.
+        question: Box<Question>,
+        most: usize,
+        /// Whether to wait until nobody types.
+        rests: bool,
+    },
+    /// Compute the figures and charts of features, each as it is looked at, and send `StatisticsCommand::Evaluated`.
+    EvaluateSeries {
+        /// The number of the question.
+        run: u64,
+        features: Vec<Arc<FeatureSeries>>,
+        looks: Vec<Look>,
     },
     /// Watch a folder in place of any other, judge by a plan, and send `WalkCommand::Watched` again and again.
     Watch {

@@ -18,6 +18,7 @@ use super::program::{Input, ProgramField};
 use super::records::RecordsField;
 use super::reports::ReportsField;
 use super::settings_page::SettingsField;
+use super::statistics::StatisticsField;
 use super::tables::TablesField;
 
 /// The page of the manual with a paragraph for each field.
@@ -212,6 +213,14 @@ rows! {
 }
 
 rows! {
+    StatisticsField:
+    Question, "statistics-page-question", PAGE, "records-of-the-statistics";
+    Last, "statistics-page-last", PAGE, "number-of-values";
+    Size, "statistics-page-size", AT_TIMES, "values-of-a-point";
+    Reason, "statistics-page-reason", AT_TIMES, "reason-to-leave-a-point-out";
+}
+
+rows! {
     HelpField:
     Search, "help-page-search", PAGE, "search-the-manual";
 }
@@ -363,6 +372,7 @@ pub(super) fn all(cycle: &'static Cycle) -> Vec<Field> {
         .chain(of::<WalkField>())
         .chain(head)
         .chain(of::<RecordsField>())
+        .chain(of::<StatisticsField>())
         .chain(of::<ReportsField>())
         .chain(of::<FitField>())
         .chain(of::<PairingField>())
@@ -384,6 +394,7 @@ impl Field {
             Self::Parts(PartsField::Walk(field)) => field.row(),
             Self::Parts(PartsField::Plan(PlanField::Head(field))) => field.row(),
             Self::Records(field) => field.row(),
+            Self::Statistics(field) => field.row(),
             Self::Reports(field) => field.row(),
             Self::Fit(field) => field.row(),
             Self::Pairing(field) => field.row(),
@@ -404,6 +415,7 @@ impl Field {
             Self::Check(_) => Page::Check,
             Self::Parts(_) => Page::Parts,
             Self::Records(_) => Page::Records,
+            Self::Statistics(_) => Page::Statistics,
             Self::Reports(_) => Page::Reports,
             Self::Fit(_) => Page::Fit,
             Self::Pairing(_) => Page::Pairing,

@@ -17,6 +17,7 @@
 //! | `pairing` | measured holes against measured shafts |
 //! | `budget` | how sure a measured value is |
 //! | `records` | everything that was recorded |
+//! | `statistics` | the values of a feature as a series |
 //! | `reports` | reports to print, to sign and to keep |
 //! | `parts` | plans of whole parts, and the walk through them |
 //! | `help` | the manual, and the keys |
@@ -101,6 +102,7 @@ mod settings_page;
 mod shared;
 mod sound;
 mod state;
+pub mod statistics;
 mod step;
 pub mod tables;
 mod texts;
@@ -185,6 +187,7 @@ pub use settings_page::{
 pub use shared::MaskChoice;
 use shared::OwnMask;
 pub use sound::Rhythm;
+pub use statistics::{StatisticsAction, StatisticsCommand, StatisticsField, StatisticsPage};
 pub use step::Step;
 pub use tables::{TablesAction, TablesCommand, TablesField, TablesPage};
 pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
@@ -207,6 +210,7 @@ pub mod focused {
     pub use super::parts::{PLAN, SIZES};
     pub use super::program::LISTING;
     pub use super::records::RECORDS;
+    pub use super::statistics::{CHART, FEATURES};
     pub use super::tables::CELLS;
 }
 
@@ -422,7 +426,8 @@ impl Session {
         }
         let asked_before = self.asks_for_enter();
         self.budget.see_day(now.date());
-        self.records.see_time(now);
+        self.shared.recording.now = now;
+        self.statistics.see_part(self.parts.part());
         self.shared.recording.named = self.check.named();
         self.shared.take_worth(self.check.own_worth());
         let before = self.is_setting(&command).then(|| self.saved());

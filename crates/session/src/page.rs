@@ -23,6 +23,8 @@ macro_rules! pages {
             Program: program, ProgramPage, ProgramCommand, ProgramField, ProgramAction, "page-program", "programs.md";
             /// Uncertainty budgets.
             Budget: budget, BudgetPage, BudgetCommand, BudgetField, BudgetAction, "page-budget", "uncertainty.md";
+            /// The values of a feature as a series.
+            Statistics: statistics, StatisticsPage, StatisticsCommand, StatisticsField, StatisticsAction, "page-statistics", "statistics.md";
             /// Reports to print, to sign and to keep.
             Reports: reports, ReportsPage, ReportsCommand, ReportsField, ReportsAction, "page-reports", "reports.md";
             /// The manual, the keys and the samples.

@@ -120,6 +120,8 @@ pub(super) enum News {
         /// The number of what stands in its place, and what it tells.
         by: Option<Box<(u64, Entry)>>,
     },
+    /// A record is to be shown.
+    ShowRecord(u64),
     /// Undo took checks of the history back, with what stood in their place.
     Undone {
         ids: BTreeSet<RecordId>,

@@ -7,7 +7,7 @@
 use fitcheck_core::message::Say;
 
 /// A rule.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Say)]
 #[say(prefix = "statistics-rule")]
 pub enum Rule {
     /// Nelson 1, Western Electric 1: a point beyond 3 s.

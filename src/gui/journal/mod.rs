@@ -5,11 +5,13 @@
 //! | here | what the window needs of a journal, and who does it |
 //! | `writer` | entries onto the disk, one batch after the other |
 //! | `finder` | which records answer a question, and rows |
+//! | `series` | the values of the statistics page |
 //! | `local` | the journal of this station |
 //! | `shop`, `no_shop` | the server of the shop, or none |
 
 mod finder;
 mod local;
+mod series;
 #[cfg(not(feature = "shop"))]
 #[path = "no_shop.rs"]
 mod shop;
@@ -32,6 +34,7 @@ use finder::{Finder, FinderRequest};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use local::Local;
+use series::SeriesAsked;
 use shop::Shop;
 use writer::{Job, Writer};
 
@@ -42,7 +45,7 @@ use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
 use crate::message::{Message, message};
 use crate::session::records::Verified;
-use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
+use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand, StatisticsCommand};
 use crate::watch::TakenFiles;
 
 /// Where records are kept, whatever that is: the file of this station, or one that a test has made up.
@@ -182,6 +185,8 @@ pub(super) struct Desk {
     newest: Arc<AtomicU64>,
     /// The same of the palette's questions.
     newest_few: Arc<AtomicU64>,
+    /// The same of the statistics page's questions.
+    newest_series: Arc<AtomicU64>,
     /// The number of the walk that goes on; 0 for none.
     walk: Arc<AtomicU64>,
     file: Mutex<Option<PathBuf>>,
@@ -247,6 +252,7 @@ impl Desk {
             interrupt,
             newest,
             newest_few,
+            newest_series: Arc::default(),
             walk: Arc::default(),
             file: Mutex::default(),
             shop: Mutex::default(),
@@ -289,6 +295,11 @@ impl Desk {
             }
             Effect::ReadPart { run, question, most } => {
                 self.find(ctx, FinderRequest::Part { run, question, most, ctx: ctx.clone() });
+            }
+            Effect::ReadSeries { run, question, most, rests } => {
+                self.newest_series.store(run, Relaxed);
+                let newest = Arc::clone(&self.newest_series);
+                self.read_series(ctx, SeriesAsked { run, newest, question, most, rests: rests && !self.is_at_once });
             }
             Effect::FindRecords { run, question, most } => {
                 self.newest_few.store(run, Relaxed);
@@ -347,6 +358,19 @@ impl Desk {
             return commands.into_iter().for_each(|command| say(&self.answers, ctx, command));
         }
         let _no_thread = self.finder.send(asked);
+    }
+
+    fn read_series(&self, ctx: &Context, asked: SeriesAsked) {
+        let file = lock(&self.file).clone();
+        let answers = self.answers.clone();
+        let ctx = ctx.clone();
+        let journals = Arc::clone(&self.records.journals);
+        let errand = move || {
+            if let Some(result) = asked.read(journals.as_ref(), file.as_deref()) {
+                say(&answers, &ctx, StatisticsCommand::Found { run: asked.run, result });
+            }
+        };
+        if self.is_at_once { errand() } else { on_thread("series", errand) }
     }
 
     /// Sends the journal to a server from now on, or to none.

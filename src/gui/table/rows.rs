@@ -54,6 +54,8 @@ pub(in crate::gui) enum Cell {
     },
     /// Where a value lies in its zone; nothing where there is none.
     Zone(Option<Zoned>),
+    /// How long a bar is and where its mark stands, as shares of the column; nothing where there is none.
+    Bar(Option<[f32; 2]>),
     /// A verdict.
     Verdict {
         status: Option<Status>,
@@ -144,6 +146,7 @@ fn row_ui<K: Copy + Debug + Hash>(
                     zoned.paint(ui.painter(), room, palette);
                 }
             }
+            (Some(room), Cell::Bar(bar)) => bar_ui(ui.painter(), room.shrink2(vec2(PAD, 0.0)), *bar),
             (Some(room), Cell::Choice { is_chosen, can_choose, name }) => {
                 if choice_ui(ui, table, room, &row.key, (*is_chosen, *can_choose, name)) {
                     seen.chosen = Some((row.key, !is_chosen));
@@ -282,6 +285,18 @@ fn verdict(
     }
     shapes::edge(painter, (rect, corner), edge, colour);
     rect
+}
+
+/// A bar with a mark on its track.
+fn bar_ui(painter: &Painter, cell: Rect, bar: Option<[f32; 2]>) {
+    let palette = palette(painter.ctx());
+    let Some(shares) = bar else { return };
+    let [end, mark] = shares.map(|share| cell.left() + cell.width() * share.clamp(0.0, 1.0));
+    let track = Rect::from_center_size(cell.center(), vec2(cell.width(), 4.0));
+    painter.rect_filled(track, 2.0, palette.hover.0);
+    painter.rect_filled(track.with_max_x(end), 2.0, palette.data.0);
+    let height = Rangef::new(cell.center().y - space(1.75), cell.center().y + space(1.75));
+    painter.vline(mark, height, Stroke::new(1.5, palette.text.0));
 }
 
 /// A few words beside a verdict; returns whether there was room for them.

@@ -55,6 +55,7 @@ icons! {
     Buildings = '\u{e102}'
     CaretDown = '\u{e136}'
     CaretRight = '\u{e13a}'
+    ChartScatter = '\u{eaac}'
     Check = '\u{e182}'
     CheckCircle = '\u{e184}'
     Columns = '\u{e546}'

@@ -4,17 +4,23 @@
 //! |---|---|
 //! | `value` | one value with what is known of it, and why it is left out |
 //! | `figures` | what is computed, each figure with its method; rules that fire; advice |
+//! | `drawn` | its charts as drawings |
+//! | `journal` | the series of a journal, one for each feature, and what is computed of one |
 //!
 //! `fitcheck stats` and the page Statistics show the same figures.
 
+mod drawn;
 mod figures;
+mod journal;
 mod value;
 
 use std::collections::BTreeSet;
 
+pub use drawn::Drawn;
 pub use figures::{Answer, Figure, FigureKind, Wanted};
 use fitcheck_core::length::Length;
 use fitcheck_statistics::Sample;
+pub use journal::{ASKED_INDEX, Evaluated, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
 pub use value::{LeftOut, Origin, Value};
 
 /// What makes a subgroup.

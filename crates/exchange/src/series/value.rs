@@ -1,9 +1,11 @@
 //! A value of a series: what was measured, its limits, where it comes from, and why it is left out.
 
 use fitcheck_core::length::Length;
+use jiff::civil::DateTime;
 
 use crate::exchange::{Labels, StatedLimits, Unjudged, WhyUnjudged};
 use crate::journal::Record;
+use crate::journal::entry::{Checked, CycleCheck, Entry};
 
 /// Why a value is left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -14,11 +16,13 @@ pub enum LeftOut {
     Invalid,
     /// It contradicts something, or may be another quantity.
     Doubtful,
+    /// It was withdrawn, or another record stands in its place.
+    Withdrawn,
 }
 
 impl LeftOut {
     /// All reasons, in the order in which they are counted.
-    pub const ALL: [Self; 3] = [Self::Simulated, Self::Invalid, Self::Doubtful];
+    pub const ALL: [Self; 4] = [Self::Simulated, Self::Invalid, Self::Doubtful, Self::Withdrawn];
 
     /// Its name in files.
     pub const fn word(self) -> &'static str {
@@ -26,6 +30,7 @@ impl LeftOut {
             Self::Simulated => "simulated",
             Self::Invalid => "invalid",
             Self::Doubtful => "doubtful",
+            Self::Withdrawn => "withdrawn",
         }
     }
 }
@@ -43,12 +48,16 @@ pub struct Origin {
     pub machine: String,
     /// What it was measured with, or at which station.
     pub gauge: String,
+    /// Its number in the journal.
+    pub number: Option<u64>,
+    /// When it was measured.
+    pub time: Option<DateTime>,
 }
 
 impl Origin {
     fn of(labels: &Labels) -> Self {
         let Labels { part, who, machine, gauge, .. } = labels.clone();
-        Self { part, piece: labels.piece().to_owned(), who, machine, gauge }
+        Self { part, piece: labels.piece().to_owned(), who, machine, gauge, ..Self::default() }
     }
 
     /// Whether nothing names the part.
@@ -124,6 +133,34 @@ impl Value {
         let doubtful = is_doubted.then_some(LeftOut::Doubtful);
         let left_out = if measurement.origin.is_simulated() { Some(LeftOut::Simulated) } else { doubtful };
         Self { left_out, ..Self::of(&record.id, measurement.diameter, stated, labels) }
+    }
+
+    /// The value of a check in the journal, by the number of its entry; `None` where it measured no size.
+    pub fn of_entry(number: u64, entry: &Entry, is_replaced: bool) -> Option<Self> {
+        let about = &entry.about;
+        let labels = Labels { part: about.part.clone(), who: about.who.clone(), ..Labels::default() };
+        let mut value = match &entry.check()?.what {
+            Checked::Size(record) => {
+                let value = Self::of_record(record, &labels, record.doubt.is_some());
+                Self { origin: Origin { time: Some(record.time), ..value.origin }, ..value }
+            }
+            Checked::Cycle(cycle) => Self::of_cycle(cycle, entry, &labels)?,
+        };
+        value.name.clone_from(&about.feature);
+        value.origin.piece.clone_from(&about.serial);
+        value.origin.gauge.clone_from(&about.station);
+        value.origin.number = Some(number);
+        if is_replaced {
+            value.left_out = Some(LeftOut::Withdrawn);
+        }
+        Some(value)
+    }
+
+    fn of_cycle(cycle: &CycleCheck, entry: &Entry, labels: &Labels) -> Option<Self> {
+        let [minimum, maximum] = cycle.limits.map_or([None, None], |limits| limits.map(Some));
+        let value = Self::of("", cycle.measured?, StatedLimits { nominal: None, minimum, maximum }, labels);
+        let left_out = cycle.origin.is_simulated().then_some(LeftOut::Simulated);
+        Some(Self { left_out, origin: Origin { time: entry.about.time.local(), ..value.origin }, ..value })
     }
 
     /// A value that makes no record: for a series it needs no limits.

@@ -165,6 +165,7 @@ impl PageState for CheckPage {
             | News::Columns
             | News::Temperature
             | News::Journal
+            | News::ShowRecord(_)
             | News::Correcting
             | News::UndoCorrection(_)
             | News::Kept(..)

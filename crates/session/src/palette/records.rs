@@ -30,7 +30,7 @@ pub(super) fn question(query: &str, session: &Session) -> Option<Question> {
     };
     // What is no question finds no record, and may still find everything else. What was corrected or withdrawn is found on its page.
     let question = format!("{question} standing");
-    session.records().read_question(&question, &session.shared.words()).ok()
+    crate::records::question(&question, &session.shared).ok()
 }
 
 /// Shows a record on its page.

@@ -124,6 +124,12 @@ impl PartsPage {
         Some(PlanForSet { name: document.name(), features, plan: document.plan().cloned() })
     }
 
+    /// The part that is measured, or else the one whose plan is open.
+    pub(crate) fn part(&self) -> Option<&str> {
+        let plan = self.walking.plan.as_ref().or_else(|| self.document.plan())?;
+        Some(plan.head.part.as_str()).filter(|part| !part.is_empty())
+    }
+
     /// Whether the plan was changed since the part was begun.
     pub fn has_other_plan(&self) -> bool {
         match (self.walking.plan.as_ref(), self.document.plan()) {

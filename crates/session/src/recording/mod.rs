@@ -25,6 +25,8 @@ use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
 use fitcheck_exchange::journal::entry::{Entry, UsedFile};
 use fitcheck_exchange::journal::query::RecordId;
+use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
 pub use making::Named;
 pub(super) use making::{Sent, ToKeep, correcting, used};
 pub use people::MOST_NAMES;
@@ -128,6 +130,10 @@ pub struct Recording {
     numbers: BTreeMap<RecordId, u64>,
     /// Part and serial number of what was read from the journal when it was opened.
     parts: BTreeSet<(String, String)>,
+    /// Where days begin; UTC until that is known.
+    pub zone: Option<TimeZone>,
+    /// The time of the last command: a question may ask for today.
+    pub now: DateTime,
     /// The newest number that this window has seen.
     pub newest: u64,
     /// The file that was read last, with SHA-256 of its bytes.

@@ -32,7 +32,7 @@ impl PageState for RecordsPage {
         match command {
             RecordsCommand::Type(field, text) => self.type_text(field, text, shared),
             RecordsCommand::Begin { usual, station, zone } => {
-                self.zone = Some(zone);
+                shared.recording.zone = Some(zone);
                 begin(usual, station, shared);
             }
             RecordsCommand::Opened(result) => self.journal_opened(result, shared),
@@ -107,6 +107,10 @@ impl PageState for RecordsPage {
         match news {
             // What was recorded meanwhile, here and elsewhere.
             News::Opened(Page::Records) => self.ask(shared, false),
+            News::ShowRecord(number) => {
+                let effects = self.open(*number);
+                self.errands.extend(effects);
+            }
             News::UndoCorrection(new) => self.undo_correction(*new, shared),
             _ => {}
         }

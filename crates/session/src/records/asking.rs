@@ -107,6 +107,16 @@ fn words(text: &str) -> Vec<(Range<usize>, &str)> {
     words
 }
 
+/// What a text asks of the journal.
+///
+/// # Errors
+/// Which part of it is no question.
+pub(crate) fn question(text: &str, shared: &Shared) -> Result<Question, AskError> {
+    let zone = shared.recording.zone.clone().unwrap_or(TimeZone::UTC);
+    let now = shared.recording.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
+    Question::read_named(text, &LocalNow { now, zone }, &named(&shared.words()))
+}
+
 impl RecordsPage {
     /// Whether the question has a word.
     pub fn has(&self, shorthand: Shorthand) -> bool {
@@ -162,16 +172,6 @@ impl RecordsPage {
         self.ask(shared, false);
     }
 
-    /// What a text asks of the journal.
-    ///
-    /// # Errors
-    /// Which part of it is no question.
-    pub(crate) fn read_question(&self, text: &str, words: &Words) -> Result<Question, AskError> {
-        let zone = self.zone.clone().unwrap_or(TimeZone::UTC);
-        let now = self.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
-        Question::read_named(text, &LocalNow { now, zone }, &named(words))
-    }
-
     /// Asks the question. `rests` waits until nobody types.
     pub(super) fn ask(&mut self, shared: &Shared, rests: bool) {
         self.errors.remove(&RecordsField::Question);
@@ -185,7 +185,7 @@ impl RecordsPage {
         if !shared.recording.is_on() {
             return;
         }
-        match self.read_question(self.text(RecordsField::Question), &of_window) {
+        match question(self.text(RecordsField::Question), shared) {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;

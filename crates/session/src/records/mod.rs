@@ -29,6 +29,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 pub use actions::{RECORDS, RecordsAction};
+pub(crate) use asking::question;
 pub use asking::{Filter, NOT_GOOD, Shorthand};
 pub use choosing::{LeftOut, RowTexts};
 pub use command::RecordsCommand;
@@ -153,10 +154,6 @@ pub struct RecordsPage {
     walks: u64,
     /// The walk along the chain.
     pub walk: Walk,
-    /// The time of the last command.
-    now: DateTime,
-    /// Where its days begin; UTC until that is known.
-    zone: Option<TimeZone>,
     errands: Vec<Effect>,
 }
 
@@ -174,11 +171,6 @@ impl RecordsPage {
     /// The record that is open, where it could be read.
     pub fn opened_row(&self) -> Option<&Arc<RecordRow>> {
         self.open.as_ref()?.row.as_ref()?.as_ref().ok()
-    }
-
-    /// What time it is: a question may ask for today.
-    pub(super) const fn see_time(&mut self, now: DateTime) {
-        self.now = now;
     }
 }
 

@@ -1,0 +1,60 @@
+//! The charts of a feature as drawings.
+
+use std::ops::Range;
+
+use fitcheck_core::words::Words;
+use fitcheck_statistics::picture::{Picture, View, histogram, probability_plot, run_chart, spread_chart, value_range};
+use fitcheck_statistics::{Reason, Tolerance};
+
+use super::Evaluated;
+
+/// A chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Drawn {
+    /// Values or means in their order.
+    Run,
+    /// Moving ranges, ranges or standard deviations.
+    Spread,
+    Histogram,
+    Probability,
+}
+
+/// How far beyond the values a chart goes, as a share of their width; and where all of them are equal, in millimetres.
+const MARGIN: f64 = 0.08;
+const LEAST: f64 = 0.001;
+
+impl Evaluated {
+    /// A chart of a size, of these points.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn drawn(&self, what: Drawn, size: [f64; 2], points: Range<usize>, words: &Words) -> Result<Picture, Reason> {
+        let [lower, upper] = self.answer.wanted.limits;
+        let tolerance = Tolerance::new(lower, upper).ok();
+        let tolerance = tolerance.as_ref();
+        let chart = self.answer.chart.as_ref().map_err(Clone::clone);
+        let law = self.answer.fitted.as_ref().ok();
+        let values = match &chart {
+            Ok(chart) => value_range(chart, tolerance, &points),
+            Err(_) => self.range()?,
+        };
+        let view = View { size, points, values, base: self.base, words };
+        Ok(match what {
+            Drawn::Run => run_chart(chart?, tolerance, &self.signals, &view),
+            Drawn::Spread => spread_chart(chart?, &self.signals, &view),
+            Drawn::Histogram => histogram(&self.values, law, tolerance, &view),
+            Drawn::Probability => probability_plot(&self.values, law, tolerance, self.answer.wanted.level, &view),
+        })
+    }
+
+    /// From where to where values and limits are.
+    fn range(&self) -> Result<[f64; 2], Reason> {
+        if self.values.is_empty() {
+            return Err(Reason::Empty);
+        }
+        let all = self.values.iter().copied().chain(self.answer.wanted.limits.into_iter().flatten());
+        let [from, to] = all.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], at| [from.min(at), to.max(at)]);
+        let margin = ((to - from) * MARGIN).max(LEAST);
+        Ok([from - margin, to + margin])
+    }
+}

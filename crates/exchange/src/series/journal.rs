@@ -1,0 +1,220 @@
+//! Series of a journal: checks become values, one series for each feature; and what is computed of one.
+//!
+//! A feature is what has the same part, name, callout and limits: where a drawing changes, a new series begins.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use fitcheck_core::length::Length;
+use fitcheck_statistics::{Reason, Rules, Sample, Signal, signals};
+
+use super::{Answer, LeftOut, Series, Value, Wanted};
+use crate::journal::entry::{Checked, Entry};
+use crate::journal::natural::Natural;
+use crate::journal::query::callout;
+
+/// So many entries of a journal are read at most, the newest of them.
+pub const MOST_READ: usize = 100_000;
+
+/// The index that is usually asked for.
+pub const ASKED_INDEX: f64 = 1.33;
+
+/// The level of all intervals.
+const LEVEL: f64 = 0.95;
+
+/// What makes a feature.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FeatureKey {
+    /// The part; empty where nobody said.
+    pub part: Natural,
+    /// The feature; empty where the part has one only.
+    pub name: Natural,
+    /// What was asked for, as it is written; empty where only limits are known.
+    pub callout: String,
+    /// The nominal size; `None` where only limits are known.
+    pub nominal: Option<Length>,
+    /// Lower and upper limit.
+    pub limits: [Option<Length>; 2],
+}
+
+/// The values of one feature, the oldest first, with those that are left out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FeatureSeries {
+    pub key: FeatureKey,
+    pub values: Vec<Value>,
+}
+
+/// Sorts the checks of a journal into series while they are read.
+#[derive(Debug, Default)]
+pub struct Gathering {
+    found: BTreeMap<FeatureKey, Vec<(u64, Value)>>,
+    /// In place of which entry a correction stands.
+    corrects: BTreeMap<u64, u64>,
+}
+
+impl Gathering {
+    /// Takes an entry by its number; `is_replaced` where another one corrects it or takes it back.
+    pub fn take(&mut self, number: u64, entry: &Entry, is_replaced: bool) {
+        let Some(value) = Value::of_entry(number, entry, is_replaced) else { return };
+        let (callout, nominal) = match entry.check().map(|check| &check.what) {
+            Some(Checked::Size(record)) => (callout(record), Some(record.limits.nominal)),
+            _ => (String::new(), None),
+        };
+        let [part, name] = [&value.origin.part, &value.name].map(|text| Natural(text.clone()));
+        let key = FeatureKey { part, name, callout, nominal, limits: value.limits };
+        self.found.entry(key).or_default().push((number, value));
+        self.corrects.extend(entry.corrects().map(|correction| (number, correction.target.number)));
+    }
+
+    /// Of each feature the newest `most` values that count, with what was left out between them. What corrects a value stands in its place.
+    pub fn finish(self, most: usize) -> Vec<FeatureSeries> {
+        let Self { found, corrects } = self;
+        let place = |number: u64| {
+            let mut number = number;
+            // An entry corrects an earlier one.
+            while let Some(target) = corrects.get(&number).filter(|target| **target < number) {
+                number = *target;
+            }
+            number
+        };
+        let newest = |(key, mut values): (FeatureKey, Vec<(u64, Value)>)| {
+            values.sort_by_key(|(number, _)| std::cmp::Reverse((place(*number), *number)));
+            let mut counted = 0;
+            let is_new = |(_, value): &(u64, Value)| {
+                counted += usize::from(value.left_out.is_none());
+                counted <= most
+            };
+            let mut values: Vec<Value> = values.into_iter().take_while(is_new).map(|(_, value)| value).collect();
+            values.reverse();
+            FeatureSeries { key, values }
+        };
+        found.into_iter().map(newest).collect()
+    }
+}
+
+/// How a series is looked at.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Look {
+    /// How many values in a row make a point.
+    pub size: usize,
+    /// The rules that are looked at.
+    pub rules: Rules,
+    /// The first and the last value that control limits come from, by their numbers in the journal; `None` for all values.
+    pub baseline: Option<[u64; 2]>,
+    /// Values that somebody left out, by their numbers in the journal, with the reasons.
+    pub apart: BTreeMap<u64, Arc<str>>,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self { size: 1, rules: Rules::NELSON, baseline: None, apart: BTreeMap::new() }
+    }
+}
+
+/// What is computed of the series of a feature.
+#[derive(Debug)]
+pub struct Evaluated {
+    pub answer: Answer,
+    /// What fires on the chart, numbered as it stands.
+    pub signals: Vec<Signal>,
+    /// The values that count, in millimetres.
+    pub values: Vec<f64>,
+    /// What lengths of charts are counted from, in millimetres.
+    pub base: f64,
+    /// The values of all points, by their places in the series.
+    pub shown: Vec<usize>,
+    /// Which of them each point has.
+    pub points: Vec<Range<usize>>,
+    /// How many points count.
+    pub groups: usize,
+    /// How many values are left out for each reason, where there are any.
+    pub left_out: Vec<(LeftOut, usize)>,
+    /// How many values somebody left out.
+    pub apart: usize,
+}
+
+impl FeatureSeries {
+    /// The nominal size, or else a limit or a value.
+    fn base(&self) -> Option<Length> {
+        let FeatureKey { nominal, limits: [lower, upper], .. } = self.key;
+        let first = self.values.first().map(|value| value.measured);
+        nominal.or(lower).or(upper).or(first)
+    }
+
+    /// Computes everything.
+    pub fn evaluate(&self, look: &Look) -> Evaluated {
+        let size = look.size.max(1);
+        let why = |value: &Value| value.origin.number.and_then(|number| look.apart.get(&number)).cloned();
+        let counts = |at: &usize| self.values.get(*at).is_some_and(|value| value.left_out.is_none());
+        let shown: Vec<usize> = (0..self.values.len()).filter(counts).collect();
+        let mut series = Series { name: None, groups: Vec::new(), apart: Vec::new(), of: self.values.iter().collect() };
+        let mut points = Vec::new();
+        for (point, places) in shown.chunks(size).enumerate() {
+            let start = point.saturating_mul(size);
+            points.push(start..start + places.len());
+            let sample = sample(places.iter().filter_map(|at| self.values.get(*at)), why);
+            if sample.left_out.is_some() {
+                series.apart.push((point, sample))
+            } else {
+                series.groups.push(sample.values)
+            }
+        }
+        let number = |at: &usize| self.values.get(*at).and_then(|value| value.origin.number);
+        let baseline = look.baseline.map(|[first, last]| {
+            let of = |wanted: u64| shown.iter().position(|at| number(at) == Some(wanted));
+            // A baseline that is not in sight as a whole is none: 0 points are refused.
+            of(last).filter(|_| of(first) == Some(0)).map_or(0, |at| at / size + 1)
+        });
+        let limits = self.key.limits.map(|limit| limit.map(Length::to_mm_f64));
+        let chart = (size == 1).then_some(fitcheck_statistics::ChartKind::Individuals);
+        let wanted = Wanted { limits, target: None, chart, rules: look.rules, baseline, law: None, level: LEVEL };
+        let answer = Answer::of(&series, &wanted);
+        Evaluated {
+            signals: answer.chart.as_ref().map_or_else(|_| Vec::new(), signals),
+            answer,
+            values: series.groups.concat(),
+            base: self.base().map_or(0.0, Length::to_mm_f64),
+            points,
+            groups: series.groups.len(),
+            left_out: series.left_out().collect(),
+            apart: shown.iter().filter_map(|at| self.values.get(*at)).filter(|value| why(value).is_some()).count(),
+            shown,
+        }
+    }
+}
+
+/// A point: what counts of its values, or all of them where nothing does.
+fn sample<'a>(values: impl Iterator<Item = &'a Value> + Clone, why: impl Fn(&Value) -> Option<Arc<str>>) -> Sample {
+    let mm = |value: &Value| value.measured.to_mm_f64();
+    let counted: Vec<f64> = values.clone().filter(|value| why(value).is_none()).map(mm).collect();
+    if counted.is_empty() {
+        Sample { values: values.clone().map(mm).collect(), left_out: values.clone().find_map(&why) }
+    } else {
+        Sample::of(counted)
+    }
+}
+
+impl Evaluated {
+    /// A figure by its name for machines, with its interval; or why there is none.
+    pub fn figure(&self, name: &str) -> Option<&Result<(f64, Option<[f64; 2]>), Reason>> {
+        self.answer.figures.iter().find(|figure| figure.name == name).map(|figure| &figure.value)
+    }
+
+    /// Ppk with its interval, or why there is none.
+    ///
+    /// # Errors
+    /// The reason.
+    pub fn ppk(&self) -> Result<(f64, [f64; 2]), Reason> {
+        let value = self.figure("ppk").or_else(|| self.figure("cpk")).cloned().unwrap_or(Err(Reason::NoLimits))?;
+        value.1.map(|interval| (value.0, interval)).ok_or(Reason::NoLimits)
+    }
+
+    /// Whether Ppk is proven to be what is asked for: its lower bound is not below it.
+    ///
+    /// # Errors
+    /// Why there is no Ppk.
+    pub fn is_proven(&self) -> Result<bool, Reason> {
+        self.ppk().map(|(_, [lower, _])| ASKED_INDEX <= lower)
+    }
+}

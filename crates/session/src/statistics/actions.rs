@@ -1,0 +1,185 @@
+//! What can be done on the statistics page.
+
+use fitcheck_core::message::{Say as _, message};
+use fitcheck_core::words::Words;
+use fitcheck_statistics::Rule;
+
+use super::{Aside, PointsOf, StatisticsCommand, StatisticsField, Zooming};
+use crate::Session;
+use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
+use crate::action::{ActionScope, Key, Part, Shortcut};
+use crate::command::Command;
+use crate::field::Field;
+use crate::page::Page;
+use crate::step::Step;
+
+/// The list of features.
+pub const FEATURES: Part = Part::list(Page::Statistics, "statistics-features");
+
+/// The chart of the chosen feature.
+pub const CHART: Part = Part::cells(Page::Statistics, "statistics-chart");
+
+/// The steps along the points.
+const STEPS: [Step; 6] = [Step::Left, Step::Right, Step::PageUp, Step::PageDown, Step::First, Step::Last];
+
+actions! {
+    /// What can be done on the statistics page.
+    StatisticsAction
+
+    /// Goes to the question.
+    FindSeries;
+    /// Reads the values again.
+    ReadAgain;
+    /// Goes to another feature.
+    MoveFeature(Step): Step::BLOCKS;
+    /// Chooses what makes a point.
+    UsePoints(PointsOf): [PointsOf::Single, PointsOf::Means];
+    /// Shows or hides the rules.
+    ShowRules;
+    /// Looks at a rule, or no longer.
+    SwitchRule(Rule): Rule::ALL;
+    /// Chooses what stands beside the chart where there is little room.
+    Show(Aside): Aside::ALL;
+    /// Goes to another point of the chart.
+    MovePoint(Step): STEPS;
+    /// Opens the record of the point.
+    OpenPoint;
+    /// Shows fewer or more points.
+    Zoom(Zooming): [Zooming::In, Zooming::Out, Zooming::Whole];
+    /// Takes control limits from the points up to this one, or from all again.
+    Freeze;
+    /// Leaves the point out, or takes it in again.
+    LeaveOut;
+    /// Leaves it out for the reason in the field.
+    TakeReason;
+    /// Closes the form.
+    CancelReason;
+    /// Puts figures and signals on the clipboard.
+    CopyStatistics;
+}
+
+impl Actions for StatisticsAction {
+    fn row(&self) -> ActionRow {
+        match *self {
+            Self::FindSeries => {
+                on(Page::Statistics, "statistics-page-question", Command::GoTo(StatisticsField::Question.into()))
+                    .key(Shortcut::ctrl('F'))
+                    .when(|session| session.recording().is_on())
+            }
+            Self::ReadAgain => on(Page::Statistics, "statistics-page-read-again", StatisticsCommand::ReadAgain)
+                .key(Shortcut::plain(Key::Function(5)))
+                .when(|session| session.recording().is_on()),
+            Self::MoveFeature(step) => {
+                within(FEATURES, "statistics-page-move-feature", StatisticsCommand::MoveFeature(step)).key(keys(step))
+            }
+            Self::UsePoints(of) => {
+                let text = match of {
+                    PointsOf::Single => "statistics-page-single",
+                    PointsOf::Means => "statistics-page-means",
+                };
+                on(Page::Statistics, text, StatisticsCommand::UsePoints(of))
+            }
+            Self::ShowRules => ActionRow::new(
+                ActionScope::Page(Page::Statistics),
+                "statistics-page-rules",
+                Sends::FromState(|session| StatisticsCommand::ShowRules(!session.statistics().shows_rules).into()),
+            ),
+            Self::SwitchRule(rule) => {
+                on(Page::Statistics, "statistics-page-rules", StatisticsCommand::SwitchRule(rule))
+            }
+            Self::Show(aside) => {
+                let text = match aside {
+                    Aside::Signals => "statistics-page-signals",
+                    Aside::Histogram => "statistics-page-histogram",
+                    Aside::Spread => "statistics-page-spread",
+                    Aside::Probability => "statistics-page-probability",
+                };
+                on(Page::Statistics, text, StatisticsCommand::Show(aside))
+            }
+            _ => self.on_chart(),
+        }
+    }
+
+    fn name(&self, session: &Session, words: &Words) -> Option<String> {
+        match self {
+            Self::UsePoints(PointsOf::Means) => {
+                let size = session.text(StatisticsField::Size).trim();
+                Some(words.say(&message!("statistics-page-means").text("size", size)))
+            }
+            Self::SwitchRule(rule) => Some(words.say(&rule.message())),
+            Self::Freeze if session.statistics().is_frozen() => Some(words.get("statistics-page-unfreeze")),
+            Self::LeaveOut if is_left_out(session) => Some(words.get("statistics-page-take-in")),
+            _ => None,
+        }
+    }
+
+    fn is_on(&self, session: &Session) -> Option<bool> {
+        let page = session.statistics();
+        Some(match *self {
+            Self::UsePoints(of) => page.points_of == of,
+            Self::ShowRules => page.shows_rules,
+            Self::SwitchRule(rule) => page.rules().has(rule),
+            Self::Show(aside) => page.aside == aside,
+            _ => return None,
+        })
+    }
+
+    fn on_enter(field: Field, _page: Page) -> Option<Self> {
+        match field {
+            Field::Statistics(StatisticsField::Reason) => Some(Self::TakeReason),
+            Field::Statistics(_) => Some(Self::ReadAgain),
+            _ => None,
+        }
+    }
+}
+
+impl StatisticsAction {
+    /// What is done with points.
+    fn on_chart(self) -> ActionRow {
+        let key = |character: char| Shortcut::plain(Key::Character(character));
+        match self {
+            Self::MovePoint(step) => within(CHART, "statistics-page-move-point", StatisticsCommand::Move(step))
+                .key(keys(step))
+                .when(|session| 0 < session.statistics().count()),
+            Self::OpenPoint => within(CHART, "statistics-page-open", StatisticsCommand::OpenRecord(None))
+                .key(Shortcut::plain(Key::Enter))
+                .when(has_cursor),
+            Self::Zoom(zooming) => {
+                let (text, shortcut) = match zooming {
+                    Zooming::In => ("statistics-page-zoom-in", key('+')),
+                    Zooming::Out => ("statistics-page-zoom-out", key('-')),
+                    Zooming::Whole => ("statistics-page-zoom-whole", key('0')),
+                };
+                within(CHART, text, StatisticsCommand::Zoom(zooming))
+                    .key(shortcut)
+                    .when(|session| 0 < session.statistics().count())
+            }
+            Self::Freeze => within(CHART, "statistics-page-freeze", StatisticsCommand::Freeze)
+                .hint("statistics-page-freeze-hint")
+                .key(key('B'))
+                .when(|session| has_cursor(session) || session.statistics().is_frozen()),
+            Self::LeaveOut => within(CHART, "statistics-page-leave-out", StatisticsCommand::LeaveOut)
+                .hint("statistics-page-leave-out-hint")
+                .key(key('X'))
+                .when(has_cursor),
+            Self::TakeReason => on(Page::Statistics, "statistics-page-take-reason", StatisticsCommand::TakeReason)
+                .when(|session| !session.text(StatisticsField::Reason).trim().is_empty()),
+            Self::CancelReason => {
+                on(Page::Statistics, "statistics-page-cancel-reason", StatisticsCommand::CancelReason)
+            }
+            _ => on(Page::Statistics, "statistics-page-copy", StatisticsCommand::Copy)
+                .hint("statistics-page-copy-hint")
+                .key(Shortcut::ctrl('C'))
+                .when(|session| session.statistics().open().is_some()),
+        }
+    }
+}
+
+fn has_cursor(session: &Session) -> bool {
+    session.statistics().cursor.is_some()
+}
+
+fn is_left_out(session: &Session) -> bool {
+    let page = session.statistics();
+    page.cursor.is_some_and(|cursor| page.reason_of(cursor).is_some())
+}

@@ -1,0 +1,17 @@
+//! The text fields of the statistics page.
+
+use crate::texts::kept_fields;
+
+kept_fields! {
+    /// A text field of the statistics page.
+    StatisticsField
+
+    /// Which records are looked at, in the language of questions.
+    Question: "statistics-question", "";
+    /// So many of the newest values of a feature.
+    Last: "statistics-last", "125";
+    /// How many values in a row make a point, where points are means.
+    Size: "statistics-size", "5";
+    /// Why a point is left out.
+    Reason: "statistics-reason", "";
+}

@@ -1,0 +1,289 @@
+//! Figures, signals and charts in words: the same for the eye, for a screen reader and for the clipboard.
+
+use std::ops::Range;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::{Message, Say as _, message};
+use fitcheck_core::text::{grouped, long};
+use fitcheck_core::words::Words;
+use fitcheck_exchange::series::{ASKED_INDEX, Evaluated, FeatureSeries, Value};
+use fitcheck_statistics::{Place, Reason, Signal};
+
+use super::{Aside, PointsOf, StatisticsPage};
+
+/// A figure as it stands on the page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FigureText {
+    pub name: String,
+    /// The figure; a dash where there is none.
+    pub value: String,
+    pub unit: String,
+    /// Its interval, or why there is no figure.
+    pub note: String,
+}
+
+/// A signal as it stands on the page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SignalText {
+    /// Its number, as on the chart.
+    pub number: usize,
+    /// The rule in words.
+    pub rule: String,
+    /// Where it was found: values, part, time, who.
+    pub place: String,
+    /// The point at which it fires last.
+    pub point: usize,
+}
+
+/// So many patterns of a rule are named.
+const MOST_STRETCHES: usize = 3;
+
+/// A number with so many decimals, in the words of a language.
+fn decimals(words: &Words, value: f64, decimals: usize) -> String {
+    words.number(&format!("{value:.decimals$}"))
+}
+
+/// The name of a feature and what was asked for: `Flange, B1, 25 H7`; a feature of a part is named without it, too.
+pub fn feature_name(feature: &FeatureSeries, with_part: bool) -> String {
+    let key = &feature.key;
+    let part = if with_part || key.name.0.is_empty() { key.part.0.as_str() } else { "" };
+    let texts = [part, key.name.0.as_str(), key.callout.as_str()];
+    texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// What was measured, on which part, when and by whom.
+pub fn said_of_value(value: &Value, words: &Words) -> String {
+    let origin = &value.origin;
+    let time = origin.time.map_or_else(String::new, |time| time.strftime("%Y-%m-%d %H:%M").to_string());
+    let measured = format!("{} mm", words.mm(value.measured, 3));
+    let texts = [measured.as_str(), origin.piece.as_str(), time.as_str(), origin.who.as_str()];
+    texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+impl StatisticsPage {
+    /// What was read, before anything is said of it: `125 values, 25 groups of 5, 2 left out`.
+    pub fn read_text(&self, words: &Words) -> Option<String> {
+        let (_, of) = self.open()?;
+        let mut said = vec![words.say(&message!("statistics-page-values").count("count", of.values.len()))];
+        if self.points_of == PointsOf::Means {
+            said.push(
+                words.say(&message!("statistics-page-groups").count("count", of.groups).text("size", self.look.size)),
+            );
+        }
+        for (why, count) in &of.left_out {
+            said.push(words.say(&message!("statistics-page-out").text("why", why.word()).count("count", *count)));
+        }
+        if 0 < of.apart {
+            said.push(words.say(&message!("statistics-page-out").text("why", "user").count("count", of.apart)));
+        }
+        Some(said.join(", "))
+    }
+
+    /// What the whole question left aside: entries that cannot be read, and older ones that were not read.
+    pub fn aside_text(&self, words: &Words) -> Option<String> {
+        let found = self.found()?;
+        let mut said = Vec::new();
+        if found.has_more {
+            said.push(words.say(&message!("statistics-page-newest").text("count", grouped(long(found.read)))));
+        }
+        if 0 < found.unread {
+            said.push(words.say(&message!("statistics-page-unread").count("count", found.unread)));
+        }
+        (!said.is_empty()).then(|| said.join(" "))
+    }
+
+    /// The figures of the chosen feature.
+    pub fn figures(&self, words: &Words) -> Vec<FigureText> {
+        let Some((_, of)) = self.open() else { return Vec::new() };
+        let lengths = [("mean_mm", "mean", 4, 1.0, "mm"), ("sd_mm", "deviation", 2, 1_000.0, "µm")];
+        let mut figures: Vec<FigureText> = lengths
+            .into_iter()
+            .map(|(name, id, decimals, scale, unit)| figure(words, of, (name, id), (decimals, scale, unit)))
+            .collect();
+        for (name, id) in [("cp", "cp"), ("cpk", "cpk"), ("pp", "pp"), ("ppk", "ppk")] {
+            figures.push(figure(words, of, (name, id), (2, 1.0, "")));
+        }
+        figures.push(outside(words, of));
+        figures
+    }
+
+    /// Whether Ppk is proven to be what is usually asked for; never whether that is good.
+    pub fn proof_text(&self, words: &Words) -> Option<String> {
+        let (_, of) = self.open()?;
+        let asked = decimals(words, ASKED_INDEX, 2);
+        let said = match (of.is_proven(), of.ppk()) {
+            (Ok(is_proven), Ok((_, [lower, _]))) => {
+                let id = if is_proven { "statistics-page-proven" } else { "statistics-page-not-proven" };
+                Message::new(id).text("asked", asked).text("lower", decimals(words, lower, 2))
+            }
+            (Err(why), _) | (_, Err(why)) => {
+                message!("statistics-page-no-ppk").text("asked", asked).message("why", why.message())
+            }
+        };
+        Some(words.say(&said))
+    }
+
+    /// What to do about the figures.
+    pub fn advice(&self, words: &Words) -> Vec<String> {
+        let advice = self.open().map_or(&[][..], |(_, of)| of.answer.advice.as_slice());
+        advice.iter().map(|advice| words.told(advice)).collect()
+    }
+
+    /// The signals, numbered as on the chart.
+    pub fn signals(&self, words: &Words) -> Vec<SignalText> {
+        let Some((_, of)) = self.open() else { return Vec::new() };
+        (1..).zip(&of.signals).map(|(number, signal)| self.signal(words, number, signal)).collect()
+    }
+
+    fn signal(&self, words: &Words, number: usize, signal: &Signal) -> SignalText {
+        let rule = words.told(&signal.rule);
+        let rule = match signal.place {
+            Place::Location => rule,
+            Place::Spread => words.say(&message!("statistics-page-on-spread").text("rule", rule)),
+        };
+        let points = |of: &Range<usize>| {
+            words.say(&match of.len() {
+                1 => message!("statistics-page-at").text("point", of.end),
+                _ => message!("statistics-page-from-to").text("first", of.start + 1).text("last", of.end),
+            })
+        };
+        let mut places: Vec<String> = signal.stretches.iter().take(MOST_STRETCHES).map(points).collect();
+        if MOST_STRETCHES < signal.stretches.len() {
+            places.push("…".to_owned());
+        }
+        let point = signal.stretches.last().map_or(0, |of| of.end.saturating_sub(1));
+        let of = self.values_of(point).last().map(|value| said_of_value(value, words));
+        let place = [Some(places.join(", ")), of].into_iter().flatten().collect::<Vec<_>>().join(": ");
+        SignalText { number, rule, place, point }
+    }
+
+    /// What a screen reader says of the chart: one sentence with its figures.
+    pub fn chart_text(&self, words: &Words) -> String {
+        let Some((feature, of)) = self.open() else { return String::new() };
+        let mm = |name: &str| match of.figure(name) {
+            Some(Ok((value, _))) => format!("{} mm", decimals(words, *value, 4)),
+            _ => "–".to_owned(),
+        };
+        let limit =
+            |limit: Option<Length>| limit.map_or_else(|| "–".to_owned(), |limit| format!("{} mm", words.mm(limit, 3)));
+        if let Err(why) = &of.answer.chart {
+            return words.say(&message!("statistics-page-no-chart").message("why", why.message()));
+        }
+        let [lower, upper] = feature.key.limits.map(limit);
+        let said = message!("statistics-page-chart-said")
+            .count("count", of.points.len())
+            .text("centre", mm("centre_mm"))
+            .text("lower", mm("lower_control_mm"))
+            .text("upper", mm("upper_control_mm"))
+            .text("minimum", lower)
+            .text("maximum", upper);
+        words.say(&said.count("signals", of.signals.len()).count("outside", of.answer.outside.iter().sum()))
+    }
+
+    /// What is said of the point at which the keys are.
+    pub fn cursor_text(&self, words: &Words) -> Option<String> {
+        self.cursor.map(|point| self.point_text(point, words))
+    }
+
+    /// What is said of a point: its values, why it is left out, and what fires there.
+    pub fn point_text(&self, point: usize, words: &Words) -> String {
+        let values: Vec<String> = self.values_of(point).map(|value| said_of_value(value, words)).collect();
+        let said = message!("statistics-page-at").text("point", point + 1);
+        let mut said = vec![format!("{}: {}", words.say(&said), values.join("; "))];
+        if let Some(reason) = self.reason_of(point) {
+            said.push(words.say(&message!("statistics-page-left-out-because").text("reason", reason)));
+        }
+        let signals = self.open().map_or(&[][..], |(_, of)| of.signals.as_slice());
+        for (number, signal) in (1..).zip(signals) {
+            if signal.stretches.iter().any(|of| of.contains(&point)) {
+                said.push(format!("{number} {}", words.told(&signal.rule)));
+            }
+        }
+        said.join(". ")
+    }
+
+    /// What a screen reader says of one of the smaller charts.
+    pub fn aside_said(&self, aside: Aside, words: &Words) -> String {
+        let Some((_, of)) = self.open() else { return String::new() };
+        let figures: &[(&str, &str, usize, f64)] = match aside {
+            Aside::Signals => &[],
+            Aside::Histogram => &[("mean_mm", "mm", 4, 1.0), ("sd_mm", "µm", 2, 1_000.0)],
+            Aside::Spread => &[("spread_centre_mm", "µm", 1, 1_000.0), ("spread_upper_mm", "µm", 1, 1_000.0)],
+            Aside::Probability => &[("anderson_darling", "", 2, 1.0), ("anderson_darling_p", "", 3, 1.0)],
+        };
+        let said = figures.iter().filter_map(|(name, unit, digits, scale)| {
+            let figure = of.answer.figures.iter().find(|figure| figure.name == *name)?;
+            let label = words.get(&format!("statistics-page-said-{}", name.replace('_', "-")));
+            Some(match &figure.value {
+                Ok((value, _)) => {
+                    format!("{label} {} {unit}", decimals(words, value * scale, *digits)).trim_end().to_owned()
+                }
+                Err(why) => format!("{label}: {}", words.told(why)),
+            })
+        });
+        said.collect::<Vec<_>>().join(", ")
+    }
+
+    /// Figures and signals as a table for a spreadsheet.
+    pub(super) fn copied(&self, words: &Words) -> Option<String> {
+        let (feature, _) = self.open()?;
+        let mut lines = vec![feature_name(feature, true)];
+        lines.extend(self.read_text(words));
+        let cells = |figure: FigureText| {
+            let FigureText { name, value, unit, note } = figure;
+            [name, value, unit, note].join("\t")
+        };
+        lines.extend(self.figures(words).into_iter().map(cells));
+        lines.extend(self.proof_text(words));
+        lines.extend(
+            self.signals(words)
+                .into_iter()
+                .map(|SignalText { number, rule, place, .. }| [number.to_string(), rule, place].join("\t")),
+        );
+        lines.extend(self.advice(words));
+        Some(lines.join("\n"))
+    }
+}
+
+fn figure(
+    words: &Words,
+    of: &Evaluated,
+    (name, id): (&str, &str),
+    (digits, scale, unit): (usize, f64, &str),
+) -> FigureText {
+    let number = |value: f64| decimals(words, value * scale, digits);
+    let name_text = words.get(&format!("statistics-page-figure-{id}"));
+    // Where nothing at all could be computed, one figure has the reason for all of them.
+    let lacks = || {
+        let of_index = of.figure("cpk").and_then(|found| found.as_ref().err());
+        if of.figure("ppk").is_some() { Reason::OneLimit } else { of_index.cloned().unwrap_or(Reason::NoLimits) }
+    };
+    let found = of.figure(name).cloned().unwrap_or_else(|| Err(lacks()));
+    let (value, unit, note) = match found {
+        Ok((value, Some([lower, upper]))) => {
+            let interval =
+                message!("statistics-page-interval").text("lower", number(lower)).text("upper", number(upper));
+            (number(value), unit, words.say(&interval))
+        }
+        Ok((value, None)) => (number(value), unit, String::new()),
+        Err(why) => ("–".to_owned(), "", words.told(&why)),
+    };
+    FigureText { name: name_text, value, unit: unit.to_owned(), note }
+}
+
+fn outside(words: &Words, of: &Evaluated) -> FigureText {
+    let name = words.get("statistics-page-figure-outside");
+    let count: usize = of.answer.outside.iter().sum();
+    let has_limits = of.answer.wanted.limits.iter().any(Option::is_some);
+    let note = match of.figure("ppm_overall") {
+        Some(Ok((ppm, _))) => words.say(&message!("statistics-page-expected").text("ppm", decimals(words, *ppm, 0))),
+        _ => String::new(),
+    };
+    let (value, unit, note) = if has_limits {
+        let of_all = words.say(&message!("statistics-page-of").text("count", of.values.len()));
+        (count.to_string(), of_all, note)
+    } else {
+        ("–".to_owned(), String::new(), words.told(&Reason::NoLimits))
+    };
+    FigureText { name, value, unit, note }
+}

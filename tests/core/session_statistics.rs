@@ -1,0 +1,348 @@
+//! The statistics page without a window: what is asked of the journal, the figures of a feature, points that are walked, left out and
+//! frozen, and why there is no figure.
+
+use std::sync::Arc;
+
+use fitcheck::journal::Record;
+use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Moment};
+use fitcheck::length::Length;
+use fitcheck::message::Message;
+use fitcheck::probing::{Measurement, Origin};
+use fitcheck::series::{Gathering, LeftOut};
+use fitcheck::session::statistics::{PointsOf, SeriesFound, Zooming};
+use fitcheck::session::{Command, Effect, Page, Session, StatisticsAction, StatisticsCommand, StatisticsField, Step};
+use fitcheck::statistics::Rule;
+use fitcheck::tolerance::{Callout, Sources};
+use fitcheck::words::{Language, Words};
+
+use crate::session_records::{head, recording, send, typed};
+
+fn words() -> Words {
+    Words::new(Language::En)
+}
+
+/// A check of part `Flange`, serial `S-N`, by its number, its callout and its value.
+fn check(number: u64, feature: &str, callout: &str, mm: &str) -> Entry {
+    let callout: Callout = callout.parse().unwrap();
+    let limits = Sources::default().limits(&callout, None).unwrap();
+    let measurement = Measurement::of_diameter(mm.parse().unwrap(), Origin::Typed);
+    let time = jiff::civil::date(2026, 11, 17).at(7, 30, 0, 0);
+    let record = Record::judged(time, feature.to_owned(), Some(callout), limits, measurement, None);
+    let about = About {
+        station: "Mill 3".to_owned(),
+        time: Moment { utc_ms: 1_795_254_127_000, offset_min: 60, zone: String::new() },
+        who: "Anna".to_owned(),
+        part: "Flange".to_owned(),
+        serial: format!("S-{number}"),
+        feature: feature.to_owned(),
+        remark: String::new(),
+    };
+    let check = Check { what: Checked::Size(Arc::new(record)), files: Vec::new(), corrects: None };
+    Entry { about, content: Content::Check(Box::new(check)) }
+}
+
+/// What a journal finds: entries with their numbers, and whether others stand in their places.
+fn found(entries: &[(u64, Entry, bool)], most: usize) -> SeriesFound {
+    let mut gathering = Gathering::default();
+    for (number, entry, is_replaced) in entries {
+        gathering.take(*number, entry, *is_replaced);
+    }
+    let features = gathering.finish(most).into_iter().map(Arc::new).collect();
+    SeriesFound { features, read: entries.len(), ..SeriesFound::default() }
+}
+
+/// Checks of the feature A1, 25 H7.
+fn of_values(values: &[&str]) -> Vec<(u64, Entry, bool)> {
+    (2..).zip(values).map(|(number, mm)| (number, check(number, "A1", "25 H7", mm), false)).collect()
+}
+
+/// Computes what the page asks for, as the world outside does.
+fn compute(session: &mut Session, effects: Vec<Effect>) {
+    for effect in effects {
+        if let Effect::EvaluateSeries { run, features, looks } = effect {
+            let answers = features.iter().zip(&looks).map(|(feature, look)| feature.evaluate(look)).collect();
+            send(session, StatisticsCommand::Evaluated { run, answers: Arc::new(answers) });
+        }
+    }
+}
+
+/// Does a command, and computes what it asks for.
+fn doing(session: &mut Session, command: StatisticsCommand) {
+    let effects = send(session, command);
+    compute(session, effects);
+}
+
+#[track_caller]
+fn asked(effects: &[Effect]) -> (u64, String, usize) {
+    let asked = effects.iter().find_map(|effect| match effect {
+        Effect::ReadSeries { run, question, most, .. } => Some((*run, format!("{question:?}"), *most)),
+        _ => None,
+    });
+    asked.unwrap_or_else(|| panic!("{effects:?}"))
+}
+
+/// The page with these checks.
+fn page(entries: &[(u64, Entry, bool)]) -> Session {
+    let mut session = recording();
+    let effects = send(&mut session, Command::OpenPage(Page::Statistics));
+    let (run, _, most) = asked(&effects);
+    doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(found(entries, most))) });
+    session
+}
+
+/// A figure by its name: value, unit, note.
+#[track_caller]
+fn figure(session: &Session, name: &str) -> [String; 3] {
+    let figures = session.statistics().figures(&words());
+    let figure = figures.iter().find(|figure| figure.name == name).unwrap_or_else(|| panic!("{name}: {figures:?}"));
+    [figure.value.clone(), figure.unit.clone(), figure.note.clone()]
+}
+
+/// Ten values with the mean 25.0105 mm and the standard deviation √(82.5/9) µm: 6 to 15 µm above the nominal size.
+const TEN: [&str; 10] =
+    ["25.010", "25.011", "25.009", "25.012", "25.008", "25.013", "25.007", "25.014", "25.006", "25.015"];
+
+#[test]
+fn the_journal_is_asked_when_the_page_opens_and_when_the_question_changes() {
+    let mut session = recording();
+    let (_, question, most) = asked(&send(&mut session, Command::OpenPage(Page::Statistics)));
+    assert!(question.contains("kinds: Checks") && question.contains("standing: false"), "{question}");
+    assert_eq!(most, 125);
+    let (_, question, _) = asked(&typed(&mut session, StatisticsField::Question, "part:Flange standing"));
+    assert!(question.contains("Some(\"Flange\")"), "{question}");
+    assert!(question.contains("standing: false"), "what is withdrawn is left out by the page, and counted: {question}");
+    assert_eq!(asked(&typed(&mut session, StatisticsField::Last, "50")).2, 50);
+    for wrong in ["0", "x", "100001", "-3"] {
+        assert!(typed(&mut session, StatisticsField::Last, wrong).is_empty(), "{wrong}");
+        assert!(session.error(StatisticsField::Last).is_some(), "{wrong}");
+    }
+    typed(&mut session, StatisticsField::Last, "125");
+    assert!(typed(&mut session, StatisticsField::Question, "verdict:bent").is_empty());
+    assert!(session.error(StatisticsField::Question).is_some());
+}
+
+#[test]
+fn an_answer_to_an_older_question_changes_nothing() {
+    let mut session = recording();
+    let (run, _, most) = asked(&send(&mut session, Command::OpenPage(Page::Statistics)));
+    send(&mut session, StatisticsCommand::ReadAgain);
+    let result = Ok(Arc::new(found(&of_values(&TEN), most)));
+    assert!(send(&mut session, StatisticsCommand::Found { run, result }).is_empty());
+    assert!(session.statistics().open().is_none());
+    let why = Message::new("records-page-none");
+    send(&mut session, StatisticsCommand::Found { run: run + 1, result: Err(why.clone()) });
+    assert_eq!(session.statistics().problem, Some(why));
+}
+
+#[test]
+fn figures_have_intervals_and_proof_is_by_the_lower_bound() {
+    let session = page(&of_values(&TEN));
+    let page = session.statistics();
+    assert_eq!(page.read_text(&words()).unwrap(), "10 values");
+    // R: mean(x), sd(x); Ppk = 10.5/(3 s) for the middle of the zone; its interval as in figures.
+    let [mean, unit, _] = figure(&session, "Mean");
+    assert_eq!([mean.as_str(), unit.as_str()], ["25.0105", "mm"]);
+    assert_eq!(figure(&session, "Standard deviation")[..2], ["3.03".to_owned(), "µm".to_owned()]);
+    assert_eq!(figure(&session, "Ppk overall")[0], "1.16");
+    assert_eq!(figure(&session, "Pp overall")[0], "1.16");
+    assert!(figure(&session, "Ppk overall")[2].starts_with("95 %: 0."), "{:?}", figure(&session, "Ppk overall"));
+    assert_eq!(figure(&session, "Outside the limits")[..2], ["0".to_owned(), "of 10".to_owned()]);
+    let proof = page.proof_text(&words()).unwrap();
+    assert!(proof.starts_with("Ppk of 1.33 is not proven: its lower bound is 0."), "{proof}");
+    let precise: Vec<String> = (0..200).map(|at| format!("25.{:04}", 100 + (at * 7) % 11)).collect();
+    let precise: Vec<&str> = precise.iter().map(String::as_str).collect();
+    let session = self::page(&of_values(&precise));
+    let proof = session.statistics().proof_text(&words()).unwrap();
+    assert!(proof.starts_with("Ppk of 1.33 is proven: its lower bound is "), "{proof}");
+}
+
+#[test]
+fn what_has_no_figure_says_why_where_the_figure_would_stand() {
+    let none = page(&[]);
+    assert!(none.statistics().open().is_none() && !none.statistics().is_working());
+    let one = page(&of_values(&["25.010"]));
+    assert_eq!(figure(&one, "Mean"), ["–", "", "too few values or groups: 1, at least 2 needed"]);
+    assert!(one.statistics().chart_text(&words()).starts_with("No control limits: too few values"));
+    let equal = page(&of_values(&["25.010"; 5]));
+    assert_eq!(figure(&equal, "Ppk overall")[2], "all values are equal: there is no spread to compute with");
+    assert!(equal.statistics().proof_text(&words()).unwrap().ends_with("there is no spread to compute with."));
+    let mut out: Vec<_> = of_values(&TEN);
+    for (_, _, is_replaced) in &mut out {
+        *is_replaced = true;
+    }
+    let out = page(&out);
+    assert_eq!(out.statistics().read_text(&words()).unwrap(), "0 values, 10 left out: corrected or withdrawn");
+    assert_eq!(figure(&out, "Mean")[2], "there are no values");
+}
+
+#[test]
+fn simulated_doubtful_and_withdrawn_values_are_left_out_and_counted_and_a_correction_stands_in_place() {
+    let mut entries = of_values(&TEN);
+    entries[3].2 = true;
+    let mut correction = check(50, "A1", "25 H7", "25.0125");
+    let Content::Check(of) = &mut correction.content else { panic!() };
+    of.corrects = Some(Correction { target: head(5), reason: "misread".to_owned(), by: "Bert".to_owned() });
+    entries.push((50, correction, false));
+    // Ten times the size is another part's value.
+    entries.push((51, check(51, "A1", "25 H7", "25.900"), false));
+    let session = page(&entries);
+    let page = session.statistics();
+    let (feature, of) = page.open().unwrap();
+    assert_eq!(of.values.len(), 10);
+    assert_eq!(of.left_out, [(LeftOut::Doubtful, 1), (LeftOut::Withdrawn, 1)]);
+    let numbers: Vec<u64> = of.shown.iter().filter_map(|at| feature.values[*at].origin.number).collect();
+    assert_eq!(numbers, [2, 3, 4, 50, 6, 7, 8, 9, 10, 11], "the correction stands where the value stood");
+    assert_eq!(
+        page.read_text(&words()).unwrap(),
+        "10 values, 1 left out: doubtful, 1 left out: corrected or withdrawn"
+    );
+}
+
+#[test]
+fn only_the_newest_values_of_each_feature_count() {
+    let mut entries = of_values(&TEN);
+    entries.extend((20..23).map(|number| (number, check(number, "B2", "8 H7", "8.004"), false)));
+    let found = found(&entries, 4);
+    let counts: Vec<(String, usize)> =
+        found.features.iter().map(|feature| (feature.key.name.0.clone(), feature.values.len())).collect();
+    assert_eq!(counts, [("A1".to_owned(), 4), ("B2".to_owned(), 3)]);
+    let first = found.features[0].values[0].measured;
+    assert_eq!(first, "25.007".parse::<Length>().unwrap());
+}
+
+#[test]
+fn other_limits_begin_another_series() {
+    let mut entries = of_values(&TEN);
+    entries.push((30, check(30, "A1", "25 H8", "25.010"), false));
+    let session = page(&entries);
+    let names: Vec<String> = session.statistics().features().map(|(feature, _)| feature.key.callout.clone()).collect();
+    assert_eq!(names, ["25 H7", "25 H8"]);
+}
+
+#[test]
+fn points_are_means_of_as_many_values_as_the_field_says() {
+    let mut session = page(&of_values(&TEN));
+    doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Means));
+    assert_eq!(session.statistics().read_text(&words()).unwrap(), "10 values, 2 groups of 5");
+    assert_eq!(StatisticsAction::UsePoints(PointsOf::Means).text(&session, &words()), "Means of 5");
+    let effects = typed(&mut session, StatisticsField::Size, "2");
+    compute(&mut session, effects);
+    assert_eq!(session.statistics().count(), 5);
+    typed(&mut session, StatisticsField::Size, "1");
+    assert!(session.error(StatisticsField::Size).is_some());
+}
+
+/// Twenty values of little spread and one far above them: Nelson's first rule fires at it.
+fn with_signal() -> Vec<(u64, Entry, bool)> {
+    let mut values: Vec<String> = (0..20).map(|at| format!("25.{:04}", 100 + (at * 7) % 5)).collect();
+    values.push("25.0180".to_owned());
+    of_values(&values.iter().map(String::as_str).collect::<Vec<_>>())
+}
+
+#[test]
+fn signals_say_rule_place_part_time_and_who_and_open_the_record() {
+    let mut session = page(&with_signal());
+    let signals = session.statistics().signals(&words());
+    let first = signals.iter().find(|signal| signal.rule == "1 point beyond a control limit").unwrap();
+    assert_eq!(first.place, "Point 21: 25.018 mm, S-22, 2026-11-17 07:30, Anna");
+    assert_eq!(first.point, 20);
+    doing(&mut session, StatisticsCommand::SwitchRule(Rule::BeyondLimits));
+    let signals = session.statistics().signals(&words());
+    assert!(signals.iter().all(|signal| !signal.rule.contains("beyond a control limit")), "{signals:?}");
+    doing(&mut session, StatisticsCommand::SwitchRule(Rule::BeyondLimits));
+    let effects = send(&mut session, StatisticsCommand::OpenRecord(Some(20)));
+    assert_eq!(session.page(), Page::Records);
+    assert!(effects.contains(&Effect::ReadRecords(vec![22])), "{effects:?}");
+}
+
+#[test]
+fn a_point_is_left_out_with_a_reason_that_stays_and_is_taken_in_again() {
+    let mut session = page(&with_signal());
+    let before = figure(&session, "Ppk overall");
+    doing(&mut session, StatisticsCommand::Move(Step::Last));
+    let effects = send(&mut session, StatisticsCommand::LeaveOut);
+    assert!(effects.contains(&Effect::Focus(StatisticsField::Reason.into())), "{effects:?}");
+    doing(&mut session, StatisticsCommand::TakeReason);
+    assert!(session.statistics().asks_why, "without a reason nothing is left out");
+    typed(&mut session, StatisticsField::Reason, "chip on the probe");
+    doing(&mut session, StatisticsCommand::TakeReason);
+    let page = session.statistics();
+    assert_eq!(page.reason_of(20), Some("chip on the probe"));
+    assert_eq!(page.read_text(&words()).unwrap(), "20 values, 1 left out: with a reason");
+    let (_, of) = page.open().unwrap();
+    assert_eq!(of.values.len(), 20);
+    let chart = of.answer.chart.as_ref().unwrap();
+    assert_eq!(chart.points.len(), 21, "it stays on the chart");
+    assert_eq!(chart.points[20].left_out.as_deref(), Some("chip on the probe"));
+    assert!(page.cursor_text(&words()).unwrap().contains("Left out: chip on the probe"));
+    assert_ne!(figure(&session, "Ppk overall"), before);
+    assert_eq!(StatisticsAction::LeaveOut.text(&session, &words()), "Include again");
+    doing(&mut session, StatisticsCommand::LeaveOut);
+    assert_eq!(figure(&session, "Ppk overall"), before);
+    // All of them: the reason stands in the place of the figures.
+    for point in 0..21 {
+        doing(&mut session, StatisticsCommand::ChoosePoint(point));
+        send(&mut session, StatisticsCommand::LeaveOut);
+        typed(&mut session, StatisticsField::Reason, "trial");
+        doing(&mut session, StatisticsCommand::TakeReason);
+    }
+    assert_eq!(figure(&session, "Mean")[2], "there are no values");
+}
+
+#[test]
+fn limits_come_from_the_chosen_points_and_later_points_do_not_move_them() {
+    let mut session = page(&with_signal());
+    let limits = |session: &Session| {
+        let (_, of) = session.statistics().open().unwrap();
+        of.answer.chart.as_ref().unwrap().stages[0].clone()
+    };
+    doing(&mut session, StatisticsCommand::ChoosePoint(9));
+    doing(&mut session, StatisticsCommand::Freeze);
+    let frozen = limits(&session);
+    assert_eq!(frozen.baseline, 10);
+    let mut more = with_signal();
+    more.push((40, check(40, "A1", "25 H7", "25.0020"), false));
+    let (run, _, most) = asked(&send(&mut session, StatisticsCommand::ReadAgain));
+    doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(found(&more, most))) });
+    let (mean, sigma) = (limits(&session).mean.to_bits(), limits(&session).sigma.value.to_bits());
+    assert_eq!((mean, sigma), (frozen.mean.to_bits(), frozen.sigma.value.to_bits()));
+    // Where its first value is not in sight any more there are no limits, and that is said.
+    let (run, _, _) = asked(&send(&mut session, StatisticsCommand::ReadAgain));
+    doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(found(&more, 15))) });
+    let said = session.statistics().chart_text(&words());
+    assert!(said.starts_with("No control limits: the baseline is not within its stage"), "{said}");
+    doing(&mut session, StatisticsCommand::Freeze);
+    assert!(!session.statistics().is_frozen());
+    assert_eq!(limits(&session).baseline, 15);
+}
+
+#[test]
+fn points_are_walked_and_the_window_follows() {
+    let mut session = page(&with_signal());
+    doing(&mut session, StatisticsCommand::Move(Step::Last));
+    assert_eq!(session.statistics().cursor, Some(20));
+    doing(&mut session, StatisticsCommand::Zoom(Zooming::In));
+    assert_eq!(session.statistics().window(), 11..21, "ten points are shown at least");
+    doing(&mut session, StatisticsCommand::Move(Step::First));
+    assert_eq!(session.statistics().window(), 0..10);
+    doing(&mut session, StatisticsCommand::Move(Step::PageDown));
+    assert_eq!(session.statistics().window(), 1..11);
+    doing(&mut session, StatisticsCommand::Zoom(Zooming::Out));
+    assert_eq!(session.statistics().window().len(), 20);
+    doing(&mut session, StatisticsCommand::Zoom(Zooming::Whole));
+    assert_eq!(session.statistics().window(), 0..21);
+    doing(&mut session, StatisticsCommand::See(5..18));
+    assert_eq!(session.statistics().window(), 5..18);
+}
+
+#[test]
+fn the_chart_is_one_sentence_with_its_figures_and_all_of_it_is_copied() {
+    let mut session = page(&with_signal());
+    let said = session.statistics().chart_text(&words());
+    assert!(said.starts_with("21 points, centre line 25.01"), "{said}");
+    assert!(said.contains("limits 25.000 mm … 25.021 mm") && said.ends_with("0 outside the limits."), "{said}");
+    let effects = send(&mut session, StatisticsCommand::Copy);
+    let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert!(text.starts_with("Flange, A1, 25 H7\n21 values\nMean\t25.01"), "{text}");
+    assert!(text.contains("\t1 point beyond a control limit\tPoint 21: 25.018 mm, S-22"), "{text}");
+}
