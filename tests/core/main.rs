@@ -122,6 +122,7 @@ mod report;
 mod report_cli;
 mod report_examples;
 mod report_parts;
+mod report_statistics;
 mod report_templates;
 
 mod rotation;

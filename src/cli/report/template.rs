@@ -14,7 +14,7 @@ use crate::report::template::{HeadField, Template};
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Pages")]
 pub(super) struct TemplateArgs {
-    /// Template of a report as PDF or PNG: a file, or inspection, first-article, certificate, list, sheet, label
+    /// Template of a report as PDF or PNG: a file, or inspection, first-article, certificate, list, statistics, sheet, label
     #[arg(long, value_name = "FILE|NAME")]
     template: Option<String>,
 

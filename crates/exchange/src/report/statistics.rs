@@ -16,7 +16,7 @@ use super::origins::Entry;
 use super::template::Section;
 use crate::exchange::Labels;
 use crate::journal::Record;
-use crate::series::{Answer, Figure, Grouping, Series, Value, Wanted};
+use crate::series::{ASKED_INDEX, Answer, Figure, Grouping, Series, Value, Wanted};
 
 /// The most values that are kept in memory.
 const MOST_VALUES: usize = 1_000_000;
@@ -26,9 +26,6 @@ const MOST_POINTS: usize = 20;
 
 /// The level of the intervals.
 const LEVEL: f64 = 0.95;
-
-/// What a Ppk is asked to be (AIAG PPAP, 4th edition, and ISO 22514-2 leave it to the customer; 1.33 is what most of them ask).
-const ASKED_INDEX: f64 = 1.33;
 
 /// A feature with everything that is said of it.
 pub(super) struct FeatureStatistics {
