@@ -69,6 +69,18 @@ pub(super) enum CliError {
     StatsLimits,
     /// Values without parts.
     StatsNoParts,
+    /// A point that the chart does not have.
+    StatsNoPoint { point: usize, count: usize },
+    /// Values that do not say to which group they belong.
+    StatsNoFactor { count: usize },
+    /// A layout that looks wrong and is not confirmed.
+    StatsLayout { doubt: Message },
+    /// A budget of a study that gives none.
+    StatsNoBudget,
+    /// Points of a chart, and every feature has one of its own.
+    StatsPoints,
+    /// Parameters of a chart that has none.
+    StatsParameters,
 
     /// Hole or shaft must be named.
     AddFeature { error: LimitsError },

@@ -172,6 +172,7 @@ mod sql;
 mod start_cli;
 mod stated_units;
 mod stats_cli;
+mod studies_cli;
 mod supply;
 mod system_data;
 mod table_cli;

@@ -44,7 +44,8 @@ fn a_report_of_statistics_has_the_published_figures() {
 
 #[test]
 fn each_feature_has_figures_of_its_own_and_other_templates_have_none() {
-    let table = "feature,callout,measured\nA,25 H7,25.010\nB,12 H7,12.005\nA,25 H7,25.012\nB,12 H7,12.009\nA,25 H7,25.011\n";
+    let table =
+        "feature,callout,measured\nA,25 H7,25.010\nB,12 H7,12.005\nA,25 H7,25.012\nB,12 H7,12.009\nA,25 H7,25.011\n";
     let said = text(table, "two.md", &[]);
     assert!(said.contains("## A, 25 H7\n\n3 values") && said.contains("## B, 12 H7\n\n2 values"), "{said}");
     assert!(said.contains("the intervals are wide"), "{said}");

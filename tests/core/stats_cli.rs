@@ -7,7 +7,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 /// The exit code, standard output and standard error of a call in a folder.
-fn stats(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+pub(crate) fn stats(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
     let output = command.current_dir(folder).arg("stats").args(arguments).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
@@ -15,14 +15,14 @@ fn stats(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
 }
 
 /// A folder with one file.
-fn with(text: &str) -> TempDir {
+pub(crate) fn with(text: &str) -> TempDir {
     let folder = TempDir::new().unwrap();
     fitcheck::files::write(&folder.path().join("values.csv"), text.as_bytes()).unwrap();
     folder
 }
 
 /// The answer to a call about one file.
-fn answer(text: &str, arguments: &[&str]) -> (Option<i32>, Value) {
+pub(crate) fn answer(text: &str, arguments: &[&str]) -> (Option<i32>, Value) {
     let folder = with(text);
     let call = [&["values.csv", "--format", "json"], arguments].concat();
     let (code, out, _) = stats(folder.path(), &call);
@@ -30,7 +30,7 @@ fn answer(text: &str, arguments: &[&str]) -> (Option<i32>, Value) {
 }
 
 #[track_caller]
-fn near(found: &Value, expected: f64, share: f64) {
+pub(crate) fn near(found: &Value, expected: f64, share: f64) {
     let found = found.as_f64().unwrap();
     assert!((found - expected).abs() <= share * expected.abs(), "{found} is not {expected}");
 }

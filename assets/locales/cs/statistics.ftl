@@ -7,6 +7,7 @@ statistics-reason-too-few = příliš málo hodnot nebo skupin: { $found }, pot�
 statistics-reason-all-equal = všechny hodnoty jsou stejné: není rozptyl, se kterým by se dalo počítat
 statistics-reason-no-subgroups = žádná podskupina nemá dvě nebo více hodnot
 statistics-reason-large-subgroup = počet hodnot v podskupině je { $found }: rozpětí se používá nejvýše pro { $most }
+statistics-reason-unequal-subgroups = podskupiny mají { $least } až { $most } hodnot: tento diagram potřebuje stejně velké podskupiny
 statistics-reason-no-limits = nejsou žádné meze
 statistics-reason-one-limit = je jen jedna mez a potřeba jsou obě
 statistics-reason-swapped-limits = dolní mez není pod horní
@@ -62,5 +63,52 @@ statistics-advice-no-trend = žádný trend: změna od dílu k dílu je šum
 statistics-advice-trend = rozměr se mění o { $um } µm na díl
 statistics-advice-trend-at-limit = rozměr se mění o { $um } µm na díl a od této chvíle je třeba počítat s díly za mezí
 statistics-advice-trend-to = rozměr se mění o { $um } µm na díl: počet dílů do meze je asi { $parts } ({ $level } %: { $least } až { $most })
+statistics-advice-average-out = klouzavý průměr je mimo své meze, poprvé v bodě { $at }: průměr se posunul
+statistics-advice-sum-out = součet je mimo rozhodovací interval, poprvé v bodě { $at }: průměr se posunul, přibližně od bodu { $since }
 statistics-advice-groups-alike = skupiny se neliší více než náhodně (p = { $p })
 statistics-advice-groups-differ = skupiny se liší (p = { $p })
+
+# Studie měřidel
+statistics-gauge-operator-per-value = každá hodnota má vlastního operátora: jsou sloupce správně?
+statistics-gauge-more-operators = operátoři: { $operators }, díly: { $parts }: nejsou sloupce dílů a operátorů prohozené?
+statistics-gauge-operators-differ-more = operátoři se liší více než díly: nejsou sloupce dílů a operátorů prohozené?
+statistics-gauge-same-parts = každý operátor má díly stejných názvů: není studie křížová?
+statistics-gauge-several-masters = hodnoty jsou z { $parts } dílů a tato studie potřebuje jediný etalon
+statistics-gauge-master-good = pro tuto toleranci dost dobré: Cg a Cgk dosahují { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = pro tuto toleranci nedostatečné: Cg a Cgk musí dosáhnout { $required } a krok zobrazení smí být nejvýše 5 % tolerance (AIAG MSA, VDA 5)
+statistics-gauge-smallest = nejmenší tolerance, pro kterou je dost dobré: { $mm } mm ({ $level } %: až { $most } mm)
+statistics-gauge-biased = strannost { $um } µm je víc než náhoda (p = { $p })
+statistics-gauge-not-biased = strannost { $um } µm může být náhoda (p = { $p })
+statistics-gauge-good = dost dobré: měřidlo zabírá { $percent } % { $of ->
+        [tolerance] tolerance
+       *[variation] celkového rozptylu
+    } a do 10 % je to dobré (AIAG MSA)
+statistics-gauge-accepted = dost dobré, jen pokud musí stačit: měřidlo zabírá { $percent } % { $of ->
+        [tolerance] tolerance
+       *[variation] celkového rozptylu
+    } a od 10 % do 30 % záleží na použití (AIAG MSA)
+statistics-gauge-bad = nedostatečné: měřidlo zabírá { $percent } % { $of ->
+        [tolerance] tolerance
+       *[variation] celkového rozptylu
+    } a více než 30 % je příliš (AIAG MSA)
+statistics-gauge-smallest-shares = nejmenší tolerance, pro kterou je dost dobré: { $good } mm; pokud musí stačit: { $accepted } mm
+statistics-gauge-interaction-kept = operátoři se u některých dílů liší více než u jiných (p = { $p }): interakce zůstává
+statistics-gauge-interaction-pooled = operátoři se u některých dílů neliší více než u jiných (p = { $p }): interakce se počítá k opakovatelnosti
+statistics-gauge-negative = rozptyl { $what ->
+        [operator] operátorů
+        [interaction] interakce
+       *[part] dílů
+    } vyšel záporný a počítá se jako 0
+statistics-gauge-not-linear = strannost se mění s rozměrem (p = { $p })
+statistics-gauge-linear = strannost se s rozměrem nemění víc než náhodou (p = { $p })
+statistics-gauge-stable = stabilní: žádné pravidlo nehlásí a údaje se neposouvají
+statistics-gauge-not-stable = nestabilní: některé pravidlo hlásí nebo se údaje posouvají
+
+# Proč hodnoty nejsou studií
+series-study-no-parts = hodnoty bez dílu: { $count }
+series-study-no-operators = hodnoty bez operátora vedle jiných, které ho mají: { $count }
+series-study-uneven-cell = měření dílu { $part } operátorem { $operator }: { $found }, očekáváno { $needed }
+series-study-uneven-operator = díly operátora { $operator }: { $found }, očekáváno { $needed }
+series-study-nested = každý díl měřil jen jeden operátor: to je vnořená studie
+series-study-no-reference = hodnoty bez kalibrovaného rozměru: { $count }
+series-study-references = hodnoty jednoho etalonu mají několik kalibrovaných rozměrů

@@ -7,6 +7,7 @@ statistics-reason-too-few = zu wenige Werte oder Gruppen: { $found }, mindestens
 statistics-reason-all-equal = alle Werte sind gleich: es gibt keine Streuung, mit der gerechnet werden kann
 statistics-reason-no-subgroups = keine Stichprobe hat zwei oder mehr Werte
 statistics-reason-large-subgroup = eine Stichprobe hat { $found } Werte: Spannweiten werden bis höchstens { $most } verwendet
+statistics-reason-unequal-subgroups = Stichproben haben { $least } bis { $most } Werte: diese Karte braucht gleich große Stichproben
 statistics-reason-no-limits = es gibt keine Grenzwerte
 statistics-reason-one-limit = es gibt nur einen Grenzwert, beide sind nötig
 statistics-reason-swapped-limits = der untere Grenzwert liegt nicht unter dem oberen
@@ -62,5 +63,52 @@ statistics-advice-no-trend = kein Trend: die Änderung von Teil zu Teil ist Raus
 statistics-advice-trend = das Maß ändert sich um { $um } µm je Teil
 statistics-advice-trend-at-limit = das Maß ändert sich um { $um } µm je Teil, und ab sofort ist mit Teilen außerhalb des Grenzwerts zu rechnen
 statistics-advice-trend-to = das Maß ändert sich um { $um } µm je Teil: bis zum Grenzwert bleiben etwa { $parts } Teile ({ $level } %: { $least } bis { $most })
+statistics-advice-average-out = der gleitende Mittelwert liegt außerhalb seiner Grenzen, zuerst an Punkt { $at }: der Mittelwert hat sich verschoben
+statistics-advice-sum-out = die Summe liegt außerhalb des Entscheidungsintervalls, zuerst an Punkt { $at }: der Mittelwert hat sich etwa seit Punkt { $since } verschoben
 statistics-advice-groups-alike = die Gruppen unterscheiden sich nicht mehr als durch Zufall (p = { $p })
 statistics-advice-groups-differ = die Gruppen unterscheiden sich (p = { $p })
+
+# Studien von Messmitteln
+statistics-gauge-operator-per-value = jeder Wert hat einen eigenen Prüfer: stimmen die Spalten?
+statistics-gauge-more-operators = Prüfer: { $operators }, Teile: { $parts }: sind die Spalten von Teilen und Prüfern vertauscht?
+statistics-gauge-operators-differ-more = die Prüfer unterscheiden sich mehr als die Teile: sind die Spalten von Teilen und Prüfern vertauscht?
+statistics-gauge-same-parts = jeder Prüfer hat Teile mit denselben Namen: ist die Studie gekreuzt?
+statistics-gauge-several-masters = die Werte sind von { $parts } Teilen, und diese Studie braucht ein einziges Normal
+statistics-gauge-master-good = gut genug für diese Toleranz: Cg und Cgk erreichen { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = nicht gut genug für diese Toleranz: Cg und Cgk müssen { $required } erreichen, bei einem Ziffernschritt von höchstens 5 % der Toleranz (AIAG MSA, VDA 5)
+statistics-gauge-smallest = kleinste Toleranz, für die es gut genug ist: { $mm } mm ({ $level } %: bis { $most } mm)
+statistics-gauge-biased = die systematische Abweichung von { $um } µm ist mehr als Zufall (p = { $p })
+statistics-gauge-not-biased = die systematische Abweichung von { $um } µm kann Zufall sein (p = { $p })
+statistics-gauge-good = gut genug: das Messmittel nimmt { $percent } % { $of ->
+        [tolerance] der Toleranz
+       *[variation] der gesamten Streuung
+    }, und bis 10 % ist gut (AIAG MSA)
+statistics-gauge-accepted = nur gut genug, wenn es genügen muss: das Messmittel nimmt { $percent } % { $of ->
+        [tolerance] der Toleranz
+       *[variation] der gesamten Streuung
+    }, und bei 10 % bis 30 % kommt es auf den Einsatz an (AIAG MSA)
+statistics-gauge-bad = nicht gut genug: das Messmittel nimmt { $percent } % { $of ->
+        [tolerance] der Toleranz
+       *[variation] der gesamten Streuung
+    }, und mehr als 30 % ist zu viel (AIAG MSA)
+statistics-gauge-smallest-shares = kleinste Toleranz, für die es gut genug ist: { $good } mm; wenn es genügen muss: { $accepted } mm
+statistics-gauge-interaction-kept = die Prüfer unterscheiden sich an manchen Teilen mehr als an anderen (p = { $p }): die Wechselwirkung bleibt
+statistics-gauge-interaction-pooled = die Prüfer unterscheiden sich nicht an manchen Teilen mehr als an anderen (p = { $p }): die Wechselwirkung zählt zur Wiederholbarkeit
+statistics-gauge-negative = die Varianz der { $what ->
+        [operator] Prüfer
+        [interaction] Wechselwirkung
+       *[part] Teile
+    } wurde negativ und zählt als 0
+statistics-gauge-not-linear = die systematische Abweichung ändert sich mit dem Maß (p = { $p })
+statistics-gauge-linear = die systematische Abweichung ändert sich mit dem Maß nicht mehr als durch Zufall (p = { $p })
+statistics-gauge-stable = stabil: keine Regel spricht an, und die Anzeigen driften nicht
+statistics-gauge-not-stable = nicht stabil: eine Regel spricht an, oder die Anzeigen driften
+
+# Warum Werte keine Studie sind
+series-study-no-parts = Werte ohne Teil: { $count }
+series-study-no-operators = Werte ohne Prüfer neben anderen mit Prüfer: { $count }
+series-study-uneven-cell = Messungen von Teil { $part } durch Prüfer { $operator }: { $found }, erwartet { $needed }
+series-study-uneven-operator = Teile von Prüfer { $operator }: { $found }, erwartet { $needed }
+series-study-nested = jedes Teil wurde nur von einem Prüfer gemessen: das ist eine geschachtelte Studie
+series-study-no-reference = Werte ohne kalibriertes Maß: { $count }
+series-study-references = die Werte eines Normals haben mehrere kalibrierte Maße

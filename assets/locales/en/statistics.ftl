@@ -7,6 +7,7 @@ statistics-reason-too-few = too few values or groups: { $found }, at least { $ne
 statistics-reason-all-equal = all values are equal: there is no spread to compute with
 statistics-reason-no-subgroups = no subgroup has two values or more
 statistics-reason-large-subgroup = a subgroup has { $found } values: ranges are used for at most { $most }
+statistics-reason-unequal-subgroups = subgroups have { $least } to { $most } values: this chart needs subgroups of equal size
 statistics-reason-no-limits = there are no limits
 statistics-reason-one-limit = there is only one limit, and both are needed
 statistics-reason-swapped-limits = the lower limit is not below the upper one
@@ -62,5 +63,52 @@ statistics-advice-no-trend = no trend: the change from part to part is noise
 statistics-advice-trend = the size changes by { $um } µm per part
 statistics-advice-trend-at-limit = the size changes by { $um } µm per part, and parts beyond the limit must be expected now
 statistics-advice-trend-to = the size changes by { $um } µm per part: about { $parts } parts are left until the limit ({ $level } %: { $least } to { $most })
+statistics-advice-average-out = the average is beyond its limits, first at point { $at }: the mean has moved
+statistics-advice-sum-out = the sum is beyond the decision interval, first at point { $at }: the mean has moved, since about point { $since }
 statistics-advice-groups-alike = the groups do not differ more than by chance (p = { $p })
 statistics-advice-groups-differ = the groups differ (p = { $p })
+
+# Studies of gauges
+statistics-gauge-operator-per-value = every value has an operator of its own: are the columns right?
+statistics-gauge-more-operators = operators: { $operators }, parts: { $parts }: are the columns of parts and operators swapped?
+statistics-gauge-operators-differ-more = operators differ more than parts do: are the columns of parts and operators swapped?
+statistics-gauge-same-parts = every operator has parts of the same names: is the study crossed?
+statistics-gauge-several-masters = the values are of { $parts } parts, and this study needs one master
+statistics-gauge-master-good = good enough for this tolerance: Cg and Cgk reach { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = not good enough for this tolerance: Cg and Cgk must reach { $required }, with a display step of at most 5 % of the tolerance (AIAG MSA, VDA 5)
+statistics-gauge-smallest = smallest tolerance that it is good enough for: { $mm } mm ({ $level } %: up to { $most } mm)
+statistics-gauge-biased = the bias of { $um } µm is more than chance (p = { $p })
+statistics-gauge-not-biased = the bias of { $um } µm may be chance (p = { $p })
+statistics-gauge-good = good enough: the gauge takes { $percent } % of { $of ->
+        [tolerance] the tolerance
+       *[variation] all variation
+    }, and up to 10 % is good (AIAG MSA)
+statistics-gauge-accepted = good enough only where it must do: the gauge takes { $percent } % of { $of ->
+        [tolerance] the tolerance
+       *[variation] all variation
+    }, and 10 % to 30 % depends on the use (AIAG MSA)
+statistics-gauge-bad = not good enough: the gauge takes { $percent } % of { $of ->
+        [tolerance] the tolerance
+       *[variation] all variation
+    }, and more than 30 % is too much (AIAG MSA)
+statistics-gauge-smallest-shares = smallest tolerance that it is good enough for: { $good } mm; where it must do: { $accepted } mm
+statistics-gauge-interaction-kept = operators differ more on some parts than on others (p = { $p }): the interaction is kept
+statistics-gauge-interaction-pooled = operators do not differ more on some parts than on others (p = { $p }): the interaction is pooled with the repeatability
+statistics-gauge-negative = the variance of { $what ->
+        [operator] operators
+        [interaction] the interaction
+       *[part] parts
+    } came out negative and counts as 0
+statistics-gauge-not-linear = the bias changes with the size (p = { $p })
+statistics-gauge-linear = the bias does not change with the size more than by chance (p = { $p })
+statistics-gauge-stable = stable: no rule fires and the readings do not drift
+statistics-gauge-not-stable = not stable: a rule fires or the readings drift
+
+# Why values make no study
+series-study-no-parts = values that name no part: { $count }
+series-study-no-operators = values that name no operator, beside others that do: { $count }
+series-study-uneven-cell = readings of part { $part } by operator { $operator }: { $found }, expected { $needed }
+series-study-uneven-operator = parts of operator { $operator }: { $found }, expected { $needed }
+series-study-nested = each part was read by one operator only: this is a nested study
+series-study-no-reference = values without a calibrated size: { $count }
+series-study-references = the values of one master have several calibrated sizes

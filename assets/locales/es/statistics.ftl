@@ -7,6 +7,7 @@ statistics-reason-too-few = muy pocos valores o grupos: { $found }, se necesitan
 statistics-reason-all-equal = todos los valores son iguales: no hay dispersión con la que calcular
 statistics-reason-no-subgroups = ningún subgrupo tiene dos valores o más
 statistics-reason-large-subgroup = un subgrupo tiene { $found } valores: el recorrido se usa hasta { $most }
+statistics-reason-unequal-subgroups = los subgrupos tienen de { $least } a { $most } valores: este gráfico necesita subgrupos de igual tamaño
 statistics-reason-no-limits = no hay límites
 statistics-reason-one-limit = solo hay un límite y se necesitan los dos
 statistics-reason-swapped-limits = el límite inferior no está por debajo del superior
@@ -62,5 +63,52 @@ statistics-advice-no-trend = sin tendencia: el cambio de una pieza a otra es rui
 statistics-advice-trend = la medida cambia { $um } µm por pieza
 statistics-advice-trend-at-limit = la medida cambia { $um } µm por pieza, y desde ahora cabe esperar piezas fuera del límite
 statistics-advice-trend-to = la medida cambia { $um } µm por pieza: quedan unas { $parts } piezas hasta el límite ({ $level } %: de { $least } a { $most })
+statistics-advice-average-out = la media móvil está fuera de sus límites, por primera vez en el punto { $at }: la media se ha desplazado
+statistics-advice-sum-out = la suma está fuera del intervalo de decisión, por primera vez en el punto { $at }: la media se ha desplazado, desde el punto { $since } aproximadamente
 statistics-advice-groups-alike = los grupos no difieren más que por azar (p = { $p })
 statistics-advice-groups-differ = los grupos difieren (p = { $p })
+
+# Estudios de instrumentos
+statistics-gauge-operator-per-value = cada valor tiene su propio operario: ¿son correctas las columnas?
+statistics-gauge-more-operators = operarios: { $operators }, piezas: { $parts }: ¿están intercambiadas las columnas de piezas y operarios?
+statistics-gauge-operators-differ-more = los operarios difieren más que las piezas: ¿están intercambiadas las columnas de piezas y operarios?
+statistics-gauge-same-parts = cada operario tiene piezas con los mismos nombres: ¿es un estudio cruzado?
+statistics-gauge-several-masters = los valores son de { $parts } piezas, y este estudio necesita un solo patrón
+statistics-gauge-master-good = bastante bueno para esta tolerancia: Cg y Cgk alcanzan { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = no es bastante bueno para esta tolerancia: Cg y Cgk deben alcanzar { $required }, con un paso de lectura de como máximo el 5 % de la tolerancia (AIAG MSA, VDA 5)
+statistics-gauge-smallest = tolerancia más pequeña para la que es bastante bueno: { $mm } mm ({ $level } %: hasta { $most } mm)
+statistics-gauge-biased = el sesgo de { $um } µm es más que azar (p = { $p })
+statistics-gauge-not-biased = el sesgo de { $um } µm puede ser azar (p = { $p })
+statistics-gauge-good = bastante bueno: el instrumento ocupa el { $percent } % { $of ->
+        [tolerance] de la tolerancia
+       *[variation] de toda la variación
+    }, y hasta el 10 % es bueno (AIAG MSA)
+statistics-gauge-accepted = bastante bueno solo si tiene que bastar: el instrumento ocupa el { $percent } % { $of ->
+        [tolerance] de la tolerancia
+       *[variation] de toda la variación
+    }, y del 10 % al 30 % depende del uso (AIAG MSA)
+statistics-gauge-bad = no es bastante bueno: el instrumento ocupa el { $percent } % { $of ->
+        [tolerance] de la tolerancia
+       *[variation] de toda la variación
+    }, y más del 30 % es demasiado (AIAG MSA)
+statistics-gauge-smallest-shares = tolerancia más pequeña para la que es bastante bueno: { $good } mm; si tiene que bastar: { $accepted } mm
+statistics-gauge-interaction-kept = los operarios difieren en unas piezas más que en otras (p = { $p }): la interacción se conserva
+statistics-gauge-interaction-pooled = los operarios no difieren en unas piezas más que en otras (p = { $p }): la interacción se une a la repetibilidad
+statistics-gauge-negative = la varianza { $what ->
+        [operator] de los operarios
+        [interaction] de la interacción
+       *[part] de las piezas
+    } resultó negativa y cuenta como 0
+statistics-gauge-not-linear = el sesgo cambia con la medida (p = { $p })
+statistics-gauge-linear = el sesgo no cambia con la medida más que por azar (p = { $p })
+statistics-gauge-stable = estable: ninguna regla se activa y las lecturas no derivan
+statistics-gauge-not-stable = no estable: se activa una regla o las lecturas derivan
+
+# Por qué los valores no son un estudio
+series-study-no-parts = valores sin pieza: { $count }
+series-study-no-operators = valores sin operario junto a otros que lo tienen: { $count }
+series-study-uneven-cell = lecturas de la pieza { $part } del operario { $operator }: { $found }, se esperaban { $needed }
+series-study-uneven-operator = piezas del operario { $operator }: { $found }, se esperaban { $needed }
+series-study-nested = cada pieza la midió un solo operario: es un estudio anidado
+series-study-no-reference = valores sin medida calibrada: { $count }
+series-study-references = los valores de un patrón tienen varias medidas calibradas

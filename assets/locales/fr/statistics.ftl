@@ -7,6 +7,7 @@ statistics-reason-too-few = trop peu de valeurs ou de groupes : { $found }, au m
 statistics-reason-all-equal = toutes les valeurs sont égales : il n'y a pas de dispersion à calculer
 statistics-reason-no-subgroups = aucun sous-groupe n'a deux valeurs ou plus
 statistics-reason-large-subgroup = un sous-groupe a { $found } valeurs : l'étendue ne sert que jusqu'à { $most }
+statistics-reason-unequal-subgroups = les sous-groupes ont de { $least } à { $most } valeurs : cette carte demande des sous-groupes de même taille
 statistics-reason-no-limits = il n'y a pas de limites
 statistics-reason-one-limit = il n'y a qu'une limite, et les deux sont nécessaires
 statistics-reason-swapped-limits = la limite inférieure n'est pas sous la limite supérieure
@@ -62,5 +63,52 @@ statistics-advice-no-trend = pas de tendance : la variation d'une pièce à l'au
 statistics-advice-trend = la cote varie de { $um } µm par pièce
 statistics-advice-trend-at-limit = la cote varie de { $um } µm par pièce, et des pièces hors limite sont à attendre dès maintenant
 statistics-advice-trend-to = la cote varie de { $um } µm par pièce : il reste environ { $parts } pièces jusqu'à la limite ({ $level } % : { $least } à { $most })
+statistics-advice-average-out = la moyenne mobile est hors de ses limites, d'abord au point { $at } : la moyenne s'est déplacée
+statistics-advice-sum-out = la somme est hors de l'intervalle de décision, d'abord au point { $at } : la moyenne s'est déplacée, depuis le point { $since } environ
 statistics-advice-groups-alike = les groupes ne diffèrent pas plus que par hasard (p = { $p })
 statistics-advice-groups-differ = les groupes diffèrent (p = { $p })
+
+# Études d'instruments
+statistics-gauge-operator-per-value = chaque valeur a son propre opérateur : les colonnes sont-elles justes ?
+statistics-gauge-more-operators = opérateurs : { $operators }, pièces : { $parts } : les colonnes des pièces et des opérateurs sont-elles inversées ?
+statistics-gauge-operators-differ-more = les opérateurs diffèrent plus que les pièces : les colonnes des pièces et des opérateurs sont-elles inversées ?
+statistics-gauge-same-parts = chaque opérateur a des pièces de mêmes noms : l'étude est-elle croisée ?
+statistics-gauge-several-masters = les valeurs sont de { $parts } pièces, et cette étude demande un seul étalon
+statistics-gauge-master-good = assez bon pour cette tolérance : Cg et Cgk atteignent { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = pas assez bon pour cette tolérance : Cg et Cgk doivent atteindre { $required }, avec un pas d'affichage d'au plus 5 % de la tolérance (AIAG MSA, VDA 5)
+statistics-gauge-smallest = plus petite tolérance pour laquelle il est assez bon : { $mm } mm ({ $level } % : jusqu'à { $most } mm)
+statistics-gauge-biased = l'erreur de justesse de { $um } µm dépasse le hasard (p = { $p })
+statistics-gauge-not-biased = l'erreur de justesse de { $um } µm peut être due au hasard (p = { $p })
+statistics-gauge-good = assez bon : l'instrument prend { $percent } % de { $of ->
+        [tolerance] la tolérance
+       *[variation] toute la dispersion
+    }, et jusqu'à 10 % c'est bon (AIAG MSA)
+statistics-gauge-accepted = assez bon seulement s'il doit suffire : l'instrument prend { $percent } % de { $of ->
+        [tolerance] la tolérance
+       *[variation] toute la dispersion
+    }, et de 10 % à 30 % cela dépend de l'emploi (AIAG MSA)
+statistics-gauge-bad = pas assez bon : l'instrument prend { $percent } % de { $of ->
+        [tolerance] la tolérance
+       *[variation] toute la dispersion
+    }, et plus de 30 % c'est trop (AIAG MSA)
+statistics-gauge-smallest-shares = plus petite tolérance pour laquelle il est assez bon : { $good } mm ; s'il doit suffire : { $accepted } mm
+statistics-gauge-interaction-kept = les opérateurs diffèrent plus sur certaines pièces que sur d'autres (p = { $p }) : l'interaction est gardée
+statistics-gauge-interaction-pooled = les opérateurs ne diffèrent pas plus sur certaines pièces que sur d'autres (p = { $p }) : l'interaction est réunie à la répétabilité
+statistics-gauge-negative = la variance { $what ->
+        [operator] des opérateurs
+        [interaction] de l'interaction
+       *[part] des pièces
+    } est négative et compte pour 0
+statistics-gauge-not-linear = l'erreur de justesse change avec la cote (p = { $p })
+statistics-gauge-linear = l'erreur de justesse ne change pas avec la cote plus que par hasard (p = { $p })
+statistics-gauge-stable = stable : aucune règle ne se déclenche et les lectures ne dérivent pas
+statistics-gauge-not-stable = pas stable : une règle se déclenche ou les lectures dérivent
+
+# Pourquoi des valeurs ne font pas une étude
+series-study-no-parts = valeurs sans pièce : { $count }
+series-study-no-operators = valeurs sans opérateur à côté d'autres qui en ont un : { $count }
+series-study-uneven-cell = lectures de la pièce { $part } par l'opérateur { $operator } : { $found }, attendu { $needed }
+series-study-uneven-operator = pièces de l'opérateur { $operator } : { $found }, attendu { $needed }
+series-study-nested = chaque pièce n'a été mesurée que par un opérateur : c'est une étude emboîtée
+series-study-no-reference = valeurs sans cote étalonnée : { $count }
+series-study-references = les valeurs d'un étalon ont plusieurs cotes étalonnées

@@ -7,6 +7,7 @@ statistics-reason-too-few = troppo pochi valori o gruppi: { $found }, ne servono
 statistics-reason-all-equal = tutti i valori sono uguali: non c'è dispersione con cui calcolare
 statistics-reason-no-subgroups = nessun sottogruppo ha due o più valori
 statistics-reason-large-subgroup = un sottogruppo ha { $found } valori: l'escursione si usa fino a { $most }
+statistics-reason-unequal-subgroups = i sottogruppi hanno da { $least } a { $most } valori: questa carta richiede sottogruppi di uguale dimensione
 statistics-reason-no-limits = non ci sono limiti
 statistics-reason-one-limit = c'è un solo limite, e ne servono due
 statistics-reason-swapped-limits = il limite inferiore non è sotto quello superiore
@@ -62,5 +63,52 @@ statistics-advice-no-trend = nessuna tendenza: la variazione da un pezzo all'alt
 statistics-advice-trend = la misura varia di { $um } µm per pezzo
 statistics-advice-trend-at-limit = la misura varia di { $um } µm per pezzo, e da ora sono da attendersi pezzi fuori limite
 statistics-advice-trend-to = la misura varia di { $um } µm per pezzo: restano circa { $parts } pezzi fino al limite ({ $level } %: da { $least } a { $most })
+statistics-advice-average-out = la media mobile è fuori dai suoi limiti, per la prima volta al punto { $at }: la media si è spostata
+statistics-advice-sum-out = la somma è fuori dall'intervallo di decisione, per la prima volta al punto { $at }: la media si è spostata, circa dal punto { $since }
 statistics-advice-groups-alike = i gruppi non differiscono più che per caso (p = { $p })
 statistics-advice-groups-differ = i gruppi differiscono (p = { $p })
+
+# Studi di strumenti
+statistics-gauge-operator-per-value = ogni valore ha un proprio operatore: le colonne sono giuste?
+statistics-gauge-more-operators = operatori: { $operators }, pezzi: { $parts }: le colonne di pezzi e operatori sono scambiate?
+statistics-gauge-operators-differ-more = gli operatori differiscono più dei pezzi: le colonne di pezzi e operatori sono scambiate?
+statistics-gauge-same-parts = ogni operatore ha pezzi con gli stessi nomi: lo studio è incrociato?
+statistics-gauge-several-masters = i valori sono di { $parts } pezzi, e questo studio richiede un solo campione
+statistics-gauge-master-good = abbastanza buono per questa tolleranza: Cg e Cgk raggiungono { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = non abbastanza buono per questa tolleranza: Cg e Cgk devono raggiungere { $required }, con un passo di lettura al massimo del 5 % della tolleranza (AIAG MSA, VDA 5)
+statistics-gauge-smallest = tolleranza più piccola per cui è abbastanza buono: { $mm } mm ({ $level } %: fino a { $most } mm)
+statistics-gauge-biased = lo scostamento sistematico di { $um } µm è più del caso (p = { $p })
+statistics-gauge-not-biased = lo scostamento sistematico di { $um } µm può essere un caso (p = { $p })
+statistics-gauge-good = abbastanza buono: lo strumento prende il { $percent } % { $of ->
+        [tolerance] della tolleranza
+       *[variation] di tutta la dispersione
+    }, e fino al 10 % è buono (AIAG MSA)
+statistics-gauge-accepted = abbastanza buono solo se deve bastare: lo strumento prende il { $percent } % { $of ->
+        [tolerance] della tolleranza
+       *[variation] di tutta la dispersione
+    }, e dal 10 % al 30 % dipende dall'uso (AIAG MSA)
+statistics-gauge-bad = non abbastanza buono: lo strumento prende il { $percent } % { $of ->
+        [tolerance] della tolleranza
+       *[variation] di tutta la dispersione
+    }, e più del 30 % è troppo (AIAG MSA)
+statistics-gauge-smallest-shares = tolleranza più piccola per cui è abbastanza buono: { $good } mm; se deve bastare: { $accepted } mm
+statistics-gauge-interaction-kept = gli operatori differiscono su alcuni pezzi più che su altri (p = { $p }): l'interazione resta
+statistics-gauge-interaction-pooled = gli operatori non differiscono su alcuni pezzi più che su altri (p = { $p }): l'interazione è unita alla ripetibilità
+statistics-gauge-negative = la varianza { $what ->
+        [operator] degli operatori
+        [interaction] dell'interazione
+       *[part] dei pezzi
+    } è risultata negativa e conta come 0
+statistics-gauge-not-linear = lo scostamento sistematico cambia con la quota (p = { $p })
+statistics-gauge-linear = lo scostamento sistematico non cambia con la quota più che per caso (p = { $p })
+statistics-gauge-stable = stabile: nessuna regola scatta e le letture non derivano
+statistics-gauge-not-stable = non stabile: una regola scatta o le letture derivano
+
+# Perché i valori non sono uno studio
+series-study-no-parts = valori senza pezzo: { $count }
+series-study-no-operators = valori senza operatore accanto ad altri che ne hanno uno: { $count }
+series-study-uneven-cell = letture del pezzo { $part } dell'operatore { $operator }: { $found }, attese { $needed }
+series-study-uneven-operator = pezzi dell'operatore { $operator }: { $found }, attesi { $needed }
+series-study-nested = ogni pezzo è stato misurato da un solo operatore: questo è uno studio annidato
+series-study-no-reference = valori senza quota tarata: { $count }
+series-study-references = i valori di un campione hanno più quote tarate

@@ -7,6 +7,7 @@ statistics-reason-too-few = te weinig waarden of groepen: { $found }, minstens {
 statistics-reason-all-equal = alle waarden zijn gelijk: er is geen spreiding om mee te rekenen
 statistics-reason-no-subgroups = geen enkele steekproef heeft twee of meer waarden
 statistics-reason-large-subgroup = een steekproef heeft { $found } waarden: de spreidingsbreedte wordt tot { $most } gebruikt
+statistics-reason-unequal-subgroups = steekproeven hebben { $least } tot { $most } waarden: deze kaart vraagt steekproeven van gelijke grootte
 statistics-reason-no-limits = er zijn geen grenzen
 statistics-reason-one-limit = er is maar één grens, en beide zijn nodig
 statistics-reason-swapped-limits = de ondergrens ligt niet onder de bovengrens
@@ -62,5 +63,52 @@ statistics-advice-no-trend = geen trend: de verandering van onderdeel tot onderd
 statistics-advice-trend = de maat verandert { $um } µm per onderdeel
 statistics-advice-trend-at-limit = de maat verandert { $um } µm per onderdeel, en vanaf nu zijn onderdelen buiten de grens te verwachten
 statistics-advice-trend-to = de maat verandert { $um } µm per onderdeel: er resten ongeveer { $parts } onderdelen tot de grens ({ $level } %: { $least } tot { $most })
+statistics-advice-average-out = het voortschrijdend gemiddelde ligt buiten zijn grenzen, voor het eerst bij punt { $at }: het gemiddelde is verschoven
+statistics-advice-sum-out = de som ligt buiten het beslissingsinterval, voor het eerst bij punt { $at }: het gemiddelde is verschoven, sinds ongeveer punt { $since }
 statistics-advice-groups-alike = de groepen verschillen niet meer dan door toeval (p = { $p })
 statistics-advice-groups-differ = de groepen verschillen (p = { $p })
+
+# Studies van meetmiddelen
+statistics-gauge-operator-per-value = elke waarde heeft een eigen operator: kloppen de kolommen?
+statistics-gauge-more-operators = operators: { $operators }, onderdelen: { $parts }: zijn de kolommen van onderdelen en operators verwisseld?
+statistics-gauge-operators-differ-more = operators verschillen meer dan onderdelen: zijn de kolommen van onderdelen en operators verwisseld?
+statistics-gauge-same-parts = elke operator heeft onderdelen met dezelfde namen: is de studie gekruist?
+statistics-gauge-several-masters = de waarden zijn van { $parts } onderdelen, en deze studie vraagt één referentie
+statistics-gauge-master-good = goed genoeg voor deze tolerantie: Cg en Cgk halen { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = niet goed genoeg voor deze tolerantie: Cg en Cgk moeten { $required } halen, met een afleesstap van hoogstens 5 % van de tolerantie (AIAG MSA, VDA 5)
+statistics-gauge-smallest = kleinste tolerantie waarvoor het goed genoeg is: { $mm } mm ({ $level } %: tot { $most } mm)
+statistics-gauge-biased = de systematische afwijking van { $um } µm is meer dan toeval (p = { $p })
+statistics-gauge-not-biased = de systematische afwijking van { $um } µm kan toeval zijn (p = { $p })
+statistics-gauge-good = goed genoeg: het meetmiddel neemt { $percent } % van { $of ->
+        [tolerance] de tolerantie
+       *[variation] alle spreiding
+    }, en tot 10 % is goed (AIAG MSA)
+statistics-gauge-accepted = alleen goed genoeg als het moet: het meetmiddel neemt { $percent } % van { $of ->
+        [tolerance] de tolerantie
+       *[variation] alle spreiding
+    }, en 10 % tot 30 % hangt af van het gebruik (AIAG MSA)
+statistics-gauge-bad = niet goed genoeg: het meetmiddel neemt { $percent } % van { $of ->
+        [tolerance] de tolerantie
+       *[variation] alle spreiding
+    }, en meer dan 30 % is te veel (AIAG MSA)
+statistics-gauge-smallest-shares = kleinste tolerantie waarvoor het goed genoeg is: { $good } mm; als het moet: { $accepted } mm
+statistics-gauge-interaction-kept = operators verschillen bij sommige onderdelen meer dan bij andere (p = { $p }): de interactie blijft
+statistics-gauge-interaction-pooled = operators verschillen niet bij sommige onderdelen meer dan bij andere (p = { $p }): de interactie telt bij de herhaalbaarheid
+statistics-gauge-negative = de variantie van { $what ->
+        [operator] operators
+        [interaction] de interactie
+       *[part] onderdelen
+    } werd negatief en telt als 0
+statistics-gauge-not-linear = de systematische afwijking verandert met de maat (p = { $p })
+statistics-gauge-linear = de systematische afwijking verandert niet meer dan door toeval met de maat (p = { $p })
+statistics-gauge-stable = stabiel: geen regel slaat aan en de aflezingen verlopen niet
+statistics-gauge-not-stable = niet stabiel: een regel slaat aan of de aflezingen verlopen
+
+# Waarom waarden geen studie zijn
+series-study-no-parts = waarden zonder onderdeel: { $count }
+series-study-no-operators = waarden zonder operator naast andere met operator: { $count }
+series-study-uneven-cell = metingen van onderdeel { $part } door operator { $operator }: { $found }, verwacht { $needed }
+series-study-uneven-operator = onderdelen van operator { $operator }: { $found }, verwacht { $needed }
+series-study-nested = elk onderdeel is door maar één operator gemeten: dit is een geneste studie
+series-study-no-reference = waarden zonder gekalibreerde maat: { $count }
+series-study-references = de waarden van één referentie hebben meerdere gekalibreerde maten

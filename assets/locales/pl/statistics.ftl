@@ -7,6 +7,7 @@ statistics-reason-too-few = za mało wartości lub grup: { $found }, potrzeba co
 statistics-reason-all-equal = wszystkie wartości są równe: nie ma rozrzutu, z którym można liczyć
 statistics-reason-no-subgroups = żadna podgrupa nie ma dwóch lub więcej wartości
 statistics-reason-large-subgroup = liczba wartości w podgrupie to { $found }: rozstęp stosuje się najwyżej do { $most }
+statistics-reason-unequal-subgroups = podgrupy mają od { $least } do { $most } wartości: ta karta wymaga podgrup równej wielkości
 statistics-reason-no-limits = nie ma granic
 statistics-reason-one-limit = jest tylko jedna granica, a potrzebne są obie
 statistics-reason-swapped-limits = dolna granica nie leży poniżej górnej
@@ -62,5 +63,52 @@ statistics-advice-no-trend = brak trendu: zmiana między kolejnymi częściami t
 statistics-advice-trend = wymiar zmienia się o { $um } µm na część
 statistics-advice-trend-at-limit = wymiar zmienia się o { $um } µm na część i od teraz należy się spodziewać części poza granicą
 statistics-advice-trend-to = wymiar zmienia się o { $um } µm na część: do granicy pozostało około { $parts } części ({ $level } %: od { $least } do { $most })
+statistics-advice-average-out = średnia ruchoma jest poza swoimi granicami, po raz pierwszy w punkcie { $at }: średnia się przesunęła
+statistics-advice-sum-out = suma jest poza przedziałem decyzyjnym, po raz pierwszy w punkcie { $at }: średnia się przesunęła, mniej więcej od punktu { $since }
 statistics-advice-groups-alike = grupy nie różnią się bardziej niż przypadkowo (p = { $p })
 statistics-advice-groups-differ = grupy się różnią (p = { $p })
+
+# Badania przyrządów
+statistics-gauge-operator-per-value = każda wartość ma własnego operatora: czy kolumny są właściwe?
+statistics-gauge-more-operators = operatorzy: { $operators }, części: { $parts }: czy kolumny części i operatorów są zamienione?
+statistics-gauge-operators-differ-more = operatorzy różnią się bardziej niż części: czy kolumny części i operatorów są zamienione?
+statistics-gauge-same-parts = każdy operator ma części o tych samych nazwach: czy badanie jest krzyżowe?
+statistics-gauge-several-masters = wartości pochodzą z { $parts } części, a to badanie wymaga jednego wzorca
+statistics-gauge-master-good = wystarczająco dobry dla tej tolerancji: Cg i Cgk osiągają { $required } (AIAG MSA, VDA 5)
+statistics-gauge-master-bad = niewystarczający dla tej tolerancji: Cg i Cgk muszą osiągnąć { $required }, przy działce odczytu najwyżej 5 % tolerancji (AIAG MSA, VDA 5)
+statistics-gauge-smallest = najmniejsza tolerancja, dla której jest wystarczająco dobry: { $mm } mm ({ $level } %: do { $most } mm)
+statistics-gauge-biased = obciążenie { $um } µm to więcej niż przypadek (p = { $p })
+statistics-gauge-not-biased = obciążenie { $um } µm może być przypadkiem (p = { $p })
+statistics-gauge-good = wystarczająco dobry: przyrząd zajmuje { $percent } % { $of ->
+        [tolerance] tolerancji
+       *[variation] całej zmienności
+    }, a do 10 % jest dobrze (AIAG MSA)
+statistics-gauge-accepted = wystarczająco dobry tylko wtedy, gdy musi wystarczyć: przyrząd zajmuje { $percent } % { $of ->
+        [tolerance] tolerancji
+       *[variation] całej zmienności
+    }, a od 10 % do 30 % zależy od zastosowania (AIAG MSA)
+statistics-gauge-bad = niewystarczający: przyrząd zajmuje { $percent } % { $of ->
+        [tolerance] tolerancji
+       *[variation] całej zmienności
+    }, a ponad 30 % to za dużo (AIAG MSA)
+statistics-gauge-smallest-shares = najmniejsza tolerancja, dla której jest wystarczająco dobry: { $good } mm; jeśli musi wystarczyć: { $accepted } mm
+statistics-gauge-interaction-kept = operatorzy różnią się na niektórych częściach bardziej niż na innych (p = { $p }): interakcja pozostaje
+statistics-gauge-interaction-pooled = operatorzy nie różnią się na niektórych częściach bardziej niż na innych (p = { $p }): interakcja jest doliczona do powtarzalności
+statistics-gauge-negative = wariancja { $what ->
+        [operator] operatorów
+        [interaction] interakcji
+       *[part] części
+    } wyszła ujemna i liczy się jako 0
+statistics-gauge-not-linear = obciążenie zmienia się z wymiarem (p = { $p })
+statistics-gauge-linear = obciążenie nie zmienia się z wymiarem bardziej niż przypadkowo (p = { $p })
+statistics-gauge-stable = stabilny: żadna reguła nie reaguje, a wskazania nie dryfują
+statistics-gauge-not-stable = niestabilny: reaguje reguła albo wskazania dryfują
+
+# Dlaczego wartości nie są badaniem
+series-study-no-parts = wartości bez części: { $count }
+series-study-no-operators = wartości bez operatora obok innych, które go mają: { $count }
+series-study-uneven-cell = odczyty części { $part } przez operatora { $operator }: { $found }, oczekiwano { $needed }
+series-study-uneven-operator = części operatora { $operator }: { $found }, oczekiwano { $needed }
+series-study-nested = każdą część mierzył tylko jeden operator: to badanie zagnieżdżone
+series-study-no-reference = wartości bez wymiaru wzorcowanego: { $count }
+series-study-references = wartości jednego wzorca mają kilka wymiarów wzorcowanych

@@ -3,6 +3,7 @@
 use fitcheck_core::message::{Say, printed};
 
 use crate::anova::Groups;
+use crate::gauge::Finding;
 use crate::moments::Estimate;
 use crate::trend::{Offset, Trend};
 
@@ -106,6 +107,21 @@ pub enum Advice {
         #[say(with = printed)]
         level: String,
     },
+    /// An average that is beyond its limits.
+    AverageOut {
+        /// The first such point.
+        at: usize,
+    },
+    /// A sum that is beyond the decision interval.
+    SumOut {
+        /// The first such point.
+        at: usize,
+        /// The point at which the shift began.
+        since: usize,
+    },
+    /// What a study of a gauge says.
+    #[say(transparent)]
+    Gauge(Finding),
     /// Groups that do not differ.
     GroupsAlike {
         /// The probability.

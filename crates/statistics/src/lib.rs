@@ -32,7 +32,7 @@
 //! 1. Write a file with its function and what it answers, and its lines here. What is estimated is an [`Estimate`], what is not defined a
 //!    [`Reason`], and the doc comment names the source of the formula.
 //! 2. Test it in `tests/statistics` against published figures, and its interval against simulated series.
-//! 3. `fitcheck stats` shows it: `src/cli/stats/figures.rs`. A rule of charts is a variant of [`Rule`] with its place in `rules.rs`.
+//! 3. `fitcheck stats` shows it: `crates/exchange/src/series/figures.rs`. A rule of charts is a variant of [`Rule`] with its place in `rules.rs`.
 //! 4. What a reader must know of its source stands in `docs/SOURCES.md`; sentences stand in `statistics.ftl` in every folder of `assets/locales`.
 //!
 //! ```

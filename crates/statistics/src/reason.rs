@@ -31,6 +31,13 @@ pub enum Reason {
         /// How many values it may have.
         most: usize,
     },
+    /// Subgroups of several sizes where one size is needed.
+    UnequalSubgroups {
+        /// The size of the smallest.
+        least: usize,
+        /// The size of the largest.
+        most: usize,
+    },
     /// No limit is given.
     NoLimits,
     /// One limit is missing where both are needed.

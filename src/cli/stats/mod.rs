@@ -1,12 +1,18 @@
-//! `fitcheck stats`: control chart, capability and advice for one feature from files of measurements.
+//! `fitcheck stats`: control chart, capability and advice for features from files of measurements; studies of gauges.
 //!
 //! | file | what |
 //! |---|---|
 //! | `read` | the values of the files |
+//! | `charts` | the options of the chart |
+//! | `study` | studies of gauges and groups: their options, the budget |
 //! | `print` | the figures as text, CSV and JSON |
+//! | `list` | every feature in a line |
 
+mod charts;
+mod list;
 mod print;
 mod read;
+mod study;
 
 use std::path::PathBuf;
 
@@ -14,8 +20,9 @@ use super::args::one_of;
 use super::import::columns;
 use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::length::Length;
-use crate::series::{Answer, Grouping, Series, SeriesError, Wanted};
-use crate::statistics::{ChartKind, Family, Rule, Rules};
+use crate::message::Say as _;
+use crate::series::{Answer, Grouping, Series, SeriesError, Wanted, names_are_parts};
+use crate::statistics::Family;
 
 const EXAMPLES: &str = "\
 Values are read as fitcheck import reads them, of one feature, in the order of the files. Limits come from callouts, columns or a plan, \
@@ -30,13 +37,22 @@ Examples:
   fitcheck stats rings.csv --group 5 --rules western-electric
   fitcheck stats --plan flange.toml --feature bore1 monday.dfq tuesday.dfq --by-part
   fitcheck stats roundness.csv --upper 0.008 --law folded-normal --format json
+  fitcheck stats bores.csv --chart cusum --stage 31 --leave-out 12='chip in the bore'
+  fitcheck stats study.csv --study crossed --lower 24.99 --upper 25.01
+  fitcheck stats ring.csv --study type1 --reference 30.0012 --lower 29.99 --upper 30.01
+  fitcheck stats bores.csv --compare machine
+  fitcheck stats --plan flange.toml monday.dfq --all
 
-Columns of --format csv: name, value, lower, upper, method, note. Lengths are in mm. A rule has a line for each point at which it fires.
+A study shows how the file was understood, such as 10 parts, 3 operators, 3 repeats. A layout that looks swapped is refused. A gauge is good enough \
+if Cg and Cgk reach 1.33, or if it takes at most 10 % of the tolerance; 10 % to 30 % depends on the use (AIAG MSA).
+
+Columns of --format csv: name, value, lower, upper, method, note. Lengths are in mm. A rule has a line for each point at which it fires. \
+Columns with --all: feature, count, outside, signals, ppk, lower, upper, note.
 
 The exit code is 1 if a row or file could not be read or nothing could be computed, 14 if doubtful values were left out, and 0 otherwise: \
 what the figures say of the process does not change it.";
 
-/// Control chart, capability and advice for a feature
+/// Control chart, capability and advice for a feature; studies of gauges
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -79,17 +95,15 @@ pub(super) struct Args {
     #[arg(long, value_name = "MM", allow_hyphen_values = true, help_heading = "Limits")]
     target: Option<String>,
 
-    /// Chart; default: by the size of the subgroups
-    #[arg(long, value_name = "CHART", value_parser = one_of(CHARTS, |chart| chart.0))]
-    chart: Option<(&'static str, ChartKind)>,
+    #[command(flatten)]
+    charts: charts::ChartArgs,
 
-    /// Rules that are looked at; repeat it for several rules
-    #[arg(long = "rules", value_name = "RULES", value_parser = one_of(rules(), |rules| rules.0), default_value = "nelson")]
-    rules: Vec<(&'static str, Rules)>,
+    #[command(flatten)]
+    gauge: study::StudyArgs,
 
-    /// Control limits from the first N points alone
-    #[arg(long, value_name = "N")]
-    baseline: Option<usize>,
+    /// Every feature in a line, those that need a look first
+    #[arg(long, conflicts_with_all = ["feature", "lower", "upper", "target"])]
+    all: bool,
 
     /// Distribution for capability by percentiles, besides the normal figures
     #[arg(long, value_name = "LAW", value_parser = one_of(Family::ALL, |family| family.word()))]
@@ -104,18 +118,6 @@ pub(super) struct Args {
     format: Format,
 }
 
-const CHARTS: [(&str, ChartKind); 3] = [
-    ("individuals", ChartKind::Individuals),
-    ("means-ranges", ChartKind::MeansRanges),
-    ("means-deviations", ChartKind::MeansDeviations),
-];
-
-/// Sets of rules and single ones by their names.
-fn rules() -> impl Iterator<Item = (&'static str, Rules)> {
-    let sets = [("nelson", Rules::NELSON), ("western-electric", Rules::WESTERN_ELECTRIC), ("none", Rules::NONE)];
-    sets.into_iter().chain(Rule::ALL.map(|rule| (rule.word(), Rules::NONE.with(rule, true))))
-}
-
 fn level(text: &str) -> Result<f64, String> {
     let found = text.parse().ok().filter(|level: &f64| 0.5 <= *level && *level < 1.0);
     found.ok_or_else(|| "expected a level from 0.5 to below 1, such as 0.95".to_owned())
@@ -126,26 +128,54 @@ impl Args {
         let sources = self.tables.load(io)?;
         let mapping = self.columns.as_deref().map(columns::mapping).transpose()?;
         let plan = self.plan.as_ref().map(|path| super::plan::read_plan(path, &sources, io)).transpose()?;
-        let read = read::read(&self.files, &sources, mapping.as_ref(), plan.as_ref(), io);
+        if self.all && self.charts.names_points() {
+            return Err(CliError::StatsPoints);
+        }
+        if self.charts.has_idle_parameters() {
+            return Err(CliError::StatsParameters);
+        }
+        let mut read = read::read(&self.files, &sources, mapping.as_ref(), plan.as_ref(), io);
+        if self.feature.is_none() && self.gauge.has_parts() {
+            names_are_parts(&mut read.values);
+        }
         let grouping = match self.group {
             Some(size) => Grouping::Of(usize::try_from(size).unwrap_or(usize::MAX)),
             None if self.by_part => Grouping::ByPart,
             None => Grouping::Single,
         };
+        if self.all {
+            let wanted = Wanted { law: self.law, level: self.level, ..self.charts.wanted() };
+            let is_empty = list::list(&read.values, grouping, &wanted, self.format, io);
+            return Ok(if read.has_failed || is_empty { Outcome::BadData } else { Outcome::Done });
+        }
         let series =
             Series::of(&read.values, self.feature.as_deref(), grouping).map_err(|error| self.refused(error))?;
         let wanted = self.wanted(&series)?;
-        let answer = Answer::of(&series, &wanted);
+        let answer = self.answer(&series, &wanted)?;
         match self.format {
             Format::Text => print::text(&series, &answer, io),
             Format::Csv => print::csv(&series, &answer, io),
             Format::Json => io.json(&print::json(&series, &answer)),
         }
+        if let Some(doubt) = &answer.doubt {
+            return Err(CliError::StatsLayout { doubt: doubt.message() });
+        }
+        self.gauge.save(&answer, &self.files, io)?;
         if series.has_doubts() {
             io.look_first();
         }
         let is_bad = read.has_failed || answer.is_empty();
         Ok(if is_bad { Outcome::BadData } else { Outcome::Done })
+    }
+
+    fn answer(&self, series: &Series<'_>, wanted: &Wanted) -> Result<Answer, CliError> {
+        if let Some(kind) = self.gauge.study {
+            return Answer::of_study(series, wanted, &self.gauge.wanted(kind)?).said();
+        }
+        match self.gauge.compare {
+            Some(factor) => Answer::of_groups(series, wanted, factor).map_err(|error| self.refused(error)),
+            None => Ok(Answer::of(series, wanted)),
+        }
     }
 
     fn wanted(&self, series: &Series<'_>) -> Result<Wanted, CliError> {
@@ -164,15 +194,15 @@ impl Args {
         } else {
             series.limits().map_err(|error| self.refused(error))?
         };
-        Ok(Wanted {
+        let wanted = Wanted {
             limits,
             target: mm("target", &self.target)?,
-            chart: self.chart.map(|(_, kind)| kind),
-            rules: self.rules.iter().fold(Rules::NONE, |all, (_, rules)| all.or(*rules)),
-            baseline: self.baseline,
             law: self.law,
             level: self.level,
-        })
+            ..self.charts.wanted()
+        };
+        wanted.checked(series).map_err(|error| self.refused(error))?;
+        Ok(wanted)
     }
 
     fn refused(&self, error: SeriesError) -> CliError {
@@ -183,6 +213,8 @@ impl Args {
             }
             SeriesError::Limits => CliError::StatsLimits,
             SeriesError::NoParts => CliError::StatsNoParts,
+            SeriesError::NoPoint { point, count } => CliError::StatsNoPoint { point, count },
+            SeriesError::NoFactor { count } => CliError::StatsNoFactor { count },
         }
     }
 }

@@ -9,7 +9,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 use fitcheck_statistics::picture::{sheet, svg};
-use fitcheck_statistics::{Family, Rules, Tolerance};
+use fitcheck_statistics::{Family, Tolerance};
 
 use super::Report;
 use super::origins::Entry;
@@ -152,8 +152,7 @@ impl Gatherer {
             told.push(words.get("report-statistics-limits"));
             [None, None]
         });
-        let wanted =
-            Wanted { limits, target: None, chart: None, rules: Rules::NELSON, baseline: None, law: None, level: LEVEL };
+        let wanted = Wanted { limits, level: LEVEL, ..Wanted::default() };
         let answer = Answer::of(&series, &wanted);
         told.extend(proven(&answer, words));
         told.extend(answer.fired.iter().map(|(rule, points)| {

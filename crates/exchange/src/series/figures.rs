@@ -1,65 +1,57 @@
 //! What is computed of a series: each figure with its interval and its method, or why there is none.
 
 use super::Series;
+use super::charted::{Charted, Remembered};
+use super::figure::{Figure, FigureKind};
+use super::layout::Layout;
+use super::wanted::Wanted;
 use fitcheck_core::message::Say as _;
+use fitcheck_statistics::gauge::Finding;
 use fitcheck_statistics::{
-    Advice, Baseline, CapabilityPlan, Chart, ChartKind, ChartPlan, ENOUGH_POINTS, ENOUGH_VALUES, Estimate, Family,
-    Fitted, Indices, Method, Moments, Reason, Rule, Rules, Sample, Sigma, Stage, Tolerance, anderson_darling,
-    capability, chart, offset, percentiles, trend,
+    Advice, CapabilityPlan, Chart, ChartKind, ENOUGH_VALUES, Estimate, Family, Fitted, Indices, Method, Moments,
+    Reason, Rule, Sigma, Tolerance, anderson_darling, capability, offset, percentiles, trend,
 };
 
-/// What is asked of a series.
-#[derive(Debug, Clone, Copy)]
-pub struct Wanted {
-    pub limits: [Option<f64>; 2],
-    pub target: Option<f64>,
-    pub chart: Option<ChartKind>,
-    pub rules: Rules,
-    pub baseline: Option<usize>,
-    pub law: Option<Family>,
-    pub level: f64,
-}
-
-/// How a figure is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FigureKind {
-    /// Millimetres.
-    Length,
-    /// An index, a statistic, a distance in s.
-    Index,
-    /// Parts in a million.
-    Ppm,
-    /// A probability.
-    Probability,
-}
-
-/// A figure.
+/// A group of a comparison, or a master of a study, with its figure.
 #[derive(Debug)]
-pub struct Figure {
-    /// Its name for machines.
-    pub name: &'static str,
-    /// Its name for people.
-    pub label: &'static str,
-    pub kind: FigureKind,
-    /// The figure, with an interval where it is estimated; or why there is none.
-    pub value: Result<(f64, Option<[f64; 2]>), Reason>,
-    pub method: String,
+pub struct Group {
+    pub name: String,
+    pub count: usize,
+    pub figure: Figure,
 }
 
 /// All that is said of a series.
 #[derive(Debug)]
 pub struct Answer {
     pub wanted: Wanted,
+    /// How a study was understood.
+    pub layout: Option<Layout>,
+    /// Why the layout looks wrong, where it is not confirmed: nothing is computed then.
+    pub doubt: Option<Finding>,
     pub figures: Vec<Figure>,
+    /// The groups of a comparison, the masters of a linearity study.
+    pub groups: Vec<Group>,
     /// How many values are below the lower and above the upper limit.
     pub outside: [usize; 2],
     /// The chart, or why there is none.
     pub chart: Result<Chart, Reason>,
     /// The law that fits the values best, of the family that is asked for; or why there is none.
     pub fitted: Result<Fitted, Reason>,
+    pub memory: Option<Remembered>,
     /// The rules that fire, each with its points, from 1.
     pub fired: Vec<(Rule, Vec<usize>)>,
     pub advice: Vec<Advice>,
+    /// What a study gives an uncertainty budget.
+    pub contributions: Vec<Contribution>,
+}
+
+/// A contribution of type A to an uncertainty budget.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contribution {
+    pub name: &'static str,
+    /// Its standard uncertainty in millimetres.
+    pub standard: f64,
+    pub degrees: f64,
 }
 
 /// A step of a tool's offset, in millimetres.
@@ -68,30 +60,57 @@ const STEP: f64 = 0.001;
 /// How near to a limit a trend may come, in standard deviations.
 const RESERVE: f64 = 3.0;
 
+const CPK: [&str; 2] = ["cpk", "Cpk"];
+
 impl Answer {
+    /// The figures of a series: with several stages those of the last one, as the process is now.
     pub fn of(series: &Series<'_>, wanted: &Wanted) -> Self {
-        let values = series.groups.concat();
-        let largest = series.groups.iter().map(Vec::len).max().unwrap_or_default();
-        let kind = wanted.chart.unwrap_or(ChartKind::for_size(largest));
-        let mut answer = Self {
-            wanted: *wanted,
-            figures: Vec::new(),
-            outside: [0, 0],
-            chart: drawn(series, kind, wanted),
-            fitted: Fitted::of(&values, wanted.law.unwrap_or(Family::Normal)),
-            fired: Vec::new(),
-            advice: Vec::new(),
-        };
+        let mut answer = Self::begun(wanted);
         let tolerance = Tolerance::new(wanted.limits[0], wanted.limits[1]);
-        answer.moments(series, &values, kind.method());
-        match tolerance.clone() {
-            Ok(tolerance) => answer.capability(series, &values, &tolerance, kind),
-            Err(reason) => answer.put("cpk", "Cpk", FigureKind::Index, Err(reason), String::new()),
+        let kind = wanted.kind(series);
+        let samples = wanted.samples(series);
+        let now = wanted.stages().last().map_or(0, |stage| stage.first);
+        let counted = samples.iter().skip(now).filter(|sample| sample.left_out.is_none());
+        let groups: Vec<&[f64]> = counted.map(|sample| sample.values.as_slice()).collect();
+        let values = groups.concat();
+        answer.fitted = Fitted::of(&values, wanted.law.unwrap_or(Family::Normal));
+        answer.moments(&groups, &values, kind.method());
+        match &tolerance {
+            Ok(tolerance) => answer.capability(&groups, &values, tolerance, kind),
+            Err(reason) => answer.figures.push(Figure::none(CPK, FigureKind::Index, reason.clone(), "")),
         }
         answer.shape(&values, tolerance.as_ref().ok());
-        answer.lines(kind);
+        answer.take(Charted::of(&samples, kind, wanted));
         answer.advise(&values, tolerance.as_ref().ok());
         answer
+    }
+
+    /// An answer that says nothing yet.
+    pub(super) fn begun(wanted: &Wanted) -> Self {
+        Self {
+            wanted: wanted.clone(),
+            layout: None,
+            doubt: None,
+            figures: Vec::new(),
+            groups: Vec::new(),
+            outside: [0, 0],
+            chart: Err(Reason::Empty),
+            fitted: Err(Reason::Empty),
+            memory: None,
+            fired: Vec::new(),
+            advice: Vec::new(),
+            contributions: Vec::new(),
+        }
+    }
+
+    /// Takes what a chart says.
+    pub(super) fn take(&mut self, charted: Charted) {
+        let Charted { chart, memory, figures, fired, advice } = charted;
+        self.chart = chart;
+        self.memory = memory;
+        self.figures.extend(figures);
+        self.fired = fired;
+        self.advice.extend(advice);
     }
 
     /// Whether nothing could be computed.
@@ -99,75 +118,79 @@ impl Answer {
         self.figures.iter().all(|figure| figure.value.is_err())
     }
 
-    fn put(
+    /// The figure of this name.
+    pub fn figure(&self, name: &str) -> Option<&Figure> {
+        self.figures.iter().find(|figure| figure.name == name)
+    }
+
+    pub(super) fn put(
         &mut self,
-        name: &'static str,
-        label: &'static str,
+        name: [&'static str; 2],
         kind: FigureKind,
-        value: Result<(f64, Option<[f64; 2]>), Reason>,
-        method: String,
+        value: Result<Estimate, Reason>,
+        method: impl Into<String>,
     ) {
-        self.figures.push(Figure { name, label, kind, value, method });
+        self.figures.push(Figure::of(name, kind, value, method));
     }
 
-    fn estimate(&mut self, name: &'static str, label: &'static str, kind: FigureKind, value: Estimate, method: &str) {
-        self.put(name, label, kind, Ok((value.value, Some([value.lower, value.upper]))), method.to_owned());
+    pub(super) fn bare(&mut self, name: [&'static str; 2], kind: FigureKind, value: f64, method: impl Into<String>) {
+        self.figures.push(Figure::bare(name, kind, value, method));
     }
 
-    fn moments(&mut self, series: &Series<'_>, values: &[f64], method: Method) {
+    fn moments(&mut self, groups: &[&[f64]], values: &[f64], method: Method) {
         let level = self.wanted.level;
         let moments = Moments::of(values);
-        let whole = |value: Estimate| (value.value, Some([value.lower, value.upper]));
         // A mean without an interval would be a bare figure: the reason stands in its place.
-        let mean = moments.clone().and_then(|of| of.mean_estimate(level)).map(whole);
-        let deviation = moments.and_then(|of| of.deviation_estimate(level)).map(whole);
-        self.put("mean_mm", "mean", FigureKind::Length, mean, "mean, Student".to_owned());
-        self.put("sd_mm", "s", FigureKind::Length, deviation, "standard deviation, chi-square".to_owned());
-        let within = Sigma::within(series.groups.iter().map(Vec::as_slice), method);
-        let within = within.map(|sigma| whole(Estimate::of_deviation(sigma.value, sigma.degrees, level)));
-        self.put("sigma_mm", "s within", FigureKind::Length, within, method.word().to_owned());
+        let mean = moments.clone().and_then(|of| of.mean_estimate(level));
+        let deviation = moments.and_then(|of| of.deviation_estimate(level));
+        self.put(["mean_mm", "mean"], FigureKind::Length, mean, "mean, Student");
+        self.put(["sd_mm", "s"], FigureKind::Length, deviation, "standard deviation, chi-square");
+        let within = Sigma::within(groups.iter().copied(), method);
+        let within = within.map(|sigma| Estimate::of_deviation(sigma.value, sigma.degrees, level));
+        self.put(["sigma_mm", "s within"], FigureKind::Length, within, method.word());
     }
 
-    fn capability(&mut self, series: &Series<'_>, values: &[f64], tolerance: &Tolerance, kind: ChartKind) {
+    fn capability(&mut self, groups: &[&[f64]], values: &[f64], tolerance: &Tolerance, kind: ChartKind) {
         let Wanted { target, level, .. } = self.wanted;
         let plan = CapabilityPlan { target, level, ..CapabilityPlan::of(*tolerance, kind.method()) };
         self.outside = tolerance.outside(values);
-        let found = match capability(series.groups.iter().map(Vec::as_slice), &plan) {
+        let found = match capability(groups.iter().copied(), &plan) {
             Ok(found) => found,
-            Err(reason) => return self.put("cpk", "Cpk", FigureKind::Index, Err(reason), String::new()),
+            Err(reason) => return self.figures.push(Figure::none(CPK, FigureKind::Index, reason, "")),
         };
         match &found.within {
             Ok(inside) => {
                 let method = inside.sigma.method.word();
-                self.indices(["cp", "cpk"], ["Cp", "Cpk"], inside, method);
-                self.estimate("ppm_within", "ppm, within", FigureKind::Ppm, inside.ppm, method);
+                self.indices([["cp", "Cp"], CPK], inside, method);
+                self.put(["ppm_within", "ppm, within"], FigureKind::Ppm, Ok(inside.ppm), method);
             }
             Err(reason) => {
-                self.put("cpk", "Cpk", FigureKind::Index, Err(reason.clone()), kind.method().word().to_owned())
+                let method = kind.method().word();
+                self.figures.push(Figure::none(CPK, FigureKind::Index, reason.clone(), method));
             }
         }
         let overall = &found.overall;
         let method = overall.sigma.method.word();
-        self.indices(["pp", "ppk"], ["Pp", "Ppk"], overall, method);
+        self.indices([["pp", "Pp"], ["ppk", "Ppk"]], overall, method);
         if let Some(cpm) = overall.about_target {
-            self.estimate("cpm", "Cpm", FigureKind::Index, cpm, "about the target, Boyles");
+            self.put(["cpm", "Cpm"], FigureKind::Index, Ok(cpm), "about the target, Boyles");
         }
-        self.estimate("ppm_overall", "ppm, overall", FigureKind::Ppm, overall.ppm, method);
-        for (side, name, label) in [
-            (overall.lower, "lower_distance_s", "lower limit at s"),
-            (overall.upper, "upper_distance_s", "upper limit at s"),
+        self.put(["ppm_overall", "ppm, overall"], FigureKind::Ppm, Ok(overall.ppm), method);
+        for (side, name) in [
+            (overall.lower, ["lower_distance_s", "lower limit at s"]),
+            (overall.upper, ["upper_distance_s", "upper limit at s"]),
         ] {
             if let Some(side) = side {
-                self.estimate(name, label, FigureKind::Index, side.distance, method);
+                self.put(name, FigureKind::Index, Ok(side.distance), method);
             }
         }
     }
 
-    fn indices(&mut self, names: [&'static str; 2], labels: [&'static str; 2], of: &Indices, method: &str) {
+    fn indices(&mut self, names: [[&'static str; 2]; 2], of: &Indices, method: &str) {
         if let Some(potential) = of.potential {
-            self.estimate(names[0], labels[0], FigureKind::Index, potential, method);
+            self.put(names[0], FigureKind::Index, Ok(potential), method);
         }
-        self.estimate(names[1], labels[1], FigureKind::Index, of.actual, method);
+        self.put(names[1], FigureKind::Index, Ok(of.actual), method);
     }
 
     /// The test of the law, and capability by its percentiles where one is asked for.
@@ -176,79 +199,34 @@ impl Answer {
         let family = law.unwrap_or(Family::Normal);
         let test = self.fitted.clone().and_then(|fitted| anderson_darling(values, &fitted));
         let method = format!("Anderson-Darling, {}", family.word());
+        let name = ["anderson_darling", "A²"];
         match test {
             Ok(test) => {
-                self.put("anderson_darling", "A²", FigureKind::Index, Ok((test.statistic, None)), method.clone());
+                self.bare(name, FigureKind::Index, test.statistic, method.clone());
                 if let Some(p) = test.p {
-                    self.put("anderson_darling_p", "p of A²", FigureKind::Probability, Ok((p, None)), method);
+                    self.bare(["anderson_darling_p", "p of A²"], FigureKind::Probability, p, method);
                     if p < 1.0 - level {
                         self.advice.push(Advice::NotOfLaw { p: fitcheck_statistics::probability(p) });
                     }
                 }
             }
-            Err(reason) => self.put("anderson_darling", "A²", FigureKind::Index, Err(reason), method),
+            Err(reason) => self.figures.push(Figure::none(name, FigureKind::Index, reason, method)),
         }
         let (Some(family), Some(tolerance)) = (law, tolerance) else { return };
         let method = format!("percentiles, {}", family.word());
+        let ppk = ["ppk_percentile", "Ppk"];
         let found = match percentiles(values, family, tolerance, level) {
             Ok(found) => found,
-            Err(reason) => return self.put("ppk_percentile", "Ppk", FigureKind::Index, Err(reason), method),
+            Err(reason) => return self.figures.push(Figure::none(ppk, FigureKind::Index, reason, method)),
         };
         if let Some(potential) = found.potential {
-            self.estimate("pp_percentile", "Pp", FigureKind::Index, potential, &method);
+            self.put(["pp_percentile", "Pp"], FigureKind::Index, Ok(potential), method.clone());
         }
-        self.estimate("ppk_percentile", "Ppk", FigureKind::Index, found.actual, &method);
-        for (ppm, name, label) in [(found.below, "ppm_below", "ppm below"), (found.above, "ppm_above", "ppm above")] {
+        self.put(ppk, FigureKind::Index, Ok(found.actual), method.clone());
+        for (ppm, name) in [(found.below, ["ppm_below", "ppm below"]), (found.above, ["ppm_above", "ppm above"])] {
             if let Some(ppm) = ppm {
-                self.estimate(name, label, FigureKind::Ppm, ppm, &method);
+                self.put(name, FigureKind::Ppm, Ok(ppm), method.clone());
             }
-        }
-    }
-
-    /// Centre line and limits of the chart, and the rules that fire on it.
-    fn lines(&mut self, kind: ChartKind) {
-        match self.chart.clone() {
-            Ok(drawn) => self.drawn(&drawn),
-            Err(reason) => {
-                self.put("centre_mm", "centre line", FigureKind::Length, Err(reason), kind.word().to_owned())
-            }
-        }
-    }
-
-    fn drawn(&mut self, drawn: &Chart) {
-        let method = drawn.kind.word();
-        // Of points of several sizes the last one has the limits that count now.
-        let last = drawn.points.last();
-        let spread = drawn.points.iter().rev().find_map(|point| point.spread);
-        let lines = [
-            ("centre_mm", "centre line", last.map(|point| point.location.centre)),
-            ("lower_control_mm", "lower control limit", last.map(|point| point.location.lower)),
-            ("upper_control_mm", "upper control limit", last.map(|point| point.location.upper)),
-            ("spread_centre_mm", "centre line, spread", spread.map(|spread| spread.centre)),
-            ("spread_upper_mm", "upper control limit, spread", spread.map(|spread| spread.upper)),
-        ];
-        for (name, label, value) in lines {
-            if let Some(value) = value {
-                self.put(name, label, FigureKind::Length, Ok((value, None)), method.to_owned());
-            }
-        }
-        let fires = |point: &fitcheck_statistics::ChartPoint, rule| {
-            point.location.fired.has(rule) || point.spread.is_some_and(|spread| spread.fired.has(rule))
-        };
-        for rule in Rule::ALL {
-            let points = (1..).zip(&drawn.points).filter(|(_, point)| fires(point, rule));
-            let points: Vec<usize> = points.map(|(number, _)| number).collect();
-            if !points.is_empty() {
-                self.fired.push((rule, points));
-            }
-        }
-        let count: usize = drawn.stages.iter().map(|stage| stage.baseline).sum();
-        if count < ENOUGH_POINTS {
-            self.advice.push(Advice::FewPoints { count, enough: ENOUGH_POINTS });
-        }
-        let alarms = drawn.points.iter().filter(|point| Rule::ALL.into_iter().any(|rule| fires(point, rule))).count();
-        if 0 < alarms {
-            self.advice.push(Advice::Unstable { count: alarms });
         }
     }
 
@@ -270,19 +248,4 @@ impl Answer {
     pub fn sentences(&self) -> impl Iterator<Item = String> {
         self.advice.iter().map(|advice| advice.message().to_string())
     }
-}
-
-fn drawn(series: &Series<'_>, kind: ChartKind, wanted: &Wanted) -> Result<Chart, Reason> {
-    let Wanted { rules, baseline, .. } = *wanted;
-    let single = |sample: Sample| {
-        let Sample { values, left_out } = sample;
-        values.into_iter().map(move |value| Sample { values: vec![value], left_out: left_out.clone() })
-    };
-    let samples: Vec<Sample> = match kind {
-        ChartKind::Individuals => series.samples().into_iter().flat_map(single).collect(),
-        ChartKind::MeansRanges | ChartKind::MeansDeviations => series.samples(),
-    };
-    let baseline = baseline.map_or(Baseline::All, |count| Baseline::Points(0..count));
-    let plan = ChartPlan { rules, stages: vec![Stage { first: 0, baseline }], ..ChartPlan::of(kind) };
-    chart(&samples, &plan)
 }

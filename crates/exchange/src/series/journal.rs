@@ -148,17 +148,19 @@ impl FeatureSeries {
         let why = |value: &Value| value.origin.number.and_then(|number| look.apart.get(&number)).cloned();
         let counts = |at: &usize| self.values.get(*at).is_some_and(|value| value.left_out.is_none());
         let shown: Vec<usize> = (0..self.values.len()).filter(counts).collect();
-        let mut series = Series { name: None, groups: Vec::new(), apart: Vec::new(), of: self.values.iter().collect() };
-        let mut points = Vec::new();
+        let of: Vec<&Value> = self.values.iter().collect();
+        let counted = shown.iter().filter_map(|at| self.values.get(*at)).collect();
+        let mut series = Series { name: None, groups: Vec::new(), counted, of };
+        let (mut points, mut values, mut apart) = (Vec::new(), Vec::new(), Vec::new());
         for (point, places) in shown.chunks(size).enumerate() {
             let start = point.saturating_mul(size);
             points.push(start..start + places.len());
             let sample = sample(places.iter().filter_map(|at| self.values.get(*at)), why);
-            if sample.left_out.is_some() {
-                series.apart.push((point, sample))
-            } else {
-                series.groups.push(sample.values)
+            match sample.left_out {
+                Some(why) => apart.push((point + 1, why)),
+                None => values.extend(&sample.values),
             }
+            series.groups.push(sample.values);
         }
         let number = |at: &usize| self.values.get(*at).and_then(|value| value.origin.number);
         let baseline = look.baseline.map(|[first, last]| {
@@ -168,15 +170,17 @@ impl FeatureSeries {
         });
         let limits = self.key.limits.map(|limit| limit.map(Length::to_mm_f64));
         let chart = (size == 1).then_some(fitcheck_statistics::ChartKind::Individuals);
-        let wanted = Wanted { limits, target: None, chart, rules: look.rules, baseline, law: None, level: LEVEL };
+        let groups = series.groups.len() - apart.len();
+        let (rules, left_out) = (look.rules, apart);
+        let wanted = Wanted { limits, chart, rules, baseline, left_out, level: LEVEL, ..Wanted::default() };
         let answer = Answer::of(&series, &wanted);
         Evaluated {
             signals: answer.chart.as_ref().map_or_else(|_| Vec::new(), signals),
             answer,
-            values: series.groups.concat(),
+            values,
             base: self.base().map_or(0.0, Length::to_mm_f64),
             points,
-            groups: series.groups.len(),
+            groups,
             left_out: series.left_out().collect(),
             apart: shown.iter().filter_map(|at| self.values.get(*at)).filter(|value| why(value).is_some()).count(),
             shown,

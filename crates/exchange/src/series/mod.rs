@@ -3,25 +3,45 @@
 //! | file | what |
 //! |---|---|
 //! | `value` | one value with what is known of it, and why it is left out |
-//! | `figures` | what is computed, each figure with its method; rules that fire; advice |
+//! | `wanted` | what is asked |
+//! | `figure` | a figure with its interval and its method |
+//! | `charted` | the chart: limits, rules that fire, EWMA and CUSUM |
+//! | `figures` | all that is computed, and advice |
+//! | `layout` | parts, operators and readings of a study of a gauge |
+//! | `study` | what a study says |
+//! | `compared` | groups such as machines, compared |
+//! | `listed` | every feature in a line, those that need a look first |
 //! | `drawn` | its charts as drawings |
 //! | `journal` | the series of a journal, one for each feature, and what is computed of one |
 //!
 //! `fitcheck stats` and the page Statistics show the same figures.
 
+mod charted;
+mod compared;
 mod drawn;
+mod figure;
 mod figures;
 mod journal;
+mod layout;
+mod listed;
+mod study;
 mod value;
+mod wanted;
 
 use std::collections::BTreeSet;
 
+pub use charted::{MemoryPoint, Remembered};
+pub use compared::Factor;
 pub use drawn::Drawn;
-pub use figures::{Answer, Figure, FigureKind, Wanted};
+pub use figure::{Figure, FigureKind};
+pub use figures::{Answer, Contribution, Group};
 use fitcheck_core::length::Length;
-use fitcheck_statistics::Sample;
 pub use journal::{ASKED_INDEX, Evaluated, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
-pub use value::{LeftOut, Origin, Value};
+pub use layout::{Layout, StudyError, StudyKind};
+pub use listed::{ListedFeature, NoPpk, listed};
+pub use study::{Reference, StudyWanted};
+pub use value::{LeftOut, Origin, Value, names_are_parts};
+pub use wanted::{Memory, Wanted};
 
 /// What makes a subgroup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +65,10 @@ pub enum SeriesError {
     Limits,
     /// Values without parts.
     NoParts,
+    /// A point that the chart does not have.
+    NoPoint { point: usize, count: usize },
+    /// So many values say nothing of what groups are made of.
+    NoFactor { count: usize },
 }
 
 /// The values of one feature.
@@ -54,8 +78,8 @@ pub struct Series<'a> {
     pub name: Option<String>,
     /// The subgroups of the values that count, in millimetres.
     pub groups: Vec<Vec<f64>>,
-    /// The subgroups that somebody left out and why, with their places among all of them.
-    apart: Vec<(usize, Sample)>,
+    /// The values that count, in their order.
+    pub counted: Vec<&'a Value>,
     of: Vec<&'a Value>,
 }
 
@@ -74,6 +98,11 @@ impl<'a> Series<'a> {
             None => return Err(SeriesError::Features(all())),
         };
         let of: Vec<&Value> = values.iter().filter(|value| feature.is_none_or(|name| value.name == name)).collect();
+        Self::of_feature(name.map(str::to_owned), of, grouping)
+    }
+
+    /// The values of one feature.
+    fn of_feature(name: Option<String>, of: Vec<&'a Value>, grouping: Grouping) -> Result<Self, SeriesError> {
         let counted: Vec<&Value> = of.iter().filter(|value| value.left_out.is_none()).copied().collect();
         let groups: Vec<&[&Value]> = match grouping {
             Grouping::Single => counted.chunks(1).collect(),
@@ -85,16 +114,13 @@ impl<'a> Series<'a> {
         };
         let mm = |group: &[&Value]| group.iter().map(|value| value.measured.to_mm_f64()).collect();
         let groups = groups.into_iter().map(mm).collect();
-        Ok(Self { name: name.map(str::to_owned), groups, apart: Vec::new(), of })
+        Ok(Self { name, groups, counted, of })
     }
 
-    /// All subgroups in their order.
-    fn samples(&self) -> Vec<Sample> {
-        let mut samples: Vec<Sample> = self.groups.iter().cloned().map(Sample::of).collect();
-        for (point, sample) in &self.apart {
-            samples.insert((*point).min(samples.len()), sample.clone());
-        }
-        samples
+    /// The values that count without those that are left out, named by their place from 1.
+    fn counted_without(&self, wanted: &Wanted) -> Vec<&'a Value> {
+        let is_left_out = |number: usize| wanted.left_out.iter().any(|(point, _)| *point == number);
+        (1..).zip(&self.counted).filter(|(number, _)| !is_left_out(*number)).map(|(_, value)| *value).collect()
     }
 
     /// Lower and upper limit in millimetres, as far as the files state them.

@@ -65,6 +65,12 @@ impl Origin {
         self.part.is_empty() && self.piece.is_empty()
     }
 
+    /// The part and what tells it from others of its kind, in one name.
+    pub fn whole_part(&self) -> String {
+        let names = [self.part.as_str(), self.piece.as_str()];
+        names.into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join(" ")
+    }
+
     /// Whether both are of the same part.
     pub fn is_of_same_part(&self, other: &Self) -> bool {
         self.part == other.part && self.piece == other.piece
@@ -78,6 +84,8 @@ pub struct Value {
     pub name: String,
     /// What was measured.
     pub measured: Length,
+    /// What it should be, where the file says so.
+    pub nominal: Option<Length>,
     /// Lower and upper limit, where there are any. The natural limit 0 of a form is none.
     pub limits: [Option<Length>; 2],
     /// Where it comes from.
@@ -118,7 +126,8 @@ impl Value {
         // Nothing is less than round: the 0 of a form is no limit that a process could come near to.
         let lower = limits.minimum.filter(|minimum| *minimum != Length::ZERO);
         let origin = Origin::of(labels);
-        Self { name: name.to_owned(), measured, limits: [lower, limits.maximum], origin, left_out: None }
+        let (name, nominal) = (name.to_owned(), limits.nominal);
+        Self { name, measured, nominal, limits: [lower, limits.maximum], origin, left_out: None }
     }
 
     /// The value of a record; without one in doubt it counts unless it was simulated.
@@ -179,5 +188,14 @@ impl Value {
             Some(LeftOut::Invalid)
         };
         value
+    }
+}
+
+/// What calls its values by names that are those of parts: where no value names its part, its name is that of the part.
+pub fn names_are_parts(values: &mut [Value]) {
+    if values.iter().all(|value| value.origin.is_of_no_part()) {
+        for value in values {
+            value.origin.part = std::mem::take(&mut value.name);
+        }
     }
 }

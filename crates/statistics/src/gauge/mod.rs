@@ -6,12 +6,15 @@
 //! | `study` | repeatability and reproducibility: parts, operators and readings, crossed or nested |
 //! | `linearity` | bias over the range of sizes |
 //! | `stability` | a master over time |
+//! | `finding` | what they say in sentences |
 
+mod finding;
 mod linearity;
 mod master;
 mod stability;
 mod study;
 
+pub use finding::{ACCEPTED_SHARE, Finding, GOOD_SHARE};
 pub use linearity::{BiasAt, Linearity, linearity};
 pub use master::{MasterPlan, MasterStudy, master_study};
 pub use stability::{Stability, stability};
