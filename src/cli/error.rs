@@ -77,6 +77,8 @@ pub(super) enum CliError {
     StatsLayout { doubt: Message },
     /// A budget of a study that gives none.
     StatsNoBudget,
+    /// Charts that cannot be drawn.
+    StatsNoPicture { why: Message },
     /// Points of a chart, and every feature has one of its own.
     StatsPoints,
     /// Parameters of a chart that has none.

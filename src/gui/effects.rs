@@ -330,9 +330,8 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         Effect::Save(path, content) => save(&(with.begins)(&path, true), path, &content, false),
         Effect::Replace(path, content) => save(&(with.begins)(&path, true), path, &content, true),
         Effect::SaveSet { folder, set, replaces } => {
-            let set: Vec<(&str, &[u8])> =
-                set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
-            let result = files::write_folder(&folder, &set, replaces);
+            let files = set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice()));
+            let result = files::write_folder(&folder, &files.collect::<Vec<_>>(), replaces);
             vec![FilesCommand::SetWritten { folder, result }.into()]
         }
         Effect::Launch(path, how) => vec![launched(&path, how, errands)],
@@ -343,10 +342,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             let answers = features.iter().zip(&looks).map(|(feature, look)| feature.evaluate(look));
             vec![StatisticsCommand::Evaluated { run, answers: Arc::new(answers.collect()) }.into()]
         }
-        Effect::ReadPicture(path) => {
-            let result = picture::read(&path).map(Arc::new);
-            vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
-        }
+        Effect::ReadPicture(path) => vec![picture_read(path)],
         Effect::ReadLogo(path) => vec![SettingsCommand::LogoRead { result: templates::logo(&path), path }.into()],
         effect @ (Effect::DrawReport { .. }
         | Effect::ReadTemplates(_)
@@ -385,6 +381,11 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
     }
+}
+
+fn picture_read(path: PathBuf) -> Command {
+    let result = picture::read(&path).map(Arc::new);
+    PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()
 }
 
 /// A file was given to the system's own program, or why not. Tests start none.

@@ -305,7 +305,7 @@ fn a_cusum_says_where_the_shift_began() {
     assert_eq!(uneven["ewma_mm"]["reason"], "subgroups have 2 to 4 values: this chart needs subgroups of equal size");
 }
 
-/// NIST StRD, `SiRstv`.
+/// NIST `StRD`, `SiRstv`.
 #[test]
 fn groups_are_compared_with_certified_figures() {
     let study = data("nist_strd.json")["anova"].clone();
@@ -386,7 +386,8 @@ fn what_is_missing_from_a_study_is_named() {
 fn a_drifting_master_is_not_stable() {
     let of = |drift: f64| {
         let steps = [0.3, -0.4, 0.1, 0.5, -0.2, -0.5, 0.2, 0.4, -0.3, -0.1];
-        let values: Vec<f64> = (0..30).map(|at| 10.0 + steps[at % 10] / 1_000.0 + drift * at as f64).collect();
+        let values: Vec<f64> =
+            (0..30_u8).map(|at| 10.0 + steps[usize::from(at % 10)] / 1_000.0 + drift * f64::from(at)).collect();
         answer(&column(&values, 0.0), &["--study", "stability", "--reference", "9.999", "--rules", "nelson-1"]).1
     };
     let still = of(0.0);

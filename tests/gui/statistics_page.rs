@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, OutputCommand, Theme, Vec2, vec2};
+use eframe::egui::{Event, Key, OutputCommand, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
@@ -130,6 +130,117 @@ fn features_are_listed_with_ppk_and_walked_by_keys() {
     assert!(cursor(&window).starts_with("A2, 25 H7"), "{}", cursor(&window));
     press(&mut window, Key::End);
     assert!(cursor(&window).starts_with("T1, 40 h9"), "{}", cursor(&window));
+}
+
+/// One bore of 21 parts: the last one is beyond the upper control limit.
+fn with_chip() -> Harness<'static, App> {
+    let mut values: Vec<i64> = (0..20).map(|at| 10_000 + (at * 7) % 5 * 100).collect();
+    values.push(18_000);
+    page_of(vec2(1920.0, 1080.0), entries(&[Bore { name: "A1", callout: "25 H7", values }]))
+}
+
+/// Goes to the chart and to its last point.
+fn on_last_point(window: &mut Harness<'_, App>) {
+    window.get_by_role_and_label(Role::Image, CHART).focus();
+    window.run();
+    press(window, Key::End);
+}
+
+const CHART: &str = "Flange 40-118, A1, 25 H7";
+
+#[test]
+fn the_chart_is_heard_as_one_sentence_with_its_figures() {
+    let window = with_chip();
+    let chart = window.get_by_role_and_label(Role::Image, CHART);
+    let said = chart.accesskit_node().data().description().unwrap_or_default().to_owned();
+    assert!(said.starts_with("21 points, centre line 25.0106 mm, control limits 25.0"), "{said}");
+    assert!(said.contains("limits 25.000 mm … 25.021 mm"), "{said}");
+    assert!(said.ends_with("signals, 0 outside the limits."), "{said}");
+}
+
+#[test]
+fn a_point_is_reached_by_keys_and_opens_its_record() {
+    let mut window = with_chip();
+    on_last_point(&mut window);
+    window.get_by_label_contains("25.018 mm, S-0121");
+    press(&mut window, Key::Enter);
+    assert_eq!(window.state().session().page(), Page::Records);
+}
+
+#[test]
+fn a_signal_opens_the_record_of_its_last_point() {
+    let mut window = with_chip();
+    window.get_by_label_contains("1 point beyond a control limit. Point 21: 25.018 mm, S-0121").click();
+    window.run();
+    assert_eq!(window.state().session().page(), Page::Records);
+}
+
+#[test]
+fn a_point_is_left_out_with_a_reason_by_keys_alone() {
+    let mut window = with_chip();
+    on_last_point(&mut window);
+    press(&mut window, Key::X);
+    window.get_by_role_and_label(Role::TextInput, "Reason").type_text("chip on the probe");
+    window.run();
+    press(&mut window, Key::Enter);
+    window.get_by_label("20 values, 1 left out: with a reason");
+    window.get_by_label_contains("Left out: chip on the probe");
+    window.get_by_role_and_label(Role::Button, "Include again");
+}
+
+#[test]
+fn a_rule_is_switched_off_and_its_signal_is_gone() {
+    let mut window = with_chip();
+    click(&mut window, Role::Button, "Rules");
+    click(&mut window, Role::CheckBox, "1 point beyond a control limit");
+    assert!(window.query_by_label_contains("1 point beyond a control limit. Point 21").is_none());
+}
+
+#[test]
+fn control_limits_are_taken_from_the_points_up_to_the_cursor() {
+    let mut window = with_chip();
+    on_last_point(&mut window);
+    press(&mut window, Key::ArrowLeft);
+    press(&mut window, Key::B);
+    window.get_by_role_and_label(Role::Button, "Limits from all points");
+    let chart = window.get_by_role_and_label(Role::Image, CHART);
+    let said = chart.accesskit_node().data().description().unwrap_or_default().to_owned();
+    assert!(said.starts_with("21 points, centre line 25.0102 mm"), "{said}");
+}
+
+#[test]
+fn means_of_groups_are_chosen_and_their_size_is_typed() {
+    let mut window = usual();
+    click(&mut window, Role::RadioButton, "Means of 5");
+    window.get_by_label("125 values, 25 groups of 5");
+    type_into(&mut window, "Values per point", "25");
+    press(&mut window, Key::Enter);
+    window.get_by_label("125 values, 5 groups of 25");
+    type_into(&mut window, "Values per point", "1");
+    press(&mut window, Key::Enter);
+    window.get_by_label_contains("must be a whole number from 2 to");
+}
+
+#[test]
+fn the_question_narrows_the_records() {
+    let mut window = usual();
+    type_into(&mut window, "Records", "nobody:\"");
+    press(&mut window, Key::Enter);
+    assert_eq!(window.state().session().text(StatisticsField::Question), "nobody:\"");
+}
+
+#[test]
+fn figures_and_signals_are_copied_as_a_table() {
+    let mut window = with_chip();
+    on_last_point(&mut window);
+    window.input_mut().events.push(Event::Copy);
+    window.step();
+    let copied = window.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    let copied = copied.expect("a table");
+    assert!(copied.starts_with("Flange 40-118, A1, 25 H7\n21 values\nMean\t25.010"), "{copied}");
 }
 
 fn taken(name: &str, size: Vec2) {

@@ -53,6 +53,7 @@ cli-stats-no-point = bod { $point } neexistuje: diagram jich má { $count }
 cli-stats-no-factor = hodnoty, které neuvádějí svou skupinu: { $count }
 cli-stats-layout = { $doubt } (pokud je to správně: --confirm-layout)
 cli-stats-no-budget = tato studie nedává do bilance žádný příspěvek
+cli-stats-no-picture = obrázek nelze nakreslit: { $why }
 cli-stats-points = --stage a --leave-out platí pro jeden znak: vyberte ho pomocí --feature místo --all
 cli-stats-parameters = --parameters patří k --chart ewma nebo cusum
 cli-add-feature = { $error }: doplňte --feature hole nebo --feature shaft

@@ -53,6 +53,7 @@ cli-stats-no-point = kein Punkt { $point }: die Karte hat { $count }
 cli-stats-no-factor = Werte ohne Angabe der Gruppe: { $count }
 cli-stats-layout = { $doubt } (wenn es stimmt: --confirm-layout)
 cli-stats-no-budget = diese Studie gibt keinen Beitrag zu einem Budget
+cli-stats-no-picture = kein Bild möglich: { $why }
 cli-stats-points = --stage und --leave-out gelten für ein Merkmal: mit --feature wählen statt --all
 cli-stats-parameters = --parameters gilt für --chart ewma oder cusum
 cli-add-feature = { $error }: --feature hole oder --feature shaft hinzufügen

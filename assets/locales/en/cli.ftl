@@ -53,6 +53,7 @@ cli-stats-no-point = no point { $point }: the chart has { $count }
 cli-stats-no-factor = values that do not say to which group they belong: { $count }
 cli-stats-layout = { $doubt } (if it is right: --confirm-layout)
 cli-stats-no-budget = this study gives no contribution to a budget
+cli-stats-no-picture = no picture can be drawn: { $why }
 cli-stats-points = --stage and --leave-out are for one feature: choose it with --feature instead of --all
 cli-stats-parameters = --parameters is for --chart ewma or cusum
 cli-add-feature = { $error }: add --feature hole or --feature shaft

@@ -53,6 +53,7 @@ cli-stats-no-point = no hay punto { $point }: el gráfico tiene { $count }
 cli-stats-no-factor = valores que no dicen a qué grupo pertenecen: { $count }
 cli-stats-layout = { $doubt } (si es correcto: --confirm-layout)
 cli-stats-no-budget = este estudio no da ninguna contribución a un balance
+cli-stats-no-picture = no se puede dibujar ninguna imagen: { $why }
 cli-stats-points = --stage y --leave-out son para una característica: elíjala con --feature en lugar de --all
 cli-stats-parameters = --parameters es para --chart ewma o cusum
 cli-add-feature = { $error }: añada --feature hole o --feature shaft

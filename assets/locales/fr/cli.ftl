@@ -53,6 +53,7 @@ cli-stats-no-point = pas de point { $point } : la carte en a { $count }
 cli-stats-no-factor = valeurs qui ne disent pas leur groupe : { $count }
 cli-stats-layout = { $doubt } (si c'est juste : --confirm-layout)
 cli-stats-no-budget = cette étude ne donne aucune contribution à un bilan
+cli-stats-no-picture = aucune image possible : { $why }
 cli-stats-points = --stage et --leave-out valent pour une caractéristique : la choisir avec --feature au lieu de --all
 cli-stats-parameters = --parameters vaut pour --chart ewma ou cusum
 cli-add-feature = { $error } : ajouter --feature hole ou --feature shaft

@@ -53,6 +53,7 @@ cli-stats-no-point = nessun punto { $point }: la carta ne ha { $count }
 cli-stats-no-factor = valori che non dicono il loro gruppo: { $count }
 cli-stats-layout = { $doubt } (se è giusto: --confirm-layout)
 cli-stats-no-budget = questo studio non dà contributi a un bilancio
+cli-stats-no-picture = nessuna immagine possibile: { $why }
 cli-stats-points = --stage e --leave-out valgono per una caratteristica: sceglierla con --feature invece di --all
 cli-stats-parameters = --parameters vale per --chart ewma o cusum
 cli-add-feature = { $error }: aggiungere --feature hole o --feature shaft

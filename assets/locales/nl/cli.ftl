@@ -53,6 +53,7 @@ cli-stats-no-point = geen punt { $point }: de kaart heeft er { $count }
 cli-stats-no-factor = waarden die niet zeggen bij welke groep ze horen: { $count }
 cli-stats-layout = { $doubt } (als het klopt: --confirm-layout)
 cli-stats-no-budget = deze studie geeft geen bijdrage aan een budget
+cli-stats-no-picture = er kan geen afbeelding worden getekend: { $why }
 cli-stats-points = --stage en --leave-out gelden voor één kenmerk: kies het met --feature in plaats van --all
 cli-stats-parameters = --parameters hoort bij --chart ewma of cusum
 cli-add-feature = { $error }: geef --feature hole of --feature shaft op

@@ -58,6 +58,7 @@ cli-stats-no-point = nie ma punktu { $point }: karta ma { $count }
 cli-stats-no-factor = wartości, które nie podają swojej grupy: { $count }
 cli-stats-layout = { $doubt } (jeśli to prawda: --confirm-layout)
 cli-stats-no-budget = to badanie nie daje wkładu do budżetu
+cli-stats-no-picture = nie można narysować obrazu: { $why }
 cli-stats-points = --stage i --leave-out dotyczą jednej cechy: wybierz ją przez --feature zamiast --all
 cli-stats-parameters = --parameters dotyczy --chart ewma lub cusum
 cli-add-feature = { $error }: dodać --feature hole lub --feature shaft

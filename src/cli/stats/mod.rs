@@ -6,10 +6,12 @@
 //! | `charts` | the options of the chart |
 //! | `study` | studies of gauges and groups: their options, the budget |
 //! | `print` | the figures as text, CSV and JSON |
+//! | `picture` | all charts on one sheet |
 //! | `list` | every feature in a line |
 
 mod charts;
 mod list;
+mod picture;
 mod print;
 mod read;
 mod study;
@@ -41,6 +43,7 @@ Examples:
   fitcheck stats study.csv --study crossed --lower 24.99 --upper 25.01
   fitcheck stats ring.csv --study type1 --reference 30.0012 --lower 29.99 --upper 30.01
   fitcheck stats bores.csv --compare machine
+  fitcheck stats bores.csv --picture bores.png
   fitcheck stats --plan flange.toml monday.dfq --all
 
 A study shows how the file was understood, such as 10 parts, 3 operators, 3 repeats. A layout that looks swapped is refused. A gauge is good enough \
@@ -105,6 +108,10 @@ pub(super) struct Args {
     #[arg(long, conflicts_with_all = ["feature", "lower", "upper", "target"])]
     all: bool,
 
+    /// Also draw all charts of the feature on one sheet: a file that ends in .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = picture::file, conflicts_with = "all")]
+    picture: Option<picture::PictureFile>,
+
     /// Distribution for capability by percentiles, besides the normal figures
     #[arg(long, value_name = "LAW", value_parser = one_of(Family::ALL, |family| family.word()))]
     law: Option<Family>,
@@ -161,6 +168,9 @@ impl Args {
             return Err(CliError::StatsLayout { doubt: doubt.message() });
         }
         self.gauge.save(&answer, &self.files, io)?;
+        if let Some(picture) = &self.picture {
+            picture.save(&series, &answer, io)?;
+        }
         if series.has_doubts() {
             io.look_first();
         }

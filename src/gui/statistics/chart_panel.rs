@@ -50,7 +50,7 @@ fn cursor_ui(ui: &Ui, view: &View<'_>, rect: Rect, picture: &Picture) {
 }
 
 /// A point is chosen by a click and opened by a second one; points that the pointer is drawn over fill the chart.
-fn pointed_ui(ui: &mut Ui, view: &mut View<'_>, response: &Response, picture: &Picture) {
+fn pointed_ui(ui: &Ui, view: &mut View<'_>, response: &Response, picture: &Picture) {
     let from = response.rect.min;
     let across = |x: f32| {
         let nearest = |spot: &&Spot| (screen(spot.at[0]) + from.x - x).abs();

@@ -38,15 +38,15 @@ pub(super) fn drawn_ui(ui: &Ui, view: &View<'_>, what: Drawn, rect: Rect) -> Opt
     };
     let id = Id::unique(("statistics-drawn", what));
     let kept = ui.data(|data| data.get_temp::<(Made, Result<Arc<Picture>, Reason>)>(id));
-    let drawn = match kept.filter(|(of, _)| *of == made) {
-        Some((_, drawn)) => drawn,
-        None => {
+    let drawn = kept.filter(|(of, _)| *of == made).map_or_else(
+        || {
             let size = made.size.map(f64::from);
             let drawn = of.drawn(what, size, made.points.clone(), view.words).map(Arc::new);
-            ui.data_mut(|data| data.insert_temp(id, (made, drawn.clone())));
+            ui.data_mut(|data| data.insert_temp(id, (made.clone(), drawn.clone())));
             drawn
-        }
-    };
+        },
+        |(_, drawn)| drawn,
+    );
     match drawn {
         Ok(picture) => {
             paint(&ui.painter().with_clip_rect(rect.intersect(ui.clip_rect())), rect.min, &picture);

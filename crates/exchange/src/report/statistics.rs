@@ -8,8 +8,7 @@ use std::io;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
-use fitcheck_statistics::picture::{sheet, svg};
-use fitcheck_statistics::{Family, Tolerance};
+use fitcheck_statistics::picture::svg;
 
 use super::Report;
 use super::origins::Entry;
@@ -119,15 +118,14 @@ impl Gathered {
         self.count += 1;
         let value = Value { name: name.to_owned(), ..Value::of_record(record, labels, record.doubt.is_some()) };
         let place = self.places.get(name).copied().unwrap_or(self.features.len());
-        match self.features.get_mut(place) {
-            Some(feature) => feature.values.push(value),
-            None => {
-                self.places.insert(name.to_owned(), place);
-                let callout = record.callout.map(|callout| callout.to_string()).unwrap_or_default();
-                let nominal = record.limits.nominal;
-                self.features.push(Gatherer { name: name.to_owned(), callout, nominal, values: vec![value] });
-            }
+        if let Some(feature) = self.features.get_mut(place) {
+            feature.values.push(value);
+            return;
         }
+        self.places.insert(name.to_owned(), place);
+        let callout = record.callout.map(|callout| callout.to_string()).unwrap_or_default();
+        let nominal = record.limits.nominal;
+        self.features.push(Gatherer { name: name.to_owned(), callout, nominal, values: vec![value] });
     }
 
     fn are_alike(&self) -> bool {
@@ -142,11 +140,8 @@ impl Gatherer {
         let heading: Vec<String> = names.into_iter().filter(|name| !name.is_empty()).collect();
         let heading = heading.join(", ");
         let mut told = Vec::new();
-        let series = match Series::of(&self.values, None, Grouping::Single) {
-            Ok(series) => series,
-            Err(_) => {
-                return FeatureStatistics { heading, read: String::new(), figures: Vec::new(), told, charts: None };
-            }
+        let Ok(series) = Series::of(&self.values, None, Grouping::Single) else {
+            return FeatureStatistics { heading, read: String::new(), figures: Vec::new(), told, charts: None };
         };
         let limits = series.limits().unwrap_or_else(|_| {
             told.push(words.get("report-statistics-limits"));
@@ -170,11 +165,8 @@ impl Gatherer {
             told,
             charts: None,
         };
-        let tolerance = Tolerance::new(limits[0], limits[1]).ok();
-        of.charts = answer.chart.as_ref().ok().map(|chart| {
-            let (of_law, base) = ((tolerance.as_ref(), Family::Normal), (self.nominal.to_mm_f64(), LEVEL));
-            svg(&sheet(chart, &series.groups.concat(), of_law, base, words), &of.said())
-        });
+        let charts = answer.sheet(&series, Some(self.nominal.to_mm_f64()), words);
+        of.charts = charts.ok().map(|charts| svg(&charts, &of.said()));
         of
     }
 }

@@ -3,10 +3,12 @@
 use std::ops::Range;
 
 use fitcheck_core::words::Words;
-use fitcheck_statistics::picture::{Picture, View, histogram, probability_plot, run_chart, spread_chart, value_range};
-use fitcheck_statistics::{Reason, Tolerance};
+use fitcheck_statistics::picture::{
+    Picture, View, histogram, probability_plot, run_chart, sheet, spread_chart, value_range,
+};
+use fitcheck_statistics::{Family, Reason, Tolerance};
 
-use super::Evaluated;
+use super::{Answer, Evaluated, Series, Wanted};
 
 /// A chart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -22,6 +24,24 @@ pub enum Drawn {
 /// How far beyond the values a chart goes, as a share of their width; and where all of them are equal, in millimetres.
 const MARGIN: f64 = 0.08;
 const LEAST: f64 = 0.001;
+
+impl Answer {
+    /// All charts of the series of this answer on one sheet. Lengths are counted from the nominal size in millimetres, or else from a limit or a value.
+    ///
+    /// # Errors
+    /// Why there is no chart.
+    pub fn sheet(&self, series: &Series<'_>, nominal: Option<f64>, words: &Words) -> Result<Picture, Reason> {
+        let Wanted { limits: [lower, upper], law, level, .. } = self.wanted;
+        let chart = self.chart.as_ref().map_err(Clone::clone)?;
+        let samples = self.wanted.samples(series);
+        let counted = samples.iter().filter(|sample| sample.left_out.is_none());
+        let values: Vec<f64> = counted.flat_map(|sample| &sample.values).copied().collect();
+        let base = nominal.or(lower).or(upper).or(values.first().copied()).ok_or(Reason::Empty)?;
+        let tolerance = Tolerance::new(lower, upper).ok();
+        let of_law = (tolerance.as_ref(), law.unwrap_or(Family::Normal));
+        Ok(sheet(chart, &values, of_law, (base, level), words))
+    }
+}
 
 impl Evaluated {
     /// A chart of a size, of these points.

@@ -155,7 +155,7 @@ impl FeatureSeries {
         for (point, places) in shown.chunks(size).enumerate() {
             let start = point.saturating_mul(size);
             points.push(start..start + places.len());
-            let sample = sample(places.iter().filter_map(|at| self.values.get(*at)), why);
+            let sample = sample(&places.iter().filter_map(|at| self.values.get(*at)), why);
             match sample.left_out {
                 Some(why) => apart.push((point + 1, why)),
                 None => values.extend(&sample.values),
@@ -189,7 +189,7 @@ impl FeatureSeries {
 }
 
 /// A point: what counts of its values, or all of them where nothing does.
-fn sample<'a>(values: impl Iterator<Item = &'a Value> + Clone, why: impl Fn(&Value) -> Option<Arc<str>>) -> Sample {
+fn sample<'a>(values: &(impl Iterator<Item = &'a Value> + Clone), why: impl Fn(&Value) -> Option<Arc<str>>) -> Sample {
     let mm = |value: &Value| value.measured.to_mm_f64();
     let counted: Vec<f64> = values.clone().filter(|value| why(value).is_none()).map(mm).collect();
     if counted.is_empty() {
@@ -200,18 +200,14 @@ fn sample<'a>(values: impl Iterator<Item = &'a Value> + Clone, why: impl Fn(&Val
 }
 
 impl Evaluated {
-    /// A figure by its name for machines, with its interval; or why there is none.
-    pub fn figure(&self, name: &str) -> Option<&Result<(f64, Option<[f64; 2]>), Reason>> {
-        self.answer.figures.iter().find(|figure| figure.name == name).map(|figure| &figure.value)
-    }
-
     /// Ppk with its interval, or why there is none.
     ///
     /// # Errors
     /// The reason.
     pub fn ppk(&self) -> Result<(f64, [f64; 2]), Reason> {
-        let value = self.figure("ppk").or_else(|| self.figure("cpk")).cloned().unwrap_or(Err(Reason::NoLimits))?;
-        value.1.map(|interval| (value.0, interval)).ok_or(Reason::NoLimits)
+        let figure = self.answer.figure("ppk").or_else(|| self.answer.figure("cpk")).ok_or(Reason::NoLimits)?;
+        let (value, interval) = figure.value.clone()?;
+        interval.map(|interval| (value, interval)).ok_or(Reason::NoLimits)
     }
 
     /// Whether Ppk is proven to be what is asked for: its lower bound is not below it.

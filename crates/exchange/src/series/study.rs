@@ -6,6 +6,8 @@ use fitcheck_statistics::gauge::{
 };
 use fitcheck_statistics::{Advice, ENOUGH_VALUES, Estimate, Moments, Ratio, Reason, Row, Tolerance, probability};
 
+use fitcheck_core::length::Length;
+
 use super::Series;
 use super::charted::{Charted, plan};
 use super::figure::{Figure, FigureKind};
@@ -40,7 +42,7 @@ impl StudyWanted {
         let named = self.references.iter().find(|one| one.part.as_ref().is_some_and(|name| *name == part));
         let given = named.or_else(|| self.references.iter().find(|one| one.part.is_none())).map(|one| one.size);
         let nominal = value.nominal.filter(|_| self.kind == StudyKind::Linearity);
-        given.or_else(|| nominal.map(|size| size.to_mm_f64()))
+        given.or_else(|| nominal.map(Length::to_mm_f64))
     }
 
     /// The references of values, each of which has one.
@@ -76,8 +78,8 @@ impl Answer {
             .and_then(|limits| limits.both())
             .map(|[lower, upper]| upper - lower);
         match study.kind {
-            StudyKind::Type1 => answer.type1(&values, study, width)?,
-            StudyKind::Crossed | StudyKind::Nested => answer.repeated(&values, study, width)?,
+            StudyKind::Type1 => answer.type1(&values, study, &width)?,
+            StudyKind::Crossed | StudyKind::Nested => answer.repeated(&values, study, &width)?,
             StudyKind::Linearity => answer.linear(&values, study)?,
             StudyKind::Stability => answer.stable(series, &values, study)?,
         }
@@ -118,7 +120,7 @@ impl Answer {
         self.say(if is_chance { Finding::NotBiased { um, p } } else { Finding::Biased { um, p } });
     }
 
-    fn type1(&mut self, values: &[&Value], study: &StudyWanted, width: Result<f64, Reason>) -> Result<(), StudyError> {
+    fn type1(&mut self, values: &[&Value], study: &StudyWanted, width: &Result<f64, Reason>) -> Result<(), StudyError> {
         let count = values.len();
         self.layout = Some(Layout { kind: study.kind, parts: 1, operators: 1, readings: [count; 2] });
         if !self.is_one_master(values, study) {
@@ -171,7 +173,7 @@ impl Answer {
         &mut self,
         values: &[&Value],
         study: &StudyWanted,
-        width: Result<f64, Reason>,
+        width: &Result<f64, Reason>,
     ) -> Result<(), StudyError> {
         let is_nested = study.kind == StudyKind::Nested;
         let cells = Cells::of(values, is_nested)?;
@@ -236,7 +238,7 @@ impl Answer {
     }
 
     /// What the gauge takes of a tolerance and of all readings.
-    fn shares(&mut self, found: &Study, width: Result<f64, Reason>) {
+    fn shares(&mut self, found: &Study, width: &Result<f64, Reason>) {
         let repeatability = found.repeatability_deviation;
         self.put(["repeatability_mm", "repeatability, s"], FigureKind::Length, Ok(repeatability), "chi-square");
         self.put(["gauge_mm", "gauge, s"], FigureKind::Length, Ok(found.gauge), "modified large sample");
@@ -250,7 +252,7 @@ impl Answer {
         self.put(["smallest_good_mm", "smallest tolerance, 10 %"], FigureKind::Length, Ok(good), "AIAG MSA");
         self.put(["smallest_accepted_mm", "smallest tolerance, 30 %"], FigureKind::Length, Ok(accepted), "AIAG MSA");
         self.say(match width {
-            Ok(width) => Finding::of_share("tolerance", found.percent_of_tolerance(width).value),
+            Ok(width) => Finding::of_share("tolerance", found.percent_of_tolerance(*width).value),
             Err(_) => Finding::of_share("variation", of_study),
         });
         self.say(Finding::SmallestShares { good: mm(good.value), accepted: mm(accepted.value) });

@@ -160,7 +160,7 @@ impl StatisticsPage {
     /// What a screen reader says of the chart: one sentence with its figures.
     pub fn chart_text(&self, words: &Words) -> String {
         let Some((feature, of)) = self.open() else { return String::new() };
-        let mm = |name: &str| match of.figure(name) {
+        let mm = |name: &str| match of.answer.figure(name).map(|found| &found.value) {
             Some(Ok((value, _))) => format!("{} mm", decimals(words, *value, 4)),
             _ => "–".to_owned(),
         };
@@ -255,10 +255,10 @@ fn figure(
     let name_text = words.get(&format!("statistics-page-figure-{id}"));
     // Where nothing at all could be computed, one figure has the reason for all of them.
     let lacks = || {
-        let of_index = of.figure("cpk").and_then(|found| found.as_ref().err());
-        if of.figure("ppk").is_some() { Reason::OneLimit } else { of_index.cloned().unwrap_or(Reason::NoLimits) }
+        let of_index = of.answer.figure("cpk").and_then(|found| found.value.as_ref().err());
+        if of.answer.figure("ppk").is_some() { Reason::OneLimit } else { of_index.cloned().unwrap_or(Reason::NoLimits) }
     };
-    let found = of.figure(name).cloned().unwrap_or_else(|| Err(lacks()));
+    let found = of.answer.figure(name).map_or_else(|| Err(lacks()), |found| found.value.clone());
     let (value, unit, note) = match found {
         Ok((value, Some([lower, upper]))) => {
             let interval =
@@ -275,7 +275,7 @@ fn outside(words: &Words, of: &Evaluated) -> FigureText {
     let name = words.get("statistics-page-figure-outside");
     let count: usize = of.answer.outside.iter().sum();
     let has_limits = of.answer.wanted.limits.iter().any(Option::is_some);
-    let note = match of.figure("ppm_overall") {
+    let note = match of.answer.figure("ppm_overall").map(|found| &found.value) {
         Some(Ok((ppm, _))) => words.say(&message!("statistics-page-expected").text("ppm", decimals(words, *ppm, 0))),
         _ => String::new(),
     };

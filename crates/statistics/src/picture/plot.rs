@@ -159,7 +159,7 @@ impl<'a> Plot<'a> {
     }
 
     /// A length from the base, with one decimal more than a micrometre needs.
-    pub(super) fn from_base(&self, value: f64) -> String {
+    pub(super) fn deviation_text(&self, value: f64) -> String {
         signed(micrometres(value - self.base), 1, self.words)
     }
 

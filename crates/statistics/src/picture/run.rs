@@ -44,7 +44,7 @@ pub fn run_chart(chart: &Chart, tolerance: Option<&Tolerance>, signals: &[Signal
     draw(&mut plot, chart, Place::Location, signals, view);
     if let Some(last) = last(chart, view).map(|point| point.location) {
         let words = view.words;
-        let label = |plot: &Plot<'_>, value: f64| plot.from_base(value);
+        let label = |plot: &Plot<'_>, value: f64| plot.deviation_text(value);
         let upper = message!("statistics-chart-upper").text("size", label(&plot, last.upper));
         plot.label(last.upper, words.say(&upper));
         let mean = message!("statistics-chart-mean").text("size", label(&plot, last.centre));
@@ -64,7 +64,7 @@ pub fn spread_chart(chart: &Chart, signals: &[Signal], view: &View<'_>) -> Pictu
     let Some(mut plot) = Plot::new(&view, ends(&view.points), true) else { return Picture::default() };
     plot.grid_from_zero();
     draw(&mut plot, chart, Place::Spread, signals, &view);
-    if let Some(last) = spreads().last() {
+    if let Some(last) = spreads().next_back() {
         let number = |value: f64| view.words.number(&format!("{:.1}", value * 1_000.0));
         let upper = message!("statistics-chart-upper").text("size", number(last.upper));
         plot.label(last.upper, view.words.say(&upper));

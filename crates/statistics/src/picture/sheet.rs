@@ -63,7 +63,7 @@ pub fn sheet(
     let title = match test {
         Ok(test) => {
             let statistic = words.number(&format!("{:.2}", test.statistic));
-            let p = test.p.map(|p| words.number(&format!("{p:.3}"))).unwrap_or_else(|| "–".to_owned());
+            let p = test.p.map_or_else(|| "–".to_owned(), |p| words.number(&format!("{p:.3}")));
             words.say(&message!("statistics-chart-probability-test").text("statistic", statistic).text("p", p))
         }
         Err(_) => words.get("statistics-chart-probability"),

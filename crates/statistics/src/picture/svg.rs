@@ -25,7 +25,7 @@ pub fn svg(picture: &Picture, said: &str) -> String {
     let [width, height] = picture.size;
     let mut text = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
-         role=\"img\" font-family=\"sans-serif\" font-size=\"{TEXT_SIZE}\"><title>{}</title>\n",
+         role=\"img\" font-family=\"sans-serif\" font-size=\"{TEXT_SIZE}\"><title>{}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
         escaped(said)
     );
     for mark in &picture.marks {
@@ -37,7 +37,7 @@ pub fn svg(picture: &Picture, said: &str) -> String {
 
 fn put(out: &mut String, mark: &Mark) {
     // Writing to a text cannot fail.
-    let _ = match mark {
+    let _infallible = match mark {
         Mark::Area { from: [left, top], to: [right, below], tone } => writeln!(
             out,
             "<rect x=\"{left:.2}\" y=\"{top:.2}\" width=\"{:.2}\" height=\"{:.2}\" fill=\"{}\"/>",

@@ -98,7 +98,7 @@ fn patterns_that_touch_each_other_are_one_stretch() {
     let found = signals(&individuals(&values));
     let nine: Vec<&Signal> = found.iter().filter(|signal| signal.rule == Rule::NineOneSide).collect();
     assert_eq!(nine.len(), 1);
-    assert_eq!(nine[0].stretches, [11..22]);
+    assert_eq!(nine[0].stretches.as_slice(), std::slice::from_ref(&(11..22)));
     assert_eq!((nine[0].count(), nine[0].place), (11, Place::Location));
 }
 

@@ -171,6 +171,30 @@ pub enum Axis {
     Third,
 }
 
+// Sentences of the three axes.
+const NEXT_POINT: [&str; 3] =
+    ["cycle-picture-next-point-1", "cycle-picture-next-point-2", "cycle-picture-next-point-3"];
+const POINT: [&str; 3] = ["cycle-picture-point-1", "cycle-picture-point-2", "cycle-picture-point-3"];
+const NORMAL: [&str; 3] = ["cycle-picture-normal-1", "cycle-picture-normal-2", "cycle-picture-normal-3"];
+const TOOL_AXIS_POINT: [&str; 3] =
+    ["cycle-picture-tool-axis-point-1", "cycle-picture-tool-axis-point-2", "cycle-picture-tool-axis-point-3"];
+const NEW_DATUM: [&str; 3] = ["cycle-picture-new-datum-1", "cycle-picture-new-datum-2", "cycle-picture-new-datum-3"];
+
+impl Axis {
+    const fn of_three(self, [first, second, third]: [&'static str; 3]) -> &'static str {
+        match self {
+            Self::First => first,
+            Self::Second => second,
+            Self::Third => third,
+        }
+    }
+
+    /// A plane has two axes.
+    const fn of_two(self, [first, second]: [&'static str; 2]) -> &'static str {
+        self.of_three([first, second, second])
+    }
+}
+
 impl Meaning {
     /// The group in which a parameter of this meaning stands.
     pub const fn group(self) -> ParameterGroup {
@@ -305,39 +329,26 @@ impl Meaning {
         matches!(self, Self::Length | Self::Angle | Self::Choice | Self::Number)
     }
 
-    /// The id of the sentence that explains it; a plane has two axes.
+    /// The id of the sentence that explains it.
     pub const fn sentence(self) -> &'static str {
         match self {
-            Self::Centre(Axis::First) => "cycle-picture-centre-1",
-            Self::Centre(_) => "cycle-picture-centre-2",
-            Self::CentreTolerance(Axis::First) => "cycle-picture-centre-tolerance-1",
-            Self::CentreTolerance(_) => "cycle-picture-centre-tolerance-2",
-            Self::Side(Axis::First) => "cycle-picture-side-length-1",
-            Self::Side(_) => "cycle-picture-side-length-2",
-            Self::MaximumSide(Axis::First) => "cycle-picture-maximum-side-1",
-            Self::MaximumSide(_) => "cycle-picture-maximum-side-2",
-            Self::MinimumSide(Axis::First) => "cycle-picture-minimum-side-1",
-            Self::MinimumSide(_) => "cycle-picture-minimum-side-2",
-            Self::Start(Axis::First) => "cycle-picture-start-1",
-            Self::Start(_) => "cycle-picture-start-2",
-            Self::FirstPoint(Axis::First) => "cycle-picture-first-point-1",
-            Self::FirstPoint(_) => "cycle-picture-first-point-2",
-            Self::SecondPoint(Axis::First) => "cycle-picture-second-point-1",
-            Self::SecondPoint(_) => "cycle-picture-second-point-2",
-            Self::SecondCentre(Axis::First) => "cycle-picture-second-centre-1",
-            Self::SecondCentre(_) => "cycle-picture-second-centre-2",
+            Self::Centre(axis) => axis.of_two(["cycle-picture-centre-1", "cycle-picture-centre-2"]),
+            Self::CentreTolerance(axis) => {
+                axis.of_two(["cycle-picture-centre-tolerance-1", "cycle-picture-centre-tolerance-2"])
+            }
+            Self::Side(axis) => axis.of_two(["cycle-picture-side-length-1", "cycle-picture-side-length-2"]),
+            Self::MaximumSide(axis) => axis.of_two(["cycle-picture-maximum-side-1", "cycle-picture-maximum-side-2"]),
+            Self::MinimumSide(axis) => axis.of_two(["cycle-picture-minimum-side-1", "cycle-picture-minimum-side-2"]),
+            Self::Start(axis) => axis.of_two(["cycle-picture-start-1", "cycle-picture-start-2"]),
+            Self::FirstPoint(axis) => axis.of_two(["cycle-picture-first-point-1", "cycle-picture-first-point-2"]),
+            Self::SecondPoint(axis) => axis.of_two(["cycle-picture-second-point-1", "cycle-picture-second-point-2"]),
+            Self::SecondCentre(axis) => axis.of_two(["cycle-picture-second-centre-1", "cycle-picture-second-centre-2"]),
             Self::SecondDiameter => "cycle-picture-second-diameter",
             Self::SecondHeight => "cycle-picture-second-height",
             Self::Geometries => "cycle-picture-geometries",
-            Self::NextPoint(Axis::First) => "cycle-picture-next-point-1",
-            Self::NextPoint(Axis::Second) => "cycle-picture-next-point-2",
-            Self::NextPoint(Axis::Third) => "cycle-picture-next-point-3",
-            Self::Point(Axis::First) => "cycle-picture-point-1",
-            Self::Point(Axis::Second) => "cycle-picture-point-2",
-            Self::Point(Axis::Third) => "cycle-picture-point-3",
-            Self::Normal(Axis::First) => "cycle-picture-normal-1",
-            Self::Normal(Axis::Second) => "cycle-picture-normal-2",
-            Self::Normal(Axis::Third) => "cycle-picture-normal-3",
+            Self::NextPoint(axis) => axis.of_three(NEXT_POINT),
+            Self::Point(axis) => axis.of_three(POINT),
+            Self::Normal(axis) => axis.of_three(NORMAL),
             Self::Diameter => "cycle-picture-diameter",
             Self::MaximumDiameter => "cycle-picture-maximum-size",
             Self::MinimumDiameter => "cycle-picture-minimum-size",
@@ -369,12 +380,8 @@ impl Meaning {
             Self::Direction => "cycle-picture-direction",
             Self::DirectedAxis => "cycle-picture-directed-axis",
             Self::ToolAxisProbing => "cycle-picture-tool-axis-probing",
-            Self::ToolAxisPoint(Axis::First) => "cycle-picture-tool-axis-point-1",
-            Self::ToolAxisPoint(Axis::Second) => "cycle-picture-tool-axis-point-2",
-            Self::ToolAxisPoint(Axis::Third) => "cycle-picture-tool-axis-point-3",
-            Self::NewDatum(Axis::First) => "cycle-picture-new-datum-1",
-            Self::NewDatum(Axis::Second) => "cycle-picture-new-datum-2",
-            Self::NewDatum(Axis::Third) => "cycle-picture-new-datum-3",
+            Self::ToolAxisPoint(axis) => axis.of_three(TOOL_AXIS_POINT),
+            Self::NewDatum(axis) => axis.of_three(NEW_DATUM),
             Self::NewCoordinate => "cycle-picture-new-coordinate",
             Self::TableRow => "cycle-picture-table-row",
             Self::Transfer => "cycle-picture-transfer",
