@@ -19,6 +19,7 @@ use crate::message::{Message, Say as _, message};
 use crate::probing::cycle::Angle;
 use crate::session::PartsAction;
 use crate::session::{Action, Command, Session};
+use crate::text::sentence;
 use crate::verdict::{Doubt, Status};
 use crate::words::Words;
 
@@ -378,9 +379,7 @@ fn datum_said<'a>(
 
 /// A doubt about a measured value as a sentence of its own.
 pub(super) fn doubt_text(words: &Words, doubt: Doubt) -> String {
-    let said = words.say(&message!("doubt-sentence").message("doubt", doubt.message()));
-    let mut rest = said.chars();
-    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+    sentence(&words.say(&message!("doubt-sentence").message("doubt", doubt.message())))
 }
 
 /// A control's cycles judge by their limits alone: it is said where the check page has a rule or a temperature.

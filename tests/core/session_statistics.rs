@@ -1,6 +1,7 @@
 //! The statistics page without a window: what is asked of the journal, the figures of a feature, points that are walked, left out and
 //! frozen, and why there is no figure.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use fitcheck::journal::Record;
@@ -8,9 +9,13 @@ use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
+use fitcheck::report::rendering_for;
 use fitcheck::series::{Gathering, LeftOut};
 use fitcheck::session::statistics::{PointsOf, SeriesFound, Zooming};
-use fitcheck::session::{Command, Effect, Page, Session, StatisticsAction, StatisticsCommand, StatisticsField, Step};
+use fitcheck::session::{
+    Command, Content as Written, Effect, Page, ReportOf, ReportsCommand, Session, StatisticsAction, StatisticsCommand,
+    StatisticsField, Step,
+};
 use fitcheck::statistics::Rule;
 use fitcheck::tolerance::{Callout, Sources};
 use fitcheck::words::{Language, Words};
@@ -345,4 +350,47 @@ fn the_chart_is_one_sentence_with_its_figures_and_all_of_it_is_copied() {
     let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
     assert!(text.starts_with("Flange, A1, 25 H7\n21 values\nMean\t25.01"), "{text}");
     assert!(text.contains("\t1 point beyond a control limit\tPoint 21: 25.018 mm, S-22"), "{text}");
+}
+
+/// The report of what the page shows, as Markdown.
+fn reported(session: &mut Session) -> (u64, String) {
+    let effects = send(session, ReportsCommand::OfStatistics);
+    assert_eq!((session.page(), session.report_of()), (Page::Reports, Some(ReportOf::Statistics)));
+    let drawn = effects.into_iter().find_map(|effect| match effect {
+        Effect::DrawReport { run, content } => Some((run, *content)),
+        _ => None,
+    });
+    let Some((run, Written::Report { report, words, .. })) = drawn else { panic!("no pages are drawn") };
+    let mut out = Vec::new();
+    let markdown = rendering_for(Path::new("x.md")).unwrap();
+    (markdown.render)(&report, &words, &mut out).unwrap();
+    (run, String::from_utf8(out).unwrap())
+}
+
+#[test]
+fn what_the_page_shows_is_reported_with_what_was_left_out_and_where_the_limits_come_from() {
+    let mut session = page(&with_signal());
+    doing(&mut session, StatisticsCommand::ChoosePoint(9));
+    doing(&mut session, StatisticsCommand::Freeze);
+    doing(&mut session, StatisticsCommand::Move(Step::Last));
+    send(&mut session, StatisticsCommand::LeaveOut);
+    typed(&mut session, StatisticsField::Reason, "chip on the probe");
+    doing(&mut session, StatisticsCommand::TakeReason);
+    let [ppk, _, interval] = figure(&session, "Ppk overall");
+    let (_, said) = reported(&mut session);
+    assert!(said.contains("20 values, 1 left out: with a reason"), "{said}");
+    assert!(said.contains("Point 21: Left out: chip on the probe"), "{said}");
+    assert!(said.contains("The control limits are those of the first 10 points."), "{said}");
+    assert!(said.contains(&format!("**Ppk overall**: {ppk} ({interval})")), "{said}");
+}
+
+#[test]
+fn a_template_without_statistics_is_refused_for_them_and_says_which_one_to_take() {
+    let mut session = page(&with_signal());
+    let (run, _) = reported(&mut session);
+    send(&mut session, ReportsCommand::Template("report-template-list".to_owned()));
+    // The pages of the first template come late.
+    send(&mut session, ReportsCommand::Drawn { run, result: Err(Message::new("reports-page-stopped")) });
+    let why = session.reports().pages().unwrap().unwrap_err().to_string();
+    assert_eq!(why, "This template shows no statistics: choose the template Statistics");
 }

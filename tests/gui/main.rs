@@ -20,6 +20,7 @@ mod help_page;
 mod history;
 mod keeping;
 mod keyboard;
+mod lot;
 mod operator;
 mod pairing_page;
 mod palette;

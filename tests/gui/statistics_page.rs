@@ -162,7 +162,9 @@ fn the_chart_is_heard_as_one_sentence_with_its_figures() {
 fn a_point_is_reached_by_keys_and_opens_its_record() {
     let mut window = with_chip();
     on_last_point(&mut window);
-    window.get_by_label_contains("25.018 mm, S-0121");
+    window.get_by_label_contains(
+        "Point 21: 25.018 mm, S-0121, 2026-11-17 12:40, Anna. 2: 1 point beyond a control limit. 3: Spread: 1 point",
+    );
     press(&mut window, Key::Enter);
     assert_eq!(window.state().session().page(), Page::Records);
 }
@@ -170,8 +172,8 @@ fn a_point_is_reached_by_keys_and_opens_its_record() {
 #[test]
 fn a_signal_opens_the_record_of_its_last_point() {
     let mut window = with_chip();
-    window.get_by_label_contains("1 point beyond a control limit. Point 21: 25.018 mm, S-0121").click();
-    window.run();
+    let signal = "2  1 point beyond a control limit. Point 21: 25.018 mm, S-0121, 2026-11-17 12:40, Anna";
+    click(&mut window, Role::Button, signal);
     assert_eq!(window.state().session().page(), Page::Records);
 }
 

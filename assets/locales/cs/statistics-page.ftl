@@ -111,6 +111,8 @@ statistics-page-take-reason = Vynechat
 statistics-page-cancel-reason = Zrušit
 statistics-page-copy = Kopírovat hodnoty
 statistics-page-copy-hint = Hodnoty, signály a rady jako tabulka pro tabulkový procesor
+statistics-page-report = Zpráva…
+statistics-page-report-hint = Číselné údaje a grafy všech znaků jako zpráva k podpisu
 
 # Signály
 statistics-page-signals = Signály

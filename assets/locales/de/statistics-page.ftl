@@ -99,6 +99,8 @@ statistics-page-take-reason = Auslassen
 statistics-page-cancel-reason = Abbrechen
 statistics-page-copy = Kennwerte kopieren
 statistics-page-copy-hint = Kennwerte, Signale und Rat als Tabelle für eine Tabellenkalkulation
+statistics-page-report = Bericht…
+statistics-page-report-hint = Kennwerte und Diagramme aller Merkmale als Bericht zum Unterschreiben
 
 # Signale
 statistics-page-signals = Signale

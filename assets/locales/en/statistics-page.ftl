@@ -99,6 +99,8 @@ statistics-page-take-reason = Leave out
 statistics-page-cancel-reason = Cancel
 statistics-page-copy = Copy figures
 statistics-page-copy-hint = Figures, signals and advice as a table for a spreadsheet
+statistics-page-report = Report…
+statistics-page-report-hint = The figures and charts of all features as a report to sign
 
 # Signals
 statistics-page-signals = Signals

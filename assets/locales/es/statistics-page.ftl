@@ -99,6 +99,8 @@ statistics-page-take-reason = Excluir
 statistics-page-cancel-reason = Cancelar
 statistics-page-copy = Copiar las cifras
 statistics-page-copy-hint = Cifras, señales y consejos como tabla para una hoja de cálculo
+statistics-page-report = Informe…
+statistics-page-report-hint = Las cifras y los gráficos de todas las características como informe para firmar
 
 # Señales
 statistics-page-signals = Señales

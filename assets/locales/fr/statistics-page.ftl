@@ -99,6 +99,8 @@ statistics-page-take-reason = Écarter
 statistics-page-cancel-reason = Annuler
 statistics-page-copy = Copier les chiffres
 statistics-page-copy-hint = Chiffres, signaux et conseils en tableau pour un tableur
+statistics-page-report = Rapport…
+statistics-page-report-hint = Les valeurs et les graphiques de toutes les caractéristiques en un rapport à signer
 
 # Signaux
 statistics-page-signals = Signaux

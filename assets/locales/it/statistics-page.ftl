@@ -99,6 +99,8 @@ statistics-page-take-reason = Escludere
 statistics-page-cancel-reason = Annullare
 statistics-page-copy = Copiare i valori
 statistics-page-copy-hint = Valori, segnali e consigli come tabella per un foglio di calcolo
+statistics-page-report = Rapporto…
+statistics-page-report-hint = Valori e grafici di tutte le caratteristiche come rapporto da firmare
 
 # Segnali
 statistics-page-signals = Segnali

@@ -99,6 +99,8 @@ statistics-page-take-reason = Weglaten
 statistics-page-cancel-reason = Annuleren
 statistics-page-copy = Cijfers kopiëren
 statistics-page-copy-hint = Cijfers, signalen en advies als tabel voor een spreadsheet
+statistics-page-report = Rapport…
+statistics-page-report-hint = De getallen en grafieken van alle kenmerken als rapport om te ondertekenen
 
 # Signalen
 statistics-page-signals = Signalen

@@ -111,6 +111,8 @@ statistics-page-take-reason = Pomiń
 statistics-page-cancel-reason = Anuluj
 statistics-page-copy = Kopiuj wartości
 statistics-page-copy-hint = Wartości, sygnały i porady jako tabela do arkusza kalkulacyjnego
+statistics-page-report = Raport…
+statistics-page-report-hint = Wartości i wykresy wszystkich cech jako raport do podpisu
 
 # Sygnały
 statistics-page-signals = Sygnały

@@ -231,7 +231,7 @@ fn extras(answer: &Answer) -> Vec<(&'static str, Json)> {
         });
         extras.push(("study", layout));
     }
-    let left_out = |(point, reason): &(usize, std::sync::Arc<str>)| json!({ "point": point, "reason": reason });
+    let left_out = |(point, reason): &(usize, std::sync::Arc<str>)| json!({ "point": point, "reason": &**reason });
     if !answer.wanted.left_out.is_empty() {
         extras.push(("left_out_points", answer.wanted.left_out.iter().map(left_out).collect()));
     }

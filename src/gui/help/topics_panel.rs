@@ -30,7 +30,7 @@ pub(super) fn topics_ui(ui: &mut Ui, view: &mut View<'_>, is_beside: bool) {
     let help = view.session.help();
     // Hits have the line that they were found in.
     let has_lines = help.found.iter().any(|found| !found.line.is_empty());
-    let height = has_lines.then(|| found_height(ui));
+    let height = has_lines.then(|| found_height(ui, 2));
     let table = Table {
         height,
         count: help.found.len(),

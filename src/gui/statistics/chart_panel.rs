@@ -12,7 +12,7 @@ use crate::gui::theme::{Icon, palette, space};
 use crate::gui::view::{View, focus_soon, heading, quiet, take_focus};
 use crate::series::Drawn;
 use crate::session::focused::CHART;
-use crate::session::statistics::{PointsOf, Zooming, feature_name};
+use crate::session::statistics::{PointsOf, Zooming};
 use crate::session::{StatisticsAction, StatisticsCommand, StatisticsField};
 use crate::statistics::picture::{Picture, Spot};
 
@@ -26,7 +26,7 @@ pub(super) fn chart_ui(ui: &mut Ui, view: &mut View<'_>) {
     let rect = ui.available_rect_before_wrap();
     let response = ui.interact(rect, part_id(CHART), Sense::click_and_drag());
     let said = view.session.statistics().chart_text(view.words);
-    let name = view.session.statistics().open().map_or_else(String::new, |(feature, _)| feature_name(feature, true));
+    let name = view.session.statistics().open().map_or_else(String::new, |(feature, _)| feature.key.title(true));
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &name));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(said));
     if let Some(picture) = drawn_ui(ui, view, Drawn::Run, rect) {
@@ -101,7 +101,7 @@ fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.statistics();
     let Some((feature, _)) = page.open() else { return };
     ui.horizontal_wrapped(|ui| {
-        heading(ui, feature_name(feature, false));
+        heading(ui, view.words.number(&feature.key.title(false)));
         let choices = [PointsOf::Single, PointsOf::Means].map(StatisticsAction::UsePoints);
         segments_ui(ui, view, &choices, space(64.0).min(ui.available_width()));
         if page.points_of == PointsOf::Means {

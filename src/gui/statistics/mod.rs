@@ -34,7 +34,7 @@ use super::theme::{Icon, control, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::message;
 use crate::session::focused::FEATURES;
-use crate::session::statistics::{Aside, feature_name};
+use crate::session::statistics::Aside;
 use crate::session::{StatisticsAction, WindowAction};
 
 /// From this width of the page on, features stand beside the charts.
@@ -47,7 +47,7 @@ const CARDS: [f32; 2] = [900.0, 600.0];
 const GAP: f32 = 12.0;
 
 pub(super) const PAGE: PageView = PageView {
-    action: |_| StatisticsAction::ReadAgain.into(),
+    action: |_| StatisticsAction::ReportStatistics.into(),
     opened,
     ..PageView::of(Group::Results, Icon::ChartScatter, statistics_ui)
 };
@@ -55,7 +55,7 @@ pub(super) const PAGE: PageView = PageView {
 /// The chosen feature.
 fn opened(view: &View<'_>) -> Vec<String> {
     let open = view.session.statistics().open();
-    open.map(|(feature, _)| feature_name(feature, true)).into_iter().collect()
+    open.map(|(feature, _)| feature.key.title(true)).into_iter().collect()
 }
 
 /// The page.

@@ -129,7 +129,8 @@ fn band(points: &[Pos2], colour: Color32) -> Shape {
 
 fn colour(palette: &Palette, tone: Tone) -> Color32 {
     match tone {
-        Tone::Text | Tone::Signal | Tone::Law => palette.text.0,
+        Tone::Text | Tone::Law => palette.text.0,
+        Tone::Signal => palette.tint.0,
         Tone::Quiet | Tone::LeftOut => palette.quiet.0,
         Tone::Ground => palette.sunken.0,
         Tone::Grid => palette.line.0,

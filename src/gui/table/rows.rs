@@ -47,7 +47,7 @@ impl<K> Row<K> {
 #[derive(Debug)]
 pub(in crate::gui) enum Cell {
     Text(String),
-    /// A name, and below it two lines of text with some of it in bold letters.
+    /// A name, and below it one or two lines of text with some of it in bold letters.
     Found {
         name: String,
         line: Vec<(String, bool)>,
@@ -200,10 +200,10 @@ fn two_lines(painter: &Painter, rect: Rect, text: &str, (font, colour): (&FontId
     is_cut
 }
 
-/// The height of a row with a name and two lines.
-pub(in crate::gui) fn found_height(ui: &Ui) -> f32 {
+/// The height of a row with a name and so many lines.
+pub(in crate::gui) fn found_height(ui: &Ui, lines: usize) -> f32 {
     let height = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::font(size)));
-    (height(sizes().body) + 2.0 * height(sizes().small) + 2.0 * space(2.0)).ceil()
+    (height(sizes().body) + times(height(sizes().small), lines) + 2.0 * space(2.0)).ceil()
 }
 
 /// A name, and below it two lines with some of their words in bold letters.

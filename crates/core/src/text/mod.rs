@@ -66,6 +66,12 @@ pub fn first_word(text: &str) -> &str {
     text.split_whitespace().next().map_or("", |word| word)
 }
 
+/// A text as a sentence of its own: it begins with a capital letter.
+pub fn sentence(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
 /// At most this many characters of a text, and a sign if there are more.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {

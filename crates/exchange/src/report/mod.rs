@@ -87,6 +87,7 @@ use template::{HeadField, Template};
 
 use crate::journal::Record;
 use crate::journal::chain::{ChainId, Head};
+use crate::series::EvaluatedSeries;
 
 /// What an inspection report says.
 ///
@@ -114,6 +115,8 @@ pub struct Report {
     pub earlier: Option<Arc<EarlierReport>>,
     /// The whole parts whose values the checks are.
     pub parts: Vec<PartSheet>,
+    /// The series that its statistics are of; those of the checks where there are none.
+    pub series: EvaluatedSeries,
     /// What renderings with pages of their own are printed on.
     pub paper: Paper,
     /// What such renderings show, and in which order.
@@ -202,6 +205,7 @@ impl Report {
             is_partial: false,
             earlier: None,
             parts: Vec::new(),
+            series: EvaluatedSeries::default(),
             paper: Paper::default(),
             template: Template::usual(),
             given: BTreeMap::new(),

@@ -1,21 +1,24 @@
 //! The statistics of each feature of a report: figures with their intervals, charts, rules that fire, advice.
 //!
-//! Features are those of the parts, or else checks of one name. Checks that all have other names and the same limits are one feature.
+//! Features are those of the series that were chosen, of the parts, or else checks of one name. Checks that all have other names and the same limits
+//! are one feature.
 
 use std::collections::HashMap;
 use std::io;
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::message;
+use fitcheck_core::text::sentence;
 use fitcheck_core::words::Words;
-use fitcheck_statistics::picture::svg;
+use fitcheck_statistics::picture::{Picture, svg};
+use fitcheck_statistics::{ChartKind, Reason};
 
 use super::Report;
 use super::origins::Entry;
 use super::template::Section;
 use crate::exchange::Labels;
 use crate::journal::Record;
-use crate::series::{ASKED_INDEX, Answer, Figure, Grouping, Series, Value, Wanted};
+use crate::series::{ASKED_INDEX, Answer, Evaluated, FeatureSeries, Figure, Grouping, LeftOut, Series, Value, Wanted};
 
 /// The most values that are kept in memory.
 const MOST_VALUES: usize = 1_000_000;
@@ -54,6 +57,10 @@ impl FeatureStatistics {
 pub(super) fn of(report: &Report, words: &Words) -> io::Result<Vec<FeatureStatistics>> {
     if !report.template.has(Section::Statistics) {
         return Ok(Vec::new());
+    }
+    if 0 < report.series.iter().len() {
+        let with_part = report.series.has_parts();
+        return Ok(report.series.iter().map(|of| evaluated(of, with_part, words)).collect());
     }
     let mut gathered = Gathered::default();
     gathered.take(report)?;
@@ -149,38 +156,69 @@ impl Gatherer {
         });
         let wanted = Wanted { limits, level: LEVEL, ..Wanted::default() };
         let answer = Answer::of(&series, &wanted);
-        told.extend(proven(&answer, words));
-        told.extend(answer.fired.iter().map(|(rule, points)| {
-            let mut all: Vec<String> = points.iter().take(MOST_POINTS).map(usize::to_string).collect();
-            if MOST_POINTS < points.len() {
-                all.push("…".to_owned());
-            }
-            format!("{}: {}", words.told(rule), all.join(", "))
-        }));
-        told.extend(answer.advice.iter().map(|advice| words.told(advice)));
-        let mut of = FeatureStatistics {
-            heading,
-            read: read(&series, words),
-            figures: figures(&answer, &series, words),
-            told,
-            charts: None,
-        };
         let charts = answer.sheet(&series, Some(self.nominal.to_mm_f64()), words);
-        of.charts = charts.ok().map(|charts| svg(&charts, &of.said()));
-        of
+        let read = vec![values(series.count(), words)].into_iter().chain(left_out(series.left_out(), words));
+        let read = read.collect::<Vec<_>>().join(", ");
+        said(Read { heading, read, told, count: series.count() }, &answer, charts, words)
     }
 }
 
-/// `125 values, 2 left out: simulated`
-fn read(series: &Series<'_>, words: &Words) -> String {
-    let mut read = vec![words.say(&message!("statistics-page-values").count("count", series.count()))];
-    let left_out = series.left_out();
-    read.extend(
-        left_out.map(|(why, count)| {
-            words.say(&message!("statistics-page-out").count("count", count).text("why", why.word()))
-        }),
-    );
-    read.join(", ")
+/// What is known before anything is said of the figures.
+struct Read {
+    heading: String,
+    read: String,
+    told: Vec<String>,
+    count: usize,
+}
+
+/// A feature as the page Statistics shows it: with what was left out, and the points that its control limits come from.
+fn evaluated((feature, of): (&FeatureSeries, &Evaluated), with_part: bool, words: &Words) -> FeatureStatistics {
+    let Evaluated { answer, values: counted, groups, apart, .. } = of;
+    let heading = words.number(&feature.key.title(with_part));
+    let mut read = vec![values(counted.len(), words)];
+    if answer.chart.as_ref().is_ok_and(|chart| chart.kind != ChartKind::Individuals) {
+        let size = of.points.iter().map(ExactSizeIterator::len).max().unwrap_or_default();
+        read.push(words.say(&message!("statistics-page-groups").count("count", *groups).text("size", size)));
+    }
+    read.extend(left_out(of.left_out.iter().copied(), words));
+    if 0 < *apart {
+        read.push(words.say(&message!("statistics-page-out").text("why", "user").count("count", *apart)));
+    }
+    let mut told = Vec::new();
+    if let Some(count) = answer.wanted.baseline {
+        told.push(words.say(&message!("report-statistics-baseline").count("count", count)));
+    }
+    told.extend(answer.wanted.left_out.iter().map(|(point, reason)| {
+        let reason = words.say(&message!("statistics-page-left-out-because").text("reason", &**reason));
+        format!("{}: {reason}", words.say(&message!("statistics-page-at").text("point", *point)))
+    }));
+    let read = Read { heading, read: read.join(", "), told, count: counted.len() };
+    said(read, answer, of.sheet(words), words)
+}
+
+fn said(read: Read, answer: &Answer, charts: Result<Picture, Reason>, words: &Words) -> FeatureStatistics {
+    let Read { heading, read, mut told, count } = read;
+    told.extend(proven(answer, words));
+    told.extend(answer.fired.iter().map(|(rule, points)| {
+        let mut all: Vec<String> = points.iter().take(MOST_POINTS).map(usize::to_string).collect();
+        if MOST_POINTS < points.len() {
+            all.push("…".to_owned());
+        }
+        sentence(&format!("{}: {}", words.told(rule), all.join(", ")))
+    }));
+    told.extend(answer.advice.iter().map(|advice| sentence(&words.told(advice))));
+    let figures = figures(answer, count, words);
+    let mut of = FeatureStatistics { heading, read, figures, told, charts: None };
+    of.charts = charts.ok().map(|charts| svg(&charts, &of.said()));
+    of
+}
+
+fn values(count: usize, words: &Words) -> String {
+    words.say(&message!("statistics-page-values").count("count", count))
+}
+
+fn left_out(all: impl Iterator<Item = (LeftOut, usize)>, words: &Words) -> impl Iterator<Item = String> {
+    all.map(|(why, count)| words.say(&message!("statistics-page-out").count("count", count).text("why", why.word())))
 }
 
 /// The figures that the page Statistics shows, too.
@@ -193,7 +231,7 @@ const FIGURES: [(&str, &str); 6] = [
     ("ppk", "statistics-page-figure-ppk"),
 ];
 
-fn figures(answer: &Answer, series: &Series<'_>, words: &Words) -> Vec<Entry> {
+fn figures(answer: &Answer, count: usize, words: &Words) -> Vec<Entry> {
     let mut entries: Vec<Entry> = FIGURES
         .iter()
         .filter_map(|(name, label)| {
@@ -202,8 +240,7 @@ fn figures(answer: &Answer, series: &Series<'_>, words: &Words) -> Vec<Entry> {
         })
         .collect();
     let [below, above] = answer.outside;
-    let mut outside =
-        format!("{} {}", below + above, words.say(&message!("statistics-page-of").count("count", series.count())));
+    let mut outside = format!("{} {}", below + above, words.say(&message!("statistics-page-of").count("count", count)));
     let expected = answer.figures.iter().find(|figure| figure.name == "ppm_overall");
     if let Some(Ok((ppm, _))) = expected.map(|figure| figure.value.clone()) {
         let said = message!("statistics-page-expected").text("ppm", words.number(&format!("{ppm:.0}")));

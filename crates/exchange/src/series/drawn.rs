@@ -31,19 +31,32 @@ impl Answer {
     /// # Errors
     /// Why there is no chart.
     pub fn sheet(&self, series: &Series<'_>, nominal: Option<f64>, words: &Words) -> Result<Picture, Reason> {
-        let Wanted { limits: [lower, upper], law, level, .. } = self.wanted;
-        let chart = self.chart.as_ref().map_err(Clone::clone)?;
+        let [lower, upper] = self.wanted.limits;
         let samples = self.wanted.samples(series);
         let counted = samples.iter().filter(|sample| sample.left_out.is_none());
         let values: Vec<f64> = counted.flat_map(|sample| &sample.values).copied().collect();
         let base = nominal.or(lower).or(upper).or(values.first().copied()).ok_or(Reason::Empty)?;
+        self.sheet_of(&values, base, words)
+    }
+
+    fn sheet_of(&self, values: &[f64], base: f64, words: &Words) -> Result<Picture, Reason> {
+        let Wanted { limits: [lower, upper], law, level, .. } = self.wanted;
+        let chart = self.chart.as_ref().map_err(Clone::clone)?;
         let tolerance = Tolerance::new(lower, upper).ok();
         let of_law = (tolerance.as_ref(), law.unwrap_or(Family::Normal));
-        Ok(sheet(chart, &values, of_law, (base, level), words))
+        Ok(sheet(chart, values, of_law, (base, level), words))
     }
 }
 
 impl Evaluated {
+    /// All charts on one sheet.
+    ///
+    /// # Errors
+    /// Why there is no chart.
+    pub fn sheet(&self, words: &Words) -> Result<Picture, Reason> {
+        self.answer.sheet_of(&self.values, self.base, words)
+    }
+
     /// A chart of a size, of these points.
     ///
     /// # Errors

@@ -10,9 +10,9 @@ use fitcheck_core::length::Length;
 use fitcheck_statistics::{Reason, Rules, Sample, Signal, signals};
 
 use super::{Answer, LeftOut, Series, Value, Wanted};
+use crate::journal::Record;
 use crate::journal::entry::{Checked, Entry};
 use crate::journal::natural::Natural;
-use crate::journal::query::callout;
 
 /// So many entries of a journal are read at most, the newest of them.
 pub const MOST_READ: usize = 100_000;
@@ -30,12 +30,53 @@ pub struct FeatureKey {
     pub part: Natural,
     /// The feature; empty where the part has one only.
     pub name: Natural,
-    /// What was asked for, as it is written; empty where only limits are known.
+    /// What was asked for, as it is written, or the limits where there is no callout; empty where there are none.
     pub callout: String,
     /// The nominal size; `None` where only limits are known.
     pub nominal: Option<Length>,
     /// Lower and upper limit.
     pub limits: [Option<Length>; 2],
+}
+
+impl FeatureKey {
+    /// Its name and what was asked for: `Flange, B1, 25 H7`; a feature of a part is named without it, too.
+    pub fn title(&self, with_part: bool) -> String {
+        let part = if with_part || self.name.0.is_empty() { self.part.0.as_str() } else { "" };
+        joined([part, self.name.0.as_str(), self.callout.as_str()])
+    }
+
+    /// The same in two lines: `B1`, and below it `Flange, 25 H7`.
+    pub fn lines(&self, with_part: bool) -> [String; 2] {
+        let name = self.name.0.as_str();
+        let part = if with_part || name.is_empty() { self.part.0.as_str() } else { "" };
+        let mut texts = [name, part, self.callout.as_str()].into_iter().filter(|text| !text.is_empty());
+        let first = texts.next().map(str::to_owned).unwrap_or_default();
+        [first, joined(texts)]
+    }
+}
+
+fn joined<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
+    texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// Features with what was computed of each, in the same order.
+#[derive(Debug, Clone, Default)]
+pub struct EvaluatedSeries {
+    pub features: Vec<Arc<FeatureSeries>>,
+    pub answers: Arc<Vec<Evaluated>>,
+}
+
+impl EvaluatedSeries {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&FeatureSeries, &Evaluated)> {
+        self.features.iter().map(Arc::as_ref).zip(self.answers.iter())
+    }
+
+    /// Whether they are of several parts.
+    pub fn has_parts(&self) -> bool {
+        let mut parts = self.features.iter().map(|feature| &feature.key.part);
+        let first = parts.next();
+        parts.any(|part| Some(part) != first)
+    }
 }
 
 /// The values of one feature, the oldest first, with those that are left out.
@@ -58,7 +99,7 @@ impl Gathering {
     pub fn take(&mut self, number: u64, entry: &Entry, is_replaced: bool) {
         let Some(value) = Value::of_entry(number, entry, is_replaced) else { return };
         let (callout, nominal) = match entry.check().map(|check| &check.what) {
-            Some(Checked::Size(record)) => (callout(record), Some(record.limits.nominal)),
+            Some(Checked::Size(record)) => (asked_for(record), Some(record.limits.nominal)),
             _ => (String::new(), None),
         };
         let [part, name] = [&value.origin.part, &value.name].map(|text| Natural(text.clone()));
@@ -91,6 +132,12 @@ impl Gathering {
         };
         found.into_iter().map(newest).collect()
     }
+}
+
+/// The callout, or the limits where nobody wrote one.
+fn asked_for(record: &Record) -> String {
+    let [minimum, maximum] = [record.limits.minimum(), record.limits.maximum()];
+    record.callout.map_or_else(|| format!("{minimum} … {maximum} mm"), |callout| callout.to_string())
 }
 
 /// How a series is looked at.

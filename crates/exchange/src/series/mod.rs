@@ -36,7 +36,7 @@ pub use drawn::Drawn;
 pub use figure::{Figure, FigureKind};
 pub use figures::{Answer, Contribution, Group};
 use fitcheck_core::length::Length;
-pub use journal::{ASKED_INDEX, Evaluated, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
+pub use journal::{ASKED_INDEX, Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
 pub use layout::{Layout, StudyError, StudyKind};
 pub use listed::{ListedFeature, NoPpk, listed};
 pub use study::{Reference, StudyWanted};

@@ -65,6 +65,12 @@ impl Session {
                 let shown = recording.shown(heads.iter().map(|head| Some(head.number)), newest);
                 (self.records.report(now, journal), shown, newest)
             }
+            ReportOf::Statistics => {
+                let series = self.statistics.series().ok_or_else(nothing)?;
+                let values = series.features.iter().flat_map(|feature| &feature.values);
+                let shown = recording.shown(values.map(|value| value.origin.number), None);
+                (Report { series, ..Report::new(now, Vec::<Record>::new()) }, shown, None)
+            }
         };
         let mut report = report;
         report.template = self.settings_page.company.in_template(&report.template);
@@ -91,7 +97,7 @@ impl Session {
                 left_out = history.replaced_for_report();
                 corrected = history.corrections(history.ids_for_report());
             }
-            ReportOf::Records => {}
+            ReportOf::Records | ReportOf::Statistics => {}
         }
         [("records-page-out-replaced", left_out), ("records-page-report-corrects", corrected)]
     }
@@ -136,6 +142,11 @@ impl Session {
             Some(ReportOf::Records) => {
                 let records = self.records.for_report();
                 names::of_records(records.iter().map(Arc::as_ref), &several, now, ending)
+            }
+            Some(ReportOf::Statistics) => {
+                let part = self.statistics.part().map(str::to_owned);
+                let part = part.unwrap_or_else(|| self.shared.words().get("page-statistics"));
+                names::dated(&names::allowed(&part), now, ending)
             }
             Some(ReportOf::List) | None => {
                 let records = self.shared.history.for_report().map(Arc::as_ref);

@@ -12,6 +12,7 @@ use fitcheck_exchange::journal::chain::{ChainId, Head};
 use fitcheck_exchange::journal::entry::Checked;
 use fitcheck_exchange::report::Report;
 use fitcheck_exchange::report::csv::harmless;
+use fitcheck_exchange::series::{EvaluatedSeries, FeatureSeries, Gathering as Gathered, Look};
 use jiff::civil::DateTime;
 
 use super::{PAGE, RecordRow, RecordsPage};
@@ -211,6 +212,19 @@ impl RecordsPage {
             _ => None,
         });
         used.collect()
+    }
+
+    /// The series of the records of a report: each feature over its values. What a report leaves out is left out and counted here, too.
+    pub(crate) fn series(&self) -> EvaluatedSeries {
+        let mut gathering = Gathered::default();
+        for (number, row) in self.for_use() {
+            if let Ok(entry) = &row.entry {
+                gathering.take(*number, entry, row.corrected_by.is_some());
+            }
+        }
+        let features: Vec<Arc<FeatureSeries>> = gathering.finish(usize::MAX).into_iter().map(Arc::new).collect();
+        let answers = features.iter().map(|feature| feature.evaluate(&Look::default())).collect();
+        EvaluatedSeries { features, answers: Arc::new(answers) }
     }
 
     /// The entries of the records of a report, in the same order.

@@ -61,6 +61,7 @@ impl Actions for ReportsAction {
                 ReportOf::Check => |session| session.can_report(ReportOf::Check),
                 ReportOf::List => |session| session.can_report(ReportOf::List),
                 ReportOf::Records => |session| session.can_report(ReportOf::Records),
+                ReportOf::Statistics => |session| session.can_report(ReportOf::Statistics),
             }),
             Self::Move(step) => on(Page::Reports, "reports-page-move", ReportsCommand::Move(step)).key(keys(step)),
             Self::OpenRecords => on(Page::Reports, "reports-page-open-records", Command::OpenPage(Page::Records)),

@@ -1,9 +1,10 @@
 //! How commands and news change the reports page.
 
 use fitcheck_core::message::{Message, message};
+use fitcheck_exchange::report::template::Section;
 use jiff::civil::DateTime;
 
-use super::{ReportsCommand, ReportsField, ReportsPage, Wanted};
+use super::{ReportOf, ReportsCommand, ReportsField, ReportsPage, Wanted};
 use crate::effect::Effect;
 use crate::files::Launch;
 use crate::page::Page;
@@ -36,6 +37,17 @@ impl PageState for ReportsPage {
         match command {
             ReportsCommand::Type(field, text) => self.texts.set(field, text),
             ReportsCommand::Of(of) => self.of = Some(of),
+            ReportsCommand::OfStatistics => {
+                self.of = Some(ReportOf::Statistics);
+                // A template that shows statistics is kept.
+                if !self.shows(Section::Statistics) {
+                    self.hidden.remove(&Section::Statistics);
+                    let usual = self.templates().find(|template| template.has(Section::Statistics));
+                    self.template = usual.map_or_else(String::new, |template| template.name.clone());
+                }
+                self.at = 0;
+                shared.open(Page::Reports);
+            }
             ReportsCommand::Template(name) => {
                 self.template = name;
                 self.at = 0;

@@ -20,6 +20,8 @@ pub enum ReportsCommand {
     Type(ReportsField, String),
     /// Chooses what is reported.
     Of(ReportOf),
+    /// Reports what the statistics page shows, and opens the reports page.
+    OfStatistics,
     /// Chooses a template by its name.
     Template(String),
     /// Chooses the language of the report; `None` is that of the template, or of the window.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::report::pdf::{self, Pages};
-use fitcheck_exchange::report::template::{HeadField, Template};
+use fitcheck_exchange::report::template::{HeadField, Section, Template};
 use fitcheck_exchange::report::{RENDERINGS, Rendering};
 use jiff::civil::DateTime;
 
@@ -65,6 +65,7 @@ impl Session {
             ReportOf::Check => self.check.shown.is_some(),
             ReportOf::List => self.check.rows.is_some() || !self.shared.history.is_empty(),
             ReportOf::Records => 0 < self.records.reported(),
+            ReportOf::Statistics => self.statistics.open().is_some(),
         }
     }
 
@@ -117,12 +118,18 @@ impl Session {
 
     fn made_report(&self, rendering: &'static Rendering, now: DateTime) -> Result<Content, Message> {
         let of = self.report_of().ok_or_else(|| message!("reports-page-nothing"))?;
+        if of == ReportOf::Statistics && !self.reports.shows(Section::Statistics) {
+            return Err(message!("reports-page-no-statistics"));
+        }
         let mut composed = self.composed(of, now)?;
         let words = self.shared.report_words_in(self.reports.language());
         let template = self.settings_page.company.in_template(&Arc::new(self.reports.made_template()));
         let report = &mut composed.report;
         report.paper = template.paper;
         report.template = template;
+        if of == ReportOf::Records && report.template.has(Section::Statistics) {
+            report.series = self.records.series();
+        }
         report.earlier = self.reports.earlier.as_ref().map(|(_, earlier)| Arc::clone(earlier));
         report.tell(HeadField::Inspector, self.shared.recording.who());
         for field in ReportsField::all() {

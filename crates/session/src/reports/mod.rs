@@ -49,10 +49,12 @@ pub enum ReportOf {
     List,
     /// The chosen records, or all that a question finds.
     Records,
+    /// What the statistics page shows.
+    Statistics,
 }
 
 impl ReportOf {
-    pub const ALL: [Self; 4] = [Self::Part, Self::Check, Self::List, Self::Records];
+    pub const ALL: [Self; 5] = [Self::Part, Self::Check, Self::List, Self::Records, Self::Statistics];
 
     /// The id of its name.
     pub const fn name(self) -> &'static str {
@@ -61,6 +63,7 @@ impl ReportOf {
             Self::Check => "reports-page-check",
             Self::List => "reports-page-list",
             Self::Records => "reports-page-records",
+            Self::Statistics => "reports-page-statistics",
         }
     }
 }

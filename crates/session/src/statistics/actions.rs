@@ -11,6 +11,7 @@ use crate::action::{ActionScope, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
+use crate::reports::{ReportOf, ReportsCommand};
 use crate::step::Step;
 
 /// The list of features.
@@ -56,6 +57,8 @@ actions! {
     CancelReason;
     /// Puts figures and signals on the clipboard.
     CopyStatistics;
+    /// Reports what the page shows.
+    ReportStatistics;
 }
 
 impl Actions for StatisticsAction {
@@ -167,6 +170,10 @@ impl StatisticsAction {
             Self::CancelReason => {
                 on(Page::Statistics, "statistics-page-cancel-reason", StatisticsCommand::CancelReason)
             }
+            Self::ReportStatistics => on(Page::Statistics, "statistics-page-report", ReportsCommand::OfStatistics)
+                .hint("statistics-page-report-hint")
+                .key(Shortcut::ctrl('R'))
+                .when(|session| session.can_report(ReportOf::Statistics)),
             _ => on(Page::Statistics, "statistics-page-copy", StatisticsCommand::Copy)
                 .hint("statistics-page-copy-hint")
                 .key(Shortcut::ctrl('C'))

@@ -27,8 +27,8 @@ pub use actions::{CHART, FEATURES, StatisticsAction};
 pub use command::StatisticsCommand;
 pub use field::StatisticsField;
 use fitcheck_core::message::Message;
-use fitcheck_exchange::series::{Evaluated, FeatureKey, FeatureSeries, Look, Value};
-pub use texts::{FigureText, SignalText, feature_name, said_of_value};
+use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Look, Value};
+pub use texts::{FigureText, SignalText, said_of_value};
 
 use crate::effect::Effect;
 use crate::texts::Texts;
@@ -173,6 +173,12 @@ impl StatisticsPage {
     /// What was found of the question that is shown.
     pub fn found(&self) -> Option<&SeriesFound> {
         Some(&self.shown.as_ref()?.found)
+    }
+
+    /// What is shown, for a report.
+    pub fn series(&self) -> Option<EvaluatedSeries> {
+        let Shown { found, answers } = self.shown.as_ref()?;
+        Some(EvaluatedSeries { features: found.features.clone(), answers: Arc::clone(answers) })
     }
 
     /// Whether values are being read or figures computed.

@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
-use fitcheck_core::text::{grouped, long};
+use fitcheck_core::text::{grouped, long, sentence};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::series::{ASKED_INDEX, Evaluated, FeatureSeries, Value};
+use fitcheck_exchange::series::{ASKED_INDEX, Evaluated, Value};
 use fitcheck_statistics::{Place, Reason, Signal};
 
 use super::{Aside, PointsOf, StatisticsPage};
@@ -41,14 +41,6 @@ const MOST_STRETCHES: usize = 3;
 /// A number with so many decimals, in the words of a language.
 fn decimals(words: &Words, value: f64, decimals: usize) -> String {
     words.number(&format!("{value:.decimals$}"))
-}
-
-/// The name of a feature and what was asked for: `Flange, B1, 25 H7`; a feature of a part is named without it, too.
-pub fn feature_name(feature: &FeatureSeries, with_part: bool) -> String {
-    let key = &feature.key;
-    let part = if with_part || key.name.0.is_empty() { key.part.0.as_str() } else { "" };
-    let texts = [part, key.name.0.as_str(), key.callout.as_str()];
-    texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
 }
 
 /// What was measured, on which part, when and by whom.
@@ -126,7 +118,7 @@ impl StatisticsPage {
     /// What to do about the figures.
     pub fn advice(&self, words: &Words) -> Vec<String> {
         let advice = self.open().map_or(&[][..], |(_, of)| of.answer.advice.as_slice());
-        advice.iter().map(|advice| words.told(advice)).collect()
+        advice.iter().map(|advice| sentence(&words.told(advice))).collect()
     }
 
     /// The signals, numbered as on the chart.
@@ -136,11 +128,7 @@ impl StatisticsPage {
     }
 
     fn signal(&self, words: &Words, number: usize, signal: &Signal) -> SignalText {
-        let rule = words.told(&signal.rule);
-        let rule = match signal.place {
-            Place::Location => rule,
-            Place::Spread => words.say(&message!("statistics-page-on-spread").text("rule", rule)),
-        };
+        let rule = rule_text(words, signal);
         let points = |of: &Range<usize>| {
             words.say(&match of.len() {
                 1 => message!("statistics-page-at").text("point", of.end),
@@ -196,7 +184,7 @@ impl StatisticsPage {
         let signals = self.open().map_or(&[][..], |(_, of)| of.signals.as_slice());
         for (number, signal) in (1..).zip(signals) {
             if signal.stretches.iter().any(|of| of.contains(&point)) {
-                said.push(format!("{number} {}", words.told(&signal.rule)));
+                said.push(format!("{number}: {}", rule_text(words, signal)));
             }
         }
         said.join(". ")
@@ -227,7 +215,7 @@ impl StatisticsPage {
     /// Figures and signals as a table for a spreadsheet.
     pub(super) fn copied(&self, words: &Words) -> Option<String> {
         let (feature, _) = self.open()?;
-        let mut lines = vec![feature_name(feature, true)];
+        let mut lines = vec![feature.key.title(true)];
         lines.extend(self.read_text(words));
         let cells = |figure: FigureText| {
             let FigureText { name, value, unit, note } = figure;
@@ -242,6 +230,14 @@ impl StatisticsPage {
         );
         lines.extend(self.advice(words));
         Some(lines.join("\n"))
+    }
+}
+
+fn rule_text(words: &Words, signal: &Signal) -> String {
+    let rule = words.told(&signal.rule);
+    match signal.place {
+        Place::Location => rule,
+        Place::Spread => words.say(&message!("statistics-page-on-spread").text("rule", rule)),
     }
 }
 

@@ -54,7 +54,7 @@ pub enum Tone {
     Limit,
     /// What is between them.
     Zone,
-    /// Points at which a rule fires.
+    /// Behind the points at which a rule fires.
     Signal,
     /// Points that are left out.
     LeftOut,
