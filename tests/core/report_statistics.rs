@@ -10,7 +10,10 @@ fn report(table: &str, name: &str, arguments: &[&str]) -> (Option<i32>, Vec<u8>)
     let folder = TempDir::new().unwrap();
     fitcheck::files::write(&folder.path().join("values.csv"), table.as_bytes()).unwrap();
     let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
-    command.current_dir(folder.path()).args(["report", "values.csv", "--template", "statistics", "-o", name]);
+    command.current_dir(folder.path()).args(["report", "values.csv", "-o", name]);
+    if !arguments.contains(&"--template") {
+        command.args(["--template", "statistics"]);
+    }
     let output = command.args(arguments).output().unwrap();
     let bytes = std::fs::read(folder.path().join(name)).unwrap_or_default();
     assert!(!bytes.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -48,7 +51,7 @@ fn each_feature_has_figures_of_its_own_and_other_templates_have_none() {
         "feature,callout,measured\nA,25 H7,25.010\nB,12 H7,12.005\nA,25 H7,25.012\nB,12 H7,12.009\nA,25 H7,25.011\n";
     let said = text(table, "two.md", &[]);
     assert!(said.contains("## A, 25 H7\n\n3 values") && said.contains("## B, 12 H7\n\n2 values"), "{said}");
-    assert!(said.contains("the intervals are wide"), "{said}");
+    assert!(said.contains("intervals are wide"), "{said}");
     let usual = text(table, "two.md", &["--template", "inspection"]);
     assert!(!usual.contains("Ppk"), "{usual}");
 }
@@ -74,4 +77,19 @@ fn one_value_equal_values_and_limits_that_differ_say_why_there_is_no_figure() {
 fn the_report_is_in_the_language_of_its_reader() {
     let said = text(&rings(), "rings.md", &["--language", "de"]);
     assert!(said.contains("74,0012 mm") && !said.contains("74.0012"), "{said}");
+}
+
+#[test]
+fn the_charts_of_a_feature_are_a_picture_too() {
+    let folder = TempDir::new().unwrap();
+    fitcheck::files::write(&folder.path().join("rings.csv"), rings().as_bytes()).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
+    command.current_dir(folder.path()).args(["stats", "rings.csv", "--group", "5", "--picture", "rings.PNG"]);
+    command.assert().success();
+    let picture = std::fs::read(folder.path().join("rings.PNG")).unwrap();
+    assert!(picture.starts_with(b"\x89PNG\r\n\x1a\n"));
+    let side = |at: usize| u32::from_be_bytes(picture[at..at + 4].try_into().unwrap());
+    assert_eq!([side(16), side(20)], [3 * 880, 3 * 660]);
+    // White alone takes a few kilobytes.
+    assert!(50_000 < picture.len(), "{} bytes", picture.len());
 }

@@ -60,7 +60,7 @@ fn what_a_template_cannot_say_is_named_with_its_place() {
 fn every_shipped_template_has_its_texts_and_the_usual_one_comes_first() {
     let shipped = Template::shipped();
     let words: Vec<&str> = shipped.iter().map(|template| template.word()).collect();
-    assert_eq!(words, ["inspection", "certificate", "first-article", "label", "list", "sheet"]);
+    assert_eq!(words, ["inspection", "certificate", "first-article", "label", "list", "sheet", "statistics"]);
     assert_eq!(Template::usual().word(), "inspection");
     for template in shipped {
         for language in Language::all() {

@@ -19,6 +19,7 @@ use fitcheck::words::Language;
 
 use crate::harness::{DESK, Window, check, picture_in, press, sheet_in};
 use crate::pictures::can_paint;
+use crate::statistics_page::{entries, flange, page_of};
 
 /// Takes a picture of a window, if pictures can be made here.
 fn taken(name: &str, theme: Theme, size: Vec2, work: impl FnOnce(&mut Harness<'static, App>)) {
@@ -240,6 +241,22 @@ fn every_picture_is_taken_by_a_test_and_shown_in_a_document() {
     let there: BTreeSet<String> =
         there.filter(|name| ![".old.", ".new.", ".diff."].iter().any(|left| name.contains(left))).collect();
     assert_eq!(shown, there, "shown in a document, and in the folder");
+}
+
+fn statistics(name: &str, size: Vec2) {
+    if can_paint(name) {
+        picture_in(&mut page_of(size, entries(&flange())), name, "docs/screenshots");
+    }
+}
+
+#[test]
+fn the_statistics_of_a_flange() {
+    statistics("statistics", vec2(1920.0, 1080.0));
+}
+
+#[test]
+fn the_statistics_of_a_flange_in_a_small_window() {
+    statistics("statistics_small", DESK);
 }
 
 #[test]

@@ -17,8 +17,7 @@ use fitcheck::tolerance::{Callout, Sources};
 use jiff::ToSpan as _;
 
 use crate::fake_journal::Fake;
-use crate::harness::{Window, click, cursor, moment, nowhere, picture_in, press, rows, type_into};
-use crate::pictures::can_paint;
+use crate::harness::{Window, click, cursor, moment, nowhere, press, rows, type_into};
 
 /// A bore of the flange: its name, its callout, and the values of its parts in nanometres from the nominal size.
 pub struct Bore {
@@ -243,20 +242,4 @@ fn figures_and_signals_are_copied_as_a_table() {
     });
     let copied = copied.expect("a table");
     assert!(copied.starts_with("Flange 40-118, A1, 25 H7\n21 values\nMean\t25.010"), "{copied}");
-}
-
-fn taken(name: &str, size: Vec2) {
-    if can_paint(name) {
-        picture_in(&mut page_of(size, entries(&flange())), name, "docs/screenshots");
-    }
-}
-
-#[test]
-fn the_page_on_a_wide_screen() {
-    taken("statistics", vec2(1920.0, 1080.0));
-}
-
-#[test]
-fn the_page_on_a_small_screen() {
-    taken("statistics_small", vec2(1280.0, 800.0));
 }

@@ -71,7 +71,6 @@ statistics-page-not-proven = Ppk { $asked } není prokázáno: jeho dolní mez j
 statistics-page-no-ppk = Ppk { $asked } není prokázáno: { $why }.
 
 # Diagram
-statistics-page-chart = Průběh
 statistics-page-single = Jednotlivé hodnoty
 statistics-page-means = Průměry z { $size }
 statistics-page-histogram = Histogram

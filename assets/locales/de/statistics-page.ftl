@@ -63,7 +63,6 @@ statistics-page-not-proven = Ppk von { $asked } ist nicht nachgewiesen: die unte
 statistics-page-no-ppk = Ppk von { $asked } ist nicht nachgewiesen: { $why }.
 
 # Die Karte
-statistics-page-chart = Verlauf
 statistics-page-single = Einzelwerte
 statistics-page-means = Mittelwerte aus { $size }
 statistics-page-histogram = Histogramm

@@ -63,7 +63,6 @@ statistics-page-not-proven = Ppk of { $asked } is not proven: its lower bound is
 statistics-page-no-ppk = Ppk of { $asked } is not proven: { $why }.
 
 # The chart
-statistics-page-chart = Run chart
 statistics-page-single = Single values
 statistics-page-means = Means of { $size }
 statistics-page-histogram = Histogram

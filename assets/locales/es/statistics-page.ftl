@@ -63,7 +63,6 @@ statistics-page-not-proven = No está demostrado un Ppk de { $asked }: su límit
 statistics-page-no-ppk = No está demostrado un Ppk de { $asked }: { $why }.
 
 # El gráfico
-statistics-page-chart = Gráfico
 statistics-page-single = Valores sueltos
 statistics-page-means = Medias de { $size }
 statistics-page-histogram = Histograma

@@ -63,7 +63,6 @@ statistics-page-not-proven = Un Ppk de { $asked } n'est pas prouvé : sa borne i
 statistics-page-no-ppk = Un Ppk de { $asked } n'est pas prouvé : { $why }.
 
 # La carte
-statistics-page-chart = Carte
 statistics-page-single = Valeurs seules
 statistics-page-means = Moyennes de { $size }
 statistics-page-histogram = Histogramme

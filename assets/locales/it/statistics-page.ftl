@@ -63,7 +63,6 @@ statistics-page-not-proven = Un Ppk di { $asked } non è dimostrato: il suo limi
 statistics-page-no-ppk = Un Ppk di { $asked } non è dimostrato: { $why }.
 
 # La carta
-statistics-page-chart = Carta
 statistics-page-single = Valori singoli
 statistics-page-means = Medie di { $size }
 statistics-page-histogram = Istogramma

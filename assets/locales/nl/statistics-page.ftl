@@ -63,7 +63,6 @@ statistics-page-not-proven = Ppk van { $asked } is niet aangetoond: de ondergren
 statistics-page-no-ppk = Ppk van { $asked } is niet aangetoond: { $why }.
 
 # De kaart
-statistics-page-chart = Verloop
 statistics-page-single = Losse waarden
 statistics-page-means = Gemiddelden van { $size }
 statistics-page-histogram = Histogram

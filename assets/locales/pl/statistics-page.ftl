@@ -71,7 +71,6 @@ statistics-page-not-proven = Ppk { $asked } nie jest wykazane: jego dolna granic
 statistics-page-no-ppk = Ppk { $asked } nie jest wykazane: { $why }.
 
 # Karta
-statistics-page-chart = Przebieg
 statistics-page-single = Pojedyncze wartości
 statistics-page-means = Średnie z { $size }
 statistics-page-histogram = Histogram

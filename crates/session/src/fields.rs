@@ -15,6 +15,7 @@ use super::field_table::{AT_TIMES, FieldPlace, PAGE, Rows, all};
 use super::help::HelpPlace;
 use super::program::{Input, ProgramField};
 use super::records::RecordsField;
+use super::statistics::StatisticsField;
 use super::treated;
 
 /// The drawing of a field: a parameter of a cycle that means the same.
@@ -39,6 +40,7 @@ impl Session {
         match field {
             Field::Check(CheckField::HistoryFilter) => !self.history().is_empty(),
             Field::Records(RecordsField::Question) => self.recording().is_on(),
+            Field::Statistics(StatisticsField::Question | StatisticsField::Last) => self.recording().is_on(),
             Field::Budget(BudgetField::Size) => self.budget.read.is_some() && self.budget.asks.size,
             Field::Budget(BudgetField::Day) => self.budget.read.is_some(),
             // One of a few numbers is chosen from a list, and what has no effect is folded away.

@@ -30,6 +30,7 @@ pub(super) fn of_field(field: Field) -> Option<HelpPlace> {
             _ => ("parts.md", "the-plan-as-a-table"),
         },
         Field::Parts(PartsField::Plan(PlanField::Cell)) => ("parts.md", "the-plan-as-a-table"),
+        Field::Statistics(_) => ("statistics.md", "in-the-window"),
         Field::Budget(_) => ("uncertainty.md", "the-uncertainty-page"),
         Field::Help(_) => ("window.md", "help"),
         _ => return None,

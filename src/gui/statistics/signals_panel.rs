@@ -2,7 +2,7 @@
 
 use eframe::egui::{Button, Label, RichText, Ui, vec2};
 
-use crate::gui::columns::footed_column_ui;
+use crate::gui::columns::{column_ui, footed_column_ui};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::session::StatisticsAction;
@@ -13,9 +13,18 @@ use crate::statistics::Rule;
 /// So many signals are listed.
 const MOST: usize = 100;
 
-/// Signals that scroll, and below them what to do.
+/// From this height on, what to do is always in sight.
+const FOOTED: f32 = 260.0;
+
+/// Signals that scroll, and below them what to do; in a low card all of it scrolls.
 pub(super) fn card_ui(ui: &mut Ui, view: &mut View<'_>) {
-    footed_column_ui(ui, view, "statistics-signals", signals_ui, advice_ui);
+    if FOOTED <= ui.available_height() {
+        return footed_column_ui(ui, view, "statistics-signals", signals_ui, advice_ui);
+    }
+    column_ui(ui, "statistics-signals", |ui| {
+        signals_ui(ui, view);
+        advice_ui(ui, view);
+    });
 }
 
 pub(super) fn signals_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -185,7 +185,7 @@ fn evaluated((feature, of): (&FeatureSeries, &Evaluated), with_part: bool, words
         read.push(words.say(&message!("statistics-page-out").text("why", "user").count("count", *apart)));
     }
     let mut told = Vec::new();
-    if let Some(count) = answer.wanted.baseline {
+    if let Some(count) = answer.wanted.baseline.filter(|_| answer.chart.is_ok()) {
         told.push(words.say(&message!("report-statistics-baseline").count("count", count)));
     }
     told.extend(answer.wanted.left_out.iter().map(|(point, reason)| {

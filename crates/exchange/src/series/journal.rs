@@ -212,8 +212,8 @@ impl FeatureSeries {
         let number = |at: &usize| self.values.get(*at).and_then(|value| value.origin.number);
         let baseline = look.baseline.map(|[first, last]| {
             let of = |wanted: u64| shown.iter().position(|at| number(at) == Some(wanted));
-            // A baseline that is not in sight as a whole is none: 0 points are refused.
-            of(last).filter(|_| of(first) == Some(0)).map_or(0, |at| at / size + 1)
+            // A baseline that is not in sight as a whole is longer than the series: it is refused.
+            of(last).filter(|_| of(first) == Some(0)).map_or(usize::MAX, |at| at / size + 1)
         });
         let limits = self.key.limits.map(|limit| limit.map(Length::to_mm_f64));
         let chart = (size == 1).then_some(fitcheck_statistics::ChartKind::Individuals);

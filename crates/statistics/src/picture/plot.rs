@@ -195,7 +195,7 @@ impl<'a> Plot<'a> {
 }
 
 /// How many decimals a limit in micrometres needs.
-fn decimals_of(um: f64) -> usize {
+pub(super) fn decimals_of(um: f64) -> usize {
     let is_whole = |value: f64| (value - value.round()).abs() < 1e-6;
     [1.0, 10.0, 100.0].into_iter().position(|scale| is_whole(um * scale)).unwrap_or(3)
 }

@@ -5,7 +5,7 @@
 
 use fitcheck_core::words::Words;
 
-use super::plot::{Plot, micrometres};
+use super::plot::{Plot, decimals_of, micrometres};
 use super::scale::{Scale, decimals, place, signed};
 use super::{Anchor, Mark, Picture, Spot, Tone, View};
 use crate::fitted::Fitted;
@@ -36,18 +36,19 @@ pub fn probability_plot(
     let view = View { values: [-edge, edge], ..view.clone() };
     let range = across(order.first().map(value), order.last().map(value));
     let Some(mut plot) = Plot::new(&view, range, false) else { return Picture::default() };
-    axes(&mut plot, &view);
+    let limits = tolerance.map_or([None, None], |tolerance| [tolerance.lower(), tolerance.upper()]);
+    let limits: Vec<f64> = limits.into_iter().flatten().filter(|limit| plot.across.has(*limit)).collect();
+    axes(&mut plot, &view, &limits);
     if let Some(law) = law {
         curve(&mut plot, law, level, edge);
     }
-    for limit in tolerance.into_iter().flat_map(|tolerance| [tolerance.lower(), tolerance.upper()]).flatten() {
-        if plot.across.has(limit) {
-            let ([_, top], [_, below]) = plot.field();
-            let x = plot.across.at(limit);
-            plot.picture.line(vec![[x, top], [x, below]], Tone::Limit, 2.0);
-            let text = signed(micrometres(limit - view.base), 0, view.words);
-            plot.picture.bold([x, below + 14.0], Anchor::Middle, Tone::Text, text);
-        }
+    for limit in limits {
+        let ([_, top], [_, below]) = plot.field();
+        let x = plot.across.at(limit);
+        plot.picture.line(vec![[x, top], [x, below]], Tone::Limit, 2.0);
+        let from_base = micrometres(limit - view.base);
+        let text = signed(from_base, decimals_of(from_base), view.words);
+        plot.picture.bold([x, below + 14.0], Anchor::Middle, Tone::Text, text);
     }
     let mut last = [f64::NEG_INFINITY; 2];
     for rank in ranks(values.len(), edge) {
@@ -90,8 +91,11 @@ fn across(least: Option<f64>, greatest: Option<f64>) -> [f64; 2] {
     [least - margin, greatest + margin]
 }
 
-/// Shares upwards, lengths to the right.
-fn axes(plot: &mut Plot<'_>, view: &View<'_>) {
+/// The room of a name below the axis.
+const NAME: f64 = 40.0;
+
+/// Shares upwards, lengths to the right; limits have their own names.
+fn axes(plot: &mut Plot<'_>, view: &View<'_>, limits: &[f64]) {
     let ([left, _], [right, below]) = plot.field();
     for share in SHARES {
         let quantile = normal_quantile(share);
@@ -104,7 +108,8 @@ fn axes(plot: &mut Plot<'_>, view: &View<'_>) {
     let of = |value: f64| micrometres(value - view.base);
     let scale = Scale { values: plot.across.values.map(of), places: plot.across.places };
     let (step, ticks) = scale.ticks(80.0);
-    for tick in ticks {
+    let is_free = |tick: &f64| limits.iter().all(|limit| NAME <= (plot.across.at(*limit) - scale.at(*tick)).abs());
+    for tick in ticks.into_iter().filter(is_free).collect::<Vec<_>>() {
         let text = signed(tick, decimals(step), view.words);
         plot.picture.text([scale.at(tick), below + 14.0], Anchor::Middle, Tone::Quiet, text);
     }
