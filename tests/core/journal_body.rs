@@ -529,12 +529,12 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Json { .. }));
-    assert_eq!(changed("{\"v\":1,", "{\"v\":6,\"colour\":{},"), BodyError::Newer { version: 6 });
+    assert_eq!(changed("{\"v\":1,", "{\"v\":7,\"colour\":{},"), BodyError::Newer { version: 7 });
     // An entry has one body: what version 1 can hold is of version 1.
     assert_eq!(changed("{\"v\":1,", "{\"v\":2,"), BodyError::Contradiction { field: "v" });
     assert_eq!(
         refused("{\"v\":7}").to_string(),
-        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 5"
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 6"
     );
     assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
     for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]

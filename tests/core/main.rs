@@ -103,6 +103,7 @@ mod plan_files;
 mod plan_import;
 mod plan_judging;
 mod plans;
+mod plausible;
 mod point_cycles;
 mod point_log;
 mod point_probe;

@@ -19,7 +19,7 @@ use fitcheck::words::Language;
 use jiff::tz::{TimeZone, offset};
 
 use crate::dialogs::Dropped;
-use crate::harness::{DESK, Window, click, moment, press, rows, type_into, verdict};
+use crate::harness::{DESK, Window, click, moment, press, rows, type_into, verdict, wait};
 use crate::pictures::can_paint;
 
 /// Twelve features: the first is that of the sample log, by its place.
@@ -302,6 +302,32 @@ fn begun_with_three(folder: &Path, size: Vec2) -> Harnessed {
     type_into(&mut page, "Serial number", "A-1");
     press(&mut page, Key::Enter);
     page
+}
+
+#[test]
+fn a_value_that_cannot_be_is_asked_about_and_confirmed_or_measured_again() {
+    let folder = tempfile::tempdir().unwrap();
+    put(&folder.path().join("flange.csv"), "name;callout;plausible\nA;25 H7;24.5 25.5\nB;20 H7;\n");
+    let mut page = window_of(folder.path(), DESK).open();
+    type_into(&mut page, "Serial number", "A-1");
+    press(&mut page, Key::Enter);
+    value(&mut page, "25.912");
+    let asked_about = "outside what the plan says can be, 24.5 to 25.5 mm";
+    assert!(0 < page.query_all_by_label_contains(asked_about).count());
+    assert_eq!(recorded(folder.path()), 0);
+    page.get_by_role_and_label(Role::Button, "Discard and measure again");
+    // Enter gives the first answer once somebody can have read the question.
+    wait(600);
+    press(&mut page, Key::Enter);
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    assert_eq!(asked(&page).as_deref(), Some("A"));
+    value(&mut page, "25.912");
+    wait(600);
+    // Below the value and in the question: both do the same.
+    page.query_all_by_role_and_label(Role::Button, "It is so: judge 25.912 mm").last().unwrap().click();
+    page.run();
+    assert!(verdict(&page).contains("A: 25.912 mm"), "{}", verdict(&page));
+    assert_eq!(asked(&page).as_deref(), Some("B"));
 }
 
 /// Whether what has a role and a name has the focus.

@@ -81,6 +81,8 @@ actions! {
     TakeValue;
     /// Takes what the typed value may have been.
     TakeMeantValue;
+    /// Drops the typed value that cannot be: the size is measured again.
+    MeasureAnew;
     /// Measures the feature by its cycle on a perfect part.
     SimulateValue;
     /// Asks once more for the size that is shown.
@@ -206,6 +208,8 @@ impl Actions for PartsAction {
                 is_walk(session)
                     && session.parts().walking.question.as_ref().is_some_and(|asked| asked.doubt.meant().is_some())
             }),
+            Self::MeasureAnew => of_walk("walk-page-measure-anew", WalkCommand::MeasureAnew)
+                .when(|session| is_walk(session) && session.parts().walking.asks_about_implausible()),
             Self::SimulateValue => {
                 let row = of_walk("walk-page-simulate", WalkCommand::Simulate).hint("walk-page-simulate-hint");
                 row.key(Shortcut::plain(Key::Function(5))).when(is_asked)
@@ -274,7 +278,9 @@ impl Actions for PartsAction {
             Self::TakeValue => {
                 let question = session.parts().walking.question.as_ref()?;
                 let measured = words.mm(question.measured, 3);
-                Some(words.say(&message!("judge-anyway").text("measured", measured)))
+                let is_implausible = session.parts().walking.asks_about_implausible();
+                let id = if is_implausible { "walk-page-it-is-so" } else { "judge-anyway" };
+                Some(words.say(&Message::new(id).text("measured", measured)))
             }
             Self::TakeMeantValue => {
                 let meant = session.parts().walking.question.as_ref().and_then(|question| question.doubt.meant());

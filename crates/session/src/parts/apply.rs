@@ -131,7 +131,9 @@ impl PageState for PartsPage {
     fn asks(&self) -> Option<PageQuestion> {
         let question = self.walking.question.as_ref().filter(|_| self.view == PartsView::Walk)?;
         let meant = question.doubt.meant().map(|_| PartsAction::TakeMeantValue.into());
-        let answers = meant.into_iter().chain([PartsAction::TakeValue.into()]).collect();
+        // What cannot be is measured again unless somebody says that it is so.
+        let anew = self.walking.asks_about_implausible().then(|| PartsAction::MeasureAnew.into());
+        let answers = meant.into_iter().chain(anew).chain([PartsAction::TakeValue.into()]).collect();
         Some(PageQuestion { about: PartsAction::TakeValue.into(), answers })
     }
 

@@ -120,6 +120,8 @@ pub enum WalkCommand {
     Take,
     /// Takes what the typed value may have been.
     TakeMeant,
+    /// The typed value that cannot be is dropped, and another one is asked for.
+    MeasureAnew,
     /// Measures the feature by its cycle on a perfect part.
     Simulate,
     /// Asks once more for the size that is looked at.

@@ -200,4 +200,5 @@ pub(super) enum Doubt {
     Half { meant_nm: Option<i64> },
     DecimalSign { meant_nm: i64 },
     Far { distance_nm: i64 },
+    Implausible { lower_nm: i64, upper_nm: i64, meant_nm: Option<i64> },
 }

@@ -237,6 +237,10 @@ fn doubt(doubt: Doubt) -> wire::Doubt {
         Doubt::Half { meant } => wire::Doubt::Half { meant_nm: nm(meant) },
         Doubt::DecimalSign { meant } => wire::Doubt::DecimalSign { meant_nm: meant.nanometres() },
         Doubt::Far { distance } => wire::Doubt::Far { distance_nm: distance.nanometres() },
+        Doubt::Implausible { lower, upper, meant } => {
+            let (lower_nm, upper_nm) = (lower.nanometres(), upper.nanometres());
+            wire::Doubt::Implausible { lower_nm, upper_nm, meant_nm: nm(meant) }
+        }
     }
 }
 
