@@ -5,7 +5,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use fitcheck::budget::{BudgetWarning, Provenance, Validity};
-use fitcheck::journal::Record;
 use fitcheck::journal::body::{self, BodyError, read, write};
 use fitcheck::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck::journal::entry::{
@@ -13,8 +12,10 @@ use fitcheck::journal::entry::{
     DatumKept, Entry, FileRole, Moment, Reported, Shown, UsedFile,
 };
 use fitcheck::journal::ranges::EntryRanges;
+use fitcheck::journal::{Alarm, AlarmAnswer, Record};
 use fitcheck::length::Length;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin, measure_contacts};
+use fitcheck::statistics::{Place, Rule as ChartRule};
 use fitcheck::tolerance::fit::thermal::{self, Warm};
 use fitcheck::tolerance::{Base, Callout, Feature, Limits, Source, Sources};
 use fitcheck::verdict::rules::{Prover, RuleInputs, RuleName, Uncertainty};
@@ -331,8 +332,23 @@ fn any_content() -> impl Strategy<Value = Content> {
         1 => begin.prop_map(Content::Begin),
         1 => correction().prop_map(Content::Withdrawal),
         1 => any_report().prop_map(Content::Report),
+        1 => any_alarm().prop_map(|alarm| Content::Alarm(Box::new(alarm))),
         8 => check.prop_map(|check| Content::Check(Box::new(check))),
     ]
+}
+
+fn any_alarm() -> impl Strategy<Value = Alarm> {
+    let values =
+        (select(ChartRule::ALL.as_slice()), select(Place::ALL.as_slice()), 2..1_000_u64, 0..100_u64, any_name());
+    let answer = (1..100_u64, any::<[u8; 32]>(), "[a-zé]{1,9}", "[a-zé ]{1,9}x");
+    (values, proptest::option::of(answer)).prop_map(|((rule, place, first, more, since), answer)| {
+        let last = first + more;
+        let answer = answer.map(|(after, hash, cause, action)| {
+            let target = Head { number: last + after, hash: Hash(hash) };
+            AlarmAnswer { target, cause, action }
+        });
+        Alarm { rule, place, first, last, since, answer }
+    })
 }
 
 /// The same entry with the warnings of its budget as texts, as far as nothing else is kept of them.
@@ -386,6 +402,7 @@ proptest! {
         };
         let version = match &found.content {
             Content::Report(_) => '2',
+            Content::Alarm(_) => '6',
             Content::Check(check) if matches!(&check.what, Checked::Cycle(cycle) if cycle.datum.is_some()) => {
                 let Checked::Cycle(cycle) = &check.what else { unreachable!() };
                 let DatumKept { set_by, rotation, tilt, .. } = cycle.datum.as_ref().unwrap();

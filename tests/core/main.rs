@@ -7,6 +7,7 @@
 #![cfg(test)]
 
 mod admitted;
+mod alarms;
 mod any_size;
 mod aqdef;
 mod around;

@@ -94,6 +94,12 @@ actions! {
     /// Leaves it out for the reason in its field.
     SkipFor;
     LeaveSkip;
+    /// Asks for cause and action of the oldest open alarm.
+    AskAlarm;
+    /// Records cause and action of the alarm.
+    AnswerAlarm;
+    /// Answers the alarm later.
+    LeaveAlarm;
     /// Ends the part; the serial number of the next one is counted up.
     NextPart;
     /// Ends the part in the same way; the next one is measured by the plan that is open now.
@@ -228,6 +234,16 @@ impl Actions for PartsAction {
                     .when(is_skipping)
             }
             Self::LeaveSkip => of_walk("walk-page-skip-not", WalkCommand::AskSkip(false)).when(is_skipping),
+            Self::AskAlarm => {
+                let ask = |session: &Session| {
+                    let oldest = session.parts().alarms.open().first();
+                    WalkCommand::AskAlarm(oldest.map_or(0, |alarm| alarm.head.number)).into()
+                };
+                ActionRow::new(ActionScope::Page(Page::Parts), "walk-page-alarm-ask", Sends::FromState(ask))
+                    .when(|session| is_walk(session) && !session.parts().alarms.open().is_empty())
+            }
+            Self::AnswerAlarm => on(Page::Parts, "walk-page-alarm-answer", WalkCommand::AnswerAlarm).when(is_answering),
+            Self::LeaveAlarm => on(Page::Parts, "walk-page-alarm-later", WalkCommand::LeaveAlarm).when(is_answering),
             Self::NextPart => of_walk("walk-page-next", WalkCommand::Next).key(Shortcut::plain(Key::Function(8))),
             Self::BeginByOpenPlan => of_walk("walk-page-begin-by", WalkCommand::Next).when(asks_which_plan),
             Self::KeepMeasuring => of_walk("walk-page-keep-on", WalkCommand::KeepOn).when(asks_which_plan),
@@ -304,6 +320,7 @@ impl Actions for PartsAction {
             Field::Parts(PartsField::Walk(WalkField::Serial)) => Some(Self::BeginPart),
             Field::Parts(PartsField::Walk(WalkField::Value)) => Some(Self::TakeValue),
             Field::Parts(PartsField::Walk(WalkField::Reason)) => Some(Self::SkipFor),
+            Field::Parts(PartsField::Walk(WalkField::Cause | WalkField::Action)) => Some(Self::AnswerAlarm),
             Field::Parts(PartsField::Plan(PlanField::Cell)) => Some(Self::TakePlanCell),
             _ => None,
         }
@@ -357,6 +374,10 @@ fn asks_which_plan(session: &Session) -> bool {
 
 fn is_asked(session: &Session) -> bool {
     is_walk(session) && session.parts().walking.at.is_some()
+}
+
+fn is_answering(session: &Session) -> bool {
+    is_walk(session) && session.parts().answered_alarm().is_some()
 }
 
 fn is_skipping(session: &Session) -> bool {

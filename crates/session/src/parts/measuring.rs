@@ -76,6 +76,10 @@ impl PartsPage {
                 }
             }
             WalkCommand::Skip(reason) => return self.skip(&reason),
+            WalkCommand::AskAlarm(number) => return self.ask_alarm(number),
+            WalkCommand::LeaveAlarm => return self.leave_alarm(),
+            WalkCommand::AnswerAlarm => return self.answer_alarm(shared),
+            WalkCommand::AlarmsFound(found) => self.take_alarms(found, shared),
             WalkCommand::Next => return self.next_part(shared),
             WalkCommand::KeepOn => {
                 self.walking.kept_on = self.document.opened;
@@ -266,6 +270,8 @@ impl PartsPage {
         if let Some((count, why)) = &sent.refused {
             shared.tell(message!("walk-page-refused").count("count", *count).message("why", why.clone()));
         }
+        let ids = (first.0..).map(fitcheck_exchange::journal::query::RecordId);
+        self.await_alarms(&sent, ids.zip(values.iter().map(Self::takes_part)));
         let before = self.walking.standing().contradicted;
         for (id, value) in (first.0..).map(fitcheck_exchange::journal::query::RecordId).zip(values) {
             let Arriving { at, record, remarks, labels, .. } = value;

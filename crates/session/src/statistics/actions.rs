@@ -56,6 +56,8 @@ actions! {
     CancelReason;
     /// Puts figures and signals on the clipboard.
     CopyStatistics;
+    /// Shows the alarms that nobody has answered, where they are answered.
+    ShowAlarms;
 }
 
 impl Actions for StatisticsAction {
@@ -96,6 +98,8 @@ impl Actions for StatisticsAction {
                 };
                 on(Page::Statistics, text, StatisticsCommand::Show(aside))
             }
+            Self::ShowAlarms => on(Page::Statistics, "statistics-page-alarms", Command::OpenPage(Page::Parts))
+                .when(|session| !session.parts().alarms.open().is_empty()),
             _ => self.on_chart(),
         }
     }
@@ -107,6 +111,10 @@ impl Actions for StatisticsAction {
                 Some(words.say(&message!("statistics-page-means").text("size", size)))
             }
             Self::SwitchRule(rule) => Some(words.say(&rule.message())),
+            Self::ShowAlarms => {
+                let count = session.parts().alarms.open().len();
+                Some(words.say(&message!("statistics-page-alarms").count("count", count)))
+            }
             Self::Freeze if session.statistics().is_frozen() => Some(words.get("statistics-page-unfreeze")),
             Self::LeaveOut if is_left_out(session) => Some(words.get("statistics-page-take-in")),
             _ => None,

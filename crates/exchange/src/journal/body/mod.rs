@@ -6,6 +6,7 @@
 //! | `wire` | the fields, in their order |
 //! | `write` | an entry as these fields |
 //! | `read` | an entry from these fields, each of them bounded and checked |
+//! | `alarms` | an alarm as its fields, and from them |
 //! | `brief` | what an entry is found by, without reading all of it |
 //! | `size` | a record from its fields: its limits, its rule, its verdict as it was given |
 //! | `texts` | what texts and numbers may be |
@@ -13,6 +14,7 @@
 //! Lengths are whole nanometres, uncertainties whole picometres, factors whole thousandths; coordinates of contacts, which are
 //! binary fractions, are texts that read back as the very same. So every program reads the same numbers, and none rounds.
 
+mod alarms;
 mod brief;
 mod read;
 mod size;
@@ -113,6 +115,7 @@ struct Head {
 /// The version that an entry is written as: the smallest that can hold it, so that older versions of Fitcheck read all that they know.
 fn version_of(content: &Content) -> u64 {
     match content {
+        Content::Alarm(_) => 6,
         Content::Check(check) if is_confirmed(&check.what) => 6,
         Content::Check(check) if is_turned(&check.what) => 5,
         Content::Check(check) if has_datum(&check.what) => 4,
