@@ -319,6 +319,7 @@ object! {
         min_mm: Figure = Figure::mm(size.limits.minimum(), 3),
         max_mm: Figure = Figure::mm(size.limits.maximum(), 3),
         source: String = size.limits.source.to_string(),
+        plausible_mm: Option<[Figure; 2]> = Some([size.plausible?.lower(), size.plausible?.upper()].map(|length| Figure::mm(length, 3))),
     }
 }
 

@@ -368,6 +368,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::AskRecords { .. }
         | Effect::ReadPart { .. }
         | Effect::ReadSeries { .. }
+        | Effect::FindAlarms(_)
         | Effect::FindRecords { .. }
         | Effect::Watch { .. }
         | Effect::WatchTaken { .. }

@@ -45,6 +45,7 @@ fn every_word_asks_for_what_it_says() {
     assert_eq!(read(" \t "), Question::default());
     assert_eq!(read("PART:x Simulated"), Question { part: some("x"), simulated: Some(true), ..Question::default() });
     assert_eq!(read("Reports flange").kinds, AskedKinds::Reports);
+    assert_eq!(read("alarms standing").kinds, AskedKinds::Alarms);
     assert_eq!(read("\"reports\""), Question { words: vec!["reports".to_owned()], ..Question::default() });
     assert_eq!(read("part:\"\""), Question { part: some(""), ..Question::default() });
     assert_eq!(read("part:\"a \"\"b\"\"\"").part, some("a \"b\""));
@@ -174,7 +175,7 @@ fn any_question() -> impl Strategy<Value = Question> {
         0..4_u8,
         any::<bool>(),
     );
-    let kinds = select([AskedKinds::All, AskedKinds::Checks, AskedKinds::Reports].as_slice());
+    let kinds = select([AskedKinds::All, AskedKinds::Checks, AskedKinds::Reports, AskedKinds::Alarms].as_slice());
     let rest = (proptest::option::of(any::<bool>()), any::<bool>(), kinds, proptest::collection::vec(any_text(), 0..3));
     (names, callout, class, verdicts, span, rest).prop_map(|(names, callout, class, verdicts, span, rest)| {
         let mut names = names.into_iter();

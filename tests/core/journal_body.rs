@@ -5,7 +5,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use fitcheck::budget::{BudgetWarning, Provenance, Validity};
-use fitcheck::journal::Record;
 use fitcheck::journal::body::{self, BodyError, read, write};
 use fitcheck::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck::journal::entry::{
@@ -13,8 +12,10 @@ use fitcheck::journal::entry::{
     DatumKept, Entry, FileRole, Moment, Reported, Shown, UsedFile,
 };
 use fitcheck::journal::ranges::EntryRanges;
+use fitcheck::journal::{Alarm, AlarmAnswer, Record};
 use fitcheck::length::Length;
 use fitcheck::probing::{Circle, Contact, Measurement, Origin, measure_contacts};
+use fitcheck::statistics::{Place, Rule as ChartRule};
 use fitcheck::tolerance::fit::thermal::{self, Warm};
 use fitcheck::tolerance::{Base, Callout, Feature, Limits, Source, Sources};
 use fitcheck::verdict::rules::{Prover, RuleInputs, RuleName, Uncertainty};
@@ -331,8 +332,23 @@ fn any_content() -> impl Strategy<Value = Content> {
         1 => begin.prop_map(Content::Begin),
         1 => correction().prop_map(Content::Withdrawal),
         1 => any_report().prop_map(Content::Report),
+        1 => any_alarm().prop_map(|alarm| Content::Alarm(Box::new(alarm))),
         8 => check.prop_map(|check| Content::Check(Box::new(check))),
     ]
+}
+
+fn any_alarm() -> impl Strategy<Value = Alarm> {
+    let values =
+        (select(ChartRule::ALL.as_slice()), select(Place::ALL.as_slice()), 2..1_000_u64, 0..100_u64, any_name());
+    let answer = (1..100_u64, any::<[u8; 32]>(), "[a-zé]{1,9}", "[a-zé ]{1,9}x");
+    (values, proptest::option::of(answer)).prop_map(|((rule, place, first, more, since), answer)| {
+        let last = first + more;
+        let answer = answer.map(|(after, hash, cause, action)| {
+            let target = Head { number: last + after, hash: Hash(hash) };
+            AlarmAnswer { target, cause, action }
+        });
+        Alarm { rule, place, first, last, since, answer }
+    })
 }
 
 /// The same entry with the warnings of its budget as texts, as far as nothing else is kept of them.
@@ -386,6 +402,7 @@ proptest! {
         };
         let version = match &found.content {
             Content::Report(_) => '2',
+            Content::Alarm(_) => '6',
             Content::Check(check) if matches!(&check.what, Checked::Cycle(cycle) if cycle.datum.is_some()) => {
                 let Checked::Cycle(cycle) = &check.what else { unreachable!() };
                 let DatumKept { set_by, rotation, tilt, .. } = cycle.datum.as_ref().unwrap();
@@ -529,12 +546,12 @@ fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it
     assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
     assert!(matches!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Json { .. }));
-    assert_eq!(changed("{\"v\":1,", "{\"v\":6,\"colour\":{},"), BodyError::Newer { version: 6 });
+    assert_eq!(changed("{\"v\":1,", "{\"v\":7,\"colour\":{},"), BodyError::Newer { version: 7 });
     // An entry has one body: what version 1 can hold is of version 1.
     assert_eq!(changed("{\"v\":1,", "{\"v\":2,"), BodyError::Contradiction { field: "v" });
     assert_eq!(
         refused("{\"v\":7}").to_string(),
-        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 5"
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 6"
     );
     assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
     for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]

@@ -620,7 +620,7 @@ fn a_body_of_a_newer_version_is_listed_and_told() {
     let place = Place::new();
     place.record("25.001", &[]);
     let connection = open(&place.path("j.sqlite"));
-    let newer = "DROP TRIGGER entry_keeps; UPDATE entry SET body = CAST(replace(CAST(body AS TEXT), '\"v\":1', '\"v\":6') AS BLOB) WHERE number = 2";
+    let newer = "DROP TRIGGER entry_keeps; UPDATE entry SET body = CAST(replace(CAST(body AS TEXT), '\"v\":1', '\"v\":7') AS BLOB) WHERE number = 2";
     connection.execute_batch(newer).unwrap();
     drop(connection);
     for command in ["list", "export"] {

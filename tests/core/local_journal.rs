@@ -432,7 +432,7 @@ fn a_file_that_is_no_journal_is_left_as_it_is() {
         (b"Time;Part;Measured\n".as_slice(), "is not a journal of Fitcheck"),
         (b"x".as_slice(), "is not a journal of Fitcheck"),
         (&other, "is not a journal of Fitcheck"),
-        (&newer, "was made by a newer Fitcheck (version 99, this one supports 4)"),
+        (&newer, "was made by a newer Fitcheck (version 99, this one supports 5)"),
     ] {
         let place = Place::new();
         std::fs::create_dir_all(place.path().parent().unwrap()).unwrap();
@@ -675,6 +675,7 @@ fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
                 AskedKinds::All => true,
                 AskedKinds::Checks => entry.report().is_none(),
                 AskedKinds::Reports => entry.report().is_some(),
+                AskedKinds::Alarms => entry.alarm().is_some(),
             }
             && (!question.standing || (check.is_some() && !corrected.contains(&number)))
             && question.words.iter().all(has)
@@ -782,7 +783,8 @@ fn question() -> impl Strategy<Value = Question> {
     );
     let verdicts = prop::collection::vec(prop::sample::select(&Status::ALL[..]), 0..3);
     let hours = prop::option::of(0..61_i64);
-    let kinds = prop::sample::select(&[AskedKinds::All, AskedKinds::Checks, AskedKinds::Reports][..]);
+    let kinds =
+        prop::sample::select(&[AskedKinds::All, AskedKinds::Checks, AskedKinds::Reports, AskedKinds::Alarms][..]);
     let flags = (prop::option::weighted(0.3, any::<bool>()), any::<bool>(), kinds);
     let words = prop::collection::vec(
         prop::sample::select(
@@ -934,6 +936,7 @@ fn every_filter_has_its_index() {
         ("find_who", Question { who: text("a"), ..none() }),
         ("find_status", Question { verdicts: vec![Status::Scrap], ..none() }),
         ("find_report", Question { kinds: AskedKinds::Reports, ..none() }),
+        ("find_alarm", Question { kinds: AskedKinds::Alarms, ..none() }),
     ] {
         let plan = reader.plan(&question).unwrap();
         assert!(plan.contains(index), "{question:?}: {plan}");

@@ -7,6 +7,7 @@
 #![cfg(test)]
 
 mod admitted;
+mod alarms;
 mod any_size;
 mod aqdef;
 mod around;
@@ -103,6 +104,7 @@ mod plan_files;
 mod plan_import;
 mod plan_judging;
 mod plans;
+mod plausible;
 mod point_cycles;
 mod point_log;
 mod point_probe;

@@ -230,6 +230,14 @@ callout = "25 H7"
 
 [[feature]]
 callout = "12 ±0.02"
+
+[[feature]]
+callout = "25 H7"
+plausible = [25.5, 24.5]
+
+[[feature]]
+callout = "25 H7"
+plausible = ["24.5", "25.01"]
 "#;
 
 /// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
@@ -273,6 +281,8 @@ fn of_cell(fault: &PlanFault) -> Option<&'static str> {
         PlanFault::Travel { .. } => Some("Travel"),
         PlanFault::ClearanceTravel { .. } => Some("ClearanceTravel"),
         PlanFault::NoTravel { .. } => Some("NoTravel"),
+        PlanFault::NoPlausible { .. } => Some("NoPlausible"),
+        PlanFault::PlausibleLimits { .. } => Some("PlausibleLimits"),
         PlanFault::Text { .. } => Some("Text"),
         PlanFault::SameName { .. } => Some("SameName"),
         PlanFault::SameNumber { .. } => Some("SameNumber"),

@@ -122,7 +122,8 @@ fn a_value_that_looks_like_another_quantity_is_named_with_what_it_may_have_been(
             Some(
                 Doubt::TimesInch { meant } | Doubt::Inches { meant } | Doubt::Double { meant } | Doubt::Half { meant },
             ) => meant,
-            Some(Doubt::Far { .. }) | None => None,
+            // Only a plan says what can be.
+            Some(Doubt::Far { .. } | Doubt::Implausible { .. }) | None => None,
         };
         assert_eq!(found.and_then(Doubt::meant), meant, "{callout} {measured}");
     }

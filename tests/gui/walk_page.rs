@@ -11,15 +11,15 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::journal::{Local, Records};
 use fitcheck::gui::{App, Store};
-use fitcheck::journal::ask::Question;
+use fitcheck::journal::ask::{AskedKinds, Question};
 use fitcheck::session::parts::WalkCommand;
-use fitcheck::session::{FilesCommand, Page, Purpose};
+use fitcheck::session::{FilesCommand, Page, Purpose, WalkField};
 use fitcheck::store::local::Reader;
 use fitcheck::words::Language;
 use jiff::tz::{TimeZone, offset};
 
 use crate::dialogs::Dropped;
-use crate::harness::{DESK, Window, click, moment, press, rows, type_into, verdict};
+use crate::harness::{DESK, Window, click, moment, press, rows, type_into, verdict, wait};
 use crate::pictures::can_paint;
 
 /// Twelve features: the first is that of the sample log, by its place.
@@ -302,6 +302,75 @@ fn begun_with_three(folder: &Path, size: Vec2) -> Harnessed {
     type_into(&mut page, "Serial number", "A-1");
     press(&mut page, Key::Enter);
     page
+}
+
+#[test]
+fn a_value_that_cannot_be_is_asked_about_and_confirmed_or_measured_again() {
+    let folder = tempfile::tempdir().unwrap();
+    put(&folder.path().join("flange.csv"), "name;callout;plausible\nA;25 H7;24.5 25.5\nB;20 H7;\n");
+    let mut page = window_of(folder.path(), DESK).open();
+    type_into(&mut page, "Serial number", "A-1");
+    press(&mut page, Key::Enter);
+    value(&mut page, "25.912");
+    let asked_about = "outside what the plan says can be, 24.5 to 25.5 mm";
+    assert!(0 < page.query_all_by_label_contains(asked_about).count());
+    assert_eq!(recorded(folder.path()), 0);
+    page.get_by_role_and_label(Role::Button, "Discard and measure again");
+    // Enter gives the first answer once somebody can have read the question.
+    wait(600);
+    press(&mut page, Key::Enter);
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    assert_eq!(asked(&page).as_deref(), Some("A"));
+    value(&mut page, "25.912");
+    wait(600);
+    // Below the value and in the question: both do the same.
+    page.query_all_by_role_and_label(Role::Button, "It is so: judge 25.912 mm").last().unwrap().click();
+    page.run();
+    assert!(verdict(&page).contains("A: 25.912 mm"), "{}", verdict(&page));
+    assert_eq!(asked(&page).as_deref(), Some("B"));
+}
+
+#[test]
+fn a_rule_that_fires_asks_for_cause_and_action_and_changes_no_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = folder.path().join("flange.toml");
+    put(&plan, "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n");
+    let window = window_of(folder.path(), DESK);
+    let mut page = Window { files: vec![(Purpose::OpenPlan, plan)], ..window }.open();
+    type_into(&mut page, "Serial number", "A-01");
+    press(&mut page, Key::Enter);
+    for text in ["25.010", "25.011", "25.009", "25.010", "25.011", "25.009", "25.010", "25.009", "25.011", "25.010"] {
+        value(&mut page, text);
+        // The next part has the number behind this one.
+        press(&mut page, Key::Enter);
+        press(&mut page, Key::Enter);
+    }
+    assert!(page.query_by_label_contains("Open alarms").is_none());
+    value(&mut page, "25.018");
+    assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
+    // The value and its distance from the one before: one answer is for both.
+    page.get_by_label("Open alarms: 2");
+    assert!(2 <= page.query_all_by_label_contains("since part A-11").count());
+    // They are still open at the next part.
+    press(&mut page, Key::Enter);
+    page.get_by_label("Open alarms: 2");
+    click(&mut page, Role::Button, "Answer the alarm of Flange A");
+    assert!(has_focus(&page, Role::TextInput, "Cause"));
+    type_into(&mut page, "Cause", "Tool wear");
+    type_into(&mut page, "Action", "Coolant filled up");
+    press(&mut page, Key::Enter);
+    assert!(
+        page.query_by_label_contains("Open alarms").is_none(),
+        "{:?}",
+        page.state().session().error(WalkField::Cause)
+    );
+    let reader = Reader::open(&folder.path().join("journal.sqlite")).unwrap();
+    let alarms = Question { kinds: AskedKinds::Alarms, ..Question::default() };
+    let numbers = reader.numbers(&alarms, None, 10).unwrap();
+    let rows = reader.rows(&numbers).unwrap();
+    let answers = rows.iter().filter_map(|row| row.entry.as_ref().unwrap().alarm().unwrap().answer.clone());
+    let answers: Vec<_> = answers.map(|answer| (answer.cause, answer.action)).collect();
+    assert_eq!(answers, vec![("Tool wear".to_owned(), "Coolant filled up".to_owned()); 2]);
 }
 
 /// Whether what has a role and a name has the focus.

@@ -195,6 +195,7 @@ exchange-too-large = větší než { $most } MiB, limit pro soubory tohoto form�
 exchange-unjudged-one-limit = neposouzeno: jedna ze dvou mezí chybí
 exchange-unjudged-no-tolerance = neposouzeno: meze nejsou uvedeny
 exchange-unjudged-rounded = neposouzeno: vytištěné číslo zastupuje kteroukoli hodnotu od { $from } do { $to } a mez leží mezi nimi: tiskněte více desetinných míst
+exchange-unjudged-implausible = neposouzeno: { $measured } mm není možné: plán uvádí { $lower } až { $upper } mm; zkontrolujte jednotku a desetinný oddělovač, nebo změřte znovu
 exchange-unjudged-swapped-limits = neposouzeno: dolní mez { $minimum } je nad horní mezí { $maximum }
 exchange-unjudged-not-a-size = { $what }: není to rozměr díry ani hřídele
 exchange-warning-limits-differ = { $callout } má meze { $minimum } až { $maximum }, ale soubor má jiné: platí meze souboru

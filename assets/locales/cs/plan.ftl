@@ -40,6 +40,8 @@ plan-no-parameter = žádný měřicí cyklus nepřebírá z plánu { $given }: 
 plan-travel = { $axis }{ $given } je mimo pojezd stroje, { $minimum } až { $maximum } mm
 plan-clearance-travel = sonda jezdí na Z{ $height }, což je mimo pojezd stroje, { $minimum } až { $maximum } mm: uveďte jinou clearance_height
 plan-no-travel = { $given } není pojezd: pište dvě čísla, menší jako první, například -250 250
+plan-no-plausible = { $column }: { $given } není rozsah: pište dvě délky v mm, menší jako první, například 24.5 25.5
+plan-plausible-limits = { $column }: { $lower } až { $upper } mm neobsahuje meze rozměru, { $minimum } až { $maximum } mm: uveďte širší rozsah
 plan-text = { $column }: očekává se jeden řádek s nejvýše { $most } znaky
 plan-same-number = { $line ->
     [0] číslo { $number } se vyskytuje dvakrát: jiný prvek má { $other }

@@ -52,7 +52,7 @@ records-page-take-name = Použít toto jméno
 
 ## The question
 records-page-question = Hledat
-records-page-help = Slova, dobrý oprava zmetek, nebo part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Slova, dobrý oprava zmetek, nebo part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Další
 records-page-today = Dnes
 records-page-this-week = Tento týden
@@ -68,6 +68,7 @@ records-page-to = Do
 records-page-standing = Jen platné
 records-page-simulated-only = Jen simulované
 records-page-reports-only = Jen zprávy
+records-page-alarms-only = Jen výstrahy
 records-page-checks-only = Bez zpráv
 records-page-remove-filter = Odebrat filtr { $filter }
 records-page-looking = Hledá se
@@ -133,10 +134,10 @@ records-page-out-cycles = { $count ->
    *[other] { $count } záznamů cyklů je vynecháno
 }
 records-page-out-reports = { $count ->
-    [one] 1 zpráva je vynechána: není to kontrola
-    [few] { $count } zprávy jsou vynechány: nejsou to kontroly
-    [many] { $count } zprávy je vynecháno: nejsou to kontroly
-   *[other] { $count } zpráv je vynecháno: nejsou to kontroly
+    [one] 1 zpráva nebo výstraha je vynechána: není to kontrola
+    [few] { $count } zprávy a výstrahy jsou vynechány: nejsou to kontroly
+    [many] { $count } zprávy a výstrahy je vynecháno: nejsou to kontroly
+   *[other] { $count } zpráv a výstrah je vynecháno: nejsou to kontroly
 }
 records-page-out-unread = { $count ->
     [one] 1 nečitelný záznam je vynechán
@@ -149,6 +150,11 @@ records-page-instead = místo { $number }
 records-page-takes-back = Odvolává { $number }
 records-page-withdrawal = Odvolání
 records-page-report-entry = Zpráva
+records-page-alarm = Výstraha
+records-page-alarm-answers = Odpověď na výstrahu { $number }
+records-page-alarm-answered = Výstraha, odpověď { $number }
+records-page-alarm-first = První hodnota: { $number }
+records-page-alarm-last = Hodnota, při níž pravidlo zasáhlo: { $number }
 records-page-cycle = Cyklus { $cycle }
 records-page-went-back = { $time } (hodiny)
 

@@ -118,6 +118,7 @@ statistics-page-signals = Signály
 statistics-page-no-signals = Žádné pravidlo nezasáhlo.
 statistics-page-rules = Pravidla
 statistics-page-on-spread = Rozptýlení: { $rule }
+statistics-page-alarms = Otevřené výstrahy: { $count }
 statistics-page-at = Bod { $point }
 statistics-page-from-to = Body { $first } až { $last }
 statistics-page-left-out-because = Vynecháno: { $reason }

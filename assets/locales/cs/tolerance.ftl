@@ -111,6 +111,7 @@ doubt-double = naměřená hodnota je dvojnásobek jmenovitého rozměru: nebyl 
 doubt-half = naměřená hodnota je polovina jmenovitého rozměru: není to poloměr?
 doubt-decimal-sign = naměřená hodnota je přibližně jmenovitý rozměr s jinak umístěným desetinným oddělovačem: má být { $meant } mm?
 doubt-far = naměřená hodnota leží { $distance } mm mimo meze: je to tento díl a v milimetrech?
+doubt-implausible = naměřená hodnota leží mimo to, co je podle plánu možné, { $lower } až { $upper } mm: jsou jednotka a desetinný oddělovač správně?
 
 ## Files
 file-is-folder = to je složka, ne soubor: { $path }

@@ -193,6 +193,7 @@ exchange-too-large = größer als { $most } MiB, die Grenze für Dateien dieses 
 exchange-unjudged-one-limit = nicht beurteilt: eines der beiden Grenzmaße fehlt
 exchange-unjudged-no-tolerance = nicht beurteilt: keine Grenzmaße angegeben
 exchange-unjudged-rounded = nicht beurteilt: die ausgegebenen Ziffern stehen für jeden Wert von { $from } bis { $to }, und dazwischen liegt ein Grenzmaß: mehr Nachkommastellen ausgeben
+exchange-unjudged-implausible = nicht beurteilt: { $measured } mm kann nicht sein: der Plan nennt { $lower } bis { $upper } mm; Einheit und Dezimalzeichen prüfen oder neu messen
 exchange-unjudged-swapped-limits = nicht beurteilt: das untere Grenzmaß { $minimum } liegt über dem oberen Grenzmaß { $maximum }
 exchange-unjudged-not-a-size = { $what }: kein Maß einer Bohrung oder Welle
 exchange-warning-limits-differ = { $callout } hat die Grenzmaße { $minimum } bis { $maximum }, die Datei hat aber andere: die Grenzmaße der Datei gelten

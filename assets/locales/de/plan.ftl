@@ -40,6 +40,8 @@ plan-no-parameter = kein Messzyklus nimmt { $given } aus einem Plan: NAME=WERT s
 plan-travel = { $axis }{ $given } liegt außerhalb des Verfahrwegs der Maschine, { $minimum } bis { $maximum } mm
 plan-clearance-travel = das Tastsystem fährt auf Z{ $height }, außerhalb des Verfahrwegs der Maschine, { $minimum } bis { $maximum } mm: eine andere clearance_height angeben
 plan-no-travel = { $given } ist kein Verfahrweg: zwei Zahlen schreiben, die kleinere zuerst, wie -250 250
+plan-no-plausible = { $column }: { $given } ist kein Bereich: zwei Längen in mm schreiben, die kleinere zuerst, wie 24.5 25.5
+plan-plausible-limits = { $column }: { $lower } bis { $upper } mm enthält die Grenzmaße nicht, { $minimum } bis { $maximum } mm: einen größeren Bereich angeben
 plan-text = { $column }: eine Zeile mit höchstens { $most } Zeichen erwartet
 plan-same-number = { $line ->
     [0] Nummer { $number } kommt zweimal vor: ein anderes Merkmal hat { $other }

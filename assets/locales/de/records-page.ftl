@@ -48,7 +48,7 @@ records-page-take-name = Diesen Namen verwenden
 
 ## Die Frage
 records-page-question = Suchen
-records-page-help = Wörter, gut Nacharbeit Ausschuss, oder part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Wörter, gut Nacharbeit Ausschuss, oder part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Mehr
 records-page-today = Heute
 records-page-this-week = Diese Woche
@@ -64,6 +64,7 @@ records-page-to = Bis
 records-page-standing = Nur gültige
 records-page-simulated-only = Nur simulierte
 records-page-reports-only = Nur Prüfberichte
+records-page-alarms-only = Nur Alarme
 records-page-checks-only = Ohne Prüfberichte
 records-page-remove-filter = Filter { $filter } entfernen
 records-page-looking = Suche läuft
@@ -122,8 +123,8 @@ records-page-out-cycles = { $count ->
    *[other] { $count } Aufzeichnungen von Zyklen sind weggelassen
 }
 records-page-out-reports = { $count ->
-    [one] 1 Prüfbericht ist weggelassen: er ist keine Prüfung
-   *[other] { $count } Prüfberichte sind weggelassen: sie sind keine Prüfungen
+    [one] 1 Prüfbericht oder Alarm ist weggelassen: er ist keine Prüfung
+   *[other] { $count } Prüfberichte und Alarme sind weggelassen: sie sind keine Prüfungen
 }
 records-page-out-unread = { $count ->
     [one] 1 nicht lesbare Aufzeichnung ist weggelassen
@@ -135,6 +136,11 @@ records-page-instead = statt { $number }
 records-page-takes-back = Nimmt { $number } zurück
 records-page-withdrawal = Rücknahme
 records-page-report-entry = Prüfbericht
+records-page-alarm = Alarm
+records-page-alarm-answers = Antwort auf Alarm { $number }
+records-page-alarm-answered = Alarm, Antwort { $number }
+records-page-alarm-first = Erster Wert: { $number }
+records-page-alarm-last = Wert, bei dem die Regel ausgelöst hat: { $number }
 records-page-cycle = Zyklus { $cycle }
 records-page-went-back = { $time } (Uhr zurück)
 

@@ -111,6 +111,7 @@ doubt-double = Messwert ist das Doppelte des Nennmaßes: wurde ein Durchmesser a
 doubt-half = Messwert ist die Hälfte des Nennmaßes: ist er ein Radius?
 doubt-decimal-sign = Messwert ist etwa das Nennmaß mit dem Dezimalzeichen an anderer Stelle: sind es { $meant } mm?
 doubt-far = Messwert liegt { $distance } mm außerhalb der Grenzmaße: ist es dieses Teil, in Millimetern?
+doubt-implausible = Messwert liegt außerhalb dessen, was laut Plan sein kann, { $lower } bis { $upper } mm: stimmen Einheit und Dezimalzeichen?
 
 ## Dateien
 file-is-folder = das ist ein Ordner, keine Datei: { $path }

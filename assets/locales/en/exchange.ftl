@@ -193,6 +193,7 @@ exchange-too-large = larger than { $most } MiB, the limit for files of this form
 exchange-unjudged-one-limit = not judged: one of the two limits is missing
 exchange-unjudged-no-tolerance = not judged: no limits given
 exchange-unjudged-rounded = not judged: the printed figures stand for any value from { $from } to { $to }, and a limit lies between them: print more decimals
+exchange-unjudged-implausible = not judged: { $measured } mm cannot be: the plan says { $lower } to { $upper } mm; check unit and decimal sign, or measure again
 exchange-unjudged-swapped-limits = not judged: the lower limit { $minimum } is above the upper limit { $maximum }
 exchange-unjudged-not-a-size = { $what }: not a size of a hole or shaft
 exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $maximum }, but the file has others: the file's limits apply

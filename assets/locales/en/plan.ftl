@@ -40,6 +40,8 @@ plan-no-parameter = no measuring cycle takes { $given } from a plan: write NAME=
 plan-travel = { $axis }{ $given } is outside the machine's travel, { $minimum } to { $maximum } mm
 plan-clearance-travel = the probe moves at Z{ $height }, which is outside the machine's travel, { $minimum } to { $maximum } mm: give another clearance_height
 plan-no-travel = { $given } is not a travel: write two numbers, the smaller one first, such as -250 250
+plan-no-plausible = { $column }: { $given } is not a range: write two lengths in mm, the smaller one first, such as 24.5 25.5
+plan-plausible-limits = { $column }: { $lower } to { $upper } mm does not contain the limits of size, { $minimum } to { $maximum } mm: give a wider range
 plan-text = { $column }: expected one line of at most { $most } characters
 plan-same-number = { $line ->
     [0] number { $number } occurs twice: another feature has { $other }

@@ -48,7 +48,7 @@ records-page-take-name = Use this name
 
 ## The question
 records-page-question = Find
-records-page-help = Words, good rework scrap, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Words, good rework scrap, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = More
 records-page-today = Today
 records-page-this-week = This week
@@ -64,6 +64,7 @@ records-page-to = To
 records-page-standing = Not void
 records-page-simulated-only = Simulated only
 records-page-reports-only = Reports only
+records-page-alarms-only = Alarms only
 records-page-checks-only = No reports
 records-page-remove-filter = Remove filter { $filter }
 records-page-looking = Searching
@@ -122,8 +123,8 @@ records-page-out-cycles = { $count ->
    *[other] { $count } records of cycles are left out
 }
 records-page-out-reports = { $count ->
-    [one] 1 report is left out: it is not a check
-   *[other] { $count } reports are left out: they are not checks
+    [one] 1 report or alarm is left out: it is not a check
+   *[other] { $count } reports and alarms are left out: they are not checks
 }
 records-page-out-unread = { $count ->
     [one] 1 record that cannot be read is left out
@@ -135,6 +136,11 @@ records-page-instead = for { $number }
 records-page-takes-back = Withdraws { $number }
 records-page-withdrawal = Withdrawal
 records-page-report-entry = Report
+records-page-alarm = Alarm
+records-page-alarm-answers = Answer to alarm { $number }
+records-page-alarm-answered = Alarm, answer { $number }
+records-page-alarm-first = First value: { $number }
+records-page-alarm-last = Value at which the rule fired: { $number }
 records-page-cycle = Cycle { $cycle }
 records-page-went-back = { $time } (clock)
 

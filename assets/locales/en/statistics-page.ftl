@@ -106,6 +106,7 @@ statistics-page-signals = Signals
 statistics-page-no-signals = No rule fires.
 statistics-page-rules = Rules
 statistics-page-on-spread = Spread: { $rule }
+statistics-page-alarms = Open alarms: { $count }
 statistics-page-at = Point { $point }
 statistics-page-from-to = Points { $first } to { $last }
 statistics-page-left-out-because = Left out: { $reason }

@@ -111,6 +111,7 @@ doubt-double = measured value is twice the nominal size: was a diameter taken fo
 doubt-half = measured value is half the nominal size: is it a radius?
 doubt-decimal-sign = measured value is about the nominal size with its decimal sign elsewhere: is it { $meant } mm?
 doubt-far = measured value is { $distance } mm outside the limits: is it this part, in millimetres?
+doubt-implausible = measured value is outside what the plan says can be, { $lower } to { $upper } mm: are unit and decimal sign right?
 
 ## Files
 file-is-folder = this is a folder, not a file: { $path }

@@ -193,6 +193,7 @@ exchange-too-large = mayor que { $most } MiB, el límite para archivos de este f
 exchange-unjudged-one-limit = no evaluado: falta uno de los dos límites
 exchange-unjudged-no-tolerance = no evaluado: no se dan límites
 exchange-unjudged-rounded = no evaluado: las cifras impresas representan cualquier valor de { $from } a { $to }, y un límite está entre ellos: imprima más decimales
+exchange-unjudged-implausible = no evaluado: { $measured } mm no puede ser: el plan indica de { $lower } a { $upper } mm; compruebe la unidad y el signo decimal, o vuelva a medir
 exchange-unjudged-swapped-limits = no evaluado: el límite inferior { $minimum } es mayor que el límite superior { $maximum }
 exchange-unjudged-not-a-size = { $what }: no es una medida de un agujero o eje
 exchange-warning-limits-differ = { $callout } tiene los límites { $minimum } a { $maximum }, pero el archivo tiene otros: valen los del archivo

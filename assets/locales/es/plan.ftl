@@ -40,6 +40,8 @@ plan-no-parameter = ningún ciclo de medición toma { $given } de un plan: escri
 plan-travel = { $axis }{ $given } está fuera del recorrido de la máquina, de { $minimum } a { $maximum } mm
 plan-clearance-travel = el palpador se mueve en Z{ $height }, fuera del recorrido de la máquina, de { $minimum } a { $maximum } mm: indique otro clearance_height
 plan-no-travel = { $given } no es un recorrido: escriba dos números, el menor primero, como -250 250
+plan-no-plausible = { $column }: { $given } no es un intervalo: escriba dos longitudes en mm, la menor primero, como 24.5 25.5
+plan-plausible-limits = { $column }: de { $lower } a { $upper } mm no contiene los límites de la medida, de { $minimum } a { $maximum } mm: indique un intervalo más amplio
 plan-text = { $column }: se esperaba una línea de { $most } caracteres como máximo
 plan-same-number = { $line ->
     [0] el número { $number } aparece dos veces: otro elemento tiene { $other }

@@ -48,7 +48,7 @@ records-page-take-name = Usar este nombre
 
 ## The question
 records-page-question = Buscar
-records-page-help = Palabras, bueno retrabajo desecho, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Palabras, bueno retrabajo desecho, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Más
 records-page-today = Hoy
 records-page-this-week = Esta semana
@@ -64,6 +64,7 @@ records-page-to = Hasta
 records-page-standing = Vigentes
 records-page-simulated-only = Solo simuladas
 records-page-reports-only = Solo informes
+records-page-alarms-only = Solo alarmas
 records-page-checks-only = Sin informes
 records-page-remove-filter = Quitar el filtro { $filter }
 records-page-looking = Buscando
@@ -122,8 +123,8 @@ records-page-out-cycles = { $count ->
    *[other] { $count } entradas de ciclos quedan fuera
 }
 records-page-out-reports = { $count ->
-    [one] 1 informe queda fuera: no es una comprobación
-   *[other] { $count } informes quedan fuera: no son comprobaciones
+    [one] 1 informe o alarma queda fuera: no es una comprobación
+   *[other] { $count } informes y alarmas quedan fuera: no son comprobaciones
 }
 records-page-out-unread = { $count ->
     [one] 1 entrada ilegible queda fuera
@@ -135,6 +136,11 @@ records-page-instead = en vez de { $number }
 records-page-takes-back = Retira { $number }
 records-page-withdrawal = Retirada
 records-page-report-entry = Informe
+records-page-alarm = Alarma
+records-page-alarm-answers = Respuesta a la alarma { $number }
+records-page-alarm-answered = Alarma, respuesta { $number }
+records-page-alarm-first = Primer valor: { $number }
+records-page-alarm-last = Valor en el que se activó la regla: { $number }
 records-page-cycle = Ciclo { $cycle }
 records-page-went-back = { $time } (reloj)
 

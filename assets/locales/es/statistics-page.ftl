@@ -106,6 +106,7 @@ statistics-page-signals = Señales
 statistics-page-no-signals = No salta ninguna regla.
 statistics-page-rules = Reglas
 statistics-page-on-spread = Dispersión: { $rule }
+statistics-page-alarms = Alarmas abiertas: { $count }
 statistics-page-at = Punto { $point }
 statistics-page-from-to = Puntos { $first } a { $last }
 statistics-page-left-out-because = Excluido: { $reason }

@@ -111,6 +111,7 @@ doubt-double = el valor medido es el doble de la medida nominal: ¿se tomó un d
 doubt-half = el valor medido es la mitad de la medida nominal: ¿es un radio?
 doubt-decimal-sign = el valor medido es aproximadamente la medida nominal con el signo decimal en otro lugar: ¿son { $meant } mm?
 doubt-far = el valor medido está { $distance } mm fuera de los límites: ¿es de esta pieza y está en milímetros?
+doubt-implausible = el valor medido está fuera de lo que el plan considera posible, de { $lower } a { $upper } mm: ¿son correctos la unidad y el signo decimal?
 
 ## Files
 file-is-folder = es una carpeta, no un archivo: { $path }

@@ -193,6 +193,7 @@ exchange-too-large = plus de { $most } Mio, la limite pour les fichiers de ce fo
 exchange-unjudged-one-limit = non jugé : l'une des deux limites manque
 exchange-unjudged-no-tolerance = non jugé : aucune limite donnée
 exchange-unjudged-rounded = non jugé : les chiffres imprimés valent pour toute valeur de { $from } à { $to }, et une limite se trouve entre les deux : imprimer plus de décimales
+exchange-unjudged-implausible = non jugé : { $measured } mm est impossible : le plan indique { $lower } à { $upper } mm ; vérifier l'unité et le séparateur décimal, ou remesurer
 exchange-unjudged-swapped-limits = non jugé : la limite inférieure { $minimum } est au-dessus de la limite supérieure { $maximum }
 exchange-unjudged-not-a-size = { $what } : pas une cote d'alésage ou d'arbre
 exchange-warning-limits-differ = { $callout } a les limites { $minimum } à { $maximum }, mais le fichier en a d'autres : les limites du fichier s'appliquent

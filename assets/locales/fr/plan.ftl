@@ -40,6 +40,8 @@ plan-no-parameter = aucun cycle de mesure ne prend { $given } d'un plan : écri
 plan-travel = { $axis }{ $given } est hors de la course de la machine, { $minimum } à { $maximum } mm
 plan-clearance-travel = le palpeur se déplace à Z{ $height }, hors de la course de la machine, { $minimum } à { $maximum } mm : donner une autre clearance_height
 plan-no-travel = { $given } n'est pas une course : écrire deux nombres, le plus petit d'abord, par exemple -250 250
+plan-no-plausible = { $column } : { $given } n'est pas un intervalle : écrire deux longueurs en mm, la plus petite d'abord, par exemple 24.5 25.5
+plan-plausible-limits = { $column } : { $lower } à { $upper } mm ne contient pas les limites de la cote, { $minimum } à { $maximum } mm : donner un intervalle plus large
 plan-text = { $column } : une seule ligne d'au plus { $most } caractères attendue
 plan-same-number = { $line ->
     [0] le numéro { $number } est présent deux fois : un autre élément a { $other }

@@ -48,7 +48,7 @@ records-page-take-name = Utiliser ce nom
 
 ## La question
 records-page-question = Rechercher
-records-page-help = Mots, bon retouche rebut, ou part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Mots, bon retouche rebut, ou part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Plus
 records-page-today = Aujourd'hui
 records-page-this-week = Cette semaine
@@ -64,6 +64,7 @@ records-page-to = Au
 records-page-standing = Valides seulement
 records-page-simulated-only = Simulés seulement
 records-page-reports-only = Rapports seulement
+records-page-alarms-only = Alarmes seulement
 records-page-checks-only = Sans rapports
 records-page-remove-filter = Retirer le filtre { $filter }
 records-page-looking = Recherche
@@ -122,8 +123,8 @@ records-page-out-cycles = { $count ->
    *[other] { $count } relevés de cycles sont omis
 }
 records-page-out-reports = { $count ->
-    [one] 1 rapport est omis : ce n'est pas un contrôle
-   *[other] { $count } rapports sont omis : ce ne sont pas des contrôles
+    [one] 1 rapport ou alarme est omis : ce n'est pas un contrôle
+   *[other] { $count } rapports et alarmes sont omis : ce ne sont pas des contrôles
 }
 records-page-out-unread = { $count ->
     [one] { $count } relevé illisible est omis
@@ -135,6 +136,11 @@ records-page-instead = pour { $number }
 records-page-takes-back = Retire { $number }
 records-page-withdrawal = Retrait
 records-page-report-entry = Rapport
+records-page-alarm = Alarme
+records-page-alarm-answers = Réponse à l'alarme { $number }
+records-page-alarm-answered = Alarme, réponse { $number }
+records-page-alarm-first = Première valeur : { $number }
+records-page-alarm-last = Valeur à laquelle la règle s'est déclenchée : { $number }
 records-page-cycle = Cycle { $cycle }
 records-page-went-back = { $time } (horloge)
 

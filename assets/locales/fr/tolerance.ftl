@@ -111,6 +111,7 @@ doubt-double = la valeur mesurée est le double de la cote nominale : un diamè
 doubt-half = la valeur mesurée est la moitié de la cote nominale : est-ce un rayon ?
 doubt-decimal-sign = la valeur mesurée est proche de la cote nominale, au séparateur décimal près : est-ce { $meant } mm ?
 doubt-far = la valeur mesurée est à { $distance } mm hors des limites : est-ce bien cette pièce, en millimètres ?
+doubt-implausible = la valeur mesurée est hors de ce que le plan dit possible, { $lower } à { $upper } mm : l'unité et le séparateur décimal sont-ils justes ?
 
 ## Fichiers
 file-is-folder = c'est un dossier et non un fichier : { $path }

@@ -193,6 +193,7 @@ exchange-too-large = supera { $most } MiB, il limite per i file di questo format
 exchange-unjudged-one-limit = non valutato: manca uno dei due limiti
 exchange-unjudged-no-tolerance = non valutato: nessun limite indicato
 exchange-unjudged-rounded = non valutato: le cifre stampate valgono per ogni valore da { $from } a { $to }, e in mezzo c'è un limite: stampare più decimali
+exchange-unjudged-implausible = non valutato: { $measured } mm non può essere: il piano indica da { $lower } a { $upper } mm; controllare unità e segno decimale, o rimisurare
 exchange-unjudged-swapped-limits = non valutato: il limite inferiore { $minimum } è sopra il limite superiore { $maximum }
 exchange-unjudged-not-a-size = { $what }: non è una dimensione di un foro o di un albero
 exchange-warning-limits-differ = { $callout } ha i limiti da { $minimum } a { $maximum }, ma il file ne ha altri: valgono i limiti del file

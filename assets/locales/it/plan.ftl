@@ -40,6 +40,8 @@ plan-no-parameter = nessun ciclo di misura accetta { $given } da un piano: scriv
 plan-travel = { $axis }{ $given } è fuori dalla corsa della macchina, da { $minimum } a { $maximum } mm
 plan-clearance-travel = il sistema di tastatura si sposta a Z{ $height }, fuori dalla corsa della macchina, da { $minimum } a { $maximum } mm: indicare un altro clearance_height
 plan-no-travel = { $given } non è una corsa: scrivere due numeri, prima il minore, come -250 250
+plan-no-plausible = { $column }: { $given } non è un intervallo: scrivere due lunghezze in mm, prima la minore, come 24.5 25.5
+plan-plausible-limits = { $column }: da { $lower } a { $upper } mm non contiene i limiti della quota, da { $minimum } a { $maximum } mm: indicare un intervallo più ampio
 plan-text = { $column }: attesa una linea di al massimo { $most } caratteri
 plan-same-number = { $line ->
     [0] il numero { $number } compare due volte: un altro elemento ha { $other }

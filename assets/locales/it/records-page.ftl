@@ -48,7 +48,7 @@ records-page-take-name = Usare questo nome
 
 ## La domanda
 records-page-question = Cercare
-records-page-help = Parole, buono ripresa scarto, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Parole, buono ripresa scarto, o part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Altro
 records-page-today = Oggi
 records-page-this-week = Questa settimana
@@ -64,6 +64,7 @@ records-page-to = Al
 records-page-standing = Solo validi
 records-page-simulated-only = Solo simulati
 records-page-reports-only = Solo rapporti
+records-page-alarms-only = Solo allarmi
 records-page-checks-only = Senza rapporti
 records-page-remove-filter = Rimuovere il filtro { $filter }
 records-page-looking = Ricerca…
@@ -122,8 +123,8 @@ records-page-out-cycles = { $count ->
    *[other] { $count } registrazioni di cicli sono tralasciate
 }
 records-page-out-reports = { $count ->
-    [one] 1 rapporto è tralasciato: non è un controllo
-   *[other] { $count } rapporti sono tralasciati: non sono controlli
+    [one] 1 rapporto o allarme è tralasciato: non è un controllo
+   *[other] { $count } rapporti e allarmi sono tralasciati: non sono controlli
 }
 records-page-out-unread = { $count ->
     [one] 1 registrazione illeggibile è tralasciata
@@ -135,6 +136,11 @@ records-page-instead = per { $number }
 records-page-takes-back = Ritira { $number }
 records-page-withdrawal = Ritiro
 records-page-report-entry = Rapporto
+records-page-alarm = Allarme
+records-page-alarm-answers = Risposta all'allarme { $number }
+records-page-alarm-answered = Allarme, risposta { $number }
+records-page-alarm-first = Primo valore: { $number }
+records-page-alarm-last = Valore a cui la regola è scattata: { $number }
 records-page-cycle = Ciclo { $cycle }
 records-page-went-back = { $time } (orologio)
 

@@ -111,6 +111,7 @@ doubt-double = valore misurato è il doppio della quota nominale: un diametro è
 doubt-half = valore misurato è la metà della quota nominale: è un raggio?
 doubt-decimal-sign = valore misurato è circa la quota nominale con il segno decimale spostato: si intende { $meant } mm?
 doubt-far = valore misurato è { $distance } mm fuori dai limiti: è di questo pezzo, in millimetri?
+doubt-implausible = valore misurato è fuori da ciò che il piano dice possibile, da { $lower } a { $upper } mm: unità e segno decimale sono giusti?
 
 ## File
 file-is-folder = è una cartella, non un file: { $path }

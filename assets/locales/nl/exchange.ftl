@@ -193,6 +193,7 @@ exchange-too-large = groter dan { $most } MiB, de grens voor bestanden van dit f
 exchange-unjudged-one-limit = niet beoordeeld: een van de twee grensmaten ontbreekt
 exchange-unjudged-no-tolerance = niet beoordeeld: geen grensmaten opgegeven
 exchange-unjudged-rounded = niet beoordeeld: de afgedrukte cijfers staan voor elke waarde van { $from } tot { $to }, en daartussen ligt een grensmaat: druk meer decimalen af
+exchange-unjudged-implausible = niet beoordeeld: { $measured } mm kan niet: het plan noemt { $lower } tot { $upper } mm; controleer eenheid en decimaalteken, of meet opnieuw
 exchange-unjudged-swapped-limits = niet beoordeeld: de ondergrens { $minimum } ligt boven de bovengrens { $maximum }
 exchange-unjudged-not-a-size = { $what }: geen maat van een boring of as
 exchange-warning-limits-differ = { $callout } heeft de grensmaten { $minimum } tot { $maximum } en het bestand heeft andere: die van het bestand tellen

@@ -40,6 +40,8 @@ plan-no-parameter = geen meetcyclus neemt { $given } uit een plan: schrijf NAAM=
 plan-travel = { $axis }{ $given } ligt buiten het bereik van de machine, { $minimum } tot { $maximum } mm
 plan-clearance-travel = het tastsysteem beweegt op Z{ $height }, buiten het bereik van de machine, { $minimum } tot { $maximum } mm: geef een andere clearance_height
 plan-no-travel = { $given } is geen bereik: schrijf twee getallen, het kleinste eerst, zoals -250 250
+plan-no-plausible = { $column }: { $given } is geen bereik: schrijf twee lengten in mm, de kleinste eerst, zoals 24.5 25.5
+plan-plausible-limits = { $column }: { $lower } tot { $upper } mm bevat de grensmaten niet, { $minimum } tot { $maximum } mm: geef een ruimer bereik
 plan-text = { $column }: één regel met hoogstens { $most } tekens verwacht
 plan-same-number = { $line ->
     [0] nummer { $number } komt twee keer voor: een ander element heeft { $other }

@@ -48,7 +48,7 @@ records-page-take-name = Deze naam gebruiken
 
 ## De vraag
 records-page-question = Zoeken
-records-page-help = Woorden, goed nabewerking afgekeurd, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Woorden, goed nabewerking afgekeurd, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Meer
 records-page-today = Vandaag
 records-page-this-week = Deze week
@@ -64,6 +64,7 @@ records-page-to = Tot en met
 records-page-standing = Niet vervallen
 records-page-simulated-only = Alleen gesimuleerd
 records-page-reports-only = Alleen rapporten
+records-page-alarms-only = Alleen alarmen
 records-page-checks-only = Zonder rapporten
 records-page-remove-filter = Filter { $filter } verwijderen
 records-page-looking = Zoeken…
@@ -122,8 +123,8 @@ records-page-out-cycles = { $count ->
    *[other] { $count } vastleggingen van cycli zijn weggelaten
 }
 records-page-out-reports = { $count ->
-    [one] 1 rapport is weggelaten: het is geen controle
-   *[other] { $count } rapporten zijn weggelaten: het zijn geen controles
+    [one] 1 rapport of alarm is weggelaten: het is geen controle
+   *[other] { $count } rapporten en alarmen zijn weggelaten: het zijn geen controles
 }
 records-page-out-unread = { $count ->
     [one] 1 vastlegging die niet kan worden gelezen is weggelaten
@@ -135,6 +136,11 @@ records-page-instead = i.p.v. { $number }
 records-page-takes-back = Trekt { $number } in
 records-page-withdrawal = Intrekking
 records-page-report-entry = Rapport
+records-page-alarm = Alarm
+records-page-alarm-answers = Antwoord op alarm { $number }
+records-page-alarm-answered = Alarm, antwoord { $number }
+records-page-alarm-first = Eerste waarde: { $number }
+records-page-alarm-last = Waarde waarbij de regel afging: { $number }
 records-page-cycle = Cyclus { $cycle }
 records-page-went-back = { $time } (klok terug)
 

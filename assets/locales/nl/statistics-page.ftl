@@ -106,6 +106,7 @@ statistics-page-signals = Signalen
 statistics-page-no-signals = Geen regel slaat aan.
 statistics-page-rules = Regels van de kaart
 statistics-page-on-spread = Spreiding: { $rule }
+statistics-page-alarms = Open alarmen: { $count }
 statistics-page-at = Punt { $point }
 statistics-page-from-to = Punten { $first } tot en met { $last }
 statistics-page-left-out-because = Weggelaten: { $reason }

@@ -111,6 +111,7 @@ doubt-double = gemeten waarde is twee keer de nominale maat: is een diameter voo
 doubt-half = gemeten waarde is de helft van de nominale maat: is het een radius?
 doubt-decimal-sign = gemeten waarde is ongeveer de nominale maat met het decimaalteken op een andere plaats: is het { $meant } mm?
 doubt-far = gemeten waarde ligt { $distance } mm buiten de grensmaten: is het dit onderdeel, in millimeters?
+doubt-implausible = gemeten waarde ligt buiten wat volgens het plan kan, { $lower } tot { $upper } mm: kloppen eenheid en decimaalteken?
 
 ## Bestanden
 file-is-folder = dit is een map, geen bestand: { $path }

@@ -202,6 +202,7 @@ exchange-too-large = większy niż { $most } MiB, limit dla plików tego formatu
 exchange-unjudged-one-limit = nie oceniono: brakuje jednej z dwóch granic
 exchange-unjudged-no-tolerance = nie oceniono: nie podano granic
 exchange-unjudged-rounded = nie oceniono: wydrukowane cyfry oznaczają dowolną wartość od { $from } do { $to }, a granica leży między nimi: drukować więcej miejsc po przecinku
+exchange-unjudged-implausible = nie oceniono: { $measured } mm jest niemożliwe: plan podaje od { $lower } do { $upper } mm; sprawdzić jednostkę i znak dziesiętny lub zmierzyć ponownie
 exchange-unjudged-swapped-limits = nie oceniono: granica dolna { $minimum } jest powyżej górnej { $maximum }
 exchange-unjudged-not-a-size = { $what }: nie jest wymiarem otworu ani wałka
 exchange-warning-limits-differ = { $callout } ma granice od { $minimum } do { $maximum }, ale plik ma inne: obowiązują granice z pliku

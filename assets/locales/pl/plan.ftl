@@ -45,6 +45,8 @@ plan-no-parameter = żaden cykl pomiarowy nie przyjmuje z planu { $given }: wpis
 plan-travel = { $axis }{ $given } jest poza zakresem przesuwu maszyny, od { $minimum } do { $maximum } mm
 plan-clearance-travel = sonda porusza się na Z{ $height }, poza zakresem przesuwu maszyny, od { $minimum } do { $maximum } mm: podać inne clearance_height
 plan-no-travel = { $given } nie jest zakresem przesuwu: wpisać dwie liczby, najpierw mniejszą, np. -250 250
+plan-no-plausible = { $column }: { $given } nie jest zakresem: wpisać dwie długości w mm, najpierw mniejszą, np. 24.5 25.5
+plan-plausible-limits = { $column }: od { $lower } do { $upper } mm nie zawiera wymiarów granicznych, od { $minimum } do { $maximum } mm: podać szerszy zakres
 plan-text = { $column }: oczekiwana jedna linia, najwyżej { $most } { $most ->
         [one] znak
         [few] znaki

@@ -54,7 +54,7 @@ records-page-take-name = Użyj tego nazwiska
 
 ## The question
 records-page-question = Szukaj
-records-page-help = Słowa, dobry poprawka brak, lub part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports
+records-page-help = Słowa, dobry poprawka brak, lub part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated reports alarms
 records-page-more-actions = Więcej
 records-page-today = Dziś
 records-page-this-week = Ten tydzień
@@ -70,6 +70,7 @@ records-page-to = Do
 records-page-standing = Ważne
 records-page-simulated-only = Tylko symulowane
 records-page-reports-only = Tylko raporty
+records-page-alarms-only = Tylko alarmy
 records-page-checks-only = Bez raportów
 records-page-remove-filter = Usuń filtr { $filter }
 records-page-looking = Szukanie
@@ -142,10 +143,10 @@ records-page-out-cycles = { $count ->
    *[other] pominięto { $count } zapisów z cykli
 }
 records-page-out-reports = { $count ->
-    [one] Pominięto 1 raport: nie jest kontrolą
-    [few] Pominięto { $count } raporty: nie są kontrolami
-    [many] Pominięto { $count } raportów: nie są kontrolami
-   *[other] Pominięto { $count } raportu: nie są kontrolami
+    [one] Pominięto 1 raport lub alarm: nie jest kontrolą
+    [few] Pominięto { $count } raporty i alarmy: nie są kontrolami
+    [many] Pominięto { $count } raportów i alarmów: nie są kontrolami
+   *[other] Pominięto { $count } raportu i alarmu: nie są kontrolami
 }
 records-page-out-unread = { $count ->
     [one] pominięto 1 zapis, którego nie można odczytać
@@ -159,6 +160,11 @@ records-page-instead = zamiast { $number }
 records-page-takes-back = Wycofuje { $number }
 records-page-withdrawal = Wycofanie
 records-page-report-entry = Raport
+records-page-alarm = Alarm
+records-page-alarm-answers = Odpowiedź na alarm { $number }
+records-page-alarm-answered = Alarm, odpowiedź { $number }
+records-page-alarm-first = Pierwsza wartość: { $number }
+records-page-alarm-last = Wartość, przy której reguła zadziałała: { $number }
 records-page-cycle = Cykl { $cycle }
 records-page-went-back = { $time } (zegar)
 

@@ -118,6 +118,7 @@ statistics-page-signals = Sygnały
 statistics-page-no-signals = Żadna reguła nie zadziałała.
 statistics-page-rules = Reguły
 statistics-page-on-spread = Rozrzut: { $rule }
+statistics-page-alarms = Otwarte alarmy: { $count }
 statistics-page-at = Punkt { $point }
 statistics-page-from-to = Punkty od { $first } do { $last }
 statistics-page-left-out-because = Pominięto: { $reason }

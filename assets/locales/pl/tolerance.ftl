@@ -111,6 +111,7 @@ doubt-double = wartość zmierzona to dwa razy wymiar nominalny: czy średnicę 
 doubt-half = wartość zmierzona to połowa wymiaru nominalnego: czy to promień?
 doubt-decimal-sign = wartość zmierzona to w przybliżeniu wymiar nominalny z przesuniętym znakiem dziesiętnym: czy to { $meant } mm?
 doubt-far = wartość zmierzona jest { $distance } mm poza granicami: czy to ta część, w milimetrach?
+doubt-implausible = wartość zmierzona leży poza tym, co według planu jest możliwe, od { $lower } do { $upper } mm: czy jednostka i znak dziesiętny są poprawne?
 
 ## Files
 file-is-folder = to folder, a nie plik: { $path }

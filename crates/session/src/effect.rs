@@ -15,6 +15,7 @@ use fitcheck_nc::sets::NcSet;
 
 use super::field::Field;
 use super::files::{Content, DialogId, Launch};
+use super::parts::AlarmSearch;
 use super::purpose::{ImportInto, Purpose};
 use super::sound::Rhythm;
 
@@ -152,6 +153,8 @@ pub enum Effect {
         /// Whether to wait until nobody types.
         rests: bool,
     },
+    /// Look for rules that fire at the newest values, and for open alarms, and send `WalkCommand::AlarmsFound`.
+    FindAlarms(Box<AlarmSearch>),
     /// Compute the figures and charts of features, each as it is looked at, and send `StatisticsCommand::Evaluated`.
     EvaluateSeries {
         /// The number of the question.

@@ -180,6 +180,8 @@ rows! {
     Serial, "walk-page-serial", AT_TIMES, "serial-number-of-the-part";
     Value, "walk-page-value", AT_TIMES, "value-of-the-feature";
     Reason, "walk-page-reason", AT_TIMES, "reason-to-skip";
+    Cause, "walk-page-alarm-cause", AT_TIMES, "cause-of-an-alarm";
+    Action, "walk-page-alarm-action", AT_TIMES, "action-after-an-alarm";
 }
 
 rows! {

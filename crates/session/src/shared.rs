@@ -29,6 +29,7 @@ use super::history::History;
 use super::notice::{Notice, Notices};
 use super::own_texts::ChosenTexts;
 use super::page::Page;
+use super::parts::NewestValue;
 use super::purpose::Purpose;
 use super::recording::{Recorded, Recording};
 use super::ruler::Ruler;
@@ -140,6 +141,9 @@ pub(super) enum News {
     Journal,
     /// The journal has answered about a batch of checks: whether they are on disk.
     Kept(u64, bool),
+    /// These values are on disk, the newest of each feature: rules of control charts may fire there. None where only the open alarms are
+    /// asked for.
+    Measured(Vec<NewestValue>),
     /// A part of this callout is to be checked.
     Check(String),
     /// What a record asked for is to be measured again.

@@ -15,6 +15,17 @@ pub enum Place {
 }
 
 impl Place {
+    /// Both of them.
+    pub const ALL: [Self; 2] = [Self::Location, Self::Spread];
+
+    /// Its name in files.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Location => "location",
+            Self::Spread => "spread",
+        }
+    }
+
     pub(crate) fn of(self, point: &ChartPoint) -> Option<&Point> {
         match self {
             Self::Location => Some(&point.location),

@@ -109,6 +109,16 @@ pub enum StoreError {
         #[say(with = printed)]
         number: u64,
     },
+    /// The entry that is corrected is an alarm of a control chart: it says which rule fired, and that stands.
+    IsAlarm {
+        #[say(with = printed)]
+        number: u64,
+    },
+    /// The entry that is answered is no alarm of a control chart.
+    NoAlarm {
+        #[say(with = printed)]
+        number: u64,
+    },
     /// A report tells of checks of another journal.
     OtherJournal {
         /// The last entry that it knows.

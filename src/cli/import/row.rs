@@ -244,6 +244,7 @@ impl ImportRow {
             | WhyUnjudged::NotInPlan(_)
             | WhyUnjudged::SwappedLimits { .. }
             | WhyUnjudged::Rounded { .. }
+            | WhyUnjudged::Implausible { .. }
             | WhyUnjudged::NoTolerance
             | WhyUnjudged::NotASize { .. }
             | WhyUnjudged::CoordinateWithoutLimits

@@ -26,7 +26,7 @@ fn help() -> String {
 
 An export is the journal at one moment, however many programs record into it. It includes corrected
 and withdrawn checks, and those that correct them (correction_of); standing leaves the former out.
-Reports are no checks: they are left out, unless reports asks for them alone.
+Reports and alarms are no checks: they are left out, unless reports or alarms asks for them alone.
 A server gives the checks of all stations, the last received first.
 
 Columns of csv:

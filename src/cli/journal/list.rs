@@ -11,6 +11,8 @@ use crate::cli::people::{Aligned, mm};
 use crate::cli::rows;
 use crate::journal::ask::{AskedKinds, Question};
 use crate::journal::entry::{Check, Content, Entry};
+use crate::journal::{Alarm, AlarmAnswer};
+use crate::message::Say as _;
 use crate::store::local::{ListedEntry, Reader};
 
 fn help() -> String {
@@ -18,8 +20,9 @@ fn help() -> String {
         "\
 {QUESTIONS}
 
-A report that was written is a line of its own; JSON has its file and what it shows as report. csv
-leaves reports out, unless reports asks for them alone.
+A report that was written is a line of its own; JSON has its file and what it shows as report. So is
+an alarm of a control chart, and the answer to it; JSON has its rule, cause and action as alarm. csv
+leaves both out, unless reports or alarms asks for them alone.
 
 Columns of --format csv, and names in JSON:
   {}
@@ -94,11 +97,11 @@ impl Args {
     }
 }
 
-/// The question for checks and withdrawals alone, unless it asks for reports by name.
+/// The question for checks and withdrawals alone, unless it asks for reports or alarms by name.
 pub(super) fn without_reports(question: Question) -> Question {
     match question.kinds {
         AskedKinds::All => Question { kinds: AskedKinds::Checks, ..question },
-        AskedKinds::Checks | AskedKinds::Reports => question,
+        AskedKinds::Checks | AskedKinds::Reports | AskedKinds::Alarms => question,
     }
 }
 
@@ -131,7 +134,7 @@ fn cells(row: &ListedEntry) -> [String; 9] {
             crate::journal::entry::Checked::Cycle(cycle) => format!("cycle {}", cycle.cycle),
             crate::journal::entry::Checked::Size(_) => String::new(),
         },
-        (None, Content::Begin(_) | Content::Withdrawal(_) | Content::Report(_)) => String::new(),
+        (None, Content::Begin(_) | Content::Withdrawal(_) | Content::Report(_) | Content::Alarm(_)) => String::new(),
     };
     let measured = row::measured(row).map_or_else(String::new, mm);
     [
@@ -159,10 +162,21 @@ fn marks(row: &ListedEntry, content: &Content) -> String {
             marks.extend(check.corrects.as_ref().map(|one| format!("corrects entry {}", one.target.number)));
         }
         Content::Report(report) => marks.push(format!("report {}: {}", report.name, shown(report))),
+        Content::Alarm(alarm) => marks.push(alarm_mark(alarm)),
         Content::Begin(_) => {}
     }
     marks.extend(row.corrected_by.map(|number| format!("see entry {number}")));
     marks.join(", ")
+}
+
+/// Which rule fired, or what somebody says of that.
+fn alarm_mark(alarm: &Alarm) -> String {
+    match &alarm.answer {
+        None => format!("alarm: {}", alarm.message()),
+        Some(AlarmAnswer { target, cause, action }) => {
+            format!("answers the alarm of entry {}: {cause}; {action}", target.number)
+        }
+    }
 }
 
 const TABLE: Aligned<9> = Aligned {

@@ -72,7 +72,9 @@ A question narrows the list word by word:
   from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
-  reports checks                                   only reports that were written, only what is none
+  reports checks alarms                            only reports that were written; only checks and
+                                                   withdrawals; only alarms of control charts and
+                                                   answers, with standing those without an answer
   good rework re-measure scrap                     standing, with any of these verdicts
   burr 25H7                                        begins a word of a name, callout, remark, reason,
                                                    or of the file or title of a report

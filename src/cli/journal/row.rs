@@ -2,8 +2,8 @@
 
 use super::inspected::HeadAnswer;
 use crate::cli::Figure;
-use crate::journal::Record;
 use crate::journal::entry::{Check, Checked, CycleCheck, Entry, Reported};
+use crate::journal::{Alarm, Record};
 use crate::length::Length;
 use crate::report::csv::harmless;
 use crate::report::row::position;
@@ -46,6 +46,22 @@ row! {
         error: Option<String> = Some(row.entry.as_ref().err()?.to_string()),
         #[serde(skip_serializing_if = "Option::is_none")]
         report: Option<ReportAnswer> = Some(ReportAnswer::of(entry(row)?.report()?)),
+        #[serde(skip_serializing_if = "Option::is_none")]
+        alarm: Option<AlarmEntry> = Some(AlarmEntry::of(entry(row)?.alarm()?)),
+    }
+}
+
+object! {
+    /// An alarm of a control chart, or the answer to one.
+    pub(super) struct AlarmEntry of(alarm: &Alarm) {
+        rule: &'static str = alarm.rule.word(),
+        place: &'static str = alarm.place.word(),
+        first: u64 = alarm.first,
+        last: u64 = alarm.last,
+        since: String = alarm.since.clone(),
+        answers: Option<u64> = Some(alarm.answer.as_ref()?.target.number),
+        cause: Option<String> = Some(alarm.answer.as_ref()?.cause.clone()),
+        action: Option<String> = Some(alarm.answer.as_ref()?.action.clone()),
     }
 }
 

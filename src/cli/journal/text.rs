@@ -6,11 +6,12 @@ use super::row::origin;
 use super::{CliRemark, Io};
 use crate::cli::people::mm;
 use crate::cli::said::decided;
-use crate::journal::Record;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::entry::{
     About, Begin, BlockKept, Check, Checked, Content, Correction, CycleCheck, Entry, Reported,
 };
+use crate::journal::{Alarm, AlarmAnswer, Record};
+use crate::message::Say as _;
 use crate::probing::cycle::Angle;
 use crate::store::local::ListedEntry;
 use crate::tolerance::{Feature, FigureWarning};
@@ -42,9 +43,12 @@ pub(super) fn print(row: &ListedEntry, chain: ChainId, last: u64, io: &mut Io<'_
         Content::Withdrawal(correction) => print_correction("withdraws", correction, io),
         Content::Check(check) => print_check(check, io),
         Content::Report(report) => print_report(report, io),
+        Content::Alarm(alarm) => print_alarm(alarm, io),
     }
     if let Some(number) = row.corrected_by {
-        line("see", format_args!("entry {number}, which corrects this one or withdraws it"), io);
+        let does =
+            if matches!(content, Content::Alarm(_)) { "answers this one" } else { "corrects this one or withdraws it" };
+        line("see", format_args!("entry {number}, which {does}"), io);
     }
 }
 
@@ -82,6 +86,17 @@ fn print_report(report: &Reported, io: &mut Io<'_>) {
     line("shows", super::written::shown(report), io);
     if let Some(Head { number, hash }) = shown.head {
         line("made after", format_args!("entry {number} ({hash})"), io);
+    }
+}
+
+fn print_alarm(alarm: &Alarm, io: &mut Io<'_>) {
+    line("alarm", alarm.message(), io);
+    line("rule", format_args!("{}, {}", alarm.rule.word(), alarm.place.word()), io);
+    line("values", format_args!("of the entries {} to {}", alarm.first, alarm.last), io);
+    if let Some(AlarmAnswer { target, cause, action }) = &alarm.answer {
+        line("answers", format_args!("entry {} ({})", target.number, target.hash), io);
+        line("cause", cause, io);
+        line("action", action, io);
     }
 }
 

@@ -4,11 +4,13 @@
 //! |---|---|
 //! | here | what the window needs of a journal, and who does it |
 //! | `writer` | entries onto the disk, one batch after the other |
+//! | `alarms` | rules that fire at the newest values, and open alarms |
 //! | `finder` | which records answer a question, and rows |
 //! | `series` | the values of the statistics page |
 //! | `local` | the journal of this station |
 //! | `shop`, `no_shop` | the server of the shop, or none |
 
+mod alarms;
 mod finder;
 mod local;
 mod series;
@@ -44,6 +46,7 @@ use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
 use crate::message::{Message, message};
+use crate::session::parts::{AlarmSearch, WalkCommand};
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand, StatisticsCommand};
 use crate::watch::TakenFiles;
@@ -301,6 +304,7 @@ impl Desk {
                 let newest = Arc::clone(&self.newest_series);
                 self.read_series(ctx, SeriesAsked { run, newest, question, most, rests: rests && !self.is_at_once });
             }
+            Effect::FindAlarms(search) => self.find_alarms(ctx, search),
             Effect::FindRecords { run, question, most } => {
                 self.newest_few.store(run, Relaxed);
                 if let Some(interrupt) = lock(&self.interrupt).as_ref() {
@@ -371,6 +375,18 @@ impl Desk {
             }
         };
         if self.is_at_once { errand() } else { on_thread("series", errand) }
+    }
+
+    fn find_alarms(&self, ctx: &Context, search: Box<AlarmSearch>) {
+        let file = lock(&self.file).clone();
+        let answers = self.answers.clone();
+        let ctx = ctx.clone();
+        let journals = Arc::clone(&self.records.journals);
+        let errand = move || {
+            let found = alarms::find(&search, journals.as_ref(), file.as_deref()).map(Box::new);
+            say(&answers, &ctx, WalkCommand::AlarmsFound(found));
+        };
+        if self.is_at_once { errand() } else { on_thread("alarms", errand) }
     }
 
     /// Sends the journal to a server from now on, or to none.

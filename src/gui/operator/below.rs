@@ -8,7 +8,7 @@ use crate::gui::card::page_card_ui;
 use crate::gui::check::{band_of_ui, check_card, recorded_ui, why_ui};
 use crate::gui::columns::of_height;
 use crate::gui::limits::limits_text;
-use crate::gui::parts::{features_ui, has_walk_picture, walk_picture_ui};
+use crate::gui::parts::{alarms_ui, features_ui, has_walk_picture, walk_picture_ui};
 use crate::gui::shapes::times;
 use crate::gui::theme::{self, Icon, Weight, sizes, space};
 use crate::gui::view::{View, heading, remembered};
@@ -34,6 +34,7 @@ enum Shown {
     Usual,
     Why,
     Features,
+    Alarms,
 }
 
 fn shown_id() -> Id {
@@ -77,6 +78,9 @@ pub(super) fn below_ui(ui: &mut Ui, view: &mut View<'_>, below: &Below<'_>) {
             ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| reasons_ui(ui, view, record, is_round));
         }
         (Shown::Features, _) if below.is_part => features_ui(ui, view),
+        (Shown::Alarms, _) if below.is_part && !view.session.parts().alarms.open().is_empty() => {
+            ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| alarms_ui(ui, view));
+        }
         _ if below.is_part && has_walk_picture(view) => walk_picture_ui(ui, view),
         _ if below.is_part => features_ui(ui, view),
         _ => results::last_ui(ui, view),
@@ -115,6 +119,9 @@ pub(super) fn actions_ui(ui: &mut Ui, view: &mut View<'_>, record: Option<&Recor
     } else if is_part || has_plans(view) {
         let page = if is_part { Page::Check } else { Page::Parts };
         buttons.push(Foot::Does(WindowAction::Open(page).into(), if is_part { Icon::Ruler } else { Icon::Cube }));
+    }
+    if is_part && !view.session.parts().alarms.open().is_empty() {
+        buttons.push(Foot::Shows(Shown::Alarms, "walk-page-alarms-short", Icon::WarningCircle));
     }
     buttons.push(Foot::Shows(Shown::Why, "why", Icon::Question));
     let margin = eframe::egui::Margin { top: gap(ui), ..eframe::egui::Margin::ZERO };

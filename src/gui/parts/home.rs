@@ -65,6 +65,7 @@ fn stops(view: &View<'_>) -> Vec<Id> {
             let heads = crate::part::HeadField::ALL.map(|head| field::id(PlanField::Head(head)));
             std::iter::once(plan_id()).chain(heads).collect()
         }
+        PartsView::Walk if parts.answered_alarm().is_some() => vec![field(WalkField::Cause), field(WalkField::Action)],
         PartsView::Walk if parts.walking.is_skipping => vec![field(WalkField::Reason)],
         PartsView::Walk if parts.walking.at.is_some() => vec![field(WalkField::Value), sizes_id()],
         PartsView::Walk if parts.walking.is_begun() => vec![sizes_id()],

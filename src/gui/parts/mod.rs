@@ -28,8 +28,8 @@ pub(super) use plan::grid_id as plan_id;
 #[cfg(test)]
 pub(super) use walk::SIZES;
 pub(super) use walk::{
-    asked_text, catch_typing, features_ui, has_picture as has_walk_picture, headline_card, recorded_of, sizes_id,
-    skip_ui, value_card, value_question_ui,
+    alarms_ui, asked_text, catch_typing, features_ui, has_picture as has_walk_picture, headline_card, recorded_of,
+    sizes_id, skip_ui, value_card, value_question_ui,
 };
 
 pub(super) const PAGE: PageView =

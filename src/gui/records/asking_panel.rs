@@ -96,6 +96,7 @@ fn key_id(key: &str) -> &'static str {
         "standing" => "records-page-standing",
         "checks" => "records-page-checks-only",
         "reports" => "records-page-reports-only",
+        "alarms" => "records-page-alarms-only",
         _ => "head-status",
     }
 }

@@ -67,7 +67,8 @@ impl RecordCells {
         }
         let about = &entry.about;
         let time = if row.went_back { words.say(&message!("records-page-went-back").text("time", time)) } else { time };
-        let status = match (row.corrected_by, entry.corrects()) {
+        let is_void = row.corrected_by.is_some() && entry.alarm().is_none();
+        let status = match (row.corrected_by.filter(|_| is_void), entry.corrects()) {
             (Some(by), _) => words.say(&message!("records-page-see").text("number", by)),
             (None, Some(correction)) if check.is_none() => {
                 words.say(&message!("records-page-takes-back").text("number", correction.target.number))
@@ -92,7 +93,7 @@ impl RecordCells {
             who: about.who.clone(),
             verdict: check.and_then(Check::status),
             edge: check.map_or(Edge::None, edge_of),
-            is_struck: row.corrected_by.is_some(),
+            is_struck: is_void,
             is_check: check.is_some(),
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::gui::check::{distances, worth_lines, worth_reasons};
 use crate::gui::view::{Digits, View, datum_lines, doubt_text};
-use crate::journal::Record;
 use crate::journal::entry::{Checked, Correction, CycleCheck, CycleOrigin, Entry, Reported, UsedFile};
+use crate::journal::{Alarm, AlarmAnswer, Record};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
 use crate::probing::Origin;
@@ -37,6 +37,10 @@ pub(super) fn lines(view: &View<'_>, row: &RecordRow, by: Option<&RecordRow>) ->
     }
     if let Some(report) = entry.report() {
         of_report(view, report, &mut lines);
+    }
+    if let Some(alarm) = entry.alarm() {
+        let by = by.and_then(|by| by.entry.as_ref().ok()?.alarm()?.answer.as_ref());
+        of_alarm(view, alarm, alarm.answer.as_ref().or(by), &mut lines);
     }
     lines.push(Line::Heading(view.text("records-page-chain")));
     let named = |id: &str, text: String| Line::Named(view.text(id), text);
@@ -169,6 +173,16 @@ fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
 }
 
 /// What was written, and what it shows.
+/// Which rule fired since which part, and the answer.
+fn of_alarm(view: &View<'_>, alarm: &Alarm, answer: Option<&AlarmAnswer>, lines: &mut Vec<Line>) {
+    lines.push(Line::Heading(view.text("records-page-alarm")));
+    lines.push(Line::Sentence(view.words.told(alarm)));
+    if let Some(answer) = answer {
+        lines.push(Line::Named(view.text("walk-page-alarm-cause"), answer.cause.clone()));
+        lines.push(Line::Named(view.text("walk-page-alarm-action"), answer.action.clone()));
+    }
+}
+
 fn of_report(view: &View<'_>, report: &Reported, lines: &mut Vec<Line>) {
     let words = view.words;
     let Reported { name, format, sha256, bytes, title, shown } = report;

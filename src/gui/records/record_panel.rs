@@ -76,9 +76,19 @@ fn verdict_ui(ui: &mut Ui, words: &Words, row: &RecordRow) {
 
 /// What it corrects and what corrects it, each to be opened.
 fn links_ui(ui: &mut Ui, view: &mut View<'_>, row: &RecordRow) {
-    let corrects =
-        row.entry.as_ref().ok().and_then(|entry| entry.corrects()).map(|correction| correction.target.number);
-    for (id, number) in [("records-page-corrected-by", row.corrected_by), ("records-page-corrects", corrects)] {
+    let entry = row.entry.as_ref().ok();
+    let corrects = entry.and_then(|entry| entry.corrects()).map(|correction| correction.target.number);
+    let alarm = entry.and_then(|entry| entry.alarm());
+    let answers = alarm.and_then(|alarm| alarm.answer.as_ref()).map(|answer| answer.target.number);
+    let (by, answered_by) = if alarm.is_some() { (None, row.corrected_by) } else { (row.corrected_by, None) };
+    for (id, number) in [
+        ("records-page-corrected-by", by),
+        ("records-page-corrects", corrects),
+        ("records-page-alarm-answered", answered_by),
+        ("records-page-alarm-answers", answers),
+        ("records-page-alarm-first", alarm.map(|alarm| alarm.first)),
+        ("records-page-alarm-last", alarm.map(|alarm| alarm.last)),
+    ] {
         let Some(number) = number else { continue };
         let text = view.words.say(&Message::new(id).text("number", number));
         if ui.button(text).clicked() {

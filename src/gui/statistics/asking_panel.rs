@@ -6,7 +6,7 @@ use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::space;
 use crate::gui::view::{View, keep_focus, one_of_ui, problem, quiet};
 use crate::message::message;
-use crate::session::{StatisticsCommand, StatisticsField};
+use crate::session::{StatisticsAction, StatisticsCommand, StatisticsField};
 
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
@@ -19,6 +19,9 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
         let name = ui.label(view.text("statistics-page-last"));
         field_ui(ui, view, StatisticsField::Last, name.id, FieldStyle::number(space(16.0)));
         read_ui(ui, view);
+        if !view.session.parts().alarms.open().is_empty() {
+            view.field_button(ui, StatisticsAction::ShowAlarms);
+        }
     });
     for field in [StatisticsField::Question, StatisticsField::Last] {
         error_ui(ui, view, field);

@@ -10,8 +10,9 @@ use super::kind::FeatureKind;
 use super::measured_by;
 use super::names::Names;
 use super::plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature};
+use super::plausible::Plausible;
 use super::spot::{Finding, Spot};
-use super::values::{beginning, in_range, material, plain_text, rule, travel};
+use super::values::{beginning, in_range, material, plain_text, plausible, rule, travel};
 use crate::length::{Length, LengthError};
 use crate::probing::cycle::{Angle, Axis, Cycle, Inputs, Meaning, number};
 use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source, Sources, Tolerance};
@@ -196,6 +197,7 @@ impl Reader<'_> {
         let parameters = self.parameters(cycle);
         let material = self.material();
         let rule = self.rule();
+        let plausible = self.plausible(kind.as_ref(), limits.as_deref());
         let remark = self.text(Column::Remark, LONGEST_TEXT);
         let balloon = self.balloon();
         let (kind, limits) = kind.zip(limits)?;
@@ -217,6 +219,7 @@ impl Reader<'_> {
             material,
             rule,
             has_own_rule: self.row.text(Column::Rule).is_some() || self.shared.rule.is_some(),
+            plausible,
             remark,
             balloon,
         })
@@ -395,6 +398,31 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+
+    /// What a value of each size can be. The side along Y has a range of its own, or else that along X.
+    fn plausible(&mut self, kind: Option<&FeatureKind>, limits: Option<&[Limits]>) -> [Option<Plausible>; 2] {
+        let mut range = |column: Column| {
+            let text = self.row.text(column)?;
+            self.take(column, plausible(text, column.key()))
+        };
+        let columns = [Column::Plausible, Column::SecondPlausible];
+        let [first, own] = columns.map(&mut range);
+        let Some(kind) = kind else { return [first, own] };
+        let is_one = kind.sides().len() == 1;
+        if is_one && self.row.text(Column::SecondPlausible).is_some() {
+            let what = PlanFault::NotOf { column: Column::SecondPlausible.key(), kind: kind.word() };
+            self.fault(Column::SecondPlausible, what);
+        }
+        let second = own.or(first).filter(|_range| !is_one);
+        // Where the side along Y says nothing, the fault is told of the range that it takes.
+        let told = [Column::Plausible, if own.is_some() { Column::SecondPlausible } else { Column::Plausible }];
+        for ((range, column), limits) in [first, second].into_iter().zip(told).zip(limits.into_iter().flatten()) {
+            if let Some(range) = range {
+                self.take(column, range.about(limits, column.key()));
+            }
+        }
+        [first, second]
     }
 
     fn balloon(&mut self) -> Option<[f64; 2]> {

@@ -39,6 +39,10 @@ pub enum Column {
     Rule,
     /// The standard uncertainty, µm.
     Uncertainty,
+    /// What a value can be at all: two lengths, mm.
+    Plausible,
+    /// The same for the side of a pocket or boss along Y.
+    SecondPlausible,
     /// Anything else.
     Remark,
     /// Where its balloon is on the picture: from 0 at the left to 1 at the right.
@@ -49,7 +53,7 @@ pub enum Column {
 
 impl Column {
     /// Every column, in the order of files and of the table in the window.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 23] = [
         Self::Number,
         Self::Name,
         Self::Kind,
@@ -68,6 +72,8 @@ impl Column {
         Self::Material,
         Self::Rule,
         Self::Uncertainty,
+        Self::Plausible,
+        Self::SecondPlausible,
         Self::Remark,
         Self::BalloonX,
         Self::BalloonY,
@@ -94,6 +100,8 @@ impl Column {
             Self::Material => "material",
             Self::Rule => "rule",
             Self::Uncertainty => "u_um",
+            Self::Plausible => "plausible",
+            Self::SecondPlausible => "plausible2",
             Self::Remark => "remark",
             Self::BalloonX => "balloon_x",
             Self::BalloonY => "balloon_y",
@@ -126,6 +134,11 @@ impl Column {
                 | Self::BalloonX
                 | Self::BalloonY
         )
+    }
+
+    /// Whether a file has it as two numbers.
+    pub(super) const fn is_range(self) -> bool {
+        matches!(self, Self::Plausible | Self::SecondPlausible)
     }
 
     /// Whether it holds any text: one that a spreadsheet could take for a formula is copied with a mark.

@@ -254,6 +254,26 @@ pub enum PlanFault {
         /// What was given.
         given: String,
     },
+    /// What a value can be is not two lengths, the smaller one first.
+    NoPlausible {
+        /// The column.
+        column: &'static str,
+        /// What was given.
+        given: String,
+    },
+    /// What a value can be does not contain the limits of its size.
+    PlausibleLimits {
+        /// The column.
+        column: &'static str,
+        /// The smallest value that can be.
+        lower: Length,
+        /// The largest one.
+        upper: Length,
+        /// The smallest permitted value.
+        minimum: Length,
+        /// The largest permitted value.
+        maximum: Length,
+    },
     /// A text with line ends or other signs that are none, or one that is too long.
     Text {
         /// The column.

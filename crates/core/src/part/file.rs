@@ -151,7 +151,7 @@ impl Reader<'_> {
             let known = format!("{VERSION_KEY}, {}, {FEATURE}", HeadField::known());
             return self.problem(at, PlanFault::UnknownKey { key: beginning(name), known });
         };
-        if let Some(text) = self.head_text(field, value) {
+        if let Some(text) = self.text_or_range(field.key(), field.is_travel(), value) {
             let place = self.lines.place(value.span().start);
             self.document.draft.put(field, DraftCell::at(text, place));
         }
@@ -194,7 +194,7 @@ impl Reader<'_> {
                     continue;
                 }
                 seen.push(column);
-                if let Some(text) = self.text(column.key(), value, "a text or a number") {
+                if let Some(text) = self.text_or_range(column.key(), column.is_range(), value) {
                     row.put(column, DraftCell::at(text, self.lines.place(value.span().start)));
                 }
             }
@@ -202,14 +202,13 @@ impl Reader<'_> {
         }
     }
 
-    /// A travel is two numbers, any other field a text or a number.
-    fn head_text(&mut self, field: HeadField, value: &Spanned<DeValue<'_>>) -> Option<String> {
-        let Some(numbers) = value.get_ref().as_array().filter(|_| field.is_travel()) else {
-            let expected = if field.is_travel() { "two numbers in brackets" } else { "a text or a number" };
-            return self.text(field.key(), value, expected);
+    /// A range is two numbers, anything else a text or a number.
+    fn text_or_range(&mut self, key: &'static str, is_range: bool, value: &Spanned<DeValue<'_>>) -> Option<String> {
+        let expected = if is_range { "two numbers in brackets" } else { "a text or a number" };
+        let Some(numbers) = value.get_ref().as_array().filter(|_| is_range) else {
+            return self.text(key, value, expected);
         };
-        let texts: Option<Vec<String>> =
-            numbers.iter().map(|number| self.text(field.key(), number, "two numbers in brackets")).collect();
+        let texts: Option<Vec<String>> = numbers.iter().map(|number| self.text(key, number, expected)).collect();
         Some(texts?.join(" "))
     }
 
@@ -256,13 +255,8 @@ pub(super) fn write(draft: &Draft) -> String {
     let mut text = format!("{VERSION_KEY} = {VERSION}\n");
     for field in HeadField::ALL {
         if let Some(given) = draft.text(field) {
-            // A text that is not as two numbers are read stays a text.
-            let numbers: Vec<&str> = given.split(' ').collect();
-            let value = if field.is_travel() && numbers.len() == 2 && numbers.iter().all(|word| is_number(word)) {
-                format!("[{}]", numbers.join(", "))
-            } else {
-                quoted(given, field == HeadField::Uncertainty)
-            };
+            let range = bracketed(given).filter(|_| field.is_travel());
+            let value = range.unwrap_or_else(|| quoted(given, field == HeadField::Uncertainty));
             writeln_to(&mut text, field.key(), &value);
         }
     }
@@ -270,11 +264,20 @@ pub(super) fn write(draft: &Draft) -> String {
         text.push_str("\n[[feature]]\n");
         for column in Column::ALL {
             if let Some(given) = row.text(column) {
-                writeln_to(&mut text, column.key(), &quoted(given, column.is_number()));
+                let range = bracketed(given).filter(|_| column.is_range());
+                let value = range.unwrap_or_else(|| quoted(given, column.is_number()));
+                writeln_to(&mut text, column.key(), &value);
             }
         }
     }
     text
+}
+
+/// The two numbers of a range in brackets; `None` of a text that is not as they are read: it stays a text.
+fn bracketed(given: &str) -> Option<String> {
+    let numbers: Vec<&str> = given.split(' ').collect();
+    let are_two = numbers.len() == 2 && numbers.iter().all(|word| is_number(word));
+    are_two.then(|| format!("[{}]", numbers.join(", ")))
 }
 
 fn writeln_to(text: &mut String, key: &str, value: &str) {

@@ -9,6 +9,7 @@
 //! | `values` | what single cells say: texts, materials, rules, travels |
 //! | `plan` | a plan without a fault: features with limits |
 //! | `kind`, `cells` | what is measured of a feature, and how cells say it |
+//! | `plausible` | what a value of a size can be at all |
 //! | `measured_by` | which cycle measures a feature, with which further parameters |
 //! | `names` | what a value may be called: of one feature alone |
 //! | `csv`, `file` | plans as CSV, and as TOML |
@@ -45,6 +46,7 @@ mod kind;
 mod measured_by;
 mod names;
 mod plan;
+mod plausible;
 mod repeats;
 mod simulated;
 mod spot;
@@ -63,6 +65,7 @@ pub use find::{By, Clues, Finder, NotFound};
 pub use kind::band_text;
 pub use kind::{Direction, FeatureKind, Towards, WidthAxis};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature, Size};
+pub use plausible::Plausible;
 pub use repeats::Repeats;
 pub use spot::{Finding, Spot};
 pub use standing::{FeatureStanding, standings};

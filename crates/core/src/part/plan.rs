@@ -7,6 +7,7 @@ use crate::tolerance::{Callout, Feature, Limits};
 use crate::verdict::Rule;
 
 use super::kind::FeatureKind;
+use super::plausible::Plausible;
 
 /// The most features of a plan: a control opens a window for each.
 pub const MOST_FEATURES: usize = 1_000;
@@ -76,6 +77,8 @@ pub struct PlanFeature {
     pub rule: Option<Rule>,
     /// Whether the plan names the rule, and not an uncertainty alone.
     pub has_own_rule: bool,
+    /// What a value of each of its sizes can be at all, where the plan says so.
+    pub plausible: [Option<Plausible>; 2],
     /// Anything else.
     pub remark: String,
     /// Where its balloon is on the picture, from 0 to 1 from the left and from the top.
@@ -93,6 +96,8 @@ pub struct Size<'a> {
     pub callout: Option<Callout>,
     /// Its limits.
     pub limits: &'a Limits,
+    /// What a value of it can be at all, where the plan says so.
+    pub plausible: Option<Plausible>,
 }
 
 impl Size<'_> {
@@ -103,6 +108,11 @@ impl Size<'_> {
             _ => self.feature.name.clone(),
         }
     }
+
+    /// What a value can be, where this one, as it was measured, cannot; `None` of a value that can.
+    pub fn excludes(&self, measured: Length) -> Option<Plausible> {
+        self.plausible.filter(|range| !range.admits(measured))
+    }
 }
 
 impl PlanFeature {
@@ -110,7 +120,10 @@ impl PlanFeature {
     pub fn sizes(&self) -> impl Iterator<Item = Size<'_>> {
         let callouts = self.kind.callouts();
         let sides = (0..).zip(&self.limits);
-        sides.map(move |(side, limits)| Size { feature: self, side, callout: callouts.get(side).copied(), limits })
+        sides.map(move |(side, limits)| {
+            let plausible = self.plausible.get(side).copied().flatten();
+            Size { feature: self, side, callout: callouts.get(side).copied(), limits, plausible }
+        })
     }
 
     /// Whether it is a hole or a shaft; a face and a point count as outside dimensions. `None` of a length or form of which nobody says it.

@@ -4,6 +4,7 @@ use super::cells::CellFault;
 use super::column::Column;
 use super::fault::PlanFault;
 use super::plan::Material;
+use super::plausible::Plausible;
 use crate::length::Length;
 use crate::probing::cycle::Meaning;
 use crate::probing::cycles::measuring;
@@ -107,10 +108,21 @@ fn named(text: &str) -> Result<(RuleName, Option<Length>), PlanFault> {
 
 /// Two numbers, the smaller one first.
 pub(super) fn travel(text: &str) -> Result<[Length; 2], PlanFault> {
+    two_lengths(text).ok_or_else(|| PlanFault::NoTravel { given: beginning(text) })
+}
+
+/// What a value can be: two lengths in millimetres, the smaller one first.
+pub(super) fn plausible(text: &str, column: &'static str) -> Result<Plausible, PlanFault> {
+    let range = two_lengths(text).and_then(Plausible::new);
+    range.ok_or_else(|| PlanFault::NoPlausible { column, given: beginning(text) })
+}
+
+/// Two lengths with a blank between them, the smaller one first.
+fn two_lengths(text: &str) -> Option<[Length; 2]> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let read: Option<Vec<Length>> = words.iter().map(|word| word.parse().ok()).collect();
     match read.as_deref() {
-        Some([minimum, maximum]) if minimum < maximum => Ok([*minimum, *maximum]),
-        _ => Err(PlanFault::NoTravel { given: beginning(text) }),
+        Some([minimum, maximum]) if minimum < maximum => Some([*minimum, *maximum]),
+        _ => None,
     }
 }

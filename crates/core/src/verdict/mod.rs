@@ -338,13 +338,27 @@ pub enum Doubt {
         /// How far beyond the nearest limit.
         distance: Length,
     },
+    /// Outside what its plan says that a value can be.
+    Implausible {
+        /// The smallest value that can be.
+        lower: Length,
+        /// The largest one.
+        upper: Length,
+        /// What the value may have been, where that can be.
+        #[say(skip)]
+        meant: Option<Length>,
+    },
 }
 
 impl Doubt {
     /// What the value may have been, where that is one whole number of nanometres.
     pub const fn meant(self) -> Option<Length> {
         match self {
-            Self::TimesInch { meant } | Self::Inches { meant } | Self::Double { meant } | Self::Half { meant } => meant,
+            Self::TimesInch { meant }
+            | Self::Inches { meant }
+            | Self::Double { meant }
+            | Self::Half { meant }
+            | Self::Implausible { meant, .. } => meant,
             Self::DecimalSign { meant } => Some(meant),
             Self::Far { .. } => None,
         }

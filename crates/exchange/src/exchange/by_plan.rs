@@ -102,7 +102,13 @@ impl<'a> ByPlan<'a> {
             return take(Item::Error(Box::new(Located { what, place: FilePlace::in_line(line, column) })));
         }
         let status = judge_size(size.limits, measurement.diameter).status;
-        if let Some(why) = labels.too_coarse(size.limits, measurement.diameter, status) {
+        // As it was measured: nobody expects the value at 20 °C.
+        let measured = correction.map_or(measurement.diameter, |correction| correction.measured);
+        let implausible = size.excludes(measured).map(|range| {
+            let (lower, upper) = (range.lower(), range.upper());
+            WhyUnjudged::Implausible { measured, lower, upper }
+        });
+        if let Some(why) = implausible.or_else(|| labels.too_coarse(size.limits, measurement.diameter, status)) {
             let measured = Some(measurement.diameter);
             let origin = measurement.origin;
             let id = size.name();
@@ -351,6 +357,7 @@ const fn is_plain(why: &WhyUnjudged) -> bool {
         | WhyUnjudged::NoTolerance
         | WhyUnjudged::SwappedLimits { .. }
         | WhyUnjudged::Rounded { .. }
+        | WhyUnjudged::Implausible { .. }
         | WhyUnjudged::Coordinate(_)
         | WhyUnjudged::CoordinateWithoutLimits
         | WhyUnjudged::Size { .. }

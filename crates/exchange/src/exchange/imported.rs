@@ -224,6 +224,15 @@ pub enum WhyUnjudged {
         /// The largest one.
         to: Length,
     },
+    /// A value that cannot be: the plan says what can.
+    Implausible {
+        /// As it was measured.
+        measured: Length,
+        /// The smallest value that can be.
+        lower: Length,
+        /// The largest one.
+        upper: Length,
+    },
     /// A characteristic that is no size of a hole or shaft, such as a position or a roundness.
     NotASize {
         /// What the file calls it.

@@ -11,9 +11,9 @@ use jiff::Timestamp;
 use jiff::civil::DateTime;
 use jiff::tz::Offset;
 
-use super::Record;
 use super::chain::{ChainId, Hash, Head};
 use super::ranges::EntryRanges;
+use super::{Alarm, Record};
 
 /// A point in time with what the station's clock showed.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -130,6 +130,8 @@ pub enum Content {
     Withdrawal(Correction),
     /// A file of checks was written.
     Report(Reported),
+    /// A rule of a control chart fires, or somebody answers that.
+    Alarm(Box<Alarm>),
 }
 
 /// The beginning of a chain.
@@ -305,7 +307,15 @@ impl Entry {
     pub fn check(&self) -> Option<&Check> {
         match &self.content {
             Content::Check(check) => Some(check),
-            Content::Begin(_) | Content::Withdrawal(_) | Content::Report(_) => None,
+            Content::Begin(_) | Content::Withdrawal(_) | Content::Report(_) | Content::Alarm(_) => None,
+        }
+    }
+
+    /// The alarm that it tells of, or the answer to one.
+    pub fn alarm(&self) -> Option<&Alarm> {
+        match &self.content {
+            Content::Alarm(alarm) => Some(alarm),
+            Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) | Content::Report(_) => None,
         }
     }
 
@@ -313,7 +323,7 @@ impl Entry {
     pub const fn report(&self) -> Option<&Reported> {
         match &self.content {
             Content::Report(report) => Some(report),
-            Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => None,
+            Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) | Content::Alarm(_) => None,
         }
     }
 
@@ -321,7 +331,7 @@ impl Entry {
         match &self.content {
             Content::Check(check) => check.corrects.as_ref(),
             Content::Withdrawal(correction) => Some(correction),
-            Content::Begin(_) | Content::Report(_) => None,
+            Content::Begin(_) | Content::Report(_) | Content::Alarm(_) => None,
         }
     }
 }

@@ -19,6 +19,8 @@ pub enum FoundEntryKind {
     Withdrawal,
     /// A file of checks was written: never a check itself.
     Report,
+    /// A rule of a control chart fires, or somebody answers that.
+    Alarm,
 }
 
 /// What an entry is found by, as it was written.
@@ -42,9 +44,9 @@ pub struct FoundEntry<'a> {
     pub asked: Option<EntryCallout<'a>>,
     /// The measured value in nanometres; `None` for a cycle without a size and a withdrawal.
     pub measured_nm: Option<i64>,
-    /// The number of the entry that it corrects.
+    /// The number of the entry that it corrects, or of the alarm that it answers.
     pub corrects: Option<u64>,
-    /// Why it corrects that; empty where it corrects none.
+    /// Why it corrects that, or cause and action of the alarm; empty where there is none.
     pub reason: Cow<'a, str>,
     /// The file that was written; only of a report.
     pub report: Option<FoundReport<'a>>,

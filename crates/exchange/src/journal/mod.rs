@@ -10,6 +10,7 @@
 //! | `ranges` | numbers of entries, as a report names its checks |
 //! | `body` | an entry as the bytes that are hashed and kept |
 //! | `chain` | each entry hashed over the one before |
+//! | `alarm` | a rule of a control chart fires, and what somebody says of it |
 //! | `ask` | questions to a journal that lasts |
 //! | `found` | what an entry is found by |
 //! | `inspection` | whether a chain is whole, and where it breaks |
@@ -33,6 +34,7 @@
 //! 6. Show it in `cli/journal/text.rs` and `gui/records/reasons.rs`; take it in `cli/record.rs`; correct it in `cli/journal/correct.rs`.
 //! 7. Give it to the view of the server by a function of its own and as the last column (`store/shop/view.sql`).
 
+mod alarm;
 pub mod ask;
 pub mod body;
 pub mod chain;
@@ -50,6 +52,7 @@ mod window;
 
 use std::sync::Arc;
 
+pub use alarm::{Alarm, AlarmAnswer};
 pub use decision::Decision;
 use fitcheck_core::budget::Provenance;
 use fitcheck_core::length::Length;

@@ -10,8 +10,8 @@ use fitcheck_core::budget::{AssessmentError, Budget};
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::part::{FeatureKind, Material, PlanFeature, Size};
 use fitcheck_core::tolerance::fit::thermal::{Correction, Warm};
-use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::{RuleError, RuleInputs, RuleName, Uncertainty};
+use fitcheck_core::verdict::{Doubt, Rule};
 
 use super::Record;
 
@@ -102,8 +102,17 @@ pub fn judge(size: &Size<'_>, record: Record, beside: &JudgingOptions<'_>) -> Re
         Some(warm) => corrected(size.feature, record, warm, &mut said)?,
         None => record,
     };
-    let record = by_rule(size.feature, record, beside, &mut said)?;
+    let mut record = by_rule(size.feature, record, beside, &mut said)?;
+    record.doubt = doubt(size, &record);
     Ok(Planned { record, said })
+}
+
+/// What is strange about a value: first of all that the plan says it cannot be. What it may have been is offered where that can.
+fn doubt(size: &Size<'_>, record: &Record) -> Option<Doubt> {
+    let usual = record.doubt;
+    let Some(range) = size.excludes(record.measured()) else { return usual };
+    let meant = usual.and_then(Doubt::meant).filter(|meant| range.admits(*meant));
+    Some(Doubt::Implausible { lower: range.lower(), upper: range.upper(), meant })
 }
 
 fn corrected(

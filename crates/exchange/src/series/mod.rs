@@ -13,9 +13,11 @@
 //! | `listed` | every feature in a line, those that need a look first |
 //! | `drawn` | its charts as drawings |
 //! | `journal` | the series of a journal, one for each feature, and what is computed of one |
+//! | `alarms` | which rules fire at its newest value |
 //!
 //! `fitcheck stats` and the page Statistics show the same figures.
 
+mod alarms;
 mod charted;
 mod compared;
 mod drawn;

@@ -109,6 +109,7 @@ fn is_value(why: &WhyUnjudged) -> bool {
         | WhyUnjudged::OneLimit
         | WhyUnjudged::NoTolerance
         | WhyUnjudged::Rounded { .. }
+        | WhyUnjudged::Implausible { .. }
         | WhyUnjudged::NotASize { .. }
         | WhyUnjudged::NotInPlan(_) => true,
         WhyUnjudged::SwappedLimits { .. }
@@ -183,7 +184,7 @@ impl Value {
         value.left_out = if of.origin.is_simulated() {
             Some(LeftOut::Simulated)
         } else if is_value(&of.why) {
-            is_doubted.then_some(LeftOut::Doubtful)
+            (is_doubted || matches!(of.why, WhyUnjudged::Implausible { .. })).then_some(LeftOut::Doubtful)
         } else {
             Some(LeftOut::Invalid)
         };

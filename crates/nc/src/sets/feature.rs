@@ -48,7 +48,11 @@ pub(super) fn unknown(feature: &PlanFeature) -> Option<SetRemark> {
         u.map(|u| format!("u_um {}", u.um())),
         feature.material.as_ref().map(|material| format!("material {}", material.name)),
     ];
-    let said: Vec<String> = said.into_iter().flatten().collect();
+    let ranges = feature.sizes().filter_map(|size| {
+        let key = if size.side == 0 { "plausible" } else { "plausible2" };
+        size.plausible.map(|range| format!("{key} {} {}", range.lower(), range.upper()))
+    });
+    let said: Vec<String> = said.into_iter().flatten().chain(ranges).collect();
     (!said.is_empty()).then(|| SetRemark::NotInSet { name: feature.name.clone(), said: said.join(", ") })
 }
 

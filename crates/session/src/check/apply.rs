@@ -169,6 +169,7 @@ impl PageState for CheckPage {
             | News::Correcting
             | News::UndoCorrection(_)
             | News::Kept(..)
+            | News::Measured(_)
             | News::Undone { .. }
             | News::Budget => {}
         }

@@ -81,6 +81,8 @@ actions! {
     TakeValue;
     /// Takes what the typed value may have been.
     TakeMeantValue;
+    /// Drops the typed value that cannot be: the size is measured again.
+    MeasureAnew;
     /// Measures the feature by its cycle on a perfect part.
     SimulateValue;
     /// Asks once more for the size that is shown.
@@ -92,6 +94,12 @@ actions! {
     /// Leaves it out for the reason in its field.
     SkipFor;
     LeaveSkip;
+    /// Asks for cause and action of the oldest open alarm.
+    AskAlarm;
+    /// Records cause and action of the alarm.
+    AnswerAlarm;
+    /// Answers the alarm later.
+    LeaveAlarm;
     /// Ends the part; the serial number of the next one is counted up.
     NextPart;
     /// Ends the part in the same way; the next one is measured by the plan that is open now.
@@ -206,6 +214,8 @@ impl Actions for PartsAction {
                 is_walk(session)
                     && session.parts().walking.question.as_ref().is_some_and(|asked| asked.doubt.meant().is_some())
             }),
+            Self::MeasureAnew => of_walk("walk-page-measure-anew", WalkCommand::MeasureAnew)
+                .when(|session| is_walk(session) && session.parts().walking.asks_about_implausible()),
             Self::SimulateValue => {
                 let row = of_walk("walk-page-simulate", WalkCommand::Simulate).hint("walk-page-simulate-hint");
                 row.key(Shortcut::plain(Key::Function(5))).when(is_asked)
@@ -224,6 +234,16 @@ impl Actions for PartsAction {
                     .when(is_skipping)
             }
             Self::LeaveSkip => of_walk("walk-page-skip-not", WalkCommand::AskSkip(false)).when(is_skipping),
+            Self::AskAlarm => {
+                let ask = |session: &Session| {
+                    let oldest = session.parts().alarms.open().first();
+                    WalkCommand::AskAlarm(oldest.map_or(0, |alarm| alarm.head.number)).into()
+                };
+                ActionRow::new(ActionScope::Page(Page::Parts), "walk-page-alarm-ask", Sends::FromState(ask))
+                    .when(|session| is_walk(session) && !session.parts().alarms.open().is_empty())
+            }
+            Self::AnswerAlarm => on(Page::Parts, "walk-page-alarm-answer", WalkCommand::AnswerAlarm).when(is_answering),
+            Self::LeaveAlarm => on(Page::Parts, "walk-page-alarm-later", WalkCommand::LeaveAlarm).when(is_answering),
             Self::NextPart => of_walk("walk-page-next", WalkCommand::Next).key(Shortcut::plain(Key::Function(8))),
             Self::BeginByOpenPlan => of_walk("walk-page-begin-by", WalkCommand::Next).when(asks_which_plan),
             Self::KeepMeasuring => of_walk("walk-page-keep-on", WalkCommand::KeepOn).when(asks_which_plan),
@@ -274,7 +294,9 @@ impl Actions for PartsAction {
             Self::TakeValue => {
                 let question = session.parts().walking.question.as_ref()?;
                 let measured = words.mm(question.measured, 3);
-                Some(words.say(&message!("judge-anyway").text("measured", measured)))
+                let is_implausible = session.parts().walking.asks_about_implausible();
+                let id = if is_implausible { "walk-page-it-is-so" } else { "judge-anyway" };
+                Some(words.say(&Message::new(id).text("measured", measured)))
             }
             Self::TakeMeantValue => {
                 let meant = session.parts().walking.question.as_ref().and_then(|question| question.doubt.meant());
@@ -298,6 +320,7 @@ impl Actions for PartsAction {
             Field::Parts(PartsField::Walk(WalkField::Serial)) => Some(Self::BeginPart),
             Field::Parts(PartsField::Walk(WalkField::Value)) => Some(Self::TakeValue),
             Field::Parts(PartsField::Walk(WalkField::Reason)) => Some(Self::SkipFor),
+            Field::Parts(PartsField::Walk(WalkField::Cause | WalkField::Action)) => Some(Self::AnswerAlarm),
             Field::Parts(PartsField::Plan(PlanField::Cell)) => Some(Self::TakePlanCell),
             _ => None,
         }
@@ -351,6 +374,10 @@ fn asks_which_plan(session: &Session) -> bool {
 
 fn is_asked(session: &Session) -> bool {
     is_walk(session) && session.parts().walking.at.is_some()
+}
+
+fn is_answering(session: &Session) -> bool {
+    is_walk(session) && session.parts().answered_alarm().is_some()
 }
 
 fn is_skipping(session: &Session) -> bool {

@@ -36,7 +36,8 @@ impl PageState for PartsPage {
 
     fn save(&self, saved: &mut Saved) {
         // A value that was not taken is typed again.
-        let passing = [WalkField::Value, WalkField::Reason].map(|field| field.declared().0);
+        let passing =
+            [WalkField::Value, WalkField::Reason, WalkField::Cause, WalkField::Action].map(|field| field.declared().0);
         saved.inputs.texts.extend(self.texts.saved().filter(|(key, _)| !passing.contains(&key.as_str())));
         saved.walk = self.saved_walk();
     }
@@ -51,7 +52,7 @@ impl PageState for PartsPage {
                 match field {
                     WalkField::Value => self.type_value(&text),
                     WalkField::Serial => self.again = None,
-                    WalkField::Reason => {}
+                    WalkField::Reason | WalkField::Cause | WalkField::Action => {}
                 }
                 self.texts.set(field, text);
                 self.errors.remove(&field);
@@ -83,13 +84,20 @@ impl PageState for PartsPage {
             self.document.check(&shared.sources);
         }
         match news {
-            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept, shared),
+            News::Kept(run, is_kept) => {
+                self.batch_kept(*run, *is_kept, shared);
+                if *is_kept {
+                    self.look_for_alarms(*run, shared);
+                }
+            }
             // Notes are in the language of the window, and prints are read through the user's own mask.
             News::Columns | News::StatusWindow | News::Temperature => self.watch_anew(shared),
             News::OwnMask => self.begin_watch(shared),
             News::Undone { ids, numbers } => self.undone(ids, numbers),
             News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),
             News::Journal => {
+                // Those that were open before.
+                shared.spread(News::Measured(Vec::new()));
                 self.begin_watch(shared);
                 self.try_resume(shared);
             }
@@ -131,12 +139,15 @@ impl PageState for PartsPage {
     fn asks(&self) -> Option<PageQuestion> {
         let question = self.walking.question.as_ref().filter(|_| self.view == PartsView::Walk)?;
         let meant = question.doubt.meant().map(|_| PartsAction::TakeMeantValue.into());
-        let answers = meant.into_iter().chain([PartsAction::TakeValue.into()]).collect();
+        // What cannot be is measured again unless somebody says that it is so.
+        let anew = self.walking.asks_about_implausible().then(|| PartsAction::MeasureAnew.into());
+        let answers = meant.into_iter().chain(anew).chain([PartsAction::TakeValue.into()]).collect();
         Some(PageQuestion { about: PartsAction::TakeValue.into(), answers })
     }
 
     fn closes(&self) -> Option<Command> {
-        self.walking.is_skipping.then(|| WalkCommand::AskSkip(false).into())
+        let leaves = self.alarms.answering.map(|_| WalkCommand::LeaveAlarm.into());
+        leaves.or_else(|| self.walking.is_skipping.then(|| WalkCommand::AskSkip(false).into()))
     }
 
     fn unsaved(&self) -> Vec<String> {

@@ -8,7 +8,7 @@ use fitcheck_core::part::{Column, Document};
 use fitcheck_exchange::exchange::Item;
 
 use super::watch_news::WatchNews;
-use super::{PartPicture, PartsView, PlanField};
+use super::{AlarmsFound, PartPicture, PartsView, PlanField};
 use crate::Step;
 use crate::parts::WalkField;
 use crate::records::RecordRow;
@@ -120,6 +120,8 @@ pub enum WalkCommand {
     Take,
     /// Takes what the typed value may have been.
     TakeMeant,
+    /// The typed value that cannot be is dropped, and another one is asked for.
+    MeasureAnew,
     /// Measures the feature by its cycle on a perfect part.
     Simulate,
     /// Asks once more for the size that is looked at.
@@ -132,6 +134,14 @@ pub enum WalkCommand {
     Skip(String),
     /// Ends the part and counts up; where something is missing, that is said first and a second time ends it.
     Next,
+    /// Asks for cause and action of an open alarm, by the number of its entry.
+    AskAlarm(u64),
+    /// The alarm is answered later.
+    LeaveAlarm,
+    /// Records cause and action of the alarm.
+    AnswerAlarm,
+    /// Alarms were looked for, or cannot be.
+    AlarmsFound(Result<Box<AlarmsFound>, Message>),
     /// The part that is measured goes on, though another plan is open.
     KeepOn,
     /// A file of measurements was read, or not.

@@ -21,6 +21,10 @@ kept_fields! {
     Value: "parts-value", "";
     /// Why a feature is left out.
     Reason: "parts-reason", "";
+    /// Why a rule of a control chart has fired.
+    Cause: "parts-cause", "";
+    /// What was done about it.
+    Action: "parts-action", "";
 }
 
 /// A text of the plan: it is in the draft, and nowhere else.

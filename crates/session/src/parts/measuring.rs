@@ -6,6 +6,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::{Plan, Step};
 use fitcheck_core::probing::{Measurement, Origin};
+use fitcheck_core::verdict::Doubt;
 use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::gauge::{self, GaugeRemark};
 use fitcheck_exchange::journal::Record;
@@ -50,6 +51,11 @@ impl PartsPage {
                     self.take_typed(shared, now);
                 }
             }
+            WalkCommand::MeasureAnew => {
+                self.walking.quiet();
+                self.clear_value();
+                return vec![Effect::Focus(WalkField::Value.into())];
+            }
             WalkCommand::Simulate => self.simulate(shared, now),
             WalkCommand::Again => {
                 if let Some((at, _)) = self.walking.shown() {
@@ -70,6 +76,10 @@ impl PartsPage {
                 }
             }
             WalkCommand::Skip(reason) => return self.skip(&reason),
+            WalkCommand::AskAlarm(number) => return self.ask_alarm(number),
+            WalkCommand::LeaveAlarm => return self.leave_alarm(),
+            WalkCommand::AnswerAlarm => return self.answer_alarm(shared),
+            WalkCommand::AlarmsFound(found) => self.take_alarms(found, shared),
             WalkCommand::Next => return self.next_part(shared),
             WalkCommand::KeepOn => {
                 self.walking.kept_on = self.document.opened;
@@ -231,10 +241,10 @@ impl PartsPage {
 
     /// Values of this part that were measured here.
     fn keep_own(&mut self, taken: Vec<Judged>, gauge: Option<&FromGauge>, shared: &mut Shared) {
-        let remark = measured_with("", gauge, shared);
         let mut values = Vec::new();
         for (at, record, remarks) in taken {
-            let remark = remark.clone();
+            let confirmed = confirmed(&record).map(|said| shared.recorded_words().say(&said));
+            let remark = measured_with(confirmed.as_deref().unwrap_or(""), gauge, shared);
             values.push(Arriving { at: Some(at), record: Arc::new(record), remarks, labels: None, file: None, remark });
         }
         self.keep(values, shared);
@@ -260,6 +270,8 @@ impl PartsPage {
         if let Some((count, why)) = &sent.refused {
             shared.tell(message!("walk-page-refused").count("count", *count).message("why", why.clone()));
         }
+        let ids = (first.0..).map(fitcheck_exchange::journal::query::RecordId);
+        self.await_alarms(&sent, ids.zip(values.iter().map(Self::takes_part)));
         let before = self.walking.standing().contradicted;
         for (id, value) in (first.0..).map(fitcheck_exchange::journal::query::RecordId).zip(values) {
             let Arriving { at, record, remarks, labels, .. } = value;
@@ -328,6 +340,11 @@ pub(super) struct Arriving {
     pub file: Option<UsedFile>,
     /// What is kept beside it; empty where there is nothing.
     pub remark: String,
+}
+
+/// That somebody said of a value which cannot be that it is so.
+fn confirmed(record: &Record) -> Option<Message> {
+    matches!(record.doubt, Some(Doubt::Implausible { .. })).then(|| message!("walk-page-confirmed"))
 }
 
 /// What is asked about a typed value before it is taken, as it was typed.

@@ -11,11 +11,15 @@
 //! | `ending` | a part begins, and the next one comes |
 //! | `arriving`, `watched`, `watch_news` | values from files; a folder that is watched |
 //! | `resume`, `planned` | an interrupted part comes back, as far as its plan asks for the same |
+//! | `alarms`, `alarm_search`, `alarms_found` | rules of control charts that fire at a value, and the answers to them |
 //! | `reporting` | the part as a report |
 //! | `headline`, `choices` | what one look is told; the words that a cell may have |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
 mod actions;
+mod alarm_search;
+mod alarms;
+mod alarms_found;
 mod apply;
 mod arriving;
 mod choices;
@@ -49,6 +53,9 @@ use fitcheck_core::message::Message;
 use fitcheck_core::part::Plan;
 
 pub use actions::{PLAN, PartsAction, SIZES};
+pub use alarm_search::{AlarmSearch, NewestValue};
+pub use alarms::{Alarms, OpenAlarm, choices};
+pub use alarms_found::AlarmsFound;
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
 pub use document::PlanDocument;
 pub use field::{PartsField, PlanField, WalkField};
@@ -109,6 +116,8 @@ pub struct PartsPage {
     resume: Resume,
     /// The folder that is watched, and what came from it.
     pub watched: Watched,
+    /// Alarms of control charts.
+    pub alarms: Alarms,
     /// What has to be done outside because of what happened elsewhere.
     errands: Vec<Effect>,
 }

@@ -8,7 +8,7 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::Message;
 use fitcheck_core::part::{PartStanding, Plan, Size, SizeValue, Step, Walk};
 use fitcheck_core::probing::Origin;
-use fitcheck_core::verdict::Status;
+use fitcheck_core::verdict::{Doubt, Status};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
 use jiff::civil::DateTime;
@@ -233,6 +233,11 @@ impl Walking {
     /// Does something with that size as the plan has it.
     pub fn faced_size(&self) -> Option<Size<'_>> {
         self.plan.as_deref()?.sizes().nth(self.faced()?)
+    }
+
+    /// Whether a value is asked about that cannot be, as the plan says.
+    pub(super) fn asks_about_implausible(&self) -> bool {
+        self.question.is_some_and(|question| matches!(question.doubt, Doubt::Implausible { .. }))
     }
 
     /// Whether a text that is typed now begins the serial number of the next part: this one is done, and its own begins alike.

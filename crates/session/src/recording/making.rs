@@ -184,7 +184,7 @@ impl Recording {
                 Content::Check(check)
             }
             // Nobody corrects by one of these.
-            other @ (Content::Begin(_) | Content::Report(_)) => other,
+            other @ (Content::Begin(_) | Content::Report(_) | Content::Alarm(_)) => other,
         };
         let entry = Entry { about, content };
         body::write(&entry).map_err(|error| error.message())?;

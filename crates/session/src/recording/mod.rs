@@ -6,12 +6,14 @@
 //! | file | what |
 //! |---|---|
 //! | here | where records are kept, which checks are recorded, what failed |
+//! | `alarms` | alarms of control charts, and their answers |
 //! | `making` | from a check to an entry |
 //! | `people` | who is measuring |
 //! | `reports` | which file was written, and of which checks |
 //! | `server` | the server of the shop |
 //! | `undoing` | undo withdraws what it takes back |
 
+mod alarms;
 mod making;
 mod people;
 mod reports;

@@ -9,7 +9,7 @@ use fitcheck_core::text::{grouped, long};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
-use fitcheck_exchange::journal::entry::Checked;
+use fitcheck_exchange::journal::entry::{Checked, Content};
 use fitcheck_exchange::report::Report;
 use fitcheck_exchange::report::csv::harmless;
 use fitcheck_exchange::series::{EvaluatedSeries, FeatureSeries, Gathering as Gathered, Look};
@@ -29,7 +29,7 @@ pub struct LeftOut {
     pub replaced: usize,
     /// What a cycle says by itself.
     pub cycles: usize,
-    /// Files that were written: no checks.
+    /// Files that were written, and alarms: no checks.
     pub reports: usize,
     /// Cannot be read.
     pub unread: usize,
@@ -47,7 +47,7 @@ enum Use {
 
 fn use_of(row: &RecordRow) -> Use {
     let Ok(entry) = &row.entry else { return Use::Unread };
-    if entry.report().is_some() {
+    if entry.report().is_some() || entry.alarm().is_some() {
         return Use::Report;
     }
     let Some(check) = entry.check().filter(|_| row.corrected_by.is_none()) else { return Use::Replaced };
@@ -330,6 +330,17 @@ fn cells(row: &RecordRow, words: &Words) -> [String; 11] {
     ]
 }
 
+/// Whether an alarm is open, answered, or the answer to one.
+fn alarm_text(row: &RecordRow, words: &Words) -> String {
+    let alarm = row.entry.as_ref().ok().and_then(|entry| entry.alarm());
+    let answers = alarm.and_then(|alarm| alarm.answer.as_ref()).map(|answer| answer.target.number);
+    words.say(&match (answers, row.corrected_by) {
+        (Some(number), _) => message!("records-page-alarm-answers").text("number", number),
+        (None, Some(number)) => message!("records-page-alarm-answered").text("number", number),
+        (None, None) => message!("records-page-alarm"),
+    })
+}
+
 /// The texts of a row that are the same in the list and on the clipboard.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RowTexts {
@@ -351,7 +362,11 @@ impl RowTexts {
         let Ok(entry) = &row.entry else { return Self::default() };
         let time = super::local_time(&entry.about.time);
         let Some(check) = entry.check() else {
-            let kind = if entry.report().is_some() { "records-page-report-entry" } else { "records-page-withdrawal" };
+            let kind = match &entry.content {
+                Content::Report(_) => "records-page-report-entry",
+                Content::Alarm(_) => return Self { time, status: alarm_text(row, words), ..Self::default() },
+                Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => "records-page-withdrawal",
+            };
             return Self { time, status: words.get(kind), ..Self::default() };
         };
         match &check.what {

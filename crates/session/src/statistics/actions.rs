@@ -59,6 +59,8 @@ actions! {
     CopyStatistics;
     /// Reports what the page shows.
     ReportStatistics;
+    /// Shows the alarms that nobody has answered, where they are answered.
+    ShowAlarms;
 }
 
 impl Actions for StatisticsAction {
@@ -99,6 +101,8 @@ impl Actions for StatisticsAction {
                 };
                 on(Page::Statistics, text, StatisticsCommand::Show(aside))
             }
+            Self::ShowAlarms => on(Page::Statistics, "statistics-page-alarms", Command::OpenPage(Page::Parts))
+                .when(|session| !session.parts().alarms.open().is_empty()),
             _ => self.on_chart(),
         }
     }
@@ -110,6 +114,10 @@ impl Actions for StatisticsAction {
                 Some(words.say(&message!("statistics-page-means").text("size", size)))
             }
             Self::SwitchRule(rule) => Some(words.say(&rule.message())),
+            Self::ShowAlarms => {
+                let count = session.parts().alarms.open().len();
+                Some(words.say(&message!("statistics-page-alarms").count("count", count)))
+            }
             Self::Freeze if session.statistics().is_frozen() => Some(words.get("statistics-page-unfreeze")),
             Self::LeaveOut if is_left_out(session) => Some(words.get("statistics-page-take-in")),
             _ => None,

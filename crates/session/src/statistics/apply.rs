@@ -76,6 +76,7 @@ impl PageState for StatisticsPage {
         match news {
             News::Opened(Page::Statistics) => self.opened(shared),
             News::Journal if is_open => self.opened(shared),
+            News::Measured(newest) => self.find_alarms(newest, shared),
             _ => {}
         }
     }

@@ -8,9 +8,14 @@ use fitcheck_exchange::series::{Evaluated, FeatureSeries, Look};
 
 use super::{PointsOf, SeriesFound, Shown, StatisticsField, StatisticsPage, asks_for};
 use crate::effect::Effect;
+use crate::parts::{AlarmSearch, NewestValue};
+use crate::recording::Keeping;
 use crate::records;
 use crate::shared::Shared;
 use crate::texts::whole;
+
+/// How many values of a feature are looked at where the field does not say it.
+const USUAL: usize = 125;
 
 /// The most values of a feature, and the most values of a point whose range says something.
 const MOST: usize = 100_000;
@@ -117,6 +122,17 @@ impl StatisticsPage {
         let features = found.features.clone();
         self.computing = Some((self.runs, found));
         self.errands.push(Effect::EvaluateSeries { run: self.runs, features, looks });
+    }
+
+    /// Values are on disk: what fires there is looked for as the page looks at their series.
+    pub(super) fn find_alarms(&mut self, newest: &[NewestValue], shared: &Shared) {
+        if shared.recording.keeping != Keeping::Open {
+            return;
+        }
+        let most = whole::<usize>(self.texts.text(StatisticsField::Last)).ok();
+        let most = most.filter(|most| (1..=MOST).contains(most)).unwrap_or(USUAL);
+        let (newest, look, baselines) = (newest.to_vec(), self.look.clone(), self.baselines.clone());
+        self.errands.push(Effect::FindAlarms(Box::new(AlarmSearch { newest, look, baselines, most })));
     }
 
     fn look_of(&self, feature: &FeatureSeries) -> Look {

@@ -13,8 +13,11 @@ use crate::error::StoreError;
 
 /// Whether an entry may be added: what it corrects or says of the journal is so.
 pub(super) fn may_add(connection: &Connection, path: &Path, entry: &Entry) -> Result<(), StoreError> {
-    if let Some(correction) = entry.corrects() {
-        may_correct(connection, path, correction)?;
+    if let Some(Correction { target, .. }) = entry.corrects() {
+        may_follow(connection, path, *target, |kind| kind.is_none_or(is_corrected))?;
+    }
+    if let Some(answer) = entry.alarm().and_then(|alarm| alarm.answer.as_ref()) {
+        may_follow(connection, path, answer.target, |kind| kind == Some(FoundEntryKind::Alarm))?;
     }
     match entry.report().and_then(|report| report.shown.head) {
         Some(head) => may_know(connection, path, head),
@@ -22,21 +25,36 @@ pub(super) fn may_add(connection: &Connection, path: &Path, entry: &Entry) -> Re
     }
 }
 
-/// Whether an entry may be corrected: it is the one that was meant, it is no report, and nothing has corrected it meanwhile.
-fn may_correct(connection: &Connection, path: &Path, correction: &Correction) -> Result<(), StoreError> {
+/// Whether entries of a kind are corrected: a report says which file was written and an alarm which rule fired, and that stands.
+const fn is_corrected(kind: FoundEntryKind) -> bool {
+    match kind {
+        FoundEntryKind::Check | FoundEntryKind::Withdrawal => true,
+        FoundEntryKind::Report | FoundEntryKind::Alarm => false,
+    }
+}
+
+/// Whether an entry may be corrected, or an alarm answered: it is the one that was meant, it is of the right kind, and nothing has corrected
+/// or answered it meanwhile. The kind of what cannot be read is not known.
+fn may_follow(
+    connection: &Connection,
+    path: &Path,
+    Head { number, hash }: Head,
+    is_right: impl Fn(Option<FoundEntryKind>) -> bool,
+) -> Result<(), StoreError> {
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
-    let Head { number, hash } = correction.target;
     let mut there = connection.prepare_cached("SELECT hash, body FROM entry WHERE number = ?1").map_err(failed)?;
     let found = there.query_row([number::integer(number)], |row| {
-        let found = body::found(row.get_ref(1)?.as_blob()?);
-        // What cannot be read is none that is known to be a report.
-        let is_report = found.is_ok_and(|found| found.is_some_and(|found| found.kind == FoundEntryKind::Report));
-        Ok((row.get::<_, [u8; 32]>(0)?, is_report))
+        let kind = body::found(row.get_ref(1)?.as_blob()?).ok().flatten().map(|found| found.kind);
+        Ok((row.get::<_, [u8; 32]>(0)?, kind))
     });
     match found.optional().map_err(failed)? {
-        Some((there, is_report)) if there == hash.0 => {
-            if is_report {
-                return Err(StoreError::IsReport { number });
+        Some((there, kind)) if there == hash.0 => {
+            if !is_right(kind) {
+                return Err(match kind {
+                    Some(FoundEntryKind::Report) => StoreError::IsReport { number },
+                    Some(FoundEntryKind::Alarm) => StoreError::IsAlarm { number },
+                    _ => StoreError::NoAlarm { number },
+                });
             }
         }
         _ => return Err(StoreError::OtherTarget { number }),

@@ -63,6 +63,7 @@ const fn kind(kind: FoundEntryKind) -> i64 {
         FoundEntryKind::Check => 1,
         FoundEntryKind::Withdrawal => 2,
         FoundEntryKind::Report => 3,
+        FoundEntryKind::Alarm => 4,
     }
 }
 
@@ -123,18 +124,20 @@ impl Conditions {
         }
         if let Some(is_simulated) = question.simulated {
             // As it is written in the index.
-            conditions.add(if is_simulated { "simulated = 1" } else { "simulated = 0 AND kind <> 3" }, []);
+            conditions.add(if is_simulated { "simulated = 1" } else { "simulated = 0 AND kind < 3" }, []);
         }
         match question.kinds {
             AskedKinds::All => {}
-            AskedKinds::Checks => conditions.add("kind <> 3", []),
+            AskedKinds::Checks => conditions.add("kind < 3", []),
             // As it is written in the index.
             AskedKinds::Reports => conditions.add("kind = 3", []),
+            AskedKinds::Alarms => conditions.add("kind = 4", []),
         }
         if question.standing {
-            conditions.sql.push_str(
-                " AND kind = 1 AND NOT EXISTS (SELECT 1 FROM find AS other WHERE other.corrects = find.number)",
-            );
+            // What answers an alarm stands for nothing itself.
+            let of_kind = if question.kinds == AskedKinds::Alarms { "corrects IS NULL" } else { "kind = 1" };
+            conditions.add(of_kind, []);
+            conditions.sql.push_str(" AND NOT EXISTS (SELECT 1 FROM find AS other WHERE other.corrects = find.number)");
         }
         conditions
     }

@@ -12,7 +12,7 @@ use super::index;
 /// What the file says it is: `Fitc` as a number.
 pub(super) const APPLICATION: i64 = 0x4669_7463;
 /// The version of the derived tables.
-pub(super) const VERSION: i64 = 4;
+pub(super) const VERSION: i64 = 5;
 
 /// The truth, and what keeps it: no change, no removal, and no entry out of its place, which `INSERT OR REPLACE` would be too.
 const ENTRY: [(&str, &str); 5] = [
@@ -68,6 +68,7 @@ CREATE TABLE indexed(number INTEGER NOT NULL) STRICT;
 INSERT INTO indexed VALUES (0);
 CREATE INDEX find_simulated ON find(number) WHERE simulated = 1;
 CREATE INDEX find_report ON find(number) WHERE kind = 3;
+CREATE INDEX find_alarm ON find(number) WHERE kind = 4;
 CREATE TABLE report(number INTEGER PRIMARY KEY, sha256 BLOB NOT NULL, name TEXT NOT NULL) STRICT;
 CREATE INDEX report_sha256 ON report(sha256, number);
 CREATE INDEX report_name ON report(name, number);

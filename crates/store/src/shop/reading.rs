@@ -165,6 +165,10 @@ fn surely(question: &Question) -> Vec<String> {
     let wanted = words.iter().flat_map(|text| WantedWord::all_of(text)).filter(|word| word.number.is_none());
     let wanted = wanted.map(|word| word.text).filter(|word| word.is_ascii()).map(figures);
     // As a body has it: no text within one has these signs beside each other.
-    let kind = (question.kinds == AskedKinds::Reports).then(|| "\"kind\":\"report\"".to_owned());
+    let kind = match question.kinds {
+        AskedKinds::Reports => Some("\"kind\":\"report\"".to_owned()),
+        AskedKinds::Alarms => Some("\"kind\":\"alarm\"".to_owned()),
+        AskedKinds::All | AskedKinds::Checks => None,
+    };
     names.filter(|word| word.is_ascii()).chain(wanted).chain(kind).collect()
 }

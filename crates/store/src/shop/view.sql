@@ -58,22 +58,24 @@ EXCEPTION WHEN others THEN
 END
 $$;
 
--- The number of the entry that an entry corrects; most correct none, and are not parsed for it.
+-- The number of the entry that an entry corrects, or of the alarm that it answers; most do neither, and are not parsed for it.
 CREATE OR REPLACE FUNCTION fitcheck.corrects(body text) RETURNS bigint
 LANGUAGE plpgsql IMMUTABLE SET search_path = pg_catalog, pg_temp AS $$
 DECLARE
     entry jsonb;
 BEGIN
-    IF strpos(body, '"corrects":{') = 0 AND strpos(body, '"withdrawal":{') = 0 THEN
+    IF strpos(body, '"corrects":{') = 0 AND strpos(body, '"withdrawal":{') = 0 AND strpos(body, '"answers":{') = 0 THEN
         RETURN NULL;
     END IF;
     entry := body::jsonb;
-    RETURN coalesce(entry #>> '{check,corrects,number}', entry #>> '{withdrawal,number}')::bigint;
+    RETURN coalesce(entry #>> '{check,corrects,number}', entry #>> '{withdrawal,number}', entry #>> '{alarm,answers,number}')::bigint;
 EXCEPTION WHEN others THEN
     RETURN NULL;
 END
 $$;
 CREATE INDEX IF NOT EXISTS entry_corrects ON fitcheck.entry (chain, fitcheck.corrects(body)) WHERE fitcheck.corrects(body) IS NOT NULL;
+-- An older program has said less of what an entry corrects.
+REINDEX INDEX fitcheck.entry_corrects;
 
 -- The newest entry that corrects another one. Without OFFSET the newest entries of the chain would be searched one by one.
 CREATE OR REPLACE FUNCTION fitcheck.corrected_by(of bytea, wanted bigint) RETURNS bigint

@@ -9,8 +9,10 @@
 //! | `seen_panel` | middle: the picture over the limit band |
 //! | `answer_panel` | right: the verdict of the value |
 //! | `part_panel` | right, below: the values of the size, what they make of the part, and what is to do |
+//! | `alarms_panel` | below it: rules of control charts that have fired, and the answers to them |
 //! | `watch_panel` | below it: the watched folder |
 
+mod alarms_panel;
 mod answer_panel;
 mod asked_panel;
 mod part_panel;
@@ -22,6 +24,7 @@ mod watch_panel;
 use eframe::egui::{Event, Popup, Ui};
 
 use crate::session::WalkField;
+pub(in crate::gui) use alarms_panel::alarms_ui;
 pub(in crate::gui) use answer_panel::{headline_card, question_ui as value_question_ui, recorded_of, value_card};
 #[cfg(test)]
 pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
@@ -115,6 +118,7 @@ pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
         least,
         answer: |ui, view| {
             answer_panel::answer_ui(ui, view);
+            alarms_panel::alarms_ui(ui, view);
             watch_panel::watch_ui(ui, view);
         },
     };

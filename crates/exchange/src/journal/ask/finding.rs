@@ -12,7 +12,10 @@ impl Question {
             (&self.who, &found.who),
             (&self.station, &found.station),
         ];
-        let is_report = found.kind == FoundEntryKind::Report;
+        let is_check = matches!(found.kind, FoundEntryKind::Check | FoundEntryKind::Withdrawal);
+        let is_open_alarm = found.kind == FoundEntryKind::Alarm && found.corrects.is_none();
+        let may_stand =
+            if self.kinds == AskedKinds::Alarms { is_open_alarm } else { found.kind == FoundEntryKind::Check };
         let is = |asked: &Option<String>, text: &str| asked.as_ref().is_none_or(|asked| asked == text);
         let is_name =
             |asked: &Option<String>, text: &str| asked.as_ref().is_none_or(|asked| folded(asked) == folded(text));
@@ -23,9 +26,9 @@ impl Question {
             && (self.verdicts.is_empty() || found.status.is_some_and(|status| self.verdicts.contains(&status)))
             && self.from_ms.is_none_or(|from| from <= found.at_ms)
             && self.before_ms.is_none_or(|before| found.at_ms < before)
-            && self.simulated.is_none_or(|simulated| simulated == found.is_simulated && !is_report)
-            && self.kinds.has(is_report)
-            && (!self.standing || (found.kind == FoundEntryKind::Check && !is_corrected))
+            && self.simulated.is_none_or(|simulated| simulated == found.is_simulated && is_check)
+            && self.kinds.has(found.kind)
+            && (!self.standing || (may_stand && !is_corrected))
             && self.wanted_words().is_some_and(|words| found.has_words(number, &words))
     }
 
@@ -38,12 +41,13 @@ impl Question {
 }
 
 impl AskedKinds {
-    /// Whether reports, or all other entries, are asked for.
-    const fn has(self, is_report: bool) -> bool {
+    /// Whether entries of a kind are asked for.
+    const fn has(self, kind: FoundEntryKind) -> bool {
         match self {
             Self::All => true,
-            Self::Checks => !is_report,
-            Self::Reports => is_report,
+            Self::Checks => matches!(kind, FoundEntryKind::Check | FoundEntryKind::Withdrawal),
+            Self::Reports => matches!(kind, FoundEntryKind::Report),
+            Self::Alarms => matches!(kind, FoundEntryKind::Alarm),
         }
     }
 }

@@ -12,11 +12,11 @@
 //! | `today` `week` | recorded today; in this week, which begins on Monday |
 //! | `simulated` `measured` | only simulated ones, only measured ones |
 //! | `standing` | that no other one corrects and that were not withdrawn |
-//! | `reports` `checks` | only files that were written; only checks and what takes them back |
+//! | `reports` `checks` `alarms` | only files that were written; only checks and what takes them back; only alarms of control charts and their answers, with `standing` those that nobody has answered |
 //! | `good` `rework` `re-measure` `scrap` | with this verdict, or with any of several, and `standing`; also in the words of who asks |
 //! | anything else | with a word that begins so, in names, callout, remark or reason, in a report's file or title; `88` is also record 88, `25.01` a measured value |
 //!
-//! What asks for a verdict, for simulated or measured checks or for `standing` finds checks alone, and no report.
+//! What asks for a verdict, for simulated or measured checks or for `standing` finds checks alone, and no report or alarm.
 //!
 //! What has blanks or a colon goes in quotation marks, `""` within them is one; a word in quotation marks is never one of those above the
 //! last.
@@ -71,13 +71,15 @@ impl LocalNow {
 /// Which kinds of entries are asked for.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum AskedKinds {
-    /// Checks, what takes them back, and files that were written.
+    /// Checks, what takes them back, files that were written, and alarms.
     #[default]
     All,
     /// Checks and what takes them back.
     Checks,
     /// Files that were written.
     Reports,
+    /// Alarms of control charts and their answers.
+    Alarms,
 }
 
 /// Which checks are asked for. What is not given asks for nothing: an empty question finds every check.
@@ -105,7 +107,7 @@ pub struct Question {
     pub before_ms: Option<i64>,
     /// Simulated checks alone, or measured checks alone; `None` for both.
     pub simulated: Option<bool>,
-    /// Only checks that stand: none that another one corrects or that was taken back.
+    /// Only checks that stand: none that another one corrects or that was taken back. Of alarms those that nobody has answered.
     pub standing: bool,
     /// Which kinds of entries.
     pub kinds: AskedKinds,

@@ -34,6 +34,7 @@ impl Question {
             AskedKinds::All => None,
             AskedKinds::Checks => Some("checks".to_owned()),
             AskedKinds::Reports => Some("reports".to_owned()),
+            AskedKinds::Alarms => Some("alarms".to_owned()),
         });
         words.extend(self.words.iter().map(|text| word(text)));
         words.join(" ")

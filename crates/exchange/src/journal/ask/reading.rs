@@ -20,7 +20,7 @@ pub const KEYS: [&str; 10] =
     ["part", "serial", "feature", "callout", "class", "verdict", "who", "station", "from", "to"];
 
 /// What stands alone.
-pub const SWITCHES: [&str; 7] = ["today", "week", "simulated", "measured", "standing", "checks", "reports"];
+pub const SWITCHES: [&str; 8] = ["today", "week", "simulated", "measured", "standing", "checks", "reports", "alarms"];
 
 struct Word {
     /// Before the colon, in small letters; `None` where there is none.
@@ -154,8 +154,12 @@ impl Question {
                 self.standing = true;
                 Ok(())
             }
-            "checks" | "reports" => {
-                let asked = if switch == "checks" { AskedKinds::Checks } else { AskedKinds::Reports };
+            "checks" | "reports" | "alarms" => {
+                let asked = match switch {
+                    "checks" => AskedKinds::Checks,
+                    "reports" => AskedKinds::Reports,
+                    _ => AskedKinds::Alarms,
+                };
                 match std::mem::replace(&mut self.kinds, asked) {
                     AskedKinds::All => Ok(()),
                     before if before == asked => Err(twice()),

@@ -20,6 +20,22 @@ struct Brief<'a> {
     withdrawal: Option<Corrects<'a>>,
     #[serde(borrow)]
     report: Option<Report<'a>>,
+    #[serde(borrow)]
+    alarm: Option<Alarm<'a>>,
+}
+
+#[derive(Deserialize)]
+struct Alarm<'a> {
+    answers: Option<Answers>,
+    #[serde(borrow)]
+    cause: Cow<'a, str>,
+    #[serde(borrow)]
+    action: Cow<'a, str>,
+}
+
+#[derive(Deserialize)]
+struct Answers {
+    number: u64,
 }
 
 #[derive(Deserialize)]
@@ -117,9 +133,13 @@ pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
         wire::BodyKind::Check => FoundEntryKind::Check,
         wire::BodyKind::Withdrawal => FoundEntryKind::Withdrawal,
         wire::BodyKind::Report => FoundEntryKind::Report,
+        wire::BodyKind::Alarm => FoundEntryKind::Alarm,
     };
     let report = brief.report.map(Report::found).transpose()?;
     if report.is_some() != (kind == FoundEntryKind::Report) {
+        return Err(BodyError::Contradiction { field: "kind" });
+    }
+    if brief.alarm.is_some() != (kind == FoundEntryKind::Alarm) {
         return Err(BodyError::Contradiction { field: "kind" });
     }
     let About { station, time, who, part, serial, feature, remark } = brief.about;
@@ -130,9 +150,12 @@ pub fn found(bytes: &[u8]) -> Result<Option<FoundEntry<'_>>, BodyError> {
     let of_size = size.as_ref().map(|size| size.measurement.diameter_nm);
     let measured_nm = of_size.or_else(|| cycle.and_then(|cycle| cycle.measured_nm));
     let asked = size.map(|size| EntryCallout { callout: size.callout, nominal_nm: size.limits.nominal_nm });
-    let (corrects, reason) = match corrects.or(brief.withdrawal) {
-        Some(Corrects { number, reason }) => (Some(number), reason),
-        None => (None, Cow::Borrowed("")),
+    let (corrects, reason) = match (corrects.or(brief.withdrawal), brief.alarm) {
+        (Some(Corrects { number, reason }), _) => (Some(number), reason),
+        (None, Some(Alarm { answers: Some(Answers { number }), cause, action })) => {
+            (Some(number), Cow::Owned(format!("{cause}; {action}")))
+        }
+        (None, _) => (None, Cow::Borrowed("")),
     };
     let at_ms = time.utc_ms;
     Ok(Some(FoundEntry {

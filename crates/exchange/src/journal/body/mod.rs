@@ -6,6 +6,7 @@
 //! | `wire` | the fields, in their order |
 //! | `write` | an entry as these fields |
 //! | `read` | an entry from these fields, each of them bounded and checked |
+//! | `alarms` | an alarm as its fields, and from them |
 //! | `brief` | what an entry is found by, without reading all of it |
 //! | `size` | a record from its fields: its limits, its rule, its verdict as it was given |
 //! | `texts` | what texts and numbers may be |
@@ -13,6 +14,7 @@
 //! Lengths are whole nanometres, uncertainties whole picometres, factors whole thousandths; coordinates of contacts, which are
 //! binary fractions, are texts that read back as the very same. So every program reads the same numbers, and none rounds.
 
+mod alarms;
 mod brief;
 mod read;
 mod size;
@@ -22,12 +24,13 @@ mod write;
 
 pub use brief::found;
 use fitcheck_core::message::{Say, printed, shortened};
+use fitcheck_core::verdict::Doubt;
 use serde::Deserialize;
 
 use super::entry::{Checked, Content, Entry};
 
 /// The newest version of the format: every version up to it is read.
-pub const VERSION: u64 = 5;
+pub const VERSION: u64 = 6;
 
 /// The longest body, bytes.
 pub const LONGEST: usize = 16 << 20;
@@ -112,12 +115,19 @@ struct Head {
 /// The version that an entry is written as: the smallest that can hold it, so that older versions of Fitcheck read all that they know.
 fn version_of(content: &Content) -> u64 {
     match content {
+        Content::Alarm(_) => 6,
+        Content::Check(check) if is_confirmed(&check.what) => 6,
         Content::Check(check) if is_turned(&check.what) => 5,
         Content::Check(check) if has_datum(&check.what) => 4,
         Content::Check(check) if is_of_third(&check.what) => 3,
         Content::Begin(_) | Content::Check(_) | Content::Withdrawal(_) => 1,
         Content::Report(_) => 2,
     }
+}
+
+/// Whether somebody confirmed a value that its plan says cannot be.
+fn is_confirmed(what: &Checked) -> bool {
+    matches!(what, Checked::Size(record) if matches!(record.doubt, Some(Doubt::Implausible { .. })))
 }
 
 /// Whether a size is neither a hole nor a shaft, or its callout says more than size and tolerance.

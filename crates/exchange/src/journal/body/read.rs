@@ -26,13 +26,16 @@ const TIMES: std::ops::RangeInclusive<i64> = -377_705_023_201_000..=253_402_207_
 
 pub(super) fn entry(body: wire::Body) -> Result<Entry, BodyError> {
     let about = about(&body.about)?;
-    let content = match (body.kind, body.begin, body.check, body.withdrawal, body.report) {
-        (wire::BodyKind::Begin, Some(content), None, None, None) => Content::Begin(begin(&content)?),
-        (wire::BodyKind::Check, None, Some(content), None, None) => Content::Check(Box::new(check(content)?)),
-        (wire::BodyKind::Withdrawal, None, None, Some(content), None) => {
+    let content = match (body.kind, body.begin, body.check, body.withdrawal, body.report, body.alarm) {
+        (wire::BodyKind::Begin, Some(content), None, None, None, None) => Content::Begin(begin(&content)?),
+        (wire::BodyKind::Check, None, Some(content), None, None, None) => Content::Check(Box::new(check(content)?)),
+        (wire::BodyKind::Withdrawal, None, None, Some(content), None, None) => {
             Content::Withdrawal(corrects("withdrawal.reason", &content)?)
         }
-        (wire::BodyKind::Report, None, None, None, Some(content)) => Content::Report(report(content)?),
+        (wire::BodyKind::Report, None, None, None, Some(content), None) => Content::Report(report(content)?),
+        (wire::BodyKind::Alarm, None, None, None, None, Some(content)) => {
+            Content::Alarm(Box::new(super::alarms::read(&content)?))
+        }
         _ => return Err(BodyError::Contradiction { field: "kind" }),
     };
     // An entry has one body: the same in another version would have another hash. Entries of version 3 were first written as 1.

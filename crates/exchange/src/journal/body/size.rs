@@ -211,5 +211,13 @@ fn doubt(doubt: &wire::Doubt) -> Result<Doubt, BodyError> {
         wire::Doubt::Far { distance_nm } => {
             Doubt::Far { distance: length("check.size.doubt.distance_nm", distance_nm)? }
         }
+        wire::Doubt::Implausible { lower_nm, upper_nm, meant_nm } => {
+            let lower = length("check.size.doubt.lower_nm", lower_nm)?;
+            let upper = length("check.size.doubt.upper_nm", upper_nm)?;
+            if upper <= lower {
+                return Err(BodyError::Contradiction { field: "check.size.doubt.upper_nm" });
+            }
+            Doubt::Implausible { lower, upper, meant: meant(meant_nm)? }
+        }
     })
 }

@@ -30,10 +30,11 @@ pub(super) enum BodyKind {
     Check,
     Withdrawal,
     Report,
+    Alarm,
 }
 
 objects! {
-    /// An entry. Of the last four the one that the kind names is there, and the others are left out.
+    /// An entry. Of the last five the one that the kind names is there, and the others are left out.
     Body {
         v: u64,
         kind: BodyKind,
@@ -46,6 +47,8 @@ objects! {
         withdrawal: Option<Corrects>,
         #[serde(default, skip_serializing_if = "Option::is_none")]
         report: Option<Report>,
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        alarm: Option<Alarm>,
     }
     About {
         station: String,
@@ -84,6 +87,17 @@ objects! {
         head: Option<Last>,
     }
     Last { number: u64, hash: String }
+    /// Cause and action are empty where it answers no other entry.
+    Alarm {
+        rule: String,
+        place: String,
+        first: u64,
+        last: u64,
+        since: String,
+        answers: Option<Last>,
+        cause: String,
+        action: String,
+    }
     Size {
         id: String,
         local_time: String,
@@ -200,4 +214,5 @@ pub(super) enum Doubt {
     Half { meant_nm: Option<i64> },
     DecimalSign { meant_nm: i64 },
     Far { distance_nm: i64 },
+    Implausible { lower_nm: i64, upper_nm: i64, meant_nm: Option<i64> },
 }

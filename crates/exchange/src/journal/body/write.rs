@@ -20,13 +20,17 @@ use crate::journal::entry::{
 pub(super) fn body(entry: &Entry) -> Result<wire::Body, BodyError> {
     let about = about(&entry.about)?;
     let v = version_of(&entry.content);
-    let body = |kind| wire::Body { v, kind, about, begin: None, check: None, withdrawal: None, report: None };
+    let body =
+        |kind| wire::Body { v, kind, about, begin: None, check: None, withdrawal: None, report: None, alarm: None };
     Ok(match &entry.content {
         Content::Begin(content) => wire::Body { begin: Some(begin(content)?), ..body(wire::BodyKind::Begin) },
         Content::Check(content) => wire::Body { check: Some(check(content)?), ..body(wire::BodyKind::Check) },
         Content::Withdrawal(content) => {
             let withdrawal = Some(corrects("withdrawal.reason", content)?);
             wire::Body { withdrawal, ..body(wire::BodyKind::Withdrawal) }
+        }
+        Content::Alarm(content) => {
+            wire::Body { alarm: Some(super::alarms::written(content)?), ..body(wire::BodyKind::Alarm) }
         }
         Content::Report(content) => wire::Body { report: Some(report(content)?), ..body(wire::BodyKind::Report) },
     })
@@ -237,6 +241,10 @@ fn doubt(doubt: Doubt) -> wire::Doubt {
         Doubt::Half { meant } => wire::Doubt::Half { meant_nm: nm(meant) },
         Doubt::DecimalSign { meant } => wire::Doubt::DecimalSign { meant_nm: meant.nanometres() },
         Doubt::Far { distance } => wire::Doubt::Far { distance_nm: distance.nanometres() },
+        Doubt::Implausible { lower, upper, meant } => {
+            let (lower_nm, upper_nm) = (lower.nanometres(), upper.nanometres());
+            wire::Doubt::Implausible { lower_nm, upper_nm, meant_nm: nm(meant) }
+        }
     }
 }
 
