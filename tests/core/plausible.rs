@@ -95,7 +95,7 @@ fn a_range_that_is_none_is_refused_with_its_reason() {
         match refused(row) {
             Ok(_) => assert_eq!(why, "", "{row}"),
             Err(errors) => {
-                assert!(errors.len() == 1 && !why.is_empty() && errors[0].starts_with(why), "{row}: {errors:?}")
+                assert!(errors.len() == 1 && !why.is_empty() && errors[0].starts_with(why), "{row}: {errors:?}");
             }
         }
     }

@@ -39,8 +39,8 @@ impl Session {
     pub fn stands(&self, field: Field) -> bool {
         match field {
             Field::Check(CheckField::HistoryFilter) => !self.history().is_empty(),
-            Field::Records(RecordsField::Question) => self.recording().is_on(),
-            Field::Statistics(StatisticsField::Question | StatisticsField::Last) => self.recording().is_on(),
+            Field::Records(RecordsField::Question)
+            | Field::Statistics(StatisticsField::Question | StatisticsField::Last) => self.recording().is_on(),
             Field::Budget(BudgetField::Size) => self.budget.read.is_some() && self.budget.asks.size,
             Field::Budget(BudgetField::Day) => self.budget.read.is_some(),
             // One of a few numbers is chosen from a list, and what has no effect is folded away.

@@ -159,12 +159,12 @@ impl Gatherer {
         let charts = answer.sheet(&series, Some(self.nominal.to_mm_f64()), words);
         let read = vec![values(series.count(), words)].into_iter().chain(left_out(series.left_out(), words));
         let read = read.collect::<Vec<_>>().join(", ");
-        said(Read { heading, read, told, count: series.count() }, &answer, charts, words)
+        said(Top { heading, read, told, count: series.count() }, &answer, charts, words)
     }
 }
 
-/// What is known before anything is said of the figures.
-struct Read {
+/// What stands above the figures.
+struct Top {
     heading: String,
     read: String,
     told: Vec<String>,
@@ -192,12 +192,12 @@ fn evaluated((feature, of): (&FeatureSeries, &Evaluated), with_part: bool, words
         let reason = words.say(&message!("statistics-page-left-out-because").text("reason", &**reason));
         format!("{}: {reason}", words.say(&message!("statistics-page-at").text("point", *point)))
     }));
-    let read = Read { heading, read: read.join(", "), told, count: counted.len() };
-    said(read, answer, of.sheet(words), words)
+    let top = Top { heading, read: read.join(", "), told, count: counted.len() };
+    said(top, answer, of.sheet(words), words)
 }
 
-fn said(read: Read, answer: &Answer, charts: Result<Picture, Reason>, words: &Words) -> FeatureStatistics {
-    let Read { heading, read, mut told, count } = read;
+fn said(top: Top, answer: &Answer, charts: Result<Picture, Reason>, words: &Words) -> FeatureStatistics {
+    let Top { heading, read, mut told, count } = top;
     told.extend(proven(answer, words));
     told.extend(answer.fired.iter().map(|(rule, points)| {
         let mut all: Vec<String> = points.iter().take(MOST_POINTS).map(usize::to_string).collect();
