@@ -159,6 +159,7 @@ impl Admits for BudgetWarning {
             | Self::OtherSide { .. }
             | Self::OtherExpansion { .. }
             | Self::OtherTemperature { .. }
+            | Self::FailedStudy { .. }
             | Self::OfTemplate => true,
             Self::TemplateFigures { .. }
             | Self::FewReadings { .. }

@@ -29,6 +29,7 @@ budget-calibrated-nothing = všechny nejistoty jsou nulové
 budget-warning-expired = bilance je prošlá: platila do { $until }
 budget-warning-not-yet = bilance ještě neplatí: její datum je { $date }
 budget-warning-of-template = v bilanci jsou ještě údaje ze šablony (název, autor nebo čísla): o této stanici nic neříkají
+budget-warning-failed-study = studie zjistila, že toto měřidlo není dost dobré: { $why }
 budget-warning-template-figures = tyto příspěvky mají ještě čísla ze šablony: { $contributions }. Ověřte, že pro tuto stanici platí
 budget-warning-few-readings = odečty kalibrovaného kusu: { $readings }; ISO 15530-3 požaduje nejméně { $fewest }
 budget-warning-bias-corrected = vychýlení { $bias } µm: nejistota platí pro hodnoty, od kterých bylo vychýlení odečteno; Fitcheck je neodečítá

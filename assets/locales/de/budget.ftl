@@ -28,6 +28,7 @@ budget-calibrated-nothing = jede Unsicherheit ist null
 budget-warning-expired = das Budget ist abgelaufen: es war gültig bis { $until }
 budget-warning-not-yet = das Budget ist noch nicht gültig: sein Datum ist { $date }
 budget-warning-of-template = das Budget hat bei Name, Ersteller oder Zahlen noch Angaben aus der Vorlage: sie sagen nichts über diese Station
+budget-warning-failed-study = eine Studie hat gefunden, dass dieses Messmittel nicht gut genug ist: { $why }
 budget-warning-template-figures = diese Beiträge haben noch die Zahlen der Vorlage: { $contributions }. Prüfen, ob sie für diese Station zutreffen
 budget-warning-few-readings = { $readings } Einzelmesswerte des kalibrierten Werkstücks: ISO 15530-3 verlangt mindestens { $fewest }
 budget-warning-bias-corrected = systematische Abweichung { $bias } µm: die Unsicherheit gilt für Werte, von denen sie abgezogen wurde; Fitcheck zieht sie nicht ab

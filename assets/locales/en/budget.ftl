@@ -28,6 +28,7 @@ budget-calibrated-nothing = every uncertainty is zero
 budget-warning-expired = the budget has expired: it was valid until { $until }
 budget-warning-not-yet = the budget is not valid yet: its date is { $date }
 budget-warning-of-template = the budget still has entries from the template for its name, its author or its figures: they say nothing about this station
+budget-warning-failed-study = a study found this gauge not good enough: { $why }
 budget-warning-template-figures = these contributions still have the figures of the template: { $contributions }. Check that they are true of this station
 budget-warning-few-readings = { $readings } readings of the calibrated piece: ISO 15530-3 asks for at least { $fewest }
 budget-warning-bias-corrected = bias { $bias } µm: the uncertainty applies to values from which the bias has been subtracted; Fitcheck does not subtract it

@@ -28,6 +28,7 @@ budget-calibrated-nothing = todas las incertidumbres son cero
 budget-warning-expired = el balance ha caducado: era válido hasta el { $until }
 budget-warning-not-yet = el balance aún no es válido: su fecha es { $date }
 budget-warning-of-template = el balance aún tiene datos de la plantilla en su nombre, su autor o sus cifras: no dicen nada de este puesto
+budget-warning-failed-study = un estudio encontró que este medidor no es suficientemente bueno: { $why }
 budget-warning-template-figures = estas contribuciones aún tienen las cifras de la plantilla: { $contributions }. Revise que valgan para este puesto
 budget-warning-few-readings = { $readings } lecturas de la pieza patrón: ISO 15530-3 pide al menos { $fewest }
 budget-warning-bias-corrected = sesgo { $bias } µm: la incertidumbre vale para valores a los que se ha restado el sesgo; Fitcheck no lo resta

@@ -28,6 +28,7 @@ budget-calibrated-nothing = toutes les incertitudes sont nulles
 budget-warning-expired = le bilan est périmé : il était valable jusqu'au { $until }
 budget-warning-not-yet = le bilan n'est pas encore valable : sa date est { $date }
 budget-warning-of-template = le bilan a encore des indications du modèle pour son nom, son auteur ou ses chiffres : elles ne disent rien de ce poste
+budget-warning-failed-study = une étude a trouvé que ce moyen de mesure n’est pas assez bon : { $why }
 budget-warning-template-figures = ces contributions ont encore les chiffres du modèle : { $contributions }. Vérifier qu'ils sont vrais pour ce poste
 budget-warning-few-readings = { $readings } lectures de la pièce étalonnée : ISO 15530-3 en demande au moins { $fewest }
 budget-warning-bias-corrected = biais { $bias } µm : l'incertitude vaut pour des valeurs dont le biais a été soustrait ; Fitcheck ne le soustrait pas

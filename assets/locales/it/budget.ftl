@@ -28,6 +28,7 @@ budget-calibrated-nothing = ogni incertezza è zero
 budget-warning-expired = il bilancio è scaduto: era valido fino al { $until }
 budget-warning-not-yet = il bilancio non è ancora valido: la sua data è { $date }
 budget-warning-of-template = il bilancio ha ancora dati del modello per nome, autore o numeri: non dicono nulla di questa stazione
+budget-warning-failed-study = uno studio ha trovato che questo strumento non è abbastanza buono: { $why }
 budget-warning-template-figures = questi contributi hanno ancora i numeri del modello: { $contributions }. Verificare che valgano per questa stazione
 budget-warning-few-readings = { $readings } letture del campione tarato: ISO 15530-3 ne richiede almeno { $fewest }
 budget-warning-bias-corrected = errore sistematico { $bias } µm: l'incertezza vale per valori da cui è stato sottratto; Fitcheck non lo sottrae

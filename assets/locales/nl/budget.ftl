@@ -28,6 +28,7 @@ budget-calibrated-nothing = elke onzekerheid is nul
 budget-warning-expired = het budget is verlopen: het was geldig tot en met { $until }
 budget-warning-not-yet = het budget is nog niet geldig: zijn datum is { $date }
 budget-warning-of-template = in het budget staan nog gegevens van het sjabloon in plaats van de naam, de opsteller of de getallen: ze zeggen niets over dit station
+budget-warning-failed-study = een studie vond dit meetmiddel niet goed genoeg: { $why }
 budget-warning-template-figures = deze bijdragen hebben nog de getallen van het sjabloon: { $contributions }. Controleer of die voor dit station kloppen
 budget-warning-few-readings = { $readings } aflezingen van het gekalibreerde werkstuk: ISO 15530-3 vraagt er minstens { $fewest }
 budget-warning-bias-corrected = afwijking { $bias } µm: de onzekerheid geldt voor waarden waarvan de afwijking is afgetrokken; Fitcheck trekt die niet af

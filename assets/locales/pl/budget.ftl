@@ -30,6 +30,7 @@ budget-calibrated-nothing = każda niepewność jest zerowa
 budget-warning-expired = budżet wygasł: był ważny do { $until }
 budget-warning-not-yet = budżet nie jest jeszcze ważny: jego data to { $date }
 budget-warning-of-template = budżet ma nadal nazwę, autora lub liczby z szablonu: nie mówią one nic o tym stanowisku
+budget-warning-failed-study = badanie wykazało, że ten przyrząd nie jest wystarczająco dobry: { $why }
 budget-warning-template-figures = te składowe mają nadal liczby z szablonu: { $contributions }. Sprawdzić, czy są prawdziwe dla tego stanowiska
 budget-warning-few-readings = odczyty przedmiotu wzorcowanego: { $readings }; ISO 15530-3 wymaga co najmniej { $fewest }
 budget-warning-bias-corrected = błąd systematyczny { $bias } µm: niepewność dotyczy wartości, od których go odjęto; Fitcheck go nie odejmuje

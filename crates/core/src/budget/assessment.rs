@@ -152,6 +152,9 @@ impl Assessment {
             Validity::Expired => warnings.push(BudgetWarning::Expired { until: valid_until.to_string() }),
             Validity::NotYet => warnings.push(BudgetWarning::NotYet { date: date.to_string() }),
         }
+        if let Some(why) = &self.budget.failed_study {
+            warnings.push(BudgetWarning::FailedStudy { why: why.clone() });
+        }
         if !self.budget.placeholders().is_empty() {
             warnings.push(BudgetWarning::OfTemplate);
         }

@@ -5,6 +5,7 @@
 //! date = 2026-01-15
 //! by = "J. Jansen"
 //! valid_until = 2027-01-14      # this day included
+//! failed_study = "…"            # why a study found the gauge not good enough; without it none did
 //!
 //! [[contribution]]
 //! name = "Scatter of a touch"
@@ -90,6 +91,7 @@ struct File {
     date: Spanned<toml::Value>,
     by: Spanned<String>,
     valid_until: Spanned<toml::Value>,
+    failed_study: Option<Spanned<String>>,
     #[serde(default)]
     contribution: Vec<WrittenContribution>,
     calibrated: Option<Spanned<Piece>>,
@@ -162,7 +164,8 @@ impl Budget {
         };
         let name = filled("name", &file.name, text)?;
         let by = filled("by", &file.by, text)?;
-        Ok(Self { name, date, by, valid_until, basis })
+        let failed_study = file.failed_study.as_ref().map(|why| filled("failed_study", why, text)).transpose()?;
+        Ok(Self { name, date, by, valid_until, failed_study, basis })
     }
 }
 

@@ -62,6 +62,8 @@ pub struct Budget {
     pub by: String,
     /// The last day on which it counts.
     pub valid_until: Date,
+    /// Why a study found the gauge not good enough, where one did: that is told with every check.
+    pub failed_study: Option<String>,
     /// What it is made of.
     pub basis: Basis,
 }

@@ -52,6 +52,11 @@ pub enum BudgetWarning {
         #[say(with = printed)]
         given: String,
     },
+    /// A study found the gauge not good enough.
+    FailedStudy {
+        /// Why, in the words of the study.
+        why: String,
+    },
     /// Some of it is what the template says, not the station.
     OfTemplate,
     /// Some of its figures are those of the template; they can be true of the station, too.

@@ -100,7 +100,7 @@ impl BudgetPage {
             let id = if has_readings { "budget-page-readings-not-kept" } else { "budget-page-not-kept" };
             details.push(Message::new(id));
         }
-        details.extend(warning(&budget, budget.validity(self.today)));
+        details.extend(warnings(&budget, budget.validity(self.today)));
         // A rule without uncertainty did not use the typed one either.
         if let Some(typed) = shared.worth.typed_uncertainty().filter(|_| is_by_rule) {
             details.push(message!("budget-page-used-before").message("uncertainty", typed.rounded_message()));
@@ -160,9 +160,9 @@ impl BudgetPage {
         });
         match read {
             Ok((document, budget)) => {
-                let warning = warning(&budget, budget.validity(self.today));
-                if warning.is_some() {
-                    shared.notices.push(told(&budget, warning.into_iter().collect(), shared));
+                let warnings = warnings(&budget, budget.validity(self.today));
+                if !warnings.is_empty() {
+                    shared.notices.push(told(&budget, warnings, shared));
                 }
                 let sha256 = shared.recording.of_file(&document.name());
                 shared.budget = Some(Arc::new(OpenBudget { file: document.name(), budget, sha256 }));
@@ -193,11 +193,13 @@ fn told(budget: &Budget, details: Vec<Message>, shared: &Shared) -> Notice {
 }
 
 /// What to check about a budget on a day.
-fn warning(budget: &Budget, validity: Validity) -> Option<Message> {
+fn warnings(budget: &Budget, validity: Validity) -> Vec<Message> {
     use fitcheck_core::budget::BudgetWarning;
-    match validity {
+    let day = match validity {
         Validity::Valid => None,
         Validity::Expired => Some(BudgetWarning::Expired { until: budget.valid_until.to_string() }.message()),
         Validity::NotYet => Some(BudgetWarning::NotYet { date: budget.date.to_string() }.message()),
-    }
+    };
+    let study = budget.failed_study.clone().map(|why| BudgetWarning::FailedStudy { why }.message());
+    day.into_iter().chain(study).collect()
 }

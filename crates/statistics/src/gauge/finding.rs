@@ -141,6 +141,11 @@ pub enum Finding {
 }
 
 impl Finding {
+    /// Whether it says that the gauge is not good enough.
+    pub const fn fails(&self) -> bool {
+        matches!(self, Self::MasterBad { .. } | Self::Bad { .. } | Self::NotStable)
+    }
+
     /// What the share of a gauge says, of the `tolerance` or of the `variation`, in per cent.
     pub fn of_share(of: &'static str, share: f64) -> Self {
         let percent = format!("{share:.1}");
