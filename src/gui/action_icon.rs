@@ -2,8 +2,8 @@
 
 use super::theme::Icon;
 use crate::session::{
-    Action, BudgetAction, CheckAction, PairingAction, PartsAction, ProgramAction, RecordsAction, TablesAction,
-    WindowAction, WorkpieceAction,
+    Action, BudgetAction, CheckAction, PairingAction, PartsAction, ProgramAction, RecordsAction, StatisticsAction,
+    TablesAction, WindowAction, WorkpieceAction,
 };
 
 /// The icon of an action, where it has one.
@@ -20,6 +20,7 @@ pub(super) const fn icon_of(action: Action) -> Option<Icon> {
         | Action::Pairing(PairingAction::CopyPairs)
         | Action::Check(CheckAction::CopyChecks | CheckAction::CopyStatus) => Icon::Copy,
         Action::Tables(TablesAction::OpenTable)
+        | Action::Statistics(StatisticsAction::OpenStudy)
         | Action::Budget(BudgetAction::OpenBudget | BudgetAction::OpenReadings)
         | Action::Pairing(PairingAction::OpenParts(_))
         | Action::Workpiece(
@@ -27,6 +28,7 @@ pub(super) const fn icon_of(action: Action) -> Option<Icon> {
         ) => Icon::FolderOpen,
         Action::Tables(TablesAction::SaveTable(_))
         | Action::Budget(BudgetAction::SaveBudget)
+        | Action::Statistics(StatisticsAction::SaveStudyBudget)
         | Action::Pairing(PairingAction::SavePairs(_)) => Icon::FloppyDisk,
         Action::Budget(BudgetAction::AddContribution | BudgetAction::NewBudget)
         | Action::Tables(TablesAction::AddColumns) => Icon::Plus,

@@ -32,6 +32,7 @@ use crate::message::message;
 use crate::proof::Seen;
 use crate::session::help::Sample;
 use crate::session::parts::PlanCommand;
+use crate::session::statistics::StudyCommand;
 use crate::session::{
     Command, Content, Effect, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose, ReadOutcome,
     RecordsCommand, RowsCommand, SettingsCommand, StatisticsCommand, Working, WorkpieceCommand,
@@ -270,6 +271,7 @@ fn may_wait(effect: &Effect) -> bool {
         | Effect::Launch(..)
         | Effect::Pair { .. }
         | Effect::EvaluateSeries { .. }
+        | Effect::EvaluateStudy { .. }
         | Effect::ReadPicture(_)
         | Effect::DrawReport { .. }
         | Effect::Print(_)
@@ -341,6 +343,9 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         Effect::EvaluateSeries { run, features, looks } => {
             let answers = features.iter().zip(&looks).map(|(feature, look)| feature.evaluate(look));
             vec![StatisticsCommand::Evaluated { run, answers: Arc::new(answers.collect()) }.into()]
+        }
+        Effect::EvaluateStudy { run, asked } => {
+            vec![StatisticsCommand::Study(StudyCommand::Evaluated { run, result: asked.evaluate() }).into()]
         }
         Effect::ReadPicture(path) => vec![picture_read(path)],
         Effect::ReadLogo(path) => vec![SettingsCommand::LogoRead { result: templates::logo(&path), path }.into()],

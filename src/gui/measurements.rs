@@ -2,6 +2,7 @@
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::file_contents::{FileContents, With, bytes_of, name, whole};
 use super::rows;
@@ -13,8 +14,10 @@ use crate::journal::chain::Hash;
 use crate::message::{Message, message};
 use crate::session::help::Sample;
 use crate::session::parts::WalkCommand;
+use crate::session::statistics::{StudyCommand, StudyFile};
 use crate::session::{
-    CheckCommand, ColumnsCommand, ColumnsRequest, Command, ImportInto, RowsCommand, UnitLess, UsedColumns, refusal,
+    CheckCommand, ColumnsCommand, ColumnsRequest, Command, ImportInto, RowsCommand, StatisticsCommand, UnitLess,
+    UsedColumns, refusal,
 };
 
 /// A file with its beginning, where it is read by its columns.
@@ -105,7 +108,7 @@ fn known(into: ImportInto, first: &FirstRows, with: With<'_>) -> Option<Known> {
 
 /// What is said of a file that is too large for the history; its rows are judged without a mapping.
 fn large(into: ImportInto, path: &Path, is_mapped: bool, with: With<'_>) -> Option<Command> {
-    if matches!(into, ImportInto::Part(_)) || Sample::bytes_at(path).is_some() {
+    if into != ImportInto::History || Sample::bytes_at(path).is_some() {
         return None;
     }
     let name = name(path);
@@ -131,6 +134,7 @@ fn taken(into: ImportInto, name: String, result: Result<std::convert::Infallible
     let command = match into {
         ImportInto::History => CheckCommand::Imported { name, result: Err(problem) }.into(),
         ImportInto::Part(run) => WalkCommand::Imported { run, name, result: Err(problem) }.into(),
+        ImportInto::Study => StatisticsCommand::Study(StudyCommand::Read { name, result: Err(problem) }).into(),
     };
     FileContents { before: None, command, sha256: None }
 }
@@ -177,9 +181,15 @@ impl Looked {
                 (CheckCommand::Imported { result, name: name.clone() }.into(), lacks_unit)
             }
             ImportInto::Part(run) => {
-                let result = items(&path, bytes, mapping, with);
+                let result = items(into, &path, bytes, mapping, with);
                 let lacks_unit = result.as_ref().is_ok_and(|items| items.iter().any(Item::lacks_unit));
                 (WalkCommand::Imported { run, result, name: name.clone() }.into(), lacks_unit)
+            }
+            ImportInto::Study => {
+                let result = items(into, &path, bytes, mapping, with);
+                let lacks_unit = result.as_ref().is_ok_and(|items| items.iter().any(Item::lacks_unit));
+                let result = result.map(|items| Arc::new(StudyFile::of(&name, &items)));
+                (StatisticsCommand::Study(StudyCommand::Read { name: name.clone(), result }).into(), lacks_unit)
             }
         };
         let before = used.or_else(|| (takes_unit && lacks_unit).then(unit_less));
@@ -212,8 +222,14 @@ fn import(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>
     whole(Box::new(imported), &job)
 }
 
-/// Everything that a file holds, one after the other: a plan judges it later.
-fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>) -> Result<Vec<Item>, Message> {
+/// Everything that a file holds, one after the other: a plan judges the values of a part later.
+fn items(
+    into: ImportInto,
+    path: &Path,
+    bytes: Vec<u8>,
+    mapping: Option<&Mapping>,
+    with: With<'_>,
+) -> Result<Vec<Item>, Message> {
     let job = (with.begins)(path, false);
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
@@ -224,7 +240,7 @@ fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>)
         mapping,
         masks,
         most_rows: MOST_ROWS,
-        has_plan: true,
+        has_plan: matches!(into, ImportInto::Part(_)),
         temperature: with.temperature,
         ..usual
     };

@@ -26,10 +26,11 @@ use crate::report::changes::EarlierReport;
 use crate::report::pairing::PairingParts;
 use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
+use crate::session::statistics::StudyCommand;
 use crate::session::{
     BothSizes, BudgetCommand, CheckCommand, ColumnsCommand, Command, CycleFile, CyclesCommand, ImportInto,
-    PairingCommand, PartsCommand, ProgramCommand, Purpose, ReportsCommand, RowsCommand, TablesCommand, ToolsCommand,
-    WorkpieceCommand, usable,
+    PairingCommand, PartsCommand, ProgramCommand, Purpose, ReportsCommand, RowsCommand, StatisticsCommand,
+    TablesCommand, ToolsCommand, WorkpieceCommand, usable,
 };
 use crate::text::decode;
 use crate::tolerance::fit::thermal::Temperature;
@@ -62,6 +63,7 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Parts(PartsCommand::Walk(WalkCommand::Imported { result, .. })) => result.is_ok(),
         Command::Parts(PartsCommand::Walk(WalkCommand::Watch { is_folder, .. })) => *is_folder,
         Command::Pairing(PairingCommand::Read { result, .. }) => result.is_ok(),
+        Command::Statistics(StatisticsCommand::Study(StudyCommand::Read { result, .. })) => result.is_ok(),
         Command::Reports(ReportsCommand::Earlier { result, .. }) => result.is_ok(),
         _ => false,
     }
@@ -74,6 +76,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> FileConte
     let command = match purpose {
         Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
         Purpose::ImportValues(run) => return measurements::read(ImportInto::Part(run), path, None, with),
+        Purpose::OpenStudy => return measurements::read(ImportInto::Study, path, None, with),
         Purpose::AskColumns(into) => return measurements::ask(into, path, with),
         Purpose::LoadMask => Command::MaskRead { result: read_mask(&path), path },
         Purpose::ImportSettings => Command::SettingsRead { result: read_settings(&path), path },

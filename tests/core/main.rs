@@ -161,6 +161,7 @@ mod session_settings;
 mod session_settings_file;
 mod session_sounds;
 mod session_statistics;
+mod session_studies;
 mod session_tables;
 mod session_tokens;
 mod session_tools;

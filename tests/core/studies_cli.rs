@@ -13,17 +13,17 @@ fn data(name: &str) -> Value {
     serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
 }
 
-fn published(id: &str) -> Value {
+pub(crate) fn published(id: &str) -> Value {
     let all = data("published_studies.json");
     all.as_array().unwrap().iter().find(|study| study["id"] == id).unwrap().clone()
 }
 
-fn numbers(of: &Value) -> Vec<f64> {
+pub(crate) fn numbers(of: &Value) -> Vec<f64> {
     of.as_array().unwrap().iter().map(|number| number.as_f64().unwrap()).collect()
 }
 
 /// Values above each other; sizes are above 0, so that some are moved.
-fn column(values: &[f64], moved: f64) -> String {
+pub(crate) fn column(values: &[f64], moved: f64) -> String {
     values.iter().fold("measured [mm]\n".to_owned(), |mut text, value| {
         writeln!(text, "{:.6}", value + moved).unwrap();
         text
@@ -31,7 +31,7 @@ fn column(values: &[f64], moved: f64) -> String {
 }
 
 /// Readings by part and operator.
-fn table(of: &Value) -> String {
+pub(crate) fn table(of: &Value) -> String {
     let cells: Vec<Vec<Vec<f64>>> = serde_json::from_value(of.clone()).unwrap();
     let mut text = "part;operator;measured [mm]\n".to_owned();
     for (part, row) in (1..).zip(&cells) {

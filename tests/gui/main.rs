@@ -38,6 +38,7 @@ mod shift;
 mod sizes;
 mod small_windows;
 mod statistics_page;
+mod studies;
 mod table_page;
 mod tools;
 mod walk_page;

@@ -20,6 +20,7 @@ use fitcheck::words::Language;
 use crate::harness::{DESK, Window, check, picture_in, press, sheet_in};
 use crate::pictures::can_paint;
 use crate::statistics_page::{entries, flange, page_of};
+use crate::studies::evaluated;
 
 /// Takes a picture of a window, if pictures can be made here.
 fn taken(name: &str, theme: Theme, size: Vec2, work: impl FnOnce(&mut Harness<'static, App>)) {
@@ -257,6 +258,13 @@ fn the_statistics_of_a_flange() {
 #[test]
 fn the_statistics_of_a_flange_in_a_small_window() {
     statistics("statistics_small", DESK);
+}
+
+#[test]
+fn a_study_of_a_gauge() {
+    if can_paint("study") {
+        picture_in(&mut evaluated(), "study", "docs/screenshots");
+    }
 }
 
 #[test]

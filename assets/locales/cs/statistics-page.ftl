@@ -123,3 +123,121 @@ statistics-page-at = Bod { $point }
 statistics-page-from-to = Body { $first } až { $last }
 statistics-page-left-out-because = Vynecháno: { $reason }
 statistics-page-advice = Rady
+
+# Studie měřidla
+statistics-study = Studie měřidla
+statistics-study-open = Otevřít odečty…
+statistics-study-open-hint = Soubor s odečty měřidla v libovolném formátu měření
+statistics-study-dialog = Otevřít odečty měřidla
+statistics-study-readings = { $count ->
+        [one] 1 odečet
+        [few] { $count } odečty
+        [many] { $count } odečtu
+       *[other] { $count } odečtů
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 odečet
+        [few] { $count } odečty
+        [many] { $count } odečtu
+       *[other] { $count } odečtů
+    }
+statistics-study-none = Otevřete soubor s odečty měřidla. Jeho sloupce říkají, který díl se měřil a kým. Než se něco vypočítá, uvidíte, jak byl soubor pochopen.
+statistics-study-kind = Druh studie
+statistics-study-type1 = Typ 1
+statistics-study-crossed = Křížená
+statistics-study-nested = Vnořená
+statistics-study-linearity = Linearita
+statistics-study-stability = Stabilita
+statistics-study-type1-hint = Jeden etalon, 25 odečtů nebo více
+statistics-study-crossed-hint = Každý operátor měří každý díl, dvakrát nebo vícekrát
+statistics-study-nested-hint = Každý operátor má vlastní díly
+statistics-study-linearity-hint = Několik etalonů různých rozměrů
+statistics-study-stability-hint = Jeden etalon v čase
+statistics-study-feature = Prvek studie
+statistics-study-lower = Dolní mez
+statistics-study-upper = Horní mez
+statistics-study-reference = Kalibrovaný rozměr
+statistics-study-resolution = Krok zobrazení
+statistics-study-references-hint = Jeden rozměr pro každý etalon podle jména: M1 = 30.0012; M2 = 40.0005. Prázdné pole používá jmenovité rozměry souboru.
+statistics-study-reference-unnamed = { $given } nejmenuje etalon: napište jeho jméno před rozměr, například M1 = 30.0012
+statistics-study-own-limits = Meze ze souboru: { $lower } … { $upper } mm
+statistics-study-understood = Jak byl soubor pochopen
+statistics-study-confirm = Dokud to nepotvrdíte, nic se nepočítá.
+statistics-study-evaluate = Vyhodnotit
+statistics-study-all-the-same = Přesto vyhodnotit
+statistics-study-working = Vyhodnocuje se…
+statistics-study-answer = Je toto měřidlo dost dobré?
+statistics-study-each = po { $what }
+statistics-study-parts = { $count ->
+        [one] 1 díl
+        [few] { $count } díly
+        [many] { $count } dílu
+       *[other] { $count } dílů
+    }
+statistics-study-operators = { $count ->
+        [one] 1 operátor
+        [few] { $count } operátoři
+        [many] { $count } operátora
+       *[other] { $count } operátorů
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 opakování
+        [few] { $count } opakování
+        [many] { $count } opakování
+       *[other] { $count } opakování
+    }
+statistics-study-masters = { $count ->
+        [one] 1 etalon
+        [few] { $count } etalony
+        [many] { $count } etalonu
+       *[other] { $count } etalonů
+    }
+statistics-study-points = { $count ->
+        [one] 1 bod
+        [few] { $count } body
+        [many] { $count } bodu
+       *[other] { $count } bodů
+    }
+statistics-study-readings-between = { $least } až { $most } odečtů
+statistics-study-more-faults = a další: { $count }
+statistics-study-limits-differ = Meze v souboru se liší hodnotu od hodnoty: zadejte dolní a horní mez, nebo vyberte prvek.
+statistics-study-features = Soubor má několik prvků: vyberte ten, který měřidlo měřilo.
+statistics-study-save-budget = Uložit jako bilanci…
+statistics-study-save-budget-hint = Rozptyl, který studie našla, jako typ A se stupni volnosti, pro stránku Nejistota
+statistics-study-no-budget = Tato studie nedává do bilance žádný příspěvek
+statistics-study-source = { $of ->
+        [part] díly
+        [operator] operátoři
+        [interaction] interakce
+        [repeatability] opakovatelnost
+        [gauge] měřidlo
+       *[total] celkem
+    }
+statistics-study-mean-square = Střední čtverec, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Rozptyl, { $source }
+statistics-study-figure-reference = Kalibrovaný rozměr
+statistics-study-figure-bias = Strannost
+statistics-study-figure-mean-bias = Průměrná strannost
+statistics-study-figure-bias-p = p strannosti
+statistics-study-figure-bias-t = t strannosti
+statistics-study-figure-bias-at = Strannost při { $size } mm ({ $count })
+statistics-study-figure-smallest = Nejmenší tolerance
+statistics-study-figure-smallest-good = Nejmenší tolerance, 10 %
+statistics-study-figure-smallest-accepted = Nejmenší tolerance, 30 %
+statistics-study-figure-repeatability = Opakovatelnost, s
+statistics-study-figure-gauge = Měřidlo, s
+statistics-study-figure-of-variance = Podíl na rozptylu
+statistics-study-figure-of-readings = Podíl na všech odečtech
+statistics-study-figure-of-tolerance = Podíl na toleranci
+statistics-study-figure-categories = Rozlišitelné kategorie
+statistics-study-figure-slope = Sklon
+statistics-study-figure-slope-p = p sklonu
+statistics-study-figure-intercept = Strannost při 0
+statistics-study-figure-intercept-p = p strannosti při 0
+statistics-study-figure-residual = s kolem přímky
+statistics-study-figure-centre = Střední přímka
+statistics-study-figure-lower-control = Dolní regulační mez
+statistics-study-figure-upper-control = Horní regulační mez
+statistics-study-figure-spread-centre = Střední rozptýlení
+statistics-study-figure-spread-upper = Horní regulační mez rozptýlení

@@ -112,3 +112,25 @@ series-study-uneven-operator = díly operátora { $operator }: { $found }, oček
 series-study-nested = každý díl měřil jen jeden operátor: to je vnořená studie
 series-study-no-reference = hodnoty bez kalibrovaného rozměru: { $count }
 series-study-references = hodnoty jednoho etalonu mají několik kalibrovaných rozměrů
+
+# Jak se počítají hodnoty studie
+series-method-word = { $word }
+series-method-given = zadáno
+series-method-mean = průměr, Student
+series-method-deviation = směrodatná odchylka, chí-kvadrát
+series-method-bias = průměr − reference, Student
+series-method-t-test = t-test
+series-method-type1 = typ 1
+series-method-share = { $percent } % tolerance, { $spread } s
+series-method-required = Cg a Cgk alespoň { $required }
+series-method-anova = analýza rozptylu
+series-method-degrees = analýza rozptylu, stupně volnosti: { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = záporný, počítá se 0
+series-method-chi-square = chí-kvadrát
+series-method-large-sample = modifikovaný velký výběr
+series-method-variances = rozptyly
+series-method-categories = 1,41 díly / měřidlo
+series-method-linearity = linearita
+series-method-least-squares = nejmenší čtverce
+series-method-within-masters = s v rámci etalonů

@@ -293,6 +293,7 @@ file-kind-picture = Obrázky
 file-kind-watched = Sledované složky
 file-kind-budget = Bilance nejistot
 file-kind-readings = Odečty
+file-kind-study = Odečty měřidla
 dialog-move = Přejít na jinou položku
 dialog-recent-folders = Nedávné složky
 dialog-exists = { $name } už existuje. Nahradit?

@@ -111,3 +111,107 @@ statistics-page-at = Punkt { $point }
 statistics-page-from-to = Punkte { $first } bis { $last }
 statistics-page-left-out-because = Ausgelassen: { $reason }
 statistics-page-advice = Rat
+
+# Eine Prüfmittelstudie
+statistics-study = Prüfmittelstudie
+statistics-study-open = Messungen öffnen…
+statistics-study-open-hint = Eine Datei mit Messungen eines Prüfmittels, in jedem Format von Messwerten
+statistics-study-dialog = Messungen eines Prüfmittels öffnen
+statistics-study-readings = { $count ->
+        [one] 1 Messung
+       *[other] { $count } Messungen
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 Messung
+       *[other] { $count } Messungen
+    }
+statistics-study-none = Öffnen Sie eine Datei mit Messungen eines Prüfmittels. Ihre Spalten sagen, welches Teil von wem gemessen wurde. Bevor gerechnet wird, sehen Sie, wie sie verstanden wurde.
+statistics-study-kind = Art der Studie
+statistics-study-type1 = Verfahren 1
+statistics-study-crossed = Gekreuzt
+statistics-study-nested = Geschachtelt
+statistics-study-linearity = Linearität
+statistics-study-stability = Stabilität
+statistics-study-type1-hint = Ein Normal, 25 Messungen oder mehr
+statistics-study-crossed-hint = Jeder Prüfer misst jedes Teil, zweimal oder öfter
+statistics-study-nested-hint = Jeder Prüfer hat eigene Teile
+statistics-study-linearity-hint = Mehrere Normale verschiedener Maße
+statistics-study-stability-hint = Ein Normal über die Zeit
+statistics-study-feature = Merkmal der Studie
+statistics-study-lower = Untere Grenze
+statistics-study-upper = Obere Grenze
+statistics-study-reference = Kalibriertes Maß
+statistics-study-resolution = Ziffernschritt
+statistics-study-references-hint = Ein Maß für jedes Normal mit seinem Namen: M1 = 30.0012; M2 = 40.0005. Leer zählen die Nennmaße der Datei.
+statistics-study-reference-unnamed = { $given } nennt kein Normal: den Namen vor das Maß schreiben, etwa M1 = 30.0012
+statistics-study-own-limits = Grenzen der Datei: { $lower } … { $upper } mm
+statistics-study-understood = So wurde die Datei verstanden
+statistics-study-confirm = Gerechnet wird erst, wenn Sie das bestätigen.
+statistics-study-evaluate = Auswerten
+statistics-study-all-the-same = Trotzdem auswerten
+statistics-study-working = Auswertung läuft…
+statistics-study-answer = Ist dieses Prüfmittel gut genug?
+statistics-study-each = je { $what }
+statistics-study-parts = { $count ->
+        [one] 1 Teil
+       *[other] { $count } Teile
+    }
+statistics-study-operators = { $count ->
+        [one] 1 Prüfer
+       *[other] { $count } Prüfer
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 Wiederholung
+       *[other] { $count } Wiederholungen
+    }
+statistics-study-masters = { $count ->
+        [one] 1 Normal
+       *[other] { $count } Normale
+    }
+statistics-study-points = { $count ->
+        [one] 1 Punkt
+       *[other] { $count } Punkte
+    }
+statistics-study-readings-between = { $least } bis { $most } Messungen
+statistics-study-more-faults = und { $count } weitere
+statistics-study-limits-differ = Die Grenzen der Datei unterscheiden sich von Wert zu Wert: untere und obere Grenze eingeben oder ein Merkmal wählen.
+statistics-study-features = Die Datei hat mehrere Merkmale: das gemessene wählen.
+statistics-study-save-budget = Als Budget speichern…
+statistics-study-save-budget-hint = Die Streuung, die die Studie fand, als Typ A mit Freiheitsgraden, für die Seite Unsicherheit
+statistics-study-no-budget = Diese Studie gibt keinen Beitrag zu einem Budget
+statistics-study-source = { $of ->
+        [part] Teile
+        [operator] Prüfer
+        [interaction] Wechselwirkung
+        [repeatability] Wiederholbarkeit
+        [gauge] Prüfmittel
+       *[total] gesamt
+    }
+statistics-study-mean-square = Mittleres Quadrat, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Varianz, { $source }
+statistics-study-figure-reference = Kalibriertes Maß
+statistics-study-figure-bias = Systematische Abweichung
+statistics-study-figure-mean-bias = Mittlere systematische Abweichung
+statistics-study-figure-bias-p = p der Abweichung
+statistics-study-figure-bias-t = t der Abweichung
+statistics-study-figure-bias-at = Abweichung bei { $size } mm ({ $count })
+statistics-study-figure-smallest = Kleinste Toleranz
+statistics-study-figure-smallest-good = Kleinste Toleranz, 10 %
+statistics-study-figure-smallest-accepted = Kleinste Toleranz, 30 %
+statistics-study-figure-repeatability = Wiederholbarkeit, s
+statistics-study-figure-gauge = Prüfmittel, s
+statistics-study-figure-of-variance = Anteil an der Varianz
+statistics-study-figure-of-readings = Anteil an allen Messungen
+statistics-study-figure-of-tolerance = Anteil an der Toleranz
+statistics-study-figure-categories = Unterscheidbare Klassen
+statistics-study-figure-slope = Steigung
+statistics-study-figure-slope-p = p der Steigung
+statistics-study-figure-intercept = Abweichung bei 0
+statistics-study-figure-intercept-p = p der Abweichung bei 0
+statistics-study-figure-residual = s um die Gerade
+statistics-study-figure-centre = Mittellinie
+statistics-study-figure-lower-control = Untere Eingriffsgrenze
+statistics-study-figure-upper-control = Obere Eingriffsgrenze
+statistics-study-figure-spread-centre = Mittlere Streuung
+statistics-study-figure-spread-upper = Obere Eingriffsgrenze der Streuung

@@ -112,3 +112,25 @@ series-study-uneven-operator = Teile von Prüfer { $operator }: { $found }, erwa
 series-study-nested = jedes Teil wurde nur von einem Prüfer gemessen: das ist eine geschachtelte Studie
 series-study-no-reference = Werte ohne kalibriertes Maß: { $count }
 series-study-references = die Werte eines Normals haben mehrere kalibrierte Maße
+
+# Wie Kennwerte einer Studie gerechnet sind
+series-method-word = { $word }
+series-method-given = gegeben
+series-method-mean = Mittelwert, Student
+series-method-deviation = Standardabweichung, Chi-Quadrat
+series-method-bias = Mittelwert − Referenz, Student
+series-method-t-test = t-Test
+series-method-type1 = Verfahren 1
+series-method-share = { $percent } % der Toleranz, { $spread } s
+series-method-required = Cg und Cgk mindestens { $required }
+series-method-anova = Varianzanalyse
+series-method-degrees = Varianzanalyse, Freiheitsgrade: { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = negativ, zählt als 0
+series-method-chi-square = Chi-Quadrat
+series-method-large-sample = modifizierte große Stichprobe
+series-method-variances = Varianzen
+series-method-categories = 1,41 Teile / Prüfmittel
+series-method-linearity = Linearität
+series-method-least-squares = kleinste Quadrate
+series-method-within-masters = s innerhalb der Normale

@@ -284,6 +284,7 @@ file-kind-picture = Bilder
 file-kind-watched = Überwachte Ordner
 file-kind-budget = Unsicherheitsbudgets
 file-kind-readings = Einzelmesswerte
+file-kind-study = Messungen eines Prüfmittels
 dialog-move = Zu einem anderen Element
 dialog-recent-folders = Letzte Ordner
 dialog-exists = { $name } gibt es schon. Ersetzen?

@@ -111,3 +111,107 @@ statistics-page-at = Point { $point }
 statistics-page-from-to = Points { $first } to { $last }
 statistics-page-left-out-because = Left out: { $reason }
 statistics-page-advice = Advice
+
+# A study of a gauge
+statistics-study = Gauge study
+statistics-study-open = Open readings…
+statistics-study-open-hint = A file with readings of a gauge, in any format of measurements
+statistics-study-dialog = Open readings of a gauge
+statistics-study-readings = { $count ->
+        [one] 1 reading
+       *[other] { $count } readings
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 reading
+       *[other] { $count } readings
+    }
+statistics-study-none = Open a file with readings of a gauge. Its columns say which part was read and by whom. You see how it was understood before anything is computed.
+statistics-study-kind = Kind of study
+statistics-study-type1 = Type 1
+statistics-study-crossed = Crossed
+statistics-study-nested = Nested
+statistics-study-linearity = Linearity
+statistics-study-stability = Stability
+statistics-study-type1-hint = One master, 25 readings or more
+statistics-study-crossed-hint = Every operator reads every part, twice or more
+statistics-study-nested-hint = Every operator has parts of their own
+statistics-study-linearity-hint = Several masters of different sizes
+statistics-study-stability-hint = One master over time
+statistics-study-feature = Feature of the study
+statistics-study-lower = Lower limit
+statistics-study-upper = Upper limit
+statistics-study-reference = Calibrated size
+statistics-study-resolution = Step of the display
+statistics-study-references-hint = One size for each master by its name: M1 = 30.0012; M2 = 40.0005. Empty uses the nominal sizes of the file.
+statistics-study-reference-unnamed = { $given } names no master: write its name before the size, such as M1 = 30.0012
+statistics-study-own-limits = Limits of the file: { $lower } … { $upper } mm
+statistics-study-understood = How the file was understood
+statistics-study-confirm = Nothing is computed until you confirm this.
+statistics-study-evaluate = Evaluate
+statistics-study-all-the-same = Evaluate all the same
+statistics-study-working = Evaluating…
+statistics-study-answer = Is this gauge good enough?
+statistics-study-each = { $what } each
+statistics-study-parts = { $count ->
+        [one] 1 part
+       *[other] { $count } parts
+    }
+statistics-study-operators = { $count ->
+        [one] 1 operator
+       *[other] { $count } operators
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 repeat
+       *[other] { $count } repeats
+    }
+statistics-study-masters = { $count ->
+        [one] 1 master
+       *[other] { $count } masters
+    }
+statistics-study-points = { $count ->
+        [one] 1 point
+       *[other] { $count } points
+    }
+statistics-study-readings-between = { $least } to { $most } readings
+statistics-study-more-faults = and { $count } more
+statistics-study-limits-differ = The limits of the file differ from value to value: enter the lower and the upper limit, or choose a feature.
+statistics-study-features = The file has several features: choose the one that the gauge read.
+statistics-study-save-budget = Save as budget…
+statistics-study-save-budget-hint = The scatter that the study found, as type A with its degrees of freedom, for the page Uncertainty
+statistics-study-no-budget = This study gives no contribution to a budget
+statistics-study-source = { $of ->
+        [part] parts
+        [operator] operators
+        [interaction] interaction
+        [repeatability] repeatability
+        [gauge] gauge
+       *[total] total
+    }
+statistics-study-mean-square = Mean square, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Variance, { $source }
+statistics-study-figure-reference = Calibrated size
+statistics-study-figure-bias = Bias
+statistics-study-figure-mean-bias = Mean bias
+statistics-study-figure-bias-p = p of the bias
+statistics-study-figure-bias-t = t of the bias
+statistics-study-figure-bias-at = Bias at { $size } mm ({ $count })
+statistics-study-figure-smallest = Smallest tolerance
+statistics-study-figure-smallest-good = Smallest tolerance, 10 %
+statistics-study-figure-smallest-accepted = Smallest tolerance, 30 %
+statistics-study-figure-repeatability = Repeatability, s
+statistics-study-figure-gauge = Gauge, s
+statistics-study-figure-of-variance = Share of the variance
+statistics-study-figure-of-readings = Share of all readings
+statistics-study-figure-of-tolerance = Share of the tolerance
+statistics-study-figure-categories = Distinct categories
+statistics-study-figure-slope = Slope
+statistics-study-figure-slope-p = p of the slope
+statistics-study-figure-intercept = Bias at 0
+statistics-study-figure-intercept-p = p of the bias at 0
+statistics-study-figure-residual = s about the line
+statistics-study-figure-centre = Centre line
+statistics-study-figure-lower-control = Lower control limit
+statistics-study-figure-upper-control = Upper control limit
+statistics-study-figure-spread-centre = Mean spread
+statistics-study-figure-spread-upper = Upper control limit of the spread

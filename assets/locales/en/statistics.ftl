@@ -112,3 +112,25 @@ series-study-uneven-operator = parts of operator { $operator }: { $found }, expe
 series-study-nested = each part was read by one operator only: this is a nested study
 series-study-no-reference = values without a calibrated size: { $count }
 series-study-references = the values of one master have several calibrated sizes
+
+# How figures of a study are computed
+series-method-word = { $word }
+series-method-given = given
+series-method-mean = mean, Student
+series-method-deviation = standard deviation, chi-square
+series-method-bias = mean - reference, Student
+series-method-t-test = t test
+series-method-type1 = type 1
+series-method-share = { $percent } % of the tolerance, { $spread } s
+series-method-required = Cg and Cgk at least { $required }
+series-method-anova = analysis of variance
+series-method-degrees = analysis of variance, { $degrees } degrees of freedom
+series-method-ratio = F = { $f }
+series-method-negative = negative, set to 0
+series-method-chi-square = chi-square
+series-method-large-sample = modified large sample
+series-method-variances = variances
+series-method-categories = 1.41 parts / gauge
+series-method-linearity = linearity
+series-method-least-squares = least squares
+series-method-within-masters = s within masters

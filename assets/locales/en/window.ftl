@@ -284,6 +284,7 @@ file-kind-picture = Pictures
 file-kind-watched = Watched folders
 file-kind-budget = Uncertainty budgets
 file-kind-readings = Readings
+file-kind-study = Readings of a gauge
 dialog-move = Go to another entry
 dialog-recent-folders = Recent folders
 dialog-exists = { $name } already exists. Replace it?

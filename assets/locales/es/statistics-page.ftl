@@ -111,3 +111,107 @@ statistics-page-at = Punto { $point }
 statistics-page-from-to = Puntos { $first } a { $last }
 statistics-page-left-out-because = Excluido: { $reason }
 statistics-page-advice = Consejos
+
+# Un estudio del instrumento
+statistics-study = Estudio del instrumento
+statistics-study-open = Abrir lecturas…
+statistics-study-open-hint = Un archivo con lecturas de un instrumento, en cualquier formato de mediciones
+statistics-study-dialog = Abrir lecturas de un instrumento
+statistics-study-readings = { $count ->
+        [one] 1 lectura
+       *[other] { $count } lecturas
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 lectura
+       *[other] { $count } lecturas
+    }
+statistics-study-none = Abra un archivo con lecturas de un instrumento. Sus columnas dicen qué pieza se leyó y quién la leyó. Antes de calcular nada verá cómo se ha entendido.
+statistics-study-kind = Tipo de estudio
+statistics-study-type1 = Tipo 1
+statistics-study-crossed = Cruzado
+statistics-study-nested = Anidado
+statistics-study-linearity = Linealidad
+statistics-study-stability = Estabilidad
+statistics-study-type1-hint = Un patrón, 25 lecturas o más
+statistics-study-crossed-hint = Cada operario lee cada pieza, dos veces o más
+statistics-study-nested-hint = Cada operario tiene sus propias piezas
+statistics-study-linearity-hint = Varios patrones de distintas medidas
+statistics-study-stability-hint = Un patrón a lo largo del tiempo
+statistics-study-feature = Característica del estudio
+statistics-study-lower = Límite inferior
+statistics-study-upper = Límite superior
+statistics-study-reference = Medida calibrada
+statistics-study-resolution = Paso de lectura
+statistics-study-references-hint = Una medida para cada patrón por su nombre: M1 = 30.0012; M2 = 40.0005. Vacío usa las medidas nominales del archivo.
+statistics-study-reference-unnamed = { $given } no nombra ningún patrón: escriba su nombre delante de la medida, como M1 = 30.0012
+statistics-study-own-limits = Límites del archivo: { $lower } … { $upper } mm
+statistics-study-understood = Cómo se entendió el archivo
+statistics-study-confirm = No se calcula nada hasta que lo confirme.
+statistics-study-evaluate = Evaluar
+statistics-study-all-the-same = Evaluar de todos modos
+statistics-study-working = Evaluando…
+statistics-study-answer = ¿Es este instrumento bastante bueno?
+statistics-study-each = { $what } cada uno
+statistics-study-parts = { $count ->
+        [one] 1 pieza
+       *[other] { $count } piezas
+    }
+statistics-study-operators = { $count ->
+        [one] 1 operario
+       *[other] { $count } operarios
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 repetición
+       *[other] { $count } repeticiones
+    }
+statistics-study-masters = { $count ->
+        [one] 1 patrón
+       *[other] { $count } patrones
+    }
+statistics-study-points = { $count ->
+        [one] 1 punto
+       *[other] { $count } puntos
+    }
+statistics-study-readings-between = de { $least } a { $most } lecturas
+statistics-study-more-faults = y { $count } más
+statistics-study-limits-differ = Los límites del archivo difieren de un valor a otro: indique el límite inferior y el superior, o elija una característica.
+statistics-study-features = El archivo tiene varias características: elija la que leyó el instrumento.
+statistics-study-save-budget = Guardar como balance…
+statistics-study-save-budget-hint = La dispersión que halló el estudio, como tipo A con sus grados de libertad, para la página Incertidumbre
+statistics-study-no-budget = Este estudio no da ninguna contribución a un balance
+statistics-study-source = { $of ->
+        [part] piezas
+        [operator] operarios
+        [interaction] interacción
+        [repeatability] repetibilidad
+        [gauge] instrumento
+       *[total] total
+    }
+statistics-study-mean-square = Cuadrado medio, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Varianza, { $source }
+statistics-study-figure-reference = Medida calibrada
+statistics-study-figure-bias = Sesgo
+statistics-study-figure-mean-bias = Sesgo medio
+statistics-study-figure-bias-p = p del sesgo
+statistics-study-figure-bias-t = t del sesgo
+statistics-study-figure-bias-at = Sesgo en { $size } mm ({ $count })
+statistics-study-figure-smallest = Tolerancia más pequeña
+statistics-study-figure-smallest-good = Tolerancia más pequeña, 10 %
+statistics-study-figure-smallest-accepted = Tolerancia más pequeña, 30 %
+statistics-study-figure-repeatability = Repetibilidad, s
+statistics-study-figure-gauge = Instrumento, s
+statistics-study-figure-of-variance = Parte de la varianza
+statistics-study-figure-of-readings = Parte de todas las lecturas
+statistics-study-figure-of-tolerance = Parte de la tolerancia
+statistics-study-figure-categories = Categorías distintas
+statistics-study-figure-slope = Pendiente
+statistics-study-figure-slope-p = p de la pendiente
+statistics-study-figure-intercept = Sesgo en 0
+statistics-study-figure-intercept-p = p del sesgo en 0
+statistics-study-figure-residual = s en torno a la recta
+statistics-study-figure-centre = Línea central
+statistics-study-figure-lower-control = Límite de control inferior
+statistics-study-figure-upper-control = Límite de control superior
+statistics-study-figure-spread-centre = Dispersión media
+statistics-study-figure-spread-upper = Límite de control superior de la dispersión

@@ -112,3 +112,25 @@ series-study-uneven-operator = piezas del operario { $operator }: { $found }, se
 series-study-nested = cada pieza la midió un solo operario: es un estudio anidado
 series-study-no-reference = valores sin medida calibrada: { $count }
 series-study-references = los valores de un patrón tienen varias medidas calibradas
+
+# Cómo se calculan las cifras de un estudio
+series-method-word = { $word }
+series-method-given = dada
+series-method-mean = media, Student
+series-method-deviation = desviación típica, ji cuadrado
+series-method-bias = media − referencia, Student
+series-method-t-test = prueba t
+series-method-type1 = tipo 1
+series-method-share = { $percent } % de la tolerancia, { $spread } s
+series-method-required = Cg y Cgk al menos { $required }
+series-method-anova = análisis de la varianza
+series-method-degrees = análisis de la varianza, grados de libertad: { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = negativa, cuenta como 0
+series-method-chi-square = ji cuadrado
+series-method-large-sample = muestra grande modificada
+series-method-variances = varianzas
+series-method-categories = 1,41 piezas / instrumento
+series-method-linearity = linealidad
+series-method-least-squares = mínimos cuadrados
+series-method-within-masters = s dentro de los patrones

@@ -284,6 +284,7 @@ file-kind-picture = Imágenes
 file-kind-watched = Carpetas vigiladas
 file-kind-budget = Balances de incertidumbre
 file-kind-readings = Lecturas
+file-kind-study = Lecturas de un instrumento
 dialog-move = Ir a otro elemento de la lista
 dialog-recent-folders = Carpetas recientes
 dialog-exists = { $name } ya existe. ¿Reemplazar?

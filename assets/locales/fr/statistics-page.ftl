@@ -111,3 +111,107 @@ statistics-page-at = Point { $point }
 statistics-page-from-to = Points { $first } à { $last }
 statistics-page-left-out-because = Écarté : { $reason }
 statistics-page-advice = Conseils
+
+# Une étude d'un moyen de mesure
+statistics-study = Étude du moyen de mesure
+statistics-study-open = Ouvrir des lectures…
+statistics-study-open-hint = Un fichier de lectures d'un moyen de mesure, dans tout format de mesures
+statistics-study-dialog = Ouvrir les lectures d'un moyen de mesure
+statistics-study-readings = { $count ->
+        [one] 1 lecture
+       *[other] { $count } lectures
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 lecture
+       *[other] { $count } lectures
+    }
+statistics-study-none = Ouvrez un fichier de lectures d'un moyen de mesure. Ses colonnes disent quelle pièce a été lue, et par qui. Vous voyez comment il a été compris avant tout calcul.
+statistics-study-kind = Type d'étude
+statistics-study-type1 = Type 1
+statistics-study-crossed = Croisée
+statistics-study-nested = Emboîtée
+statistics-study-linearity = Linéarité
+statistics-study-stability = Stabilité
+statistics-study-type1-hint = Un étalon, 25 lectures ou plus
+statistics-study-crossed-hint = Chaque opérateur lit chaque pièce, deux fois ou plus
+statistics-study-nested-hint = Chaque opérateur a ses propres pièces
+statistics-study-linearity-hint = Plusieurs étalons de cotes différentes
+statistics-study-stability-hint = Un étalon au fil du temps
+statistics-study-feature = Élément de l'étude
+statistics-study-lower = Limite inférieure
+statistics-study-upper = Limite supérieure
+statistics-study-reference = Cote étalonnée
+statistics-study-resolution = Pas d'affichage
+statistics-study-references-hint = Une cote par étalon avec son nom : M1 = 30.0012; M2 = 40.0005. Vide, les cotes nominales du fichier comptent.
+statistics-study-reference-unnamed = { $given } ne nomme aucun étalon : écrire son nom avant la cote, comme M1 = 30.0012
+statistics-study-own-limits = Limites du fichier : { $lower } … { $upper } mm
+statistics-study-understood = Comment le fichier a été compris
+statistics-study-confirm = Rien n'est calculé avant votre confirmation.
+statistics-study-evaluate = Évaluer
+statistics-study-all-the-same = Évaluer quand même
+statistics-study-working = Évaluation…
+statistics-study-answer = Ce moyen de mesure est-il assez bon ?
+statistics-study-each = { $what } chacun
+statistics-study-parts = { $count ->
+        [one] 1 pièce
+       *[other] { $count } pièces
+    }
+statistics-study-operators = { $count ->
+        [one] 1 opérateur
+       *[other] { $count } opérateurs
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 répétition
+       *[other] { $count } répétitions
+    }
+statistics-study-masters = { $count ->
+        [one] 1 étalon
+       *[other] { $count } étalons
+    }
+statistics-study-points = { $count ->
+        [one] 1 point
+       *[other] { $count } points
+    }
+statistics-study-readings-between = { $least } à { $most } lectures
+statistics-study-more-faults = et { $count } de plus
+statistics-study-limits-differ = Les limites du fichier diffèrent d'une valeur à l'autre : entrer les limites inférieure et supérieure, ou choisir un élément.
+statistics-study-features = Le fichier a plusieurs éléments : choisir celui qui a été lu.
+statistics-study-save-budget = Enregistrer comme bilan…
+statistics-study-save-budget-hint = La dispersion trouvée par l'étude, en type A avec ses degrés de liberté, pour la page Incertitude
+statistics-study-no-budget = Cette étude ne donne aucune contribution à un bilan
+statistics-study-source = { $of ->
+        [part] pièces
+        [operator] opérateurs
+        [interaction] interaction
+        [repeatability] répétabilité
+        [gauge] moyen de mesure
+       *[total] total
+    }
+statistics-study-mean-square = Carré moyen, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Variance, { $source }
+statistics-study-figure-reference = Cote étalonnée
+statistics-study-figure-bias = Erreur de justesse
+statistics-study-figure-mean-bias = Erreur de justesse moyenne
+statistics-study-figure-bias-p = p de l'erreur de justesse
+statistics-study-figure-bias-t = t de l'erreur de justesse
+statistics-study-figure-bias-at = Erreur de justesse à { $size } mm ({ $count })
+statistics-study-figure-smallest = Plus petite tolérance
+statistics-study-figure-smallest-good = Plus petite tolérance, 10 %
+statistics-study-figure-smallest-accepted = Plus petite tolérance, 30 %
+statistics-study-figure-repeatability = Répétabilité, s
+statistics-study-figure-gauge = Moyen de mesure, s
+statistics-study-figure-of-variance = Part de la variance
+statistics-study-figure-of-readings = Part de toutes les lectures
+statistics-study-figure-of-tolerance = Part de la tolérance
+statistics-study-figure-categories = Catégories distinctes
+statistics-study-figure-slope = Pente
+statistics-study-figure-slope-p = p de la pente
+statistics-study-figure-intercept = Erreur de justesse à 0
+statistics-study-figure-intercept-p = p de l'erreur de justesse à 0
+statistics-study-figure-residual = s autour de la droite
+statistics-study-figure-centre = Ligne centrale
+statistics-study-figure-lower-control = Limite de contrôle inférieure
+statistics-study-figure-upper-control = Limite de contrôle supérieure
+statistics-study-figure-spread-centre = Dispersion moyenne
+statistics-study-figure-spread-upper = Limite de contrôle supérieure de la dispersion

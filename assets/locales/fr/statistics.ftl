@@ -112,3 +112,25 @@ series-study-uneven-operator = pièces de l'opérateur { $operator } : { $found 
 series-study-nested = chaque pièce n'a été mesurée que par un opérateur : c'est une étude emboîtée
 series-study-no-reference = valeurs sans cote étalonnée : { $count }
 series-study-references = les valeurs d'un étalon ont plusieurs cotes étalonnées
+
+# Comment les valeurs d'une étude sont calculées
+series-method-word = { $word }
+series-method-given = donnée
+series-method-mean = moyenne, Student
+series-method-deviation = écart-type, khi-deux
+series-method-bias = moyenne − référence, Student
+series-method-t-test = test t
+series-method-type1 = type 1
+series-method-share = { $percent } % de la tolérance, { $spread } s
+series-method-required = Cg et Cgk au moins { $required }
+series-method-anova = analyse de la variance
+series-method-degrees = analyse de la variance, degrés de liberté : { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = négative, comptée pour 0
+series-method-chi-square = khi-deux
+series-method-large-sample = grand échantillon modifié
+series-method-variances = variances
+series-method-categories = 1,41 pièces / moyen de mesure
+series-method-linearity = linéarité
+series-method-least-squares = moindres carrés
+series-method-within-masters = s au sein des étalons

@@ -284,6 +284,7 @@ file-kind-picture = Images
 file-kind-watched = Dossiers surveillés
 file-kind-budget = Bilans d'incertitude
 file-kind-readings = Lectures
+file-kind-study = Lectures d'un moyen de mesure
 dialog-move = Aller à un autre élément de la liste
 dialog-recent-folders = Dossiers récents
 dialog-exists = { $name } existe déjà. Le remplacer ?

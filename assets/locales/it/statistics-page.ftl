@@ -111,3 +111,107 @@ statistics-page-at = Punto { $point }
 statistics-page-from-to = Punti da { $first } a { $last }
 statistics-page-left-out-because = Escluso: { $reason }
 statistics-page-advice = Consigli
+
+# Uno studio dello strumento
+statistics-study = Studio dello strumento
+statistics-study-open = Apri letture…
+statistics-study-open-hint = Un file con letture di uno strumento, in qualsiasi formato di misure
+statistics-study-dialog = Apri letture di uno strumento
+statistics-study-readings = { $count ->
+        [one] 1 lettura
+       *[other] { $count } letture
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 lettura
+       *[other] { $count } letture
+    }
+statistics-study-none = Apra un file con letture di uno strumento. Le sue colonne dicono quale pezzo è stato letto e da chi. Prima di ogni calcolo si vede come è stato capito.
+statistics-study-kind = Tipo di studio
+statistics-study-type1 = Tipo 1
+statistics-study-crossed = Incrociato
+statistics-study-nested = Annidato
+statistics-study-linearity = Linearità
+statistics-study-stability = Stabilità
+statistics-study-type1-hint = Un campione, 25 letture o più
+statistics-study-crossed-hint = Ogni operatore legge ogni pezzo, due volte o più
+statistics-study-nested-hint = Ogni operatore ha pezzi propri
+statistics-study-linearity-hint = Più campioni di quote diverse
+statistics-study-stability-hint = Un campione nel tempo
+statistics-study-feature = Elemento dello studio
+statistics-study-lower = Limite inferiore
+statistics-study-upper = Limite superiore
+statistics-study-reference = Quota tarata
+statistics-study-resolution = Passo di lettura
+statistics-study-references-hint = Una quota per ogni campione con il suo nome: M1 = 30.0012; M2 = 40.0005. Vuoto usa le quote nominali del file.
+statistics-study-reference-unnamed = { $given } non nomina un campione: scriva il nome prima della quota, come M1 = 30.0012
+statistics-study-own-limits = Limiti del file: { $lower } … { $upper } mm
+statistics-study-understood = Come è stato capito il file
+statistics-study-confirm = Non si calcola nulla finché non lo conferma.
+statistics-study-evaluate = Valuta
+statistics-study-all-the-same = Valuta comunque
+statistics-study-working = Valutazione…
+statistics-study-answer = Questo strumento è abbastanza buono?
+statistics-study-each = { $what } ciascuno
+statistics-study-parts = { $count ->
+        [one] 1 pezzo
+       *[other] { $count } pezzi
+    }
+statistics-study-operators = { $count ->
+        [one] 1 operatore
+       *[other] { $count } operatori
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 ripetizione
+       *[other] { $count } ripetizioni
+    }
+statistics-study-masters = { $count ->
+        [one] 1 campione
+       *[other] { $count } campioni
+    }
+statistics-study-points = { $count ->
+        [one] 1 punto
+       *[other] { $count } punti
+    }
+statistics-study-readings-between = da { $least } a { $most } letture
+statistics-study-more-faults = e altri { $count }
+statistics-study-limits-differ = I limiti del file differiscono da un valore all'altro: indichi il limite inferiore e quello superiore, o scelga un elemento.
+statistics-study-features = Il file ha più elementi: scelga quello letto dallo strumento.
+statistics-study-save-budget = Salva come bilancio…
+statistics-study-save-budget-hint = La dispersione trovata dallo studio, come tipo A con i gradi di libertà, per la pagina Incertezza
+statistics-study-no-budget = Questo studio non dà contributi a un bilancio
+statistics-study-source = { $of ->
+        [part] pezzi
+        [operator] operatori
+        [interaction] interazione
+        [repeatability] ripetibilità
+        [gauge] strumento
+       *[total] totale
+    }
+statistics-study-mean-square = Quadrato medio, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Varianza, { $source }
+statistics-study-figure-reference = Quota tarata
+statistics-study-figure-bias = Scostamento sistematico
+statistics-study-figure-mean-bias = Scostamento sistematico medio
+statistics-study-figure-bias-p = p dello scostamento
+statistics-study-figure-bias-t = t dello scostamento
+statistics-study-figure-bias-at = Scostamento a { $size } mm ({ $count })
+statistics-study-figure-smallest = Tolleranza più piccola
+statistics-study-figure-smallest-good = Tolleranza più piccola, 10 %
+statistics-study-figure-smallest-accepted = Tolleranza più piccola, 30 %
+statistics-study-figure-repeatability = Ripetibilità, s
+statistics-study-figure-gauge = Strumento, s
+statistics-study-figure-of-variance = Quota della varianza
+statistics-study-figure-of-readings = Quota di tutte le letture
+statistics-study-figure-of-tolerance = Quota della tolleranza
+statistics-study-figure-categories = Categorie distinte
+statistics-study-figure-slope = Pendenza
+statistics-study-figure-slope-p = p della pendenza
+statistics-study-figure-intercept = Scostamento a 0
+statistics-study-figure-intercept-p = p dello scostamento a 0
+statistics-study-figure-residual = s attorno alla retta
+statistics-study-figure-centre = Linea centrale
+statistics-study-figure-lower-control = Limite di controllo inferiore
+statistics-study-figure-upper-control = Limite di controllo superiore
+statistics-study-figure-spread-centre = Dispersione media
+statistics-study-figure-spread-upper = Limite di controllo superiore della dispersione

@@ -112,3 +112,25 @@ series-study-uneven-operator = pezzi dell'operatore { $operator }: { $found }, a
 series-study-nested = ogni pezzo è stato misurato da un solo operatore: questo è uno studio annidato
 series-study-no-reference = valori senza quota tarata: { $count }
 series-study-references = i valori di un campione hanno più quote tarate
+
+# Come si calcolano i valori di uno studio
+series-method-word = { $word }
+series-method-given = data
+series-method-mean = media, Student
+series-method-deviation = scarto tipo, chi quadrato
+series-method-bias = media − riferimento, Student
+series-method-t-test = test t
+series-method-type1 = tipo 1
+series-method-share = { $percent } % della tolleranza, { $spread } s
+series-method-required = Cg e Cgk almeno { $required }
+series-method-anova = analisi della varianza
+series-method-degrees = analisi della varianza, gradi di libertà: { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = negativa, conta come 0
+series-method-chi-square = chi quadrato
+series-method-large-sample = grande campione modificato
+series-method-variances = varianze
+series-method-categories = 1,41 pezzi / strumento
+series-method-linearity = linearità
+series-method-least-squares = minimi quadrati
+series-method-within-masters = s entro i campioni

@@ -284,6 +284,7 @@ file-kind-picture = Immagini
 file-kind-watched = Cartelle sorvegliate
 file-kind-budget = Bilanci dell'incertezza
 file-kind-readings = Letture
+file-kind-study = Letture di uno strumento
 dialog-move = Passare a un altro nome
 dialog-recent-folders = Cartelle recenti
 dialog-exists = { $name } esiste già. Sostituirlo?

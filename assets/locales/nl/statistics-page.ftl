@@ -111,3 +111,107 @@ statistics-page-at = Punt { $point }
 statistics-page-from-to = Punten { $first } tot en met { $last }
 statistics-page-left-out-because = Weggelaten: { $reason }
 statistics-page-advice = Advies
+
+# Een meetmiddelstudie
+statistics-study = Meetmiddelstudie
+statistics-study-open = Aflezingen openen…
+statistics-study-open-hint = Een bestand met aflezingen van een meetmiddel, in elk formaat van metingen
+statistics-study-dialog = Aflezingen van een meetmiddel openen
+statistics-study-readings = { $count ->
+        [one] 1 aflezing
+       *[other] { $count } aflezingen
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 aflezing
+       *[other] { $count } aflezingen
+    }
+statistics-study-none = Open een bestand met aflezingen van een meetmiddel. De kolommen zeggen welk onderdeel door wie is gemeten. U ziet hoe het is begrepen voordat er iets wordt berekend.
+statistics-study-kind = Soort studie
+statistics-study-type1 = Type 1
+statistics-study-crossed = Gekruist
+statistics-study-nested = Genest
+statistics-study-linearity = Lineariteit
+statistics-study-stability = Stabiliteit
+statistics-study-type1-hint = Eén referentie, 25 aflezingen of meer
+statistics-study-crossed-hint = Elke operator meet elk onderdeel, twee keer of vaker
+statistics-study-nested-hint = Elke operator heeft eigen onderdelen
+statistics-study-linearity-hint = Meerdere referenties van verschillende maten
+statistics-study-stability-hint = Eén referentie in de tijd
+statistics-study-feature = Kenmerk van de studie
+statistics-study-lower = Ondergrens
+statistics-study-upper = Bovengrens
+statistics-study-reference = Gekalibreerde maat
+statistics-study-resolution = Afleesstap
+statistics-study-references-hint = Eén maat per referentie met haar naam: M1 = 30.0012; M2 = 40.0005. Leeg gelden de nominale maten van het bestand.
+statistics-study-reference-unnamed = { $given } noemt geen referentie: schrijf haar naam voor de maat, zoals M1 = 30.0012
+statistics-study-own-limits = Grenzen van het bestand: { $lower } … { $upper } mm
+statistics-study-understood = Hoe het bestand is begrepen
+statistics-study-confirm = Er wordt niets berekend voordat u dit bevestigt.
+statistics-study-evaluate = Evalueren
+statistics-study-all-the-same = Toch evalueren
+statistics-study-working = Wordt geëvalueerd…
+statistics-study-answer = Is dit meetmiddel goed genoeg?
+statistics-study-each = elk { $what }
+statistics-study-parts = { $count ->
+        [one] 1 onderdeel
+       *[other] { $count } onderdelen
+    }
+statistics-study-operators = { $count ->
+        [one] 1 operator
+       *[other] { $count } operators
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 herhaling
+       *[other] { $count } herhalingen
+    }
+statistics-study-masters = { $count ->
+        [one] 1 referentie
+       *[other] { $count } referenties
+    }
+statistics-study-points = { $count ->
+        [one] 1 punt
+       *[other] { $count } punten
+    }
+statistics-study-readings-between = { $least } tot { $most } aflezingen
+statistics-study-more-faults = en nog { $count }
+statistics-study-limits-differ = De grenzen van het bestand verschillen van waarde tot waarde: geef de onder- en bovengrens, of kies een kenmerk.
+statistics-study-features = Het bestand heeft meerdere kenmerken: kies het gemeten kenmerk.
+statistics-study-save-budget = Opslaan als budget…
+statistics-study-save-budget-hint = De spreiding die de studie vond, als type A met vrijheidsgraden, voor de pagina Onzekerheid
+statistics-study-no-budget = Deze studie geeft geen bijdrage aan een budget
+statistics-study-source = { $of ->
+        [part] onderdelen
+        [operator] operators
+        [interaction] interactie
+        [repeatability] herhaalbaarheid
+        [gauge] meetmiddel
+       *[total] totaal
+    }
+statistics-study-mean-square = Gemiddeld kwadraat, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Variantie, { $source }
+statistics-study-figure-reference = Gekalibreerde maat
+statistics-study-figure-bias = Systematische afwijking
+statistics-study-figure-mean-bias = Gemiddelde systematische afwijking
+statistics-study-figure-bias-p = p van de afwijking
+statistics-study-figure-bias-t = t van de afwijking
+statistics-study-figure-bias-at = Afwijking bij { $size } mm ({ $count })
+statistics-study-figure-smallest = Kleinste tolerantie
+statistics-study-figure-smallest-good = Kleinste tolerantie, 10 %
+statistics-study-figure-smallest-accepted = Kleinste tolerantie, 30 %
+statistics-study-figure-repeatability = Herhaalbaarheid, s
+statistics-study-figure-gauge = Meetmiddel, s
+statistics-study-figure-of-variance = Aandeel van de variantie
+statistics-study-figure-of-readings = Aandeel van alle aflezingen
+statistics-study-figure-of-tolerance = Aandeel van de tolerantie
+statistics-study-figure-categories = Te onderscheiden klassen
+statistics-study-figure-slope = Helling
+statistics-study-figure-slope-p = p van de helling
+statistics-study-figure-intercept = Afwijking bij 0
+statistics-study-figure-intercept-p = p van de afwijking bij 0
+statistics-study-figure-residual = s rond de lijn
+statistics-study-figure-centre = Middellijn
+statistics-study-figure-lower-control = Onderste regelgrens
+statistics-study-figure-upper-control = Bovenste regelgrens
+statistics-study-figure-spread-centre = Gemiddelde spreiding
+statistics-study-figure-spread-upper = Bovenste regelgrens van de spreiding

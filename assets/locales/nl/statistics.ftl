@@ -112,3 +112,25 @@ series-study-uneven-operator = onderdelen van operator { $operator }: { $found }
 series-study-nested = elk onderdeel is door maar één operator gemeten: dit is een geneste studie
 series-study-no-reference = waarden zonder gekalibreerde maat: { $count }
 series-study-references = de waarden van één referentie hebben meerdere gekalibreerde maten
+
+# Hoe cijfers van een studie zijn berekend
+series-method-word = { $word }
+series-method-given = gegeven
+series-method-mean = gemiddelde, Student
+series-method-deviation = standaardafwijking, chi-kwadraat
+series-method-bias = gemiddelde − referentie, Student
+series-method-t-test = t-toets
+series-method-type1 = type 1
+series-method-share = { $percent } % van de tolerantie, { $spread } s
+series-method-required = Cg en Cgk minstens { $required }
+series-method-anova = variantieanalyse
+series-method-degrees = variantieanalyse, vrijheidsgraden: { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = negatief, telt als 0
+series-method-chi-square = chi-kwadraat
+series-method-large-sample = aangepaste grote steekproef
+series-method-variances = varianties
+series-method-categories = 1,41 onderdelen / meetmiddel
+series-method-linearity = lineariteit
+series-method-least-squares = kleinste kwadraten
+series-method-within-masters = s binnen referenties

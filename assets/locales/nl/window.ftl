@@ -284,6 +284,7 @@ file-kind-picture = Afbeeldingen
 file-kind-watched = Bewaakte mappen
 file-kind-budget = Onzekerheidsbudgetten
 file-kind-readings = Aflezingen
+file-kind-study = Aflezingen van een meetmiddel
 dialog-move = Naar een ander item gaan
 dialog-recent-folders = Recente mappen
 dialog-exists = { $name } bestaat al. Vervangen?

@@ -123,3 +123,121 @@ statistics-page-at = Punkt { $point }
 statistics-page-from-to = Punkty od { $first } do { $last }
 statistics-page-left-out-because = Pominięto: { $reason }
 statistics-page-advice = Porady
+
+# Badanie przyrządu
+statistics-study = Badanie przyrządu
+statistics-study-open = Otwórz odczyty…
+statistics-study-open-hint = Plik z odczytami przyrządu w dowolnym formacie pomiarów
+statistics-study-dialog = Otwórz odczyty przyrządu
+statistics-study-readings = { $count ->
+        [one] 1 odczyt
+        [few] { $count } odczyty
+        [many] { $count } odczytów
+       *[other] { $count } odczytu
+    }
+statistics-study-opened = { $name }: { $count ->
+        [one] 1 odczyt
+        [few] { $count } odczyty
+        [many] { $count } odczytów
+       *[other] { $count } odczytu
+    }
+statistics-study-none = Otwórz plik z odczytami przyrządu. Jego kolumny mówią, która część była mierzona i przez kogo. Zanim cokolwiek zostanie obliczone, widać, jak plik został zrozumiany.
+statistics-study-kind = Rodzaj badania
+statistics-study-type1 = Typ 1
+statistics-study-crossed = Krzyżowe
+statistics-study-nested = Zagnieżdżone
+statistics-study-linearity = Liniowość
+statistics-study-stability = Stabilność
+statistics-study-type1-hint = Jeden wzorzec, 25 odczytów lub więcej
+statistics-study-crossed-hint = Każdy operator mierzy każdą część, co najmniej dwa razy
+statistics-study-nested-hint = Każdy operator ma własne części
+statistics-study-linearity-hint = Kilka wzorców o różnych wymiarach
+statistics-study-stability-hint = Jeden wzorzec w czasie
+statistics-study-feature = Cecha badania
+statistics-study-lower = Dolna granica
+statistics-study-upper = Górna granica
+statistics-study-reference = Wymiar wzorcowany
+statistics-study-resolution = Działka odczytu
+statistics-study-references-hint = Jeden wymiar dla każdego wzorca z jego nazwą: M1 = 30.0012; M2 = 40.0005. Puste pole: wymiary nominalne z pliku.
+statistics-study-reference-unnamed = { $given } nie nazywa wzorca: wpisz jego nazwę przed wymiarem, na przykład M1 = 30.0012
+statistics-study-own-limits = Granice z pliku: { $lower } … { $upper } mm
+statistics-study-understood = Jak zrozumiano plik
+statistics-study-confirm = Nic nie jest obliczane, dopóki tego nie potwierdzisz.
+statistics-study-evaluate = Oceń
+statistics-study-all-the-same = Oceń mimo to
+statistics-study-working = Ocenianie…
+statistics-study-answer = Czy ten przyrząd jest wystarczająco dobry?
+statistics-study-each = każdy: { $what }
+statistics-study-parts = { $count ->
+        [one] 1 część
+        [few] { $count } części
+        [many] { $count } części
+       *[other] { $count } części
+    }
+statistics-study-operators = { $count ->
+        [one] 1 operator
+        [few] { $count } operatorzy
+        [many] { $count } operatorów
+       *[other] { $count } operatora
+    }
+statistics-study-repeats = { $count ->
+        [one] 1 powtórzenie
+        [few] { $count } powtórzenia
+        [many] { $count } powtórzeń
+       *[other] { $count } powtórzenia
+    }
+statistics-study-masters = { $count ->
+        [one] 1 wzorzec
+        [few] { $count } wzorce
+        [many] { $count } wzorców
+       *[other] { $count } wzorca
+    }
+statistics-study-points = { $count ->
+        [one] 1 punkt
+        [few] { $count } punkty
+        [many] { $count } punktów
+       *[other] { $count } punktu
+    }
+statistics-study-readings-between = od { $least } do { $most } odczytów
+statistics-study-more-faults = i jeszcze { $count }
+statistics-study-limits-differ = Granice w pliku różnią się między wartościami: podaj dolną i górną granicę albo wybierz cechę.
+statistics-study-features = Plik ma kilka cech: wybierz tę, którą zmierzono.
+statistics-study-save-budget = Zapisz jako budżet…
+statistics-study-save-budget-hint = Rozrzut znaleziony w badaniu, jako typ A ze stopniami swobody, dla strony Niepewność
+statistics-study-no-budget = To badanie nie daje wkładu do budżetu
+statistics-study-source = { $of ->
+        [part] części
+        [operator] operatorzy
+        [interaction] interakcja
+        [repeatability] powtarzalność
+        [gauge] przyrząd
+       *[total] razem
+    }
+statistics-study-mean-square = Średni kwadrat, { $source }
+statistics-study-p = p, { $source }
+statistics-study-variance = Wariancja, { $source }
+statistics-study-figure-reference = Wymiar wzorcowany
+statistics-study-figure-bias = Obciążenie
+statistics-study-figure-mean-bias = Średnie obciążenie
+statistics-study-figure-bias-p = p obciążenia
+statistics-study-figure-bias-t = t obciążenia
+statistics-study-figure-bias-at = Obciążenie przy { $size } mm ({ $count })
+statistics-study-figure-smallest = Najmniejsza tolerancja
+statistics-study-figure-smallest-good = Najmniejsza tolerancja, 10 %
+statistics-study-figure-smallest-accepted = Najmniejsza tolerancja, 30 %
+statistics-study-figure-repeatability = Powtarzalność, s
+statistics-study-figure-gauge = Przyrząd, s
+statistics-study-figure-of-variance = Udział w wariancji
+statistics-study-figure-of-readings = Udział we wszystkich odczytach
+statistics-study-figure-of-tolerance = Udział w tolerancji
+statistics-study-figure-categories = Rozróżnialne kategorie
+statistics-study-figure-slope = Nachylenie
+statistics-study-figure-slope-p = p nachylenia
+statistics-study-figure-intercept = Obciążenie przy 0
+statistics-study-figure-intercept-p = p obciążenia przy 0
+statistics-study-figure-residual = s wokół prostej
+statistics-study-figure-centre = Linia centralna
+statistics-study-figure-lower-control = Dolna granica kontrolna
+statistics-study-figure-upper-control = Górna granica kontrolna
+statistics-study-figure-spread-centre = Średni rozrzut
+statistics-study-figure-spread-upper = Górna granica kontrolna rozrzutu

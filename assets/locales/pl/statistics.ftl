@@ -112,3 +112,25 @@ series-study-uneven-operator = części operatora { $operator }: { $found }, ocz
 series-study-nested = każdą część mierzył tylko jeden operator: to badanie zagnieżdżone
 series-study-no-reference = wartości bez wymiaru wzorcowanego: { $count }
 series-study-references = wartości jednego wzorca mają kilka wymiarów wzorcowanych
+
+# Jak obliczono wartości badania
+series-method-word = { $word }
+series-method-given = podano
+series-method-mean = średnia, Student
+series-method-deviation = odchylenie standardowe, chi-kwadrat
+series-method-bias = średnia − wartość odniesienia, Student
+series-method-t-test = test t
+series-method-type1 = typ 1
+series-method-share = { $percent } % tolerancji, { $spread } s
+series-method-required = Cg i Cgk co najmniej { $required }
+series-method-anova = analiza wariancji
+series-method-degrees = analiza wariancji, stopnie swobody: { $degrees }
+series-method-ratio = F = { $f }
+series-method-negative = ujemna, liczona jako 0
+series-method-chi-square = chi-kwadrat
+series-method-large-sample = zmodyfikowana duża próba
+series-method-variances = wariancje
+series-method-categories = 1,41 części / przyrząd
+series-method-linearity = liniowość
+series-method-least-squares = najmniejsze kwadraty
+series-method-within-masters = s w obrębie wzorców

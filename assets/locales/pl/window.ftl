@@ -302,6 +302,7 @@ file-kind-picture = Obrazy
 file-kind-watched = Obserwowane foldery
 file-kind-budget = Budżety niepewności
 file-kind-readings = Odczyty
+file-kind-study = Odczyty przyrządu
 dialog-move = Przejdź do innej pozycji
 dialog-recent-folders = Ostatnie foldery
 dialog-exists = { $name } już istnieje. Zastąpić?

@@ -18,6 +18,7 @@ use super::files::{Content, DialogId, Launch};
 use super::parts::AlarmSearch;
 use super::purpose::{ImportInto, Purpose};
 use super::sound::Rhythm;
+use super::statistics::StudyAsked;
 
 /// What the state asks of the outside world; done at the edge, not on the frame's thread.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,6 +95,12 @@ pub enum Effect {
         /// The number of the question.
         run: u64,
         asked: Box<PairingRequest>,
+    },
+    /// Evaluate a study of a gauge and send `StudyCommand::Evaluated`.
+    EvaluateStudy {
+        /// The number of the question.
+        run: u64,
+        asked: Box<StudyAsked>,
     },
     /// Open the journal, which is made where there is none, and send `RecordsCommand::Opened` with so many of its newest checks.
     OpenJournal {

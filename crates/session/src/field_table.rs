@@ -220,6 +220,10 @@ rows! {
     Last, "statistics-page-last", PAGE, "number-of-values";
     Size, "statistics-page-size", AT_TIMES, "values-of-a-point";
     Reason, "statistics-page-reason", AT_TIMES, "reason-to-leave-a-point-out";
+    StudyLower, "statistics-study-lower", AT_TIMES, "lower-limit-of-a-study";
+    StudyUpper, "statistics-study-upper", AT_TIMES, "upper-limit-of-a-study";
+    StudyReference, "statistics-study-reference", AT_TIMES, "calibrated-size";
+    StudyResolution, "statistics-study-resolution", AT_TIMES, "step-of-the-display";
 }
 
 rows! {

@@ -82,6 +82,10 @@ pub enum Purpose {
     CompareReport,
     /// Reading readings of a calibrated piece.
     OpenReadings,
+    /// Reading readings of a gauge for a study.
+    OpenStudy,
+    /// Writing what the study gives an uncertainty budget.
+    SaveStudyBudget,
     /// Reading measured holes or shafts for the pairing page.
     OpenParts(Feature),
     /// Writing the pairs in a format of their list, by its number there.
@@ -195,6 +199,7 @@ impl Purpose {
             Self::OpenPlan,
             Self::OpenPicture,
             Self::OpenReadings,
+            Self::OpenStudy,
             Self::OpenCycleFile(CycleFile::Contacts),
             Self::OpenCycleFile(CycleFile::Workpiece),
             Self::OpenCycleFile(CycleFile::Probes),
@@ -218,6 +223,9 @@ impl Purpose {
             Self::AskColumns(ImportInto::Part(_)) => {
                 reads("measurements", "columns-page-dialog", Packable, &[Page::Parts])
             }
+            Self::AskColumns(ImportInto::Study) => reads("study", "columns-page-dialog", Packable, &[Page::Statistics]),
+            Self::OpenStudy => reads("study", "statistics-study-dialog", Packable, &[Page::Statistics]),
+            Self::SaveStudyBudget => writes("budget", "budget-page-dialog-save", TOML),
             Self::WatchFolder => reads_folder("watched", "walk-page-dialog-watch", &[], &[Page::Parts]),
             Self::LoadMask => reads("mask", "dialog-mask", Listed(&["a"]), &[]),
             Self::LoadTexts => reads("own-texts", "dialog-own-texts", Listed(&["ftl"]), &[]),
@@ -338,6 +346,8 @@ pub enum ImportInto {
     History,
     /// The part that is walked through, by its number among all that were begun: it may be another one when the file is read.
     Part(u64),
+    /// The study of a gauge.
+    Study,
 }
 
 impl ImportInto {
@@ -346,6 +356,7 @@ impl ImportInto {
         match self {
             Self::History => Purpose::Import,
             Self::Part(run) => Purpose::ImportValues(run),
+            Self::Study => Purpose::OpenStudy,
         }
     }
 }

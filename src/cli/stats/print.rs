@@ -154,7 +154,7 @@ fn cells(figure: &Figure) -> [String; 4] {
         }
         Err(reason) => ("–".to_owned(), reason.to_string()),
     };
-    [figure.label.to_owned(), value, ends, figure.method.clone()]
+    [figure.label.to_owned(), value, ends, figure.method.to_string()]
 }
 
 pub(super) fn csv(series: &Series<'_>, answer: &Answer, io: &mut Io<'_>) {
@@ -207,11 +207,11 @@ fn figure_line(figure: &Figure, group: String) -> [String; 6] {
         Err(reason) if group.is_empty() => [String::new(), String::new(), String::new(), reason.to_string()],
         Err(reason) => [String::new(), String::new(), String::new(), format!("{group}: {reason}")],
     };
-    [figure.name.to_owned(), value, lower, upper, figure.method.clone(), note]
+    [figure.name.to_owned(), value, lower, upper, figure.method.to_string(), note]
 }
 
 fn figure_json(figure: &Figure) -> Json {
-    let method = &figure.method;
+    let method = figure.method.to_string();
     match &figure.value {
         Ok((value, None)) => json!({ "value": value, "method": method }),
         Ok((value, Some([lower, upper]))) => {

@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::cli::admitted::Admits as _;
 use crate::cli::measured::{Measured, unreadable};
 use crate::cli::{CliRemark, Io, import, now};
 use crate::exchange::{ByPlan, ImportInputs, Item, Mapping, import_from};
 use crate::files;
 use crate::part::Plan;
-use crate::series::Value;
+use crate::series::{Value, ValueReader};
 use crate::tolerance::Sources;
 
 /// What was read.
@@ -43,8 +42,8 @@ pub(super) fn read(
         let given =
             ImportInputs { beside: &beside, mapping, has_plan: plan.is_some(), ..ImportInputs::new(sources, now()) };
         let name = files::name_of(path).to_string_lossy();
-        let mut doubted = None;
-        let mut take_one = |item: Item| read.take(path, item, &mut doubted, io);
+        let mut reader = ValueReader::default();
+        let mut take_one = |item: Item| read.take(path, item, &mut reader, io);
         let mut take = |item: Item| match &by_plan {
             Some(by_plan) => by_plan.item(item, &mut take_one),
             None => take_one(item),
@@ -55,26 +54,24 @@ pub(super) fn read(
 }
 
 impl Read {
-    /// Takes what a file holds; a doubt about a row comes before the row.
-    fn take(&mut self, path: &Path, item: Item, doubted: &mut Option<usize>, io: &mut Io<'_>) {
+    /// Takes what a file holds.
+    fn take(&mut self, path: &Path, item: Item, reader: &mut ValueReader, io: &mut Io<'_>) {
         import::warn(path, &item, io);
         if let Some(error) = unreadable(path, &item) {
             io.fail(&error);
         }
+        let value = reader.take(&item);
+        let is_value = value.is_some();
+        self.values.extend(value);
         let place = |line: usize| format!("{}:{line}", path.display());
         match item {
-            Item::Record { line, record, labels } => {
+            Item::Record { line, record, .. } => {
                 if let Some(doubt) = &record.doubt {
                     io.tell(format_args!("{}: warning: {doubt}", place(line)));
                 }
-                let is_doubted = record.doubt.is_some() || *doubted == Some(line);
-                self.values.push(Value::of_record(&record, &labels, is_doubted));
             }
             Item::Unjudged(unjudged) => {
-                if let Some(measured) = unjudged.measured {
-                    let is_doubted = *doubted == Some(unjudged.line);
-                    self.values.push(Value::of_unjudged(&unjudged, measured, is_doubted));
-                } else {
+                if !is_value {
                     io.tell(format_args!("{}: {}", place(unjudged.line), unjudged.why));
                     self.has_failed = true;
                 }
@@ -86,9 +83,6 @@ impl Read {
             Item::Warning(warning) => {
                 if let Some(line) = warning.what.row {
                     io.tell(format_args!("{}: warning: {}", place(line), warning.what.kind));
-                    if warning.what.kind.wants_a_look() {
-                        *doubted = Some(line);
-                    }
                 }
             }
             Item::Contacts(_) => {

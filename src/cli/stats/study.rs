@@ -1,13 +1,13 @@
 //! `--study` and `--compare`: a gauge, or groups, instead of the process.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::cli::args::one_of;
 use crate::cli::io::{now, save};
 use crate::cli::{CliError, ErrorSubject, IntoCliError as _, Io};
+use crate::files;
 use crate::length::Length;
-use crate::series::{Answer, Contribution, Factor, Reference, StudyKind, StudyWanted};
+use crate::series::{Answer, Factor, Reference, StudyKind, StudyWanted};
 
 /// What is asked instead of the figures of the process.
 #[derive(Debug, clap::Args)]
@@ -49,13 +49,8 @@ impl StudyArgs {
     }
 
     pub(super) fn wanted(&self, kind: StudyKind) -> Result<StudyWanted, CliError> {
-        let reference = |given: &String| -> Result<Reference, CliError> {
-            let (part, size) = match given.rsplit_once('=') {
-                Some((part, size)) => (Some(part.trim().to_owned()), size),
-                None => (None, given.as_str()),
-            };
-            Ok(Reference { part, size: mm("reference", size)? })
-        };
+        let about = ErrorSubject::Option { name: "reference" };
+        let reference = |given: &String| Reference::read(given).about(&about);
         Ok(StudyWanted {
             kind,
             references: self.references.iter().map(reference).collect::<Result<_, _>>()?,
@@ -65,34 +60,10 @@ impl StudyArgs {
     }
 
     /// Writes the budget that is asked for.
-    pub(super) fn save(&self, answer: &Answer, files: &[PathBuf], io: &mut Io<'_>) -> Result<(), CliError> {
-        match &self.budget_out {
-            Some(path) if !answer.contributions.is_empty() => save(path, budget(answer, files).as_bytes(), io),
-            Some(_) => Err(CliError::StatsNoBudget),
-            None => Ok(()),
-        }
+    pub(super) fn save(&self, answer: &Answer, read: &[PathBuf], io: &mut Io<'_>) -> Result<(), CliError> {
+        let Some(path) = &self.budget_out else { return Ok(()) };
+        let names: Vec<String> = read.iter().map(|path| files::name_of(path).to_string_lossy().into_owned()).collect();
+        let budget = answer.budget(&names.join(", "), now().date()).ok_or(CliError::StatsNoBudget)?;
+        save(path, budget.as_bytes(), io)
     }
-}
-
-/// A budget with the contributions of a study.
-fn budget(answer: &Answer, files: &[PathBuf]) -> String {
-    let names: Vec<String> = files.iter().map(|path: &PathBuf| file_name(path)).collect();
-    let text = |text: &str| toml::Value::String(text.to_owned()).to_string();
-    let today = now().date();
-    let names = text(&names.join(", "));
-    // Until somebody says until when it is valid, it is for one day.
-    let mut budget = format!("name = {names}\ndate = {today}\nby = \"fitcheck stats\"\nvalid_until = {today}\n");
-    for Contribution { name, standard, degrees } in &answer.contributions {
-        let study = answer.layout.map_or("", |layout| layout.kind.word());
-        let _infallible = write!(
-            budget,
-            "\n[[contribution]]\nname = \"{name}, {study} study\"\ntype = \"A\"\nlaw = \"normal\"\nstandard_um = {}\ndegrees_of_freedom = {degrees}\n",
-            standard * 1_000.0
-        );
-    }
-    budget
-}
-
-fn file_name(path: &Path) -> String {
-    crate::files::name_of(path).to_string_lossy().into_owned()
 }

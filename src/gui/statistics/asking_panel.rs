@@ -10,6 +10,7 @@ use crate::session::{StatisticsAction, StatisticsCommand, StatisticsField};
 
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
+    super::folded_sides_ui(ui, view);
     ui.horizontal_wrapped(|ui| {
         parts_ui(ui, view);
         let name = ui.label(view.text("statistics-page-question"));

@@ -9,6 +9,7 @@
 //! | `chart_panel` | the chart: walked by keys, brushed, clicked through to the record |
 //! | `aside_panel` | histogram, spread and probability plot |
 //! | `signals_panel` | the patterns that rules find, the rules, advice |
+//! | `study` | the other view: a study of a gauge |
 //! | `paint` | from a picture to the screen |
 
 mod aside_panel;
@@ -18,6 +19,9 @@ mod features_list;
 mod figures_panel;
 mod paint;
 mod signals_panel;
+mod study;
+
+use std::path::Path;
 
 use eframe::egui::{Id, Rect, Sense, Ui, UiBuilder, pos2};
 
@@ -27,15 +31,16 @@ use super::empty::empty_ui;
 use super::key_names::part_id;
 use super::keypad::keypad_ui;
 use super::over_page::just_opened;
-use super::page::{Group, PageView};
+use super::page::{Group, PageView, open};
 use super::segments::segments_ui;
 use super::shapes::times;
 use super::theme::{Icon, control, space};
+use super::top_bar::{has_sides, sides_ui};
 use super::view::{View, heading, problem, quiet};
 use crate::message::message;
 use crate::session::focused::FEATURES;
-use crate::session::statistics::Aside;
-use crate::session::{StatisticsAction, WindowAction};
+use crate::session::statistics::{Aside, StatisticsView};
+use crate::session::{Action, Command, Purpose, StatisticsAction, WindowAction};
 
 /// From this width of the page on, features stand beside the charts.
 const BESIDE: f32 = 800.0;
@@ -47,24 +52,60 @@ const CARDS: [f32; 2] = [900.0, 600.0];
 const GAP: f32 = 12.0;
 
 pub(super) const PAGE: PageView = PageView {
-    action: |_| StatisticsAction::ReportStatistics.into(),
+    sides: &SIDES,
+    action,
     opened,
+    dropped,
     ..PageView::of(Group::Results, Icon::ChartScatter, statistics_ui)
 };
 
-/// The chosen feature.
+const SIDES: [Action; 2] = [
+    Action::Statistics(StatisticsAction::ShowStatistics(StatisticsView::Features)),
+    Action::Statistics(StatisticsAction::ShowStatistics(StatisticsView::Study)),
+];
+
+/// The report of the features, or the readings of a gauge.
+fn action(view: &View<'_>) -> Action {
+    match view.session.statistics().view {
+        StatisticsView::Features => StatisticsAction::ReportStatistics.into(),
+        StatisticsView::Study => StatisticsAction::OpenStudy.into(),
+    }
+}
+
+/// The chosen feature, or the file of a study.
 fn opened(view: &View<'_>) -> Vec<String> {
-    let open = view.session.statistics().open();
-    open.map(|(feature, _)| feature.key.title(true)).into_iter().collect()
+    let page = view.session.statistics();
+    match page.view {
+        StatisticsView::Features => page.open().map(|(feature, _)| feature.key.title(true)).into_iter().collect(),
+        StatisticsView::Study => page.study.file().map(|file| file.name.clone()).into_iter().collect(),
+    }
+}
+
+/// Readings of a gauge while a study is shown, else measurements.
+fn dropped(view: &View<'_>, path: &Path, _number: usize) -> Command {
+    let purpose = match view.session.statistics().view {
+        StatisticsView::Features => Purpose::Import,
+        StatisticsView::Study => Purpose::OpenStudy,
+    };
+    open(purpose, path)
 }
 
 /// The page.
 fn statistics_ui(ui: &mut Ui, view: &mut View<'_>) {
+    match view.session.statistics().view {
+        StatisticsView::Features => features_ui(ui, view),
+        StatisticsView::Study => study::study_ui(ui, view),
+    }
+}
+
+/// The features of the journal.
+fn features_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("statistics-page")) {
         ui.memory_mut(|memory| memory.request_focus(part_id(FEATURES)));
     }
     if !view.session.recording().is_on() {
         return rest_ui(ui, view, |ui, view| {
+            folded_sides_ui(ui, view);
             empty_ui(ui, view, "statistics-page-off", &[WindowAction::Open(crate::session::Page::Check).into()]);
         });
     }
@@ -83,6 +124,13 @@ fn statistics_ui(ui: &mut Ui, view: &mut View<'_>) {
         cards_ui(ui, view);
     } else {
         rest_ui(ui, view, |ui, view| column_ui(ui, "statistics", |ui| one_ui(ui, view, width < BESIDE)));
+    }
+}
+
+/// The two views, where they have no room beside the title.
+fn folded_sides_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if !has_sides(ui) {
+        sides_ui(ui, view);
     }
 }
 

@@ -28,20 +28,34 @@ struct Made {
 pub(super) fn drawn_ui(ui: &Ui, view: &View<'_>, what: Drawn, rect: Rect) -> Option<Arc<Picture>> {
     let page = view.session.statistics();
     let (_, of) = page.open()?;
-    let made = Made {
-        version: page.version(),
-        feature: page.chosen(),
-        size: rect.size().into(),
-        points: page.window(),
-        sign: view.words.decimal_sign(),
-        language: view.session.language(),
-    };
+    let seen = (page.version(), page.chosen(), page.window());
     let id = Id::unique(("statistics-drawn", what));
+    kept_ui(ui, view, (id, seen), rect, |size| of.drawn(what, size, page.window(), view.words))
+}
+
+/// Paints the chart of a stability study in a place; or says there why there is none.
+pub(super) fn study_ui(ui: &Ui, view: &View<'_>, rect: Rect) {
+    let study = &view.session.statistics().study;
+    let Some(found) = study.evaluated() else { return };
+    let seen = (study.version(), None, 0..0);
+    let id = Id::unique("statistics-study-drawn");
+    kept_ui(ui, view, (id, seen), rect, |size| found.answer.run_chart(&found.signals, size, view.words));
+}
+
+/// Paints what is drawn of a version, a feature and its points; drawn anew only where something of this changed.
+fn kept_ui(
+    ui: &Ui,
+    view: &View<'_>,
+    (id, (version, feature, points)): (Id, (u64, Option<usize>, Range<usize>)),
+    rect: Rect,
+    draw: impl FnOnce([f64; 2]) -> Result<Picture, Reason>,
+) -> Option<Arc<Picture>> {
+    let (sign, language) = (view.words.decimal_sign(), view.session.language());
+    let made = Made { version, feature, size: rect.size().into(), points, sign, language };
     let kept = ui.data(|data| data.get_temp::<(Made, Result<Arc<Picture>, Reason>)>(id));
     let drawn = kept.filter(|(of, _)| *of == made).map_or_else(
         || {
-            let size = made.size.map(f64::from);
-            let drawn = of.drawn(what, size, made.points.clone(), view.words).map(Arc::new);
+            let drawn = draw(made.size.map(f64::from)).map(Arc::new);
             ui.data_mut(|data| data.insert_temp(id, (made.clone(), drawn.clone())));
             drawn
         },

@@ -6,7 +6,7 @@ use fitcheck_core::words::Words;
 use fitcheck_statistics::picture::{
     Picture, View, histogram, probability_plot, run_chart, sheet, spread_chart, value_range,
 };
-use fitcheck_statistics::{Family, Reason, Tolerance};
+use fitcheck_statistics::{Family, Reason, Signal, Tolerance};
 
 use super::{Answer, Evaluated, Series, Wanted};
 
@@ -37,6 +37,22 @@ impl Answer {
         let values: Vec<f64> = counted.flat_map(|sample| &sample.values).copied().collect();
         let base = nominal.or(lower).or(upper).or(values.first().copied()).ok_or(Reason::Empty)?;
         self.sheet_of(&values, base, words)
+    }
+
+    /// The chart of values or means in a size. Lengths are counted from a limit, or else from the mean in whole micrometres.
+    ///
+    /// # Errors
+    /// Why there is no chart.
+    pub fn run_chart(&self, signals: &[Signal], size: [f64; 2], words: &Words) -> Result<Picture, Reason> {
+        let chart = self.chart.as_ref().map_err(Clone::clone)?;
+        let [lower, upper] = self.wanted.limits;
+        let tolerance = Tolerance::new(lower, upper).ok();
+        let tolerance = tolerance.as_ref();
+        let centre = chart.points.first().map_or(0.0, |point| (point.location.centre * 1_000.0).round() / 1_000.0);
+        let base = lower.or(upper).unwrap_or(centre);
+        let points = 0..chart.points.len();
+        let view = View { size, values: value_range(chart, tolerance, &points), points, base, words };
+        Ok(run_chart(chart, tolerance, signals, &view))
     }
 
     fn sheet_of(&self, values: &[f64], base: f64, words: &Words) -> Result<Picture, Reason> {

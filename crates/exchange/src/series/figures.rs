@@ -2,7 +2,7 @@
 
 use super::Series;
 use super::charted::{Charted, Remembered};
-use super::figure::{Figure, FigureKind};
+use super::figure::{Figure, FigureKind, FigureMethod};
 use super::layout::Layout;
 use super::wanted::Wanted;
 use fitcheck_core::message::Say as _;
@@ -128,12 +128,18 @@ impl Answer {
         name: [&'static str; 2],
         kind: FigureKind,
         value: Result<Estimate, Reason>,
-        method: impl Into<String>,
+        method: impl Into<FigureMethod>,
     ) {
         self.figures.push(Figure::of(name, kind, value, method));
     }
 
-    pub(super) fn bare(&mut self, name: [&'static str; 2], kind: FigureKind, value: f64, method: impl Into<String>) {
+    pub(super) fn bare(
+        &mut self,
+        name: [&'static str; 2],
+        kind: FigureKind,
+        value: f64,
+        method: impl Into<FigureMethod>,
+    ) {
         self.figures.push(Figure::bare(name, kind, value, method));
     }
 

@@ -8,11 +8,12 @@ use fitcheck_statistics::gauge::Finding;
 use super::value::Value;
 
 /// A kind of study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum StudyKind {
     /// Many readings of one master.
     Type1,
     /// Every operator reads every part.
+    #[default]
     Crossed,
     /// Every operator has parts of its own.
     Nested,
@@ -48,6 +49,16 @@ pub struct Layout {
     pub readings: [usize; 2],
 }
 
+/// How the values of a study were understood, before anything is computed of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Understood {
+    pub layout: Layout,
+    /// What looks wrong with it.
+    pub doubts: Vec<Finding>,
+    /// What is missing, or is there too often.
+    pub faults: Vec<StudyError>,
+}
+
 /// Why values make no study.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "series-study", error)]
@@ -72,8 +83,7 @@ pub enum StudyError {
 #[derive(Debug)]
 pub(super) struct Cells {
     pub(super) readings: Vec<Vec<Vec<f64>>>,
-    pub(super) layout: Layout,
-    pub(super) doubts: Vec<Finding>,
+    pub(super) understood: Understood,
 }
 
 /// Names in the order in which they come.
@@ -108,6 +118,15 @@ fn put(cells: &mut Vec<Vec<Vec<f64>>>, [outer, inner]: [usize; 2], value: f64) {
     }
 }
 
+/// The count that most of them have; of several such counts the largest. What differs from it is what is wrong.
+fn usual(counts: impl Iterator<Item = usize>) -> usize {
+    let mut often: BTreeMap<usize, usize> = BTreeMap::new();
+    for count in counts {
+        *often.entry(count).or_default() += 1;
+    }
+    often.into_iter().max_by_key(|(count, times)| (*times, *count)).map_or(0, |(count, _)| count)
+}
+
 /// The parts of values, each of which names one.
 fn parts_of(values: &[&Value]) -> Result<Vec<String>, StudyError> {
     match values.iter().filter(|value| value.origin.is_of_no_part()).count() {
@@ -126,12 +145,13 @@ impl Cells {
         }
         let pairs: Vec<[&str; 2]> =
             parts.iter().zip(values).map(|(part, value)| [part.as_str(), value.origin.who.as_str()]).collect();
-        let mut cells = if is_nested { nested(values, &pairs) } else { crossed(values, &pairs) }?;
-        let Layout { parts, operators, .. } = cells.layout;
+        let mut cells = if is_nested { nested(values, &pairs) } else { crossed(values, &pairs)? };
+        let Layout { parts, operators, .. } = cells.understood.layout;
+        let doubts = &mut cells.understood.doubts;
         if 1 < operators && operators == values.len() {
-            cells.doubts.push(Finding::OperatorPerValue);
+            doubts.push(Finding::OperatorPerValue);
         } else if parts < operators && !is_nested {
-            cells.doubts.push(Finding::MoreOperators { parts, operators });
+            doubts.push(Finding::MoreOperators { parts, operators });
         }
         Ok(cells)
     }
@@ -151,19 +171,18 @@ fn crossed(values: &[&Value], pairs: &[[&str; 2]]) -> Result<Cells, StudyError> 
     if 1 < count && count < values.len() && readings.iter().all(has_one) {
         return Err(StudyError::Nested);
     }
-    let needed = readings.iter().flatten().map(Vec::len).max().unwrap_or_default();
+    let needed = usual(readings.iter().flatten().map(Vec::len));
     let cells = readings.iter().enumerate().flat_map(|(part, row)| row.iter().enumerate().map(move |it| (part, it)));
-    for (part, (operator, cell)) in cells {
-        if cell.len() != needed {
-            let (part, operator) = (parts.name(part), operators.name(operator));
-            return Err(StudyError::UnevenCell { part, operator, found: cell.len(), needed });
-        }
-    }
+    let uneven = cells.filter(|(_, (_, cell))| cell.len() != needed).map(|(part, (operator, cell))| {
+        let (part, operator) = (parts.name(part), operators.name(operator));
+        StudyError::UnevenCell { part, operator, found: cell.len(), needed }
+    });
+    let faults = uneven.collect();
     let layout = Layout { kind: StudyKind::Crossed, parts: parts.names.len(), operators: count, readings: [needed; 2] };
-    Ok(Cells { readings, layout, doubts: Vec::new() })
+    Ok(Cells { readings, understood: Understood { layout, doubts: Vec::new(), faults } })
 }
 
-fn nested(values: &[&Value], pairs: &[[&str; 2]]) -> Result<Cells, StudyError> {
+fn nested(values: &[&Value], pairs: &[[&str; 2]]) -> Cells {
     let mut operators = Names::default();
     let mut parts: Vec<Names<'_>> = Vec::new();
     let mut readings = Vec::new();
@@ -173,21 +192,23 @@ fn nested(values: &[&Value], pairs: &[[&str; 2]]) -> Result<Cells, StudyError> {
         let inner = parts.get_mut(outer).map_or(0, |parts| parts.index(part));
         put(&mut readings, [outer, inner], value.measured.to_mm_f64());
     }
-    let most = readings.iter().map(Vec::len).max().unwrap_or_default();
-    let needed = readings.iter().flatten().map(Vec::len).max().unwrap_or_default();
+    let most = usual(readings.iter().map(Vec::len));
+    let needed = usual(readings.iter().flatten().map(Vec::len));
+    let mut faults = Vec::new();
     for (at, row) in readings.iter().enumerate() {
         let operator = operators.name(at);
         if row.len() != most {
-            return Err(StudyError::UnevenOperator { operator, found: row.len(), needed: most });
+            faults.push(StudyError::UnevenOperator { operator: operator.clone(), found: row.len(), needed: most });
         }
-        if let Some((inner, cell)) = row.iter().enumerate().find(|(_, cell)| cell.len() != needed) {
+        for (inner, cell) in row.iter().enumerate().filter(|(_, cell)| cell.len() != needed) {
             let part = parts.get(at).map_or_else(String::new, |parts| parts.name(inner));
-            return Err(StudyError::UnevenCell { part, operator, found: cell.len(), needed });
+            faults.push(StudyError::UnevenCell { part, operator: operator.clone(), found: cell.len(), needed });
         }
     }
     let is_same = |pair: &[Names<'_>]| matches!(pair, [one, other] if one.known.keys().eq(other.known.keys()));
     let is_crossed = 1 < parts.len() && parts.windows(2).all(is_same);
     let layout =
         Layout { kind: StudyKind::Nested, parts: most, operators: operators.names.len(), readings: [needed; 2] };
-    Ok(Cells { readings, layout, doubts: is_crossed.then_some(Finding::SameParts).into_iter().collect() })
+    let doubts = is_crossed.then_some(Finding::SameParts).into_iter().collect();
+    Cells { readings, understood: Understood { layout, doubts, faults } }
 }

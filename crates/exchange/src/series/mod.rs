@@ -7,8 +7,11 @@
 //! | `figure` | a figure with its interval and its method |
 //! | `charted` | the chart: limits, rules that fire, EWMA and CUSUM |
 //! | `figures` | all that is computed, and advice |
+//! | `reading` | values from what a file holds |
 //! | `layout` | parts, operators and readings of a study of a gauge |
+//! | `study_wanted` | what is asked of it, and how its values are understood |
 //! | `study` | what a study says |
+//! | `budget` | what it gives an uncertainty budget |
 //! | `compared` | groups such as machines, compared |
 //! | `listed` | every feature in a line, those that need a look first |
 //! | `drawn` | its charts as drawings |
@@ -18,6 +21,7 @@
 //! `fitcheck stats` and the page Statistics show the same figures.
 
 mod alarms;
+mod budget;
 mod charted;
 mod compared;
 mod drawn;
@@ -26,7 +30,9 @@ mod figures;
 mod journal;
 mod layout;
 mod listed;
+mod reading;
 mod study;
+mod study_wanted;
 mod value;
 mod wanted;
 
@@ -35,13 +41,14 @@ use std::collections::BTreeSet;
 pub use charted::{MemoryPoint, Remembered};
 pub use compared::Factor;
 pub use drawn::Drawn;
-pub use figure::{Figure, FigureKind};
+pub use figure::{Figure, FigureKind, FigureMethod};
 pub use figures::{Answer, Contribution, Group};
 use fitcheck_core::length::Length;
 pub use journal::{ASKED_INDEX, Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
-pub use layout::{Layout, StudyError, StudyKind};
+pub use layout::{Layout, StudyError, StudyKind, Understood};
 pub use listed::{ListedFeature, NoPpk, listed};
-pub use study::{Reference, StudyWanted};
+pub use reading::ValueReader;
+pub use study_wanted::{Reference, StudyWanted};
 pub use value::{LeftOut, Origin, Value, names_are_parts};
 pub use wanted::{Memory, Wanted};
 

@@ -61,7 +61,7 @@ impl Session {
 
     fn plan_for(&self, into: ImportInto) -> Option<Arc<Plan>> {
         match into {
-            ImportInto::History => None,
+            ImportInto::History | ImportInto::Study => None,
             ImportInto::Part(run) => {
                 let walking = &self.parts.walking;
                 walking.plan.as_ref().filter(|_| run == walking.run).map(Arc::clone)

@@ -167,7 +167,7 @@ impl OpenColumns {
             None => items,
         };
         for item in items {
-            see(&item, &mut self.read, &mut self.problem);
+            see(&item, self.asked.into, &mut self.read, &mut self.problem);
         }
     }
 
@@ -206,12 +206,19 @@ pub fn refusal(into: ImportInto, has: impl Fn(Role) -> bool) -> Option<Message> 
             let is_found = has(Role::Id) || has(Role::Number) || has(Role::X) && has(Role::Y);
             (!is_found).then(|| message!("columns-page-no-name"))
         }
+        // A part and an operator are needed by some studies only.
+        ImportInto::Study => None,
     }
 }
 
-fn see(item: &Item, read: &mut usize, problem: &mut Option<Message>) {
+fn see(item: &Item, into: ImportInto, read: &mut usize, problem: &mut Option<Message>) {
     let wrong = match item {
         Item::Record { .. } => {
+            *read += 1;
+            return;
+        }
+        // A reading needs no limits.
+        Item::Unjudged(unjudged) if into == ImportInto::Study && unjudged.measured.is_some() => {
             *read += 1;
             return;
         }

@@ -148,6 +148,10 @@ impl Session {
             Purpose::ExportSettings => "fitcheck-settings.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             Purpose::SaveBudget => self.budget.document.name(),
+            Purpose::SaveStudyBudget => {
+                let file = self.statistics.study.file().map_or("", |file| file.name.as_str());
+                names::with_ending(file, purpose.ending())
+            }
             Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), purpose.ending()),
             Purpose::SavePairs(_) => {
                 let name = self.shared.words().get("pairing-page-file-name");
@@ -267,6 +271,10 @@ impl Session {
             Purpose::ExportSettings => self.settings_bytes().map_err(|error| error.message())?.into(),
             Purpose::SaveBudget => self.budget.document.save(&path).into(),
             Purpose::SavePlan(_) => self.parts.document.save(&path).into(),
+            Purpose::SaveStudyBudget => {
+                let budget = self.statistics.study.budget(now.date());
+                budget.ok_or_else(|| message!("statistics-study-no-budget"))?.into_bytes().into()
+            }
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| message!("cycles-no-log"))?;
                 log.bytes.clone().into()
@@ -388,6 +396,8 @@ impl Session {
             None => message!("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });
+        // The budget of a study is opened where budgets are.
+        let opens = (purpose == Some(Purpose::SaveStudyBudget)).then_some(Purpose::OpenBudget);
+        self.shared.notices.push(Notice { details, file, opens, ..Notice::of(message, false) });
     }
 }

@@ -2,15 +2,18 @@
 
 use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::words::Words;
+use fitcheck_exchange::series::StudyKind;
 use fitcheck_statistics::Rule;
 
-use super::{Aside, PointsOf, StatisticsCommand, StatisticsField, Zooming};
+use super::study::kind_id;
+use super::{Aside, PointsOf, StatisticsCommand, StatisticsField, StatisticsView, StudyCommand, Zooming};
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
 use crate::action::{ActionScope, Key, Part, Shortcut};
 use crate::command::Command;
 use crate::field::Field;
 use crate::page::Page;
+use crate::purpose::{ImportInto, Purpose};
 use crate::reports::{ReportOf, ReportsCommand};
 use crate::step::Step;
 
@@ -27,6 +30,20 @@ actions! {
     /// What can be done on the statistics page.
     StatisticsAction
 
+    /// Shows the features or a study of a gauge.
+    ShowStatistics(StatisticsView): StatisticsView::ALL;
+    /// Reads readings of a gauge.
+    OpenStudy;
+    /// Reads them after a look at their columns.
+    StudyColumns;
+    /// Chooses the kind of study.
+    KindOfStudy(StudyKind): StudyKind::ALL;
+    /// Confirms the layout and evaluates the study.
+    EvaluateStudy;
+    /// Evaluates a layout that looks wrong.
+    EvaluateAllTheSame;
+    /// Writes what the study gives an uncertainty budget.
+    SaveStudyBudget;
     /// Goes to the question.
     FindSeries;
     /// Reads the values again.
@@ -66,14 +83,21 @@ actions! {
 impl Actions for StatisticsAction {
     fn row(&self) -> ActionRow {
         match *self {
+            Self::ShowStatistics(_)
+            | Self::OpenStudy
+            | Self::StudyColumns
+            | Self::KindOfStudy(_)
+            | Self::EvaluateStudy
+            | Self::EvaluateAllTheSame
+            | Self::SaveStudyBudget => self.on_study(),
             Self::FindSeries => {
                 on(Page::Statistics, "statistics-page-question", Command::GoTo(StatisticsField::Question.into()))
                     .key(Shortcut::ctrl('F'))
-                    .when(|session| session.recording().is_on())
+                    .when(|session| shows_features(session) && session.recording().is_on())
             }
             Self::ReadAgain => on(Page::Statistics, "statistics-page-read-again", StatisticsCommand::ReadAgain)
                 .key(Shortcut::plain(Key::Function(5)))
-                .when(|session| session.recording().is_on()),
+                .when(|session| shows_features(session) && session.recording().is_on()),
             Self::MoveFeature(step) => {
                 within(FEATURES, "statistics-page-move-feature", StatisticsCommand::MoveFeature(step)).key(keys(step))
             }
@@ -127,6 +151,8 @@ impl Actions for StatisticsAction {
     fn is_on(&self, session: &Session) -> Option<bool> {
         let page = session.statistics();
         Some(match *self {
+            Self::ShowStatistics(view) => page.view == view,
+            Self::KindOfStudy(kind) => page.study.kind == kind,
             Self::UsePoints(of) => page.points_of == of,
             Self::ShowRules => page.shows_rules,
             Self::SwitchRule(rule) => page.rules().has(rule),
@@ -138,6 +164,7 @@ impl Actions for StatisticsAction {
     fn on_enter(field: Field, _page: Page) -> Option<Self> {
         match field {
             Field::Statistics(StatisticsField::Reason) => Some(Self::TakeReason),
+            Field::Statistics(field) if field.is_of_study() => Some(Self::EvaluateStudy),
             Field::Statistics(_) => Some(Self::ReadAgain),
             _ => None,
         }
@@ -145,6 +172,36 @@ impl Actions for StatisticsAction {
 }
 
 impl StatisticsAction {
+    /// What is done with a study of a gauge.
+    fn on_study(self) -> ActionRow {
+        let on_page = |text, command: StudyCommand| on(Page::Statistics, text, StatisticsCommand::Study(command));
+        let open = |text, purpose| on(Page::Statistics, text, Command::OpenDialog(purpose));
+        match self {
+            Self::ShowStatistics(StatisticsView::Features) => {
+                on(Page::Statistics, "statistics-page-features", StatisticsCommand::View(StatisticsView::Features))
+            }
+            Self::OpenStudy => open("statistics-study-open", Purpose::OpenStudy)
+                .hint("statistics-study-open-hint")
+                .key(Shortcut::ctrl('O'))
+                .when(shows_study),
+            Self::StudyColumns => open("columns-page-import", Purpose::AskColumns(ImportInto::Study))
+                .hint("columns-page-hint")
+                .when(shows_study),
+            Self::KindOfStudy(kind) => on_page(kind_id(kind), StudyCommand::SetKind(kind)),
+            Self::EvaluateStudy => on_page("statistics-study-evaluate", StudyCommand::Evaluate { all_the_same: false })
+                .when(|session| shows_study(session) && session.statistics().study.is_whole() && !is_doubted(session)),
+            Self::EvaluateAllTheSame => {
+                on_page("statistics-study-all-the-same", StudyCommand::Evaluate { all_the_same: true }).when(
+                    |session| shows_study(session) && session.statistics().study.is_whole() && is_doubted(session),
+                )
+            }
+            Self::SaveStudyBudget => open("statistics-study-save-budget", Purpose::SaveStudyBudget)
+                .hint("statistics-study-save-budget-hint")
+                .when(|session| shows_study(session) && session.statistics().study.has_budget()),
+            _ => on(Page::Statistics, "statistics-study", StatisticsCommand::View(StatisticsView::Study)),
+        }
+    }
+
     /// What is done with points.
     fn on_chart(self) -> ActionRow {
         let key = |character: char| Shortcut::plain(Key::Character(character));
@@ -181,13 +238,31 @@ impl StatisticsAction {
             Self::ReportStatistics => on(Page::Statistics, "statistics-page-report", ReportsCommand::OfStatistics)
                 .hint("statistics-page-report-hint")
                 .key(Shortcut::ctrl('R'))
-                .when(|session| session.can_report(ReportOf::Statistics)),
+                .when(|session| shows_features(session) && session.can_report(ReportOf::Statistics)),
             _ => on(Page::Statistics, "statistics-page-copy", StatisticsCommand::Copy)
                 .hint("statistics-page-copy-hint")
                 .key(Shortcut::ctrl('C'))
-                .when(|session| session.statistics().open().is_some()),
+                .when(|session| {
+                    let page = session.statistics();
+                    match page.view {
+                        StatisticsView::Features => page.open().is_some(),
+                        StatisticsView::Study => page.study.evaluated().is_some(),
+                    }
+                }),
         }
     }
+}
+
+fn shows_features(session: &Session) -> bool {
+    session.statistics().view == StatisticsView::Features
+}
+
+fn shows_study(session: &Session) -> bool {
+    session.statistics().view == StatisticsView::Study
+}
+
+fn is_doubted(session: &Session) -> bool {
+    session.statistics().study.is_doubted()
 }
 
 fn has_cursor(session: &Session) -> bool {

@@ -5,14 +5,14 @@ use std::ops::Range;
 use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
-use super::{StatisticsCommand, StatisticsField, StatisticsPage};
+use super::{StatisticsCommand, StatisticsField, StatisticsPage, StatisticsView, StudyCommand};
 use crate::command::Command;
 use crate::effect::Effect;
 use crate::page::Page;
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
 use crate::state::PageState;
-use crate::texts::Texts;
+use crate::texts::{KeptField as _, Texts};
 
 impl PageState for StatisticsPage {
     type Command = StatisticsCommand;
@@ -23,7 +23,10 @@ impl PageState for StatisticsPage {
     }
 
     fn save(&self, saved: &mut Saved) {
-        saved.inputs.texts.extend(self.texts.saved());
+        // What a gauge was asked for belongs to its file, which is not kept.
+        let of_study: Vec<&str> =
+            StatisticsField::ALL.iter().filter(|field| field.is_of_study()).map(|field| field.declared().0).collect();
+        saved.inputs.texts.extend(self.texts.saved().filter(|(key, _)| !of_study.contains(&key.as_str())));
     }
 
     fn apply(&mut self, command: StatisticsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
@@ -34,7 +37,18 @@ impl PageState for StatisticsPage {
                     StatisticsField::Question | StatisticsField::Last => self.ask(shared, true),
                     StatisticsField::Size => self.recompute(),
                     StatisticsField::Reason => {}
+                    StatisticsField::StudyLower
+                    | StatisticsField::StudyUpper
+                    | StatisticsField::StudyReference
+                    | StatisticsField::StudyResolution => self.study.read_anew(&self.texts),
                 }
+            }
+            StatisticsCommand::View(view) => self.view = view,
+            StatisticsCommand::Study(command) => {
+                if matches!(command, StudyCommand::Read { result: Ok(_), .. }) {
+                    self.view = StatisticsView::Study;
+                }
+                self.study.apply(command, &self.texts, shared);
             }
             StatisticsCommand::TakePart(part) => self.take_part(part.as_deref(), shared),
             StatisticsCommand::ReadAgain => self.ask(shared, false),
@@ -65,7 +79,12 @@ impl PageState for StatisticsPage {
             StatisticsCommand::TakeReason => self.take_reason(),
             StatisticsCommand::CancelReason => self.asks_why = false,
             StatisticsCommand::Copy => {
-                return self.copied(&shared.report_words()).map(Effect::Copy).into_iter().collect();
+                let words = shared.report_words();
+                let copied = match self.view {
+                    StatisticsView::Features => self.copied(&words),
+                    StatisticsView::Study => self.study.copied(&words),
+                };
+                return copied.map(Effect::Copy).into_iter().collect();
             }
         }
         Vec::new()
@@ -82,7 +101,9 @@ impl PageState for StatisticsPage {
     }
 
     fn take_errands(&mut self) -> Vec<Effect> {
-        std::mem::take(&mut self.errands)
+        let mut errands = std::mem::take(&mut self.errands);
+        errands.extend(self.study.take_errands());
+        errands
     }
 
     fn typed(field: StatisticsField, text: String) -> StatisticsCommand {
@@ -94,7 +115,7 @@ impl PageState for StatisticsPage {
     }
 
     fn error(&self, field: StatisticsField) -> Option<&Message> {
-        self.errors.get(&field)
+        self.errors.get(&field).or_else(|| self.study.error(field))
     }
 
     fn culprit(&self, field: StatisticsField) -> Option<&Range<usize>> {
@@ -110,6 +131,6 @@ impl PageState for StatisticsPage {
     }
 
     fn is_free_text(&self, field: StatisticsField) -> bool {
-        matches!(field, StatisticsField::Question | StatisticsField::Reason)
+        matches!(field, StatisticsField::Question | StatisticsField::Reason | StatisticsField::StudyReference)
     }
 }

@@ -7,12 +7,16 @@ use fitcheck_core::message::Message;
 use fitcheck_exchange::series::Evaluated;
 use fitcheck_statistics::Rule;
 
-use super::{Aside, PointsOf, SeriesFound, StatisticsField, Zooming};
+use super::{Aside, PointsOf, SeriesFound, StatisticsField, StatisticsView, StudyCommand, Zooming};
 use crate::step::Step;
 
 /// What can be done on the statistics page, and what comes back from outside.
 #[derive(Debug, Clone)]
 pub enum StatisticsCommand {
+    /// Shows the features or a study.
+    View(StatisticsView),
+    /// Does something with a study of a gauge.
+    Study(StudyCommand),
     /// Replaces the text of a field.
     Type(StatisticsField, String),
     /// Asks about one part, or about all of them.

@@ -14,4 +14,12 @@ kept_fields! {
     Size: "statistics-size", "5";
     /// Why a point is left out.
     Reason: "statistics-reason", "";
+    /// The lower limit that a gauge is used for; those of the file count where both are empty.
+    StudyLower: "statistics-study-lower", "";
+    /// The upper one.
+    StudyUpper: "statistics-study-upper", "";
+    /// The calibrated size of the master, or of several masters by their names.
+    StudyReference: "statistics-study-reference", "";
+    /// The step of the display.
+    StudyResolution: "statistics-study-resolution", "";
 }

@@ -8,6 +8,7 @@
 //! | `asking` | from the fields to what is asked of the journal, and what it answers |
 //! | `walking` | walking the points, which of them are in sight, leaving them out |
 //! | `texts` | figures, signals and charts in words |
+//! | `study` | the other view: a study of a gauge |
 //!
 //! No figure is computed here: [`fitcheck_exchange::series`] does that, as `fitcheck stats` shows it, off the frame.
 
@@ -16,6 +17,7 @@ mod apply;
 mod asking;
 mod command;
 mod field;
+mod study;
 mod texts;
 mod walking;
 
@@ -28,10 +30,25 @@ pub use command::StatisticsCommand;
 pub use field::StatisticsField;
 use fitcheck_core::message::Message;
 use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Look, Value};
+pub use study::{Study, StudyAsked, StudyCommand, StudyFigure, StudyFile, StudyFound, StudyRead};
 pub use texts::{FigureText, SignalText, said_of_value};
 
 use crate::effect::Effect;
 use crate::texts::Texts;
+
+/// What the page shows.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum StatisticsView {
+    /// The features of the journal.
+    #[default]
+    Features,
+    /// A study of a gauge.
+    Study,
+}
+
+impl StatisticsView {
+    pub const ALL: [Self; 2] = [Self::Features, Self::Study];
+}
 
 /// What makes a point of the chart.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
@@ -90,6 +107,8 @@ struct Shown {
 /// The state of the statistics page.
 #[derive(Debug, Default)]
 pub struct StatisticsPage {
+    pub view: StatisticsView,
+    pub study: Study,
     texts: Texts<StatisticsField>,
     errors: BTreeMap<StatisticsField, Message>,
     /// Where in the question an error shows.

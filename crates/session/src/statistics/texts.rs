@@ -39,7 +39,7 @@ pub struct SignalText {
 const MOST_STRETCHES: usize = 3;
 
 /// A number with so many decimals, in the words of a language.
-fn decimals(words: &Words, value: f64, decimals: usize) -> String {
+pub(super) fn decimals(words: &Words, value: f64, decimals: usize) -> String {
     words.number(&format!("{value:.decimals$}"))
 }
 
