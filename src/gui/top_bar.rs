@@ -116,6 +116,13 @@ pub(super) fn sides_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
+/// The sides of the page, where they have no room beside its title.
+pub(super) fn folded_sides_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if !has_sides(ui) {
+        sides_ui(ui, view);
+    }
+}
+
 /// What is open on the page, as chips that end before a place; those that have no room are left out: the page names them, too.
 fn open_ui(ui: &mut Ui, view: &View<'_>, end: f32) {
     let palette = palette(ui.ctx());

@@ -477,3 +477,29 @@ fn a_study_gives_an_uncertainty_budget_its_scatter() {
     near(&budget["u_um"], 420.014_577, 1e-6);
     near(&budget["degrees_of_freedom"], 49.0, 1e-9);
 }
+
+/// Readings that scatter by some tenths of a micrometre: a gauge for 0.2 mm, and not for 0.5 µm.
+#[test]
+fn a_gauge_that_is_not_good_enough_says_so_with_every_check() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| {
+        let mut command = assert_cmd::Command::new(env!("CARGO_BIN_EXE_fitcheck"));
+        let output = command.current_dir(folder.path()).args(arguments).output().unwrap();
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let mut study = "part;operator;measured [mm]\n".to_owned();
+    for (part, operator, tenths) in (0..6_i32)
+        .flat_map(|part| ["Anna", "Ben"].into_iter().flat_map(move |who| [0, 3].map(|more| (part, who, more))))
+    {
+        let tenths = 250_000 + part * 20 + if operator == "Anna" { tenths } else { 1 - tenths };
+        writeln!(study, "{};{operator};{}.{:04}", part + 1, tenths / 10_000, tenths % 10_000).unwrap();
+    }
+    fitcheck::files::write(&folder.path().join("study.csv"), study.as_bytes()).unwrap();
+    for (lower, upper, budget, is_told) in [("24.9", "25.1", "good.toml", false), ("25", "25.0005", "bad.toml", true)] {
+        let asked = ["--study", "crossed", "--lower", lower, "--upper", upper, "--budget-out", budget];
+        let told = run(&[&["stats", "study.csv"], asked.as_slice()].concat());
+        assert!(folder.path().join(budget).exists(), "{told}");
+        let told = run(&["check", "25 H7", "--measured", "25.010", "--rule", "iso14253-2017", "--budget", budget]);
+        assert_eq!(told.contains("a study found this gauge not good enough: "), is_told, "{told}");
+    }
+}

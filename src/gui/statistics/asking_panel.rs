@@ -4,13 +4,14 @@ use eframe::egui::Ui;
 
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::space;
+use crate::gui::top_bar::folded_sides_ui;
 use crate::gui::view::{View, keep_focus, one_of_ui, problem, quiet};
 use crate::message::message;
 use crate::session::{StatisticsAction, StatisticsCommand, StatisticsField};
 
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    super::folded_sides_ui(ui, view);
+    folded_sides_ui(ui, view);
     ui.horizontal_wrapped(|ui| {
         parts_ui(ui, view);
         let name = ui.label(view.text("statistics-page-question"));

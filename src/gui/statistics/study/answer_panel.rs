@@ -7,6 +7,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::session::StatisticsAction;
 use crate::session::statistics::Study;
+use crate::text::sentence;
 
 /// What a line of the card is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -68,11 +69,11 @@ fn lines(view: &View<'_>) -> Vec<(Line, String)> {
     }
     let name = (Line::Name, view.text("statistics-study-understood"));
     let state = if study.is_working() { "statistics-study-working" } else { "statistics-study-confirm" };
-    let why = study.found().and_then(Result::err).map(|why| (Line::Wrong, view.words.say(why)));
+    let why = study.found().and_then(Result::err).map(|why| (Line::Wrong, sentence(&view.words.say(why))));
     let by_figures = study.doubt_of_figures(view.words).map(|doubt| (Line::Wrong, doubt));
     match &study.read {
         None => vec![(Line::Plain, view.text("statistics-study-answer"))],
-        Some(Err(why)) => vec![name, (Line::Wrong, view.words.say(why))],
+        Some(Err(why)) => vec![name, (Line::Wrong, sentence(&view.words.say(why)))],
         Some(Ok(_)) => [name]
             .into_iter()
             .chain(layout(study, view))
