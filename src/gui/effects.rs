@@ -337,15 +337,8 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
             vec![FilesCommand::SetWritten { folder, result }.into()]
         }
         Effect::Launch(path, how) => vec![launched(&path, how, errands)],
-        Effect::Pair { run, asked } => {
-            vec![PairingCommand::Paired { run, paired: Arc::new(Paired::of(*asked)) }.into()]
-        }
-        Effect::EvaluateSeries { run, features, looks } => {
-            let answers = features.iter().zip(&looks).map(|(feature, look)| feature.evaluate(look));
-            vec![StatisticsCommand::Evaluated { run, answers: Arc::new(answers.collect()) }.into()]
-        }
-        Effect::EvaluateStudy { run, asked } => {
-            vec![StatisticsCommand::Study(StudyCommand::Evaluated { run, result: asked.evaluate() }).into()]
+        effect @ (Effect::Pair { .. } | Effect::EvaluateSeries { .. } | Effect::EvaluateStudy { .. }) => {
+            computed(effect).into_iter().collect()
         }
         Effect::ReadPicture(path) => vec![picture_read(path)],
         Effect::ReadLogo(path) => vec![SettingsCommand::LogoRead { result: templates::logo(&path), path }.into()],
@@ -387,6 +380,21 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
     }
+}
+
+/// What only takes a while to compute.
+fn computed(effect: Effect) -> Option<Command> {
+    Some(match effect {
+        Effect::Pair { run, asked } => PairingCommand::Paired { run, paired: Arc::new(Paired::of(*asked)) }.into(),
+        Effect::EvaluateSeries { run, features, looks } => {
+            let answers = features.iter().zip(&looks).map(|(feature, look)| feature.evaluate(look));
+            StatisticsCommand::Evaluated { run, answers: Arc::new(answers.collect()) }.into()
+        }
+        Effect::EvaluateStudy { run, asked } => {
+            StatisticsCommand::Study(StudyCommand::Evaluated { run, result: asked.evaluate() }).into()
+        }
+        _ => return None,
+    })
 }
 
 fn picture_read(path: PathBuf) -> Command {

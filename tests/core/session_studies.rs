@@ -225,7 +225,7 @@ fn a_type_1_study_has_its_published_figures_and_gives_the_budget_page_its_scatte
     let effects = send(&mut session, FilesCommand::Open(Purpose::SaveStudyBudget, file.clone()));
     let [Effect::Save(path, Content::Bytes(bytes))] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(path, &file);
-    let text = String::from_utf8(bytes.to_vec()).unwrap();
+    let text = String::from_utf8(bytes.clone()).unwrap();
     assert!(
         text.starts_with("name = \"study.csv\"\ndate = 20") && text.contains("degrees_of_freedom = 49\n"),
         "{text}"

@@ -225,7 +225,6 @@ impl Purpose {
             }
             Self::AskColumns(ImportInto::Study) => reads("study", "columns-page-dialog", Packable, &[Page::Statistics]),
             Self::OpenStudy => reads("study", "statistics-study-dialog", Packable, &[Page::Statistics]),
-            Self::SaveStudyBudget => writes("budget", "budget-page-dialog-save", TOML),
             Self::WatchFolder => reads_folder("watched", "walk-page-dialog-watch", &[], &[Page::Parts]),
             Self::LoadMask => reads("mask", "dialog-mask", Listed(&["a"]), &[]),
             Self::LoadTexts => reads("own-texts", "dialog-own-texts", Listed(&["ftl"]), &[]),
@@ -257,7 +256,7 @@ impl Purpose {
             Self::SaveTools => writes("tools", "tools-dialog-save", Listed(&["t"])),
             Self::OpenBudget => reads("budget", "budget-page-dialog-open", TOML, &[Page::Budget]),
             Self::UseBudget => reads("budget", "budget-page-dialog-open", TOML, &[]),
-            Self::SaveBudget => writes("budget", "budget-page-dialog-save", TOML),
+            Self::SaveBudget | Self::SaveStudyBudget => writes("budget", "budget-page-dialog-save", TOML),
             Self::OpenPlan => reads("plan", "parts-page-dialog-open", Listed(&exchange::PLAN_ENDINGS), &[Page::Parts]),
             Self::ImportSettings => reads("settings", "settings-page-dialog-import", TOML, &[]),
             Self::ExportSettings => writes("settings", "settings-page-dialog-export", TOML),

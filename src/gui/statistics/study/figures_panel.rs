@@ -38,7 +38,7 @@ pub(super) fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn chart_ui(ui: &mut Ui, view: &View<'_>) {
-    let name = view.text("statistics-page-chart");
+    let name = view.text("statistics-study-stability");
     heading(ui, &name);
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
     paint::study_ui(ui, view, rect);

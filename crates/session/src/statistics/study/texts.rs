@@ -115,7 +115,8 @@ impl Study {
     pub fn figures(&self, words: &Words) -> Vec<StudyFigure> {
         let Some(found) = self.evaluated() else { return Vec::new() };
         let is_linear = found.answer.layout.is_some_and(|layout| layout.kind == StudyKind::Linearity);
-        let (anova, figures): (Vec<&Figure>, Vec<&Figure>) = found.answer.figures.iter().partition(is_of_anova);
+        let (anova, figures): (Vec<&Figure>, Vec<&Figure>) =
+            found.answer.figures.iter().partition(|figure| is_of_anova(figure));
         let shown_of = |figure| shown(figure, name(figure, is_linear, words), words);
         let figures = figures.into_iter().chain(anova).map(shown_of);
         let group = |group: &Group| {
@@ -182,7 +183,7 @@ const fn is_answer(advice: &Advice) -> bool {
 }
 
 /// Whether a figure is a step of the analysis of variance.
-fn is_of_anova(figure: &&Figure) -> bool {
+fn is_of_anova(figure: &Figure) -> bool {
     ["ms_", "p_", "var_"].iter().any(|begin| figure.name.starts_with(begin))
 }
 
