@@ -69,7 +69,6 @@ statistics-page-expected = očekává se { $ppm } z milionu
 statistics-page-proven = Ppk { $asked } je prokázáno: jeho dolní mez je { $lower }.
 statistics-page-not-proven = Ppk { $asked } není prokázáno: jeho dolní mez je { $lower }.
 statistics-page-no-ppk = Ppk { $asked } není prokázáno: { $why }.
-statistics-page-chart = Průběh hodnot
 
 # Diagram
 statistics-page-single = Jednotlivé hodnoty

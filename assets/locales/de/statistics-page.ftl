@@ -61,7 +61,6 @@ statistics-page-expected = erwartet { $ppm } von einer Million
 statistics-page-proven = Ppk von { $asked } ist nachgewiesen: die untere Vertrauensgrenze ist { $lower }.
 statistics-page-not-proven = Ppk von { $asked } ist nicht nachgewiesen: die untere Vertrauensgrenze ist { $lower }.
 statistics-page-no-ppk = Ppk von { $asked } ist nicht nachgewiesen: { $why }.
-statistics-page-chart = Verlauf
 
 # Die Karte
 statistics-page-single = Einzelwerte

@@ -61,7 +61,6 @@ statistics-page-expected = expected { $ppm } in a million
 statistics-page-proven = Ppk of { $asked } is proven: its lower bound is { $lower }.
 statistics-page-not-proven = Ppk of { $asked } is not proven: its lower bound is { $lower }.
 statistics-page-no-ppk = Ppk of { $asked } is not proven: { $why }.
-statistics-page-chart = Run chart
 
 # The chart
 statistics-page-single = Single values

@@ -61,7 +61,6 @@ statistics-page-expected = se esperan { $ppm } por millón
 statistics-page-proven = Está demostrado un Ppk de { $asked }: su límite inferior es { $lower }.
 statistics-page-not-proven = No está demostrado un Ppk de { $asked }: su límite inferior es { $lower }.
 statistics-page-no-ppk = No está demostrado un Ppk de { $asked }: { $why }.
-statistics-page-chart = Gráfico de valores
 
 # El gráfico
 statistics-page-single = Valores sueltos

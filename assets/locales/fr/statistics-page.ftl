@@ -61,7 +61,6 @@ statistics-page-expected = { $ppm } attendues par million
 statistics-page-proven = Un Ppk de { $asked } est prouvé : sa borne inférieure est { $lower }.
 statistics-page-not-proven = Un Ppk de { $asked } n'est pas prouvé : sa borne inférieure est { $lower }.
 statistics-page-no-ppk = Un Ppk de { $asked } n'est pas prouvé : { $why }.
-statistics-page-chart = Carte des valeurs
 
 # La carte
 statistics-page-single = Valeurs seules

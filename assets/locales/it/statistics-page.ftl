@@ -61,7 +61,6 @@ statistics-page-expected = attesi { $ppm } per milione
 statistics-page-proven = Un Ppk di { $asked } è dimostrato: il suo limite inferiore è { $lower }.
 statistics-page-not-proven = Un Ppk di { $asked } non è dimostrato: il suo limite inferiore è { $lower }.
 statistics-page-no-ppk = Un Ppk di { $asked } non è dimostrato: { $why }.
-statistics-page-chart = Grafico dei valori
 
 # La carta
 statistics-page-single = Valori singoli

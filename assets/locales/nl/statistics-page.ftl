@@ -61,7 +61,6 @@ statistics-page-expected = verwacht { $ppm } per miljoen
 statistics-page-proven = Ppk van { $asked } is aangetoond: de ondergrens is { $lower }.
 statistics-page-not-proven = Ppk van { $asked } is niet aangetoond: de ondergrens is { $lower }.
 statistics-page-no-ppk = Ppk van { $asked } is niet aangetoond: { $why }.
-statistics-page-chart = Verloop
 
 # De kaart
 statistics-page-single = Losse waarden

@@ -69,7 +69,6 @@ statistics-page-expected = oczekiwane { $ppm } na milion
 statistics-page-proven = Ppk { $asked } jest wykazane: jego dolna granica to { $lower }.
 statistics-page-not-proven = Ppk { $asked } nie jest wykazane: jego dolna granica to { $lower }.
 statistics-page-no-ppk = Ppk { $asked } nie jest wykazane: { $why }.
-statistics-page-chart = Przebieg wartości
 
 # Karta
 statistics-page-single = Pojedyncze wartości
