@@ -191,6 +191,11 @@ impl Checks for Vec<Arc<Record>> {
 }
 
 impl Report {
+    /// Whether it is of series alone: with no check among so many it states no verdict.
+    pub(crate) fn is_of_series(&self, checks: usize) -> bool {
+        checks == 0 && !self.series.features.is_empty()
+    }
+
     /// A report of the given checks, made by this version of Fitcheck; all else is empty.
     pub fn new(created: DateTime, checks: impl Checks + 'static) -> Self {
         Self {

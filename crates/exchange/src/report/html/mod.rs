@@ -260,7 +260,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         seen.each(report, &mut |number, record| Line { words, check: &made(number, record)? }.write(out))?;
         out.write_all(b"</tbody>\n</table>\n</section>\n")?;
     }
-    if seen.total == 0 {
+    if seen.total == 0 && !report.is_of_series(seen.total) {
         writeln!(out, "<p>{}</p>", words.get("report-no-checks"))?;
     }
     seen.each(report, &mut |number, record| Section { words, check: &made(number, record)? }.write(out))?;

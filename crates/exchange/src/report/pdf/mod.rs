@@ -193,7 +193,8 @@ fn write(
     let card = answer(report, seen, words)?;
     let shows = |section| report.template.has(section);
     let entries = if shows(Section::Head) { super::head::entries(report, words) } else { Vec::new() };
-    head::write_card(flow, section, shows(Section::Verdict).then_some(&card), &entries);
+    let has_verdict = shows(Section::Verdict) && !report.is_of_series(seen.total);
+    head::write_card(flow, section, has_verdict.then_some(&card), &entries);
     // A sheet that is filled in by hand lacks every value.
     if !report.template.is_blank() {
         write_first(flow, section, report, seen, words);
@@ -249,7 +250,7 @@ fn write(
 /// What must be known before the values.
 fn write_first(flow: &mut Flow<'_>, section: TagId, report: &Report, seen: &ReportSurvey, words: &Words) {
     let mut signals = head::signals(report, seen, words);
-    if seen.total == 0 {
+    if seen.total == 0 && !report.is_of_series(seen.total) {
         signals.push(words.get("report-no-checks"));
     }
     head::write_signals(flow, section, &signals);
