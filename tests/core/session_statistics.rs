@@ -9,12 +9,12 @@ use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
-use fitcheck::report::rendering_for;
+use fitcheck::report::{RENDERINGS, rendering_for};
 use fitcheck::series::{Gathering, LeftOut};
 use fitcheck::session::statistics::{PointsOf, SeriesFound, Zooming};
 use fitcheck::session::{
-    Command, Content as Written, Effect, Page, ReportOf, ReportsCommand, Session, StatisticsAction, StatisticsCommand,
-    StatisticsField, Step,
+    Command, Content as Written, Effect, Page, Purpose, ReportOf, ReportsCommand, Session, StatisticsAction,
+    StatisticsCommand, StatisticsField, Step,
 };
 use fitcheck::statistics::Rule;
 use fitcheck::tolerance::{Callout, Sources};
@@ -393,4 +393,18 @@ fn a_template_without_statistics_is_refused_for_them_and_says_which_one_to_take(
     send(&mut session, ReportsCommand::Drawn { run, result: Err(Message::new("reports-page-stopped")) });
     let why = session.reports().pages().unwrap().unwrap_err().to_string();
     assert_eq!(why, "This template shows no statistics: choose the template Statistics");
+}
+
+#[test]
+fn a_format_without_statistics_is_refused_for_them_and_says_which_ones_there_are() {
+    let mut session = page(&with_signal());
+    reported(&mut session);
+    for (number, rendering) in RENDERINGS.iter().enumerate().filter(|(_, rendering)| !rendering.is_label_alone) {
+        send(&mut session, Command::OpenDialog(Purpose::Report(number)));
+        send(&mut session, Command::TypePath(format!("/reports/bores.{}", rendering.endings[0])));
+        let is_written =
+            send(&mut session, Command::Confirm).iter().any(|effect| matches!(effect, Effect::ForDialog(..)));
+        assert_eq!(is_written, ["html", "markdown", "pdf"].contains(&rendering.name), "{}", rendering.name);
+        send(&mut session, Command::Close);
+    }
 }

@@ -3,6 +3,7 @@
 ## Errors
 report-error-writer = zprávu { $format } nelze vytvořit: { $reason }
 report-error-label-alone = { $format } je pro štítky: zvolte šablonu label nebo papír small-label či large-label
+report-error-no-statistics = { $format } nemá místo pro statistiku: zvolte PDF, HTML nebo Markdown
 report-attachment-too-large = data souboru jsou větší než { $most } bajtů
 report-attachment-packed = data v souboru jsou zabalena metodou { $filter }, kterou Fitcheck nečte
 report-attachment-damaged = data v souboru jsou poškozena: { $reason }

@@ -3,6 +3,7 @@
 ## Fehler
 report-error-writer = der Prüfbericht im Format { $format } konnte nicht erstellt werden: { $reason }
 report-error-label-alone = { $format } ist für Etiketten: wählen Sie die Vorlage label oder das Papier small-label oder large-label
+report-error-no-statistics = { $format } hat keinen Platz für Statistik: PDF, HTML oder Markdown wählen
 report-attachment-too-large = die Daten der Datei sind größer als { $most } Byte
 report-attachment-packed = die Daten in der Datei sind mit { $filter } gepackt, das Fitcheck nicht liest
 report-attachment-damaged = die Daten in der Datei sind beschädigt: { $reason }

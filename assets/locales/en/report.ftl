@@ -3,6 +3,7 @@
 ## Errors
 report-error-writer = the { $format } report could not be made: { $reason }
 report-error-label-alone = { $format } is for labels: choose the template label, or the paper small-label or large-label
+report-error-no-statistics = { $format } has no place for statistics: choose PDF, HTML or Markdown
 report-attachment-too-large = the data of the file is larger than { $most } bytes
 report-attachment-packed = the data in the file is packed with { $filter }, which Fitcheck does not read
 report-attachment-damaged = the data in the file is damaged: { $reason }

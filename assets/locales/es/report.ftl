@@ -3,6 +3,7 @@
 ## Errors
 report-error-writer = el informe { $format } no se pudo crear: { $reason }
 report-error-label-alone = { $format } es para etiquetas: elija la plantilla label, o el papel small-label o large-label
+report-error-no-statistics = { $format } no tiene lugar para estadísticas: elija PDF, HTML o Markdown
 report-attachment-too-large = los datos del archivo superan { $most } bytes
 report-attachment-packed = los datos del archivo están comprimidos con { $filter }, que Fitcheck no lee
 report-attachment-damaged = los datos del archivo están dañados: { $reason }

@@ -3,6 +3,7 @@
 ## Erreurs
 report-error-writer = le rapport { $format } n'a pas pu être établi : { $reason }
 report-error-label-alone = { $format } est pour les étiquettes : choisissez le modèle label, ou le papier small-label ou large-label
+report-error-no-statistics = { $format } n’a pas de place pour les statistiques : choisir PDF, HTML ou Markdown
 report-attachment-too-large = les données du fichier dépassent { $most } octets
 report-attachment-packed = les données du fichier sont compressées avec { $filter }, que Fitcheck ne lit pas
 report-attachment-damaged = les données du fichier sont endommagées : { $reason }

@@ -3,6 +3,7 @@
 ## Errori
 report-error-writer = impossibile creare il rapporto { $format }: { $reason }
 report-error-label-alone = { $format } è per le etichette: scegliere il modello label, oppure la carta small-label o large-label
+report-error-no-statistics = { $format } non ha posto per le statistiche: scegliere PDF, HTML o Markdown
 report-attachment-too-large = i dati del file superano { $most } byte
 report-attachment-packed = i dati nel file sono compressi con { $filter }, che Fitcheck non legge
 report-attachment-damaged = i dati nel file sono danneggiati: { $reason }

@@ -3,6 +3,7 @@
 ## Errors
 report-error-writer = het rapport in formaat { $format } kon niet worden gemaakt: { $reason }
 report-error-label-alone = { $format } is voor labels: kies het sjabloon label, of het papier small-label of large-label
+report-error-no-statistics = { $format } heeft geen plaats voor statistiek: kies PDF, HTML of Markdown
 report-attachment-too-large = de gegevens van het bestand zijn groter dan { $most } bytes
 report-attachment-packed = de gegevens in het bestand zijn verpakt met { $filter }, dat Fitcheck niet leest
 report-attachment-damaged = de gegevens in het bestand zijn beschadigd: { $reason }

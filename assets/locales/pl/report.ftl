@@ -3,6 +3,7 @@
 ## Errors
 report-error-writer = nie można utworzyć raportu { $format }: { $reason }
 report-error-label-alone = { $format } jest dla etykiet: wybierz szablon label albo papier small-label lub large-label
+report-error-no-statistics = { $format } nie ma miejsca na statystykę: wybierz PDF, HTML lub Markdown
 report-attachment-too-large = dane w pliku są większe niż { $most } B
 report-attachment-packed = dane w pliku są spakowane metodą { $filter }, której Fitcheck nie czyta
 report-attachment-damaged = dane w pliku są uszkodzone: { $reason }

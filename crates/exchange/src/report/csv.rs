@@ -29,6 +29,7 @@ pub const RENDERING: Rendering = Rendering {
     is_for_people: false,
     is_checks_alone: true,
     is_label_alone: false,
+    has_statistics: false,
     endings: &["csv"],
     render: render_report,
 };

@@ -27,6 +27,7 @@ pub const RENDERING: Rendering = Rendering {
     is_for_people: false,
     is_checks_alone: false,
     is_label_alone: false,
+    has_statistics: false,
     endings: &["dfq"],
     render,
 };

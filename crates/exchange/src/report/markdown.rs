@@ -27,6 +27,7 @@ pub const RENDERING: Rendering = Rendering {
     is_for_people: true,
     is_checks_alone: false,
     is_label_alone: false,
+    has_statistics: true,
     endings: &["md", "markdown"],
     render,
 };
@@ -92,6 +93,9 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     if !notes.is_empty() {
         writeln!(out, "\n## {}\n", escaped(&words.get("report-notes")))?;
         notes.iter().try_for_each(|note| writeln!(out, "- {}", escaped(note)))?;
+    }
+    if report.is_of_series(seen.total) {
+        return writeln!(out, "\n{}", escaped(&words.get("report-footer")));
     }
     if seen.total == 0 {
         return writeln!(out, "\n{}", escaped(&words.get("report-no-checks")));

@@ -256,6 +256,8 @@ pub struct Rendering {
     pub is_checks_alone: bool,
     /// Whether it is for labels and takes no other paper.
     pub is_label_alone: bool,
+    /// Whether the statistics of a template stand in it; others have the checks alone.
+    pub has_statistics: bool,
     /// Endings of its files without the point, the usual one first.
     pub endings: &'static [&'static str],
     /// Writes the file check by check. Machine-readable renderings do not use the words.
@@ -311,6 +313,11 @@ pub enum RenderError {
         format: &'static str,
         /// What the writer says.
         reason: String,
+    },
+    /// Statistics without checks, for which the format has no place.
+    NoStatistics {
+        /// What the format is called.
+        format: &'static str,
     },
     /// A page where only a label can be written.
     LabelAlone {

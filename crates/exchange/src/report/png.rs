@@ -20,6 +20,7 @@ pub const RENDERING: Rendering = Rendering {
     is_for_people: true,
     is_checks_alone: false,
     is_label_alone: true,
+    has_statistics: false,
     endings: &["png"],
     render,
 };

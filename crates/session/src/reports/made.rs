@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, message};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::report::pdf::{self, Pages};
 use fitcheck_exchange::report::template::{HeadField, Section, Template};
-use fitcheck_exchange::report::{RENDERINGS, Rendering};
+use fitcheck_exchange::report::{RENDERINGS, RenderError, Rendering};
 use jiff::civil::DateTime;
 
 use super::drawing::{Drawing, WatchedChecks};
@@ -120,6 +120,9 @@ impl Session {
         let of = self.report_of().ok_or_else(|| message!("reports-page-nothing"))?;
         if of == ReportOf::Statistics && !self.reports.shows(Section::Statistics) {
             return Err(message!("reports-page-no-statistics"));
+        }
+        if of == ReportOf::Statistics && !rendering.has_statistics {
+            return Err(RenderError::NoStatistics { format: rendering.title }.message());
         }
         let mut composed = self.composed(of, now)?;
         let words = self.shared.report_words_in(self.reports.language());

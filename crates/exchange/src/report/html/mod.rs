@@ -39,6 +39,7 @@ pub const RENDERING: Rendering = Rendering {
     is_for_people: true,
     is_checks_alone: false,
     is_label_alone: false,
+    has_statistics: true,
     endings: &["html", "htm"],
     render,
 };

@@ -42,6 +42,7 @@ pub const RENDERING: Rendering = Rendering {
     is_for_people: true,
     is_checks_alone: false,
     is_label_alone: false,
+    has_statistics: false,
     endings: &["xlsx"],
     render,
 };
