@@ -385,6 +385,20 @@ fn what_the_page_shows_is_reported_with_what_was_left_out_and_where_the_limits_c
 }
 
 #[test]
+fn a_report_says_which_question_it_answers_and_waits_for_the_answer() {
+    let mut session = page(&with_signal());
+    let (run, _, most) = asked(&typed(&mut session, StatisticsField::Question, "part:Flange"));
+    assert!(!session.can_report(ReportOf::Statistics), "what is shown answers another question");
+    let mut answer = found(&with_signal(), most);
+    (answer.unread, answer.has_more) = (2, true);
+    doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(answer)) });
+    let (_, said) = reported(&mut session);
+    for line in ["Records asked for: part:Flange", "Older ones are not included.", "2 records cannot be read."] {
+        assert!(said.contains(line), "{line}: {said}");
+    }
+}
+
+#[test]
 fn a_template_without_statistics_is_refused_for_them_and_says_which_one_to_take() {
     let mut session = page(&with_signal());
     let (run, _) = reported(&mut session);

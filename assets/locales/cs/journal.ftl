@@ -66,7 +66,6 @@ store-is-alarm = zápis { $number } je výstraha regulačního diagramu: říká
 store-no-alarm = zápis { $number } není výstraha regulačního diagramu: odpovědět lze jen na ni
 journal-alarm-since-part = { $rule }, od dílu { $serial }
 journal-alarm-since-entry = { $rule }, od záznamu { $number }
-journal-alarm-spread = rozptýlení: { $rule }
 store-other-journal = zápis { $number } tohoto deníku není ten, který uvádí zpráva: nic nebylo zaznamenáno
 store-finding-no-beginning = deník nemá první zápis, který pojmenovává jeho řetěz
 store-finding-pages = stránky deníku si odporují a dotazy nemusí najít zápisy, které v něm jsou: { $reason }

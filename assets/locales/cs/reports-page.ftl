@@ -26,6 +26,7 @@ reports-page-drawing = Stránky se připravují…
 reports-page-nothing = Zatím není o čem podat zprávu
 reports-page-nothing-hint = Posuďte hodnotu, změřte díl nebo vyberte záznamy: zpráva se zde ukáže tak, jak se vytiskne
 reports-page-no-statistics = Tato šablona statistiku neukazuje: vyberte šablonu Statistika
+reports-page-asked = Dotaz na záznamy: { $question }
 reports-page-refused = { $file } není šablona: { $reason }
 reports-page-preview = Stránka zprávy
 reports-page-title = Název zprávy

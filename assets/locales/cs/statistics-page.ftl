@@ -117,7 +117,6 @@ statistics-page-report-hint = Číselné údaje a grafy všech znaků jako zprá
 statistics-page-signals = Signály
 statistics-page-no-signals = Žádné pravidlo nezasáhlo.
 statistics-page-rules = Pravidla
-statistics-page-on-spread = Rozptýlení: { $rule }
 statistics-page-alarms = Otevřené výstrahy: { $count }
 statistics-page-at = Bod { $point }
 statistics-page-from-to = Body { $first } až { $last }

@@ -134,3 +134,4 @@ series-method-categories = 1,41 díly / měřidlo
 series-method-linearity = linearita
 series-method-least-squares = nejmenší čtverce
 series-method-within-masters = s v rámci etalonů
+statistics-on-spread = rozptýlení: { $rule }

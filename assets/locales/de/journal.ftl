@@ -65,7 +65,6 @@ store-is-alarm = Eintrag { $number } ist ein Alarm einer Regelkarte: er sagt, we
 store-no-alarm = Eintrag { $number } ist kein Alarm einer Regelkarte: nur ein solcher kann beantwortet werden
 journal-alarm-since-part = { $rule }, seit Teil { $serial }
 journal-alarm-since-entry = { $rule }, seit Eintrag { $number }
-journal-alarm-spread = Streuung: { $rule }
 store-other-journal = Eintrag { $number } dieses Journals ist nicht der, den der Prüfbericht nennt: nichts wurde aufgezeichnet
 store-finding-no-beginning = das Journal hat keinen ersten Eintrag, der seine Kette nennt
 store-finding-pages = die Seiten des Journals widersprechen einander, und Abfragen können vorhandene Einträge übersehen: { $reason }

@@ -26,6 +26,7 @@ reports-page-drawing = Die Seiten werden erstellt…
 reports-page-nothing = Es gibt noch nichts zu berichten
 reports-page-nothing-hint = Einen Wert prüfen, ein Teil messen oder Einträge wählen: Der Bericht steht hier, wie er gedruckt wird
 reports-page-no-statistics = Diese Vorlage zeigt keine Statistik: die Vorlage Statistik wählen
+reports-page-asked = Frage an die Einträge: { $question }
 reports-page-refused = { $file } ist keine Vorlage: { $reason }
 reports-page-preview = Seite des Berichts
 reports-page-title = Titel des Berichts

@@ -105,7 +105,6 @@ statistics-page-report-hint = Kennwerte und Diagramme aller Merkmale als Bericht
 statistics-page-signals = Signale
 statistics-page-no-signals = Keine Regel spricht an.
 statistics-page-rules = Regeln
-statistics-page-on-spread = Streuung: { $rule }
 statistics-page-alarms = Offene Alarme: { $count }
 statistics-page-at = Punkt { $point }
 statistics-page-from-to = Punkte { $first } bis { $last }

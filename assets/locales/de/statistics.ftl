@@ -134,3 +134,4 @@ series-method-categories = 1,41 Teile / Prüfmittel
 series-method-linearity = Linearität
 series-method-least-squares = kleinste Quadrate
 series-method-within-masters = s innerhalb der Normale
+statistics-on-spread = Streuung: { $rule }

@@ -65,7 +65,6 @@ store-is-alarm = entry { $number } is an alarm of a control chart: it says which
 store-no-alarm = entry { $number } is not an alarm of a control chart: only an alarm can be answered
 journal-alarm-since-part = { $rule }, since part { $serial }
 journal-alarm-since-entry = { $rule }, since record { $number }
-journal-alarm-spread = spread: { $rule }
 store-other-journal = entry { $number } of this journal is not the one that the report names: nothing was recorded
 store-finding-no-beginning = the journal has no first entry that names its chain
 store-finding-pages = the pages of the journal contradict each other, and questions may miss entries that are in it: { $reason }

@@ -26,6 +26,7 @@ reports-page-drawing = The pages are being made…
 reports-page-nothing = There is nothing to report yet
 reports-page-nothing-hint = Judge a value, measure a part, or choose records: its report stands here as it will print
 reports-page-no-statistics = This template shows no statistics: choose the template Statistics
+reports-page-asked = Records asked for: { $question }
 reports-page-refused = { $file } is not a template: { $reason }
 reports-page-preview = Page of the report
 reports-page-title = Title of the report

@@ -105,7 +105,6 @@ statistics-page-report-hint = The figures and charts of all features as a report
 statistics-page-signals = Signals
 statistics-page-no-signals = No rule fires.
 statistics-page-rules = Rules
-statistics-page-on-spread = Spread: { $rule }
 statistics-page-alarms = Open alarms: { $count }
 statistics-page-at = Point { $point }
 statistics-page-from-to = Points { $first } to { $last }

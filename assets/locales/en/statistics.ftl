@@ -134,3 +134,4 @@ series-method-categories = 1.41 parts / gauge
 series-method-linearity = linearity
 series-method-least-squares = least squares
 series-method-within-masters = s within masters
+statistics-on-spread = spread: { $rule }

@@ -65,7 +65,6 @@ store-is-alarm = la entrada { $number } es una alarma de una carta de control: d
 store-no-alarm = la entrada { $number } no es una alarma de una carta de control: solo se puede responder a una alarma
 journal-alarm-since-part = { $rule }, desde la pieza { $serial }
 journal-alarm-since-entry = { $rule }, desde el registro { $number }
-journal-alarm-spread = dispersión: { $rule }
 store-other-journal = la entrada { $number } de este registro no es la que nombra el informe: no se registró nada
 store-finding-no-beginning = el registro no tiene una primera entrada que nombre su cadena
 store-finding-pages = las páginas del registro se contradicen, y las consultas pueden no hallar entradas que están en él: { $reason }

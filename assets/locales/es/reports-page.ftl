@@ -26,6 +26,7 @@ reports-page-drawing = Preparando las páginas…
 reports-page-nothing = Todavía no hay nada que informar
 reports-page-nothing-hint = Evalúe un valor, mida una pieza o elija registros: el informe aparece aquí tal como se imprimirá
 reports-page-no-statistics = Esta plantilla no muestra estadísticas: elija la plantilla Estadística
+reports-page-asked = Registros consultados: { $question }
 reports-page-refused = { $file } no es una plantilla: { $reason }
 reports-page-preview = Página del informe
 reports-page-title = Título del informe

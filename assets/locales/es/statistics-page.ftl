@@ -105,7 +105,6 @@ statistics-page-report-hint = Las cifras y los gráficos de todas las caracterí
 statistics-page-signals = Señales
 statistics-page-no-signals = No salta ninguna regla.
 statistics-page-rules = Reglas
-statistics-page-on-spread = Dispersión: { $rule }
 statistics-page-alarms = Alarmas abiertas: { $count }
 statistics-page-at = Punto { $point }
 statistics-page-from-to = Puntos { $first } a { $last }

@@ -134,3 +134,4 @@ series-method-categories = 1,41 piezas / instrumento
 series-method-linearity = linealidad
 series-method-least-squares = mínimos cuadrados
 series-method-within-masters = s dentro de los patrones
+statistics-on-spread = dispersión: { $rule }

@@ -65,7 +65,6 @@ store-is-alarm = l'entrée { $number } est une alarme d'une carte de contrôle :
 store-no-alarm = l'entrée { $number } n'est pas une alarme d'une carte de contrôle : on ne peut répondre qu'à une alarme
 journal-alarm-since-part = { $rule }, depuis la pièce { $serial }
 journal-alarm-since-entry = { $rule }, depuis le relevé { $number }
-journal-alarm-spread = dispersion : { $rule }
 store-other-journal = l'entrée { $number } de ce journal n'est pas celle que nomme le rapport : rien n'a été consigné
 store-finding-no-beginning = le journal n'a pas de première entrée qui nomme sa chaîne
 store-finding-pages = les pages du journal se contredisent, et des questions peuvent manquer des entrées qui y sont : { $reason }

@@ -26,6 +26,7 @@ reports-page-drawing = Préparation des pages…
 reports-page-nothing = Il n’y a encore rien à rapporter
 reports-page-nothing-hint = Jugez une valeur, mesurez une pièce ou choisissez des relevés : le rapport apparaît ici tel qu’il sera imprimé
 reports-page-no-statistics = Ce modèle ne montre pas de statistiques : choisir le modèle Statistiques
+reports-page-asked = Relevés demandés : { $question }
 reports-page-refused = { $file } n’est pas un modèle : { $reason }
 reports-page-preview = Page du rapport
 reports-page-title = Titre du rapport

@@ -105,7 +105,6 @@ statistics-page-report-hint = Les valeurs et les graphiques de toutes les caract
 statistics-page-signals = Signaux
 statistics-page-no-signals = Aucune règle ne se déclenche.
 statistics-page-rules = Règles
-statistics-page-on-spread = Dispersion : { $rule }
 statistics-page-alarms = Alarmes ouvertes : { $count }
 statistics-page-at = Point { $point }
 statistics-page-from-to = Points { $first } à { $last }

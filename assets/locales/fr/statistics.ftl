@@ -134,3 +134,4 @@ series-method-categories = 1,41 pièces / moyen de mesure
 series-method-linearity = linéarité
 series-method-least-squares = moindres carrés
 series-method-within-masters = s au sein des étalons
+statistics-on-spread = dispersion : { $rule }

@@ -65,7 +65,6 @@ store-is-alarm = la voce { $number } è un allarme di una carta di controllo: di
 store-no-alarm = la voce { $number } non è un allarme di una carta di controllo: si può rispondere solo a un allarme
 journal-alarm-since-part = { $rule }, dal pezzo { $serial }
 journal-alarm-since-entry = { $rule }, dalla registrazione { $number }
-journal-alarm-spread = dispersione: { $rule }
 store-other-journal = la voce { $number } di questo registro non è quella indicata dal rapporto: non è stato registrato nulla
 store-finding-no-beginning = il registro non ha una prima voce che indichi la sua catena
 store-finding-pages = le pagine del registro si contraddicono, e le domande possono non trovare voci che vi sono: { $reason }

@@ -26,6 +26,7 @@ reports-page-drawing = Preparazione delle pagine…
 reports-page-nothing = Non c’è ancora nulla da riportare
 reports-page-nothing-hint = Valutare un valore, misurare un pezzo o scegliere registrazioni: il rapporto appare qui come verrà stampato
 reports-page-no-statistics = Questo modello non mostra statistiche: scegliere il modello Statistica
+reports-page-asked = Registrazioni richieste: { $question }
 reports-page-refused = { $file } non è un modello: { $reason }
 reports-page-preview = Pagina del rapporto
 reports-page-title = Titolo del rapporto

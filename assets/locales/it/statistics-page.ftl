@@ -105,7 +105,6 @@ statistics-page-report-hint = Valori e grafici di tutte le caratteristiche come 
 statistics-page-signals = Segnali
 statistics-page-no-signals = Non scatta nessuna regola.
 statistics-page-rules = Regole
-statistics-page-on-spread = Dispersione: { $rule }
 statistics-page-alarms = Allarmi aperti: { $count }
 statistics-page-at = Punto { $point }
 statistics-page-from-to = Punti da { $first } a { $last }

@@ -134,3 +134,4 @@ series-method-categories = 1,41 pezzi / strumento
 series-method-linearity = linearità
 series-method-least-squares = minimi quadrati
 series-method-within-masters = s entro i campioni
+statistics-on-spread = dispersione: { $rule }

@@ -65,7 +65,6 @@ store-is-alarm = vermelding { $number } is een alarm van een regelkaart: die zeg
 store-no-alarm = vermelding { $number } is geen alarm van een regelkaart: alleen een alarm kan worden beantwoord
 journal-alarm-since-part = { $rule }, sinds onderdeel { $serial }
 journal-alarm-since-entry = { $rule }, sinds vermelding { $number }
-journal-alarm-spread = spreiding: { $rule }
 store-other-journal = vermelding { $number } van dit logboek is niet de vermelding die het rapport noemt: er is niets vastgelegd
 store-finding-no-beginning = het logboek heeft geen eerste vermelding die zijn keten noemt
 store-finding-pages = de pagina's van het logboek spreken elkaar tegen, en zoekopdrachten kunnen vermeldingen missen die erin staan: { $reason }

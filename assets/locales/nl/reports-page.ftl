@@ -26,6 +26,7 @@ reports-page-drawing = De pagina’s worden gemaakt…
 reports-page-nothing = Er is nog niets te rapporteren
 reports-page-nothing-hint = Beoordeel een waarde, meet een onderdeel of kies regels uit het logboek: het rapport staat hier zoals het wordt afgedrukt
 reports-page-no-statistics = Dit sjabloon toont geen statistiek: kies het sjabloon Statistiek
+reports-page-asked = Gevraagde regels uit het logboek: { $question }
 reports-page-refused = { $file } is geen sjabloon: { $reason }
 reports-page-preview = Pagina van het rapport
 reports-page-title = Titel van het rapport

@@ -105,7 +105,6 @@ statistics-page-report-hint = De getallen en grafieken van alle kenmerken als ra
 statistics-page-signals = Signalen
 statistics-page-no-signals = Geen regel slaat aan.
 statistics-page-rules = Regels van de kaart
-statistics-page-on-spread = Spreiding: { $rule }
 statistics-page-alarms = Open alarmen: { $count }
 statistics-page-at = Punt { $point }
 statistics-page-from-to = Punten { $first } tot en met { $last }

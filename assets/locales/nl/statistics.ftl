@@ -134,3 +134,4 @@ series-method-categories = 1,41 onderdelen / meetmiddel
 series-method-linearity = lineariteit
 series-method-least-squares = kleinste kwadraten
 series-method-within-masters = s binnen referenties
+statistics-on-spread = spreiding: { $rule }

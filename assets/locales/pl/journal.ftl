@@ -80,7 +80,6 @@ store-is-alarm = wpis { $number } to alarm karty kontrolnej: mówi, która regu�
 store-no-alarm = wpis { $number } nie jest alarmem karty kontrolnej: odpowiedzieć można tylko na alarm
 journal-alarm-since-part = { $rule }, od części { $serial }
 journal-alarm-since-entry = { $rule }, od zapisu { $number }
-journal-alarm-spread = rozrzut: { $rule }
 store-other-journal = wpis { $number } tego dziennika nie jest tym, który podaje raport: niczego nie zarejestrowano
 store-finding-no-beginning = dziennik nie ma pierwszego wpisu, który nazywa łańcuch
 store-finding-pages = strony dziennika są sprzeczne, a zapytania mogą nie znaleźć wpisów, które w nim są: { $reason }

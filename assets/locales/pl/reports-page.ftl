@@ -26,6 +26,7 @@ reports-page-drawing = Trwa tworzenie stron…
 reports-page-nothing = Nie ma jeszcze czego raportować
 reports-page-nothing-hint = Oceń wartość, zmierz część lub wybierz zapisy: raport pojawi się tu tak, jak zostanie wydrukowany
 reports-page-no-statistics = Ten szablon nie pokazuje statystyki: wybierz szablon Statystyka
+reports-page-asked = Zapytanie o zapisy: { $question }
 reports-page-refused = { $file } nie jest szablonem: { $reason }
 reports-page-preview = Strona raportu
 reports-page-title = Tytuł raportu

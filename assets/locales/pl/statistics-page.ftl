@@ -117,7 +117,6 @@ statistics-page-report-hint = Wartości i wykresy wszystkich cech jako raport do
 statistics-page-signals = Sygnały
 statistics-page-no-signals = Żadna reguła nie zadziałała.
 statistics-page-rules = Reguły
-statistics-page-on-spread = Rozrzut: { $rule }
 statistics-page-alarms = Otwarte alarmy: { $count }
 statistics-page-at = Punkt { $point }
 statistics-page-from-to = Punkty od { $first } do { $last }

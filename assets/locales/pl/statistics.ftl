@@ -134,3 +134,4 @@ series-method-categories = 1,41 części / przyrząd
 series-method-linearity = liniowość
 series-method-least-squares = najmniejsze kwadraty
 series-method-within-masters = s w obrębie wzorców
+statistics-on-spread = rozrzut: { $rule }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use fitcheck_core::message::{Message, Say as _, message};
+
 use crate::chart::{Chart, ChartPoint, Point};
 use crate::rules::Rule;
 
@@ -23,6 +25,14 @@ impl Place {
         match self {
             Self::Location => "location",
             Self::Spread => "spread",
+        }
+    }
+
+    /// A rule that fires on this figure, in words.
+    pub fn said(self, rule: Rule) -> Message {
+        match self {
+            Self::Location => rule.message(),
+            Self::Spread => message!("statistics-on-spread").message("rule", rule.message()),
         }
     }
 

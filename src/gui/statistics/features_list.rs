@@ -47,7 +47,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<usize>> {
     let page = view.session.statistics();
     let chosen = page.chosen();
-    let with_part = page.has_parts();
+    let with_part = page.series().has_parts();
     let features = page.features().enumerate().skip(places.start).take(places.len());
     let row = |(place, (feature, of)): (usize, (&crate::series::FeatureSeries, &crate::series::Evaluated))| {
         let name = view.words.number(&feature.key.title(with_part));

@@ -8,7 +8,6 @@ use super::chain::Head;
 /// A rule of a control chart fires at the newest value of a feature, or somebody answers that. The entry names part and feature.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alarm {
-    /// The rule.
     pub rule: Rule,
     /// On which figure of the chart.
     pub place: Place,
@@ -27,9 +26,9 @@ pub struct Alarm {
 pub struct AlarmAnswer {
     /// The entry of the alarm.
     pub target: Head,
-    /// The cause; never empty.
+    /// Why it fired; never empty.
     pub cause: String,
-    /// The action; never empty.
+    /// What was done about it; never empty.
     pub action: String,
 }
 
@@ -45,15 +44,11 @@ impl Alarm {
 /// The rule, and since which part it is so: `nine points on one side of the centre line, since part A-0091`.
 impl Say for Alarm {
     fn message(&self) -> Message {
-        let rule = match self.place {
-            Place::Location => self.rule.message(),
-            Place::Spread => message!("journal-alarm-spread").message("rule", self.rule.message()),
-        };
         let said = if self.since.is_empty() {
             message!("journal-alarm-since-entry").text("number", self.first)
         } else {
             message!("journal-alarm-since-part").text("serial", &self.since)
         };
-        said.message("rule", rule)
+        said.message("rule", self.place.said(self.rule))
     }
 }

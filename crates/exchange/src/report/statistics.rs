@@ -10,8 +10,8 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::message;
 use fitcheck_core::text::sentence;
 use fitcheck_core::words::Words;
+use fitcheck_statistics::Reason;
 use fitcheck_statistics::picture::{Picture, svg};
-use fitcheck_statistics::{ChartKind, Reason};
 
 use super::Report;
 use super::origins::Entry;
@@ -157,8 +157,7 @@ impl Gatherer {
         let wanted = Wanted { limits, level: LEVEL, ..Wanted::default() };
         let answer = Answer::of(&series, &wanted);
         let charts = answer.sheet(&series, Some(self.nominal.to_mm_f64()), words);
-        let read = vec![values(series.count(), words)].into_iter().chain(left_out(series.left_out(), words));
-        let read = read.collect::<Vec<_>>().join(", ");
+        let read = read(&series, words);
         said(Top { heading, read, told, count: series.count() }, &answer, charts, words)
     }
 }
@@ -173,17 +172,8 @@ struct Top {
 
 /// A feature as the page Statistics shows it: with what was left out, and the points that its control limits come from.
 fn evaluated((feature, of): (&FeatureSeries, &Evaluated), with_part: bool, words: &Words) -> FeatureStatistics {
-    let Evaluated { answer, values: counted, groups, apart, .. } = of;
+    let answer = &of.answer;
     let heading = words.number(&feature.key.title(with_part));
-    let mut read = vec![values(counted.len(), words)];
-    if answer.chart.as_ref().is_ok_and(|chart| chart.kind != ChartKind::Individuals) {
-        let size = of.points.iter().map(ExactSizeIterator::len).max().unwrap_or_default();
-        read.push(words.say(&message!("statistics-page-groups").count("count", *groups).text("size", size)));
-    }
-    read.extend(left_out(of.left_out.iter().copied(), words));
-    if 0 < *apart {
-        read.push(words.say(&message!("statistics-page-out").text("why", "user").count("count", *apart)));
-    }
     let mut told = Vec::new();
     if let Some(count) = answer.wanted.baseline.filter(|_| answer.chart.is_ok()) {
         told.push(words.say(&message!("report-statistics-baseline").count("count", count)));
@@ -192,7 +182,7 @@ fn evaluated((feature, of): (&FeatureSeries, &Evaluated), with_part: bool, words
         let reason = words.say(&message!("statistics-page-left-out-because").text("reason", &**reason));
         format!("{}: {reason}", words.say(&message!("statistics-page-at").text("point", *point)))
     }));
-    let top = Top { heading, read: read.join(", "), told, count: counted.len() };
+    let top = Top { heading, read: of.read_text(words), told, count: of.values.len() };
     said(top, answer, of.sheet(words), words)
 }
 
@@ -213,12 +203,13 @@ fn said(top: Top, answer: &Answer, charts: Result<Picture, Reason>, words: &Word
     of
 }
 
-fn values(count: usize, words: &Words) -> String {
-    words.say(&message!("statistics-page-values").count("count", count))
-}
-
-fn left_out(all: impl Iterator<Item = (LeftOut, usize)>, words: &Words) -> impl Iterator<Item = String> {
-    all.map(|(why, count)| words.say(&message!("statistics-page-out").count("count", count).text("why", why.word())))
+/// `125 values, 2 left out: simulated`
+fn read(series: &Series<'_>, words: &Words) -> String {
+    let values = message!("statistics-page-values").count("count", series.count());
+    let out =
+        |(why, count): (LeftOut, usize)| message!("statistics-page-out").count("count", count).text("why", why.word());
+    let said = std::iter::once(values).chain(series.left_out().map(out));
+    said.map(|message| words.say(&message)).collect::<Vec<_>>().join(", ")
 }
 
 /// The figures that the page Statistics shows, too.

@@ -7,7 +7,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_statistics::{Reason, Rules, Sample, Signal, signals};
+use fitcheck_core::message::message;
+use fitcheck_core::words::Words;
+use fitcheck_statistics::{ChartKind, Reason, Rules, Sample, Signal, signals};
 
 use super::{Answer, LeftOut, Series, Value, Wanted};
 use crate::journal::Record;
@@ -216,7 +218,7 @@ impl FeatureSeries {
             of(last).filter(|_| of(first) == Some(0)).map_or(usize::MAX, |at| at / size + 1)
         });
         let limits = self.key.limits.map(|limit| limit.map(Length::to_mm_f64));
-        let chart = (size == 1).then_some(fitcheck_statistics::ChartKind::Individuals);
+        let chart = (size == 1).then_some(ChartKind::Individuals);
         let groups = series.groups.len() - apart.len();
         let (rules, left_out) = (look.rules, apart);
         let wanted = Wanted { limits, chart, rules, baseline, left_out, level: LEVEL, ..Wanted::default() };
@@ -247,6 +249,19 @@ fn sample<'a>(values: &(impl Iterator<Item = &'a Value> + Clone), why: impl Fn(&
 }
 
 impl Evaluated {
+    /// What was read, before anything is said of it: `125 values, 25 groups of 5, 2 left out`.
+    pub fn read_text(&self, words: &Words) -> String {
+        let mut said = vec![message!("statistics-page-values").count("count", self.values.len())];
+        if self.answer.wanted.chart != Some(ChartKind::Individuals) {
+            let size = self.points.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
+            said.push(message!("statistics-page-groups").count("count", self.groups).text("size", size));
+        }
+        let out = |why, count: usize| message!("statistics-page-out").text("why", why).count("count", count);
+        said.extend(self.left_out.iter().map(|(why, count)| out(why.word(), *count)));
+        said.extend((0 < self.apart).then(|| out("user", self.apart)));
+        said.iter().map(|message| words.say(message)).collect::<Vec<_>>().join(", ")
+    }
+
     /// Ppk with its interval, or why there is none.
     ///
     /// # Errors

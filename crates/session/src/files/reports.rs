@@ -66,10 +66,13 @@ impl Session {
                 (self.records.report(now, journal), shown, newest)
             }
             ReportOf::Statistics => {
-                let series = self.statistics.series().ok_or_else(nothing)?;
+                let series = self.statistics.series().clone();
                 let values = series.features.iter().flat_map(|feature| &feature.values);
-                let shown = recording.shown(values.map(|value| value.origin.number), None);
-                (Report { series, ..Report::new(now, Vec::<Record>::new()) }, shown, None)
+                let counted = values.filter(|value| value.left_out.is_none());
+                let shown = recording.shown(counted.map(|value| value.origin.number), None);
+                let is_partial = self.statistics.found().is_some_and(|found| 0 < found.unread);
+                let notes = self.statistics.told_of_question();
+                (Report { series, notes, is_partial, ..Report::new(now, Vec::<Record>::new()) }, shown, None)
             }
         };
         let mut report = report;

@@ -65,7 +65,7 @@ impl Session {
             ReportOf::Check => self.check.shown.is_some(),
             ReportOf::List => self.check.rows.is_some() || !self.shared.history.is_empty(),
             ReportOf::Records => 0 < self.records.reported(),
-            ReportOf::Statistics => self.statistics.open().is_some(),
+            ReportOf::Statistics => self.statistics.is_settled(),
         }
     }
 

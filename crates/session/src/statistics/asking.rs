@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::journal::ask::AskedKinds;
-use fitcheck_exchange::series::{Evaluated, FeatureSeries, Look};
+use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, FeatureSeries, Look};
 
-use super::{PointsOf, SeriesFound, Shown, StatisticsField, StatisticsPage, asks_for};
+use super::{PointsOf, SeriesFound, StatisticsField, StatisticsPage, asks_for};
 use crate::effect::Effect;
 use crate::parts::{AlarmSearch, NewestValue};
 use crate::recording::Keeping;
@@ -60,6 +60,7 @@ impl StatisticsPage {
                 // What was withdrawn is left out, and counted.
                 question.standing = false;
                 question.kinds = AskedKinds::Checks;
+                self.texts.text(StatisticsField::Question).trim().clone_into(&mut self.question);
                 self.runs += 1;
                 self.reading = Some(self.runs);
                 self.errands.push(Effect::ReadSeries { run: self.runs, question: Box::new(question), most, rests });
@@ -103,7 +104,7 @@ impl StatisticsPage {
     /// Computes everything again, as the page looks at it now.
     pub(super) fn recompute(&mut self) {
         let found = self.computing.take().map(|(_, found)| found);
-        let found = found.or_else(|| self.shown.as_ref().map(|shown| Arc::clone(&shown.found)));
+        let found = found.or_else(|| self.found.clone());
         if let Some(found) = found {
             self.compute(found);
         }
@@ -142,7 +143,8 @@ impl StatisticsPage {
     /// Everything is computed.
     pub(super) fn take_answers(&mut self, run: u64, answers: Arc<Vec<Evaluated>>) {
         let Some((_, found)) = self.computing.take_if(|(of, _)| *of == run) else { return };
-        self.shown = Some(Shown { found, answers });
+        self.shown = EvaluatedSeries { features: found.features.clone(), answers };
+        self.found = Some(found);
         self.version += 1;
         if self.chosen().is_none() {
             let first = self.features().next().map(|(feature, _)| feature.key.clone());

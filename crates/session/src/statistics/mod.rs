@@ -97,13 +97,6 @@ pub struct SeriesFound {
     pub has_more: bool,
 }
 
-/// What is shown: the values, and what was computed of them.
-#[derive(Debug, Clone)]
-struct Shown {
-    found: Arc<SeriesFound>,
-    answers: Arc<Vec<Evaluated>>,
-}
-
 /// The state of the statistics page.
 #[derive(Debug, Default)]
 pub struct StatisticsPage {
@@ -119,6 +112,8 @@ pub struct StatisticsPage {
     parts: BTreeSet<String>,
     /// Whether anything was asked since the window was opened.
     has_asked: bool,
+    /// The newest question that the journal was asked.
+    question: String,
     runs: u64,
     /// The number of the question whose values are being read.
     reading: Option<u64>,
@@ -126,7 +121,9 @@ pub struct StatisticsPage {
     computing: Option<(u64, Arc<SeriesFound>)>,
     /// Why nothing could be read.
     pub problem: Option<Message>,
-    shown: Option<Shown>,
+    found: Option<Arc<SeriesFound>>,
+    /// What is shown: the features, and what was computed of them.
+    shown: EvaluatedSeries,
     /// Goes up with every answer.
     version: u64,
     chosen: Option<FeatureKey>,
@@ -148,10 +145,7 @@ pub struct StatisticsPage {
 impl StatisticsPage {
     /// The features, each with what was computed of it.
     pub fn features(&self) -> impl ExactSizeIterator<Item = (&FeatureSeries, &Evaluated)> {
-        let shown = self.shown.as_ref();
-        let features = shown.map_or(&[][..], |shown| shown.found.features.as_slice());
-        let answers = shown.map_or(&[][..], |shown| shown.answers.as_slice());
-        features.iter().map(Arc::as_ref).zip(answers)
+        self.shown.iter()
     }
 
     /// A number that changes with what is shown.
@@ -182,22 +176,19 @@ impl StatisticsPage {
         self.parts().find(|part| asks_for(part) == question)
     }
 
-    /// Whether features of several parts are listed.
-    pub fn has_parts(&self) -> bool {
-        let mut parts = self.features().map(|(feature, _)| &feature.key.part);
-        let first = parts.next();
-        parts.any(|part| Some(part) != first)
-    }
-
     /// What was found of the question that is shown.
     pub fn found(&self) -> Option<&SeriesFound> {
-        Some(&self.shown.as_ref()?.found)
+        self.found.as_deref()
     }
 
-    /// What is shown, for a report.
-    pub fn series(&self) -> Option<EvaluatedSeries> {
-        let Shown { found, answers } = self.shown.as_ref()?;
-        Some(EvaluatedSeries { features: found.features.clone(), answers: Arc::clone(answers) })
+    /// The features that are shown, with what was computed of them.
+    pub const fn series(&self) -> &EvaluatedSeries {
+        &self.shown
+    }
+
+    /// Whether what is shown answers the newest question.
+    pub fn is_settled(&self) -> bool {
+        self.open().is_some() && !self.is_working() && self.problem.is_none()
     }
 
     /// Whether values are being read or figures computed.

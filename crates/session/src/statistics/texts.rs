@@ -6,10 +6,10 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::text::{grouped, long, sentence};
 use fitcheck_core::words::Words;
-use fitcheck_exchange::series::{ASKED_INDEX, Evaluated, Value};
-use fitcheck_statistics::{Place, Reason, Signal};
+use fitcheck_exchange::series::{ASKED_INDEX, Answer, Evaluated, Value};
+use fitcheck_statistics::{Reason, Signal};
 
-use super::{Aside, PointsOf, StatisticsPage};
+use super::{Aside, StatisticsPage};
 
 /// A figure as it stands on the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,32 +56,27 @@ impl StatisticsPage {
     /// What was read, before anything is said of it: `125 values, 25 groups of 5, 2 left out`.
     pub fn read_text(&self, words: &Words) -> Option<String> {
         let (_, of) = self.open()?;
-        let mut said = vec![words.say(&message!("statistics-page-values").count("count", of.values.len()))];
-        if self.points_of == PointsOf::Means {
-            said.push(
-                words.say(&message!("statistics-page-groups").count("count", of.groups).text("size", self.look.size)),
-            );
-        }
-        for (why, count) in &of.left_out {
-            said.push(words.say(&message!("statistics-page-out").text("why", why.word()).count("count", *count)));
-        }
-        if 0 < of.apart {
-            said.push(words.say(&message!("statistics-page-out").text("why", "user").count("count", of.apart)));
-        }
-        Some(said.join(", "))
+        Some(of.read_text(words))
     }
 
     /// What the whole question left aside: entries that cannot be read, and older ones that were not read.
     pub fn aside_text(&self, words: &Words) -> Option<String> {
-        let found = self.found()?;
-        let mut said = Vec::new();
-        if found.has_more {
-            said.push(words.say(&message!("statistics-page-newest").text("count", grouped(long(found.read)))));
-        }
-        if 0 < found.unread {
-            said.push(words.say(&message!("statistics-page-unread").count("count", found.unread)));
-        }
+        let said: Vec<String> = self.told_aside().iter().map(|message| words.say(message)).collect();
         (!said.is_empty()).then(|| said.join(" "))
+    }
+
+    fn told_aside(&self) -> Vec<Message> {
+        let Some(found) = self.found() else { return Vec::new() };
+        let newest = || message!("statistics-page-newest").text("count", grouped(long(found.read)));
+        let unread = || message!("statistics-page-unread").count("count", found.unread);
+        [found.has_more.then(newest), (0 < found.unread).then(unread)].into_iter().flatten().collect()
+    }
+
+    /// What a report says of the question: what was asked, and what was left aside.
+    pub(crate) fn told_of_question(&self) -> Vec<Message> {
+        let asked = || message!("reports-page-asked").text("question", &self.question);
+        let asked = (!self.question.is_empty()).then(asked);
+        asked.into_iter().chain(self.told_aside()).collect()
     }
 
     /// The figures of the chosen feature.
@@ -128,7 +123,7 @@ impl StatisticsPage {
     }
 
     fn signal(&self, words: &Words, number: usize, signal: &Signal) -> SignalText {
-        let rule = rule_text(words, signal);
+        let rule = sentence(&words.say(&signal.place.said(signal.rule)));
         let points = |of: &Range<usize>| {
             words.say(&match of.len() {
                 1 => message!("statistics-page-at").text("point", of.end),
@@ -147,25 +142,11 @@ impl StatisticsPage {
 
     /// What a screen reader says of the chart: one sentence with its figures.
     pub fn chart_text(&self, words: &Words) -> String {
-        let Some((feature, of)) = self.open() else { return String::new() };
-        let mm = |name: &str| match of.answer.figure(name).map(|found| &found.value) {
-            Some(Ok((value, _))) => format!("{} mm", decimals(words, *value, 4)),
-            _ => "–".to_owned(),
-        };
-        let limit =
-            |limit: Option<Length>| limit.map_or_else(|| "–".to_owned(), |limit| format!("{} mm", words.mm(limit, 3)));
+        let Some((_, of)) = self.open() else { return String::new() };
         if let Err(why) = &of.answer.chart {
             return words.say(&message!("statistics-page-no-chart").message("why", why.message()));
         }
-        let [lower, upper] = feature.key.limits.map(limit);
-        let said = message!("statistics-page-chart-said")
-            .count("count", of.points.len())
-            .text("centre", mm("centre_mm"))
-            .text("lower", mm("lower_control_mm"))
-            .text("upper", mm("upper_control_mm"))
-            .text("minimum", lower)
-            .text("maximum", upper);
-        words.say(&said.count("signals", of.signals.len()).count("outside", of.answer.outside.iter().sum()))
+        chart_said(&of.answer, of.points.len(), of.signals.len(), words)
     }
 
     /// What is said of the point at which the keys are.
@@ -184,7 +165,7 @@ impl StatisticsPage {
         let signals = self.open().map_or(&[][..], |(_, of)| of.signals.as_slice());
         for (number, signal) in (1..).zip(signals) {
             if signal.stretches.iter().any(|of| of.contains(&point)) {
-                said.push(format!("{number}: {}", rule_text(words, signal)));
+                said.push(format!("{number}: {}", sentence(&words.say(&signal.place.said(signal.rule)))));
             }
         }
         said.join(". ")
@@ -233,12 +214,25 @@ impl StatisticsPage {
     }
 }
 
-fn rule_text(words: &Words, signal: &Signal) -> String {
-    let rule = words.told(&signal.rule);
-    match signal.place {
-        Place::Location => rule,
-        Place::Spread => words.say(&message!("statistics-page-on-spread").text("rule", rule)),
-    }
+/// A chart as one sentence with its figures.
+pub(super) fn chart_said(answer: &Answer, points: usize, signals: usize, words: &Words) -> String {
+    let mm = |name: &str| match answer.figure(name).map(|found| &found.value) {
+        Some(Ok((value, _))) => format!("{} mm", decimals(words, *value, 4)),
+        _ => "–".to_owned(),
+    };
+    let limit = |limit: Option<f64>| {
+        let length = limit.and_then(|limit| Length::from_mm_f64(limit).ok());
+        length.map_or_else(|| "–".to_owned(), |limit| format!("{} mm", words.mm(limit, 3)))
+    };
+    let [lower, upper] = answer.wanted.limits.map(limit);
+    let said = message!("statistics-page-chart-said")
+        .count("count", points)
+        .text("centre", mm("centre_mm"))
+        .text("lower", mm("lower_control_mm"))
+        .text("upper", mm("upper_control_mm"))
+        .text("minimum", lower)
+        .text("maximum", upper);
+    words.say(&said.count("signals", signals).count("outside", answer.outside.iter().sum()))
 }
 
 fn figure(

@@ -8,7 +8,7 @@ use fitcheck_statistics::Advice;
 use fitcheck_statistics::gauge::Finding;
 
 use super::{Study, StudyRead};
-use crate::statistics::texts::decimals;
+use crate::statistics::texts::{chart_said, decimals};
 
 /// A figure as it stands on the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -131,22 +131,7 @@ impl Study {
         let Some(found) = self.evaluated() else { return String::new() };
         let answer = &found.answer;
         let Ok(chart) = &answer.chart else { return String::new() };
-        let mm = |name: &str| match answer.figure(name).map(|figure| &figure.value) {
-            Some(Ok((value, _))) => format!("{} mm", decimals(words, *value, 4)),
-            _ => "–".to_owned(),
-        };
-        let [lower, upper] = answer
-            .wanted
-            .limits
-            .map(|limit| limit.map_or_else(|| "–".to_owned(), |mm| format!("{} mm", words.number(&mm.to_string()))));
-        let said = message!("statistics-page-chart-said")
-            .count("count", chart.points.len())
-            .text("centre", mm("centre_mm"))
-            .text("lower", mm("lower_control_mm"))
-            .text("upper", mm("upper_control_mm"))
-            .text("minimum", lower)
-            .text("maximum", upper);
-        words.say(&said.count("signals", found.signals.len()).count("outside", answer.outside.iter().sum()))
+        chart_said(answer, chart.points.len(), found.signals.len(), words)
     }
 
     /// Layout, advice and figures as a table for a spreadsheet.
