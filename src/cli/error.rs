@@ -67,12 +67,10 @@ pub(super) enum CliError {
     StatsNoFeature { given: String, names: String },
     /// Limits that differ from value to value.
     StatsLimits,
-    /// Values without parts.
-    StatsNoParts,
     /// A point that the chart does not have.
     StatsNoPoint { point: usize, count: usize },
-    /// Values that do not say to which group they belong.
-    StatsNoFactor { count: usize },
+    /// Values that make no groups.
+    StatsReason { why: Message },
     /// A layout that looks wrong and is not confirmed.
     StatsLayout { doubt: Message },
     /// A budget of a study that gives none.

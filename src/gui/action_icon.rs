@@ -28,7 +28,7 @@ pub(super) const fn icon_of(action: Action) -> Option<Icon> {
         ) => Icon::FolderOpen,
         Action::Tables(TablesAction::SaveTable(_))
         | Action::Budget(BudgetAction::SaveBudget)
-        | Action::Statistics(StatisticsAction::SaveStudyBudget)
+        | Action::Statistics(StatisticsAction::SaveStudyBudget | StatisticsAction::SaveChart)
         | Action::Pairing(PairingAction::SavePairs(_)) => Icon::FloppyDisk,
         Action::Budget(BudgetAction::AddContribution | BudgetAction::NewBudget)
         | Action::Tables(TablesAction::AddColumns) => Icon::Plus,

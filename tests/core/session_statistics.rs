@@ -4,19 +4,20 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use fitcheck::journal::Record;
 use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Moment};
+use fitcheck::journal::{Alarm, Record};
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
-use fitcheck::report::{RENDERINGS, rendering_for};
-use fitcheck::series::{Gathering, LeftOut};
-use fitcheck::session::statistics::{PointsOf, SeriesFound, Zooming};
+use fitcheck::report::{Holds, RENDERINGS, rendering_for};
+use fitcheck::series::{Drawn, Factor, Gathering, Grouping, LeftOut, Look};
+use fitcheck::session::statistics::{Aside, Below, MeanOf, PointsOf, SeriesFound, Zooming};
 use fitcheck::session::{
     Command, Content as Written, Effect, Page, Purpose, ReportOf, ReportsCommand, Session, StatisticsAction,
     StatisticsCommand, StatisticsField, Step,
 };
 use fitcheck::statistics::Rule;
+use fitcheck::statistics::picture::Mark;
 use fitcheck::tolerance::{Callout, Sources};
 use fitcheck::words::{Language, Words};
 
@@ -321,6 +322,136 @@ fn limits_come_from_the_chosen_points_and_later_points_do_not_move_them() {
     assert_eq!(limits(&session).baseline, 15);
 }
 
+/// Ten values of two parts of five, and another one of a third part that is not yet complete.
+fn of_parts() -> Vec<(u64, Entry, bool)> {
+    let mut entries = of_values(&[&TEN[..], &["25.010"]].concat());
+    for (at, (_, entry, _)) in entries.iter_mut().enumerate() {
+        entry.about.serial = format!("S-{}", at / 5 + 1);
+    }
+    entries
+}
+
+#[test]
+fn means_are_of_one_part_of_one_person_or_of_what_was_measured_without_a_pause() {
+    let mut session = page(&of_parts());
+    doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Means));
+    for (mean_of, expected) in [
+        (MeanOf::Part, "11 values, 3 groups of 1–5"),
+        (MeanOf::Person, "11 values, 1 group of 11"),
+        (MeanOf::Station, "11 values, 1 group of 11"),
+        (MeanOf::Pause, "11 values, 1 group of 11"),
+        (MeanOf::Count, "11 values, 3 groups of 1–5"),
+    ] {
+        doing(&mut session, StatisticsCommand::UseMeansOf(mean_of));
+        assert_eq!(session.statistics().read_text(&words()).as_deref(), Some(expected), "{mean_of:?}");
+    }
+}
+
+#[test]
+fn values_that_do_not_say_their_group_are_no_chart_and_say_so() {
+    let mut entries = of_parts();
+    entries[3].1.about.station.clear();
+    let mut session = page(&entries);
+    doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Means));
+    doing(&mut session, StatisticsCommand::UseMeansOf(MeanOf::Station));
+    let said = session.statistics().chart_text(&words());
+    assert!(said.contains("values that do not say to which group they belong: 1"), "{said}");
+    assert!(!session.can(StatisticsAction::SaveChart));
+}
+
+/// The part that is being measured may get more values: it is no point of which a rule fires.
+#[test]
+fn a_part_is_a_point_of_an_alarm_once_the_next_one_begins() {
+    let quiet = ["25.010", "25.011", "25.009", "25.010"];
+    let mut values: Vec<&str> = quiet.iter().cycle().take(40).copied().collect();
+    values.extend(["25.018", "25.018"]);
+    let mut entries = of_values(&values);
+    for (at, (_, entry, _)) in entries.iter_mut().enumerate() {
+        entry.about.serial = format!("S-{}", at / 2 + 1);
+    }
+    let look = Look { grouping: Grouping::By(Factor::Part), ..Look::default() };
+    let alarms = |entries: &[(u64, Entry, bool)]| {
+        let found = found(entries, 125);
+        let newest = entries.last().map(|(number, ..)| *number).unwrap();
+        found.features[0].alarms(&look, newest, &[])
+    };
+    let beyond = |alarms: &[Alarm]| alarms.iter().any(|alarm| alarm.rule == Rule::BeyondLimits);
+    assert!(!beyond(&alarms(&entries)), "part 21 may get more values");
+    let next = of_values(&[&values[..], &["25.010"]].concat()).pop().unwrap();
+    entries.push(next);
+    let found = alarms(&entries);
+    assert!(beyond(&found), "{found:?}");
+    let of_part = found.iter().find(|alarm| alarm.rule == Rule::BeyondLimits).unwrap();
+    assert_eq!((of_part.first, of_part.last, of_part.since.as_str()), (42, 43, "S-21"));
+}
+
+#[test]
+fn a_stage_begins_at_the_cursor_with_limits_of_its_own_and_ends_again() {
+    let shifted = ["25.016", "25.017", "25.015", "25.016", "25.017", "25.015", "25.016", "25.017"];
+    let mut session = page(&of_values(&[&TEN[..], &shifted].concat()));
+    let before = session.statistics().chart_text(&words());
+    send(&mut session, StatisticsCommand::ChoosePoint(0));
+    assert!(!session.can(StatisticsAction::Stage), "the chart begins there");
+    send(&mut session, StatisticsCommand::ChoosePoint(10));
+    doing(&mut session, StatisticsCommand::Stage);
+    let said = session.statistics().chart_text(&words());
+    // The mean of the eight shifted values: 129 / 8 µm above the nominal size.
+    assert!(said.contains("centre line 25.0161 mm"), "{said}");
+    let [mean, ..] = figure(&session, "Mean");
+    assert_eq!(mean, "25.0161", "the process as it is now");
+    doing(&mut session, StatisticsCommand::Stage);
+    assert_eq!(session.statistics().chart_text(&words()), before);
+}
+
+/// A process that moved by one standard deviation: Shewhart's limits do not see it, the sums do.
+#[test]
+fn charts_that_remember_stand_below_the_chart_and_say_since_when() {
+    let steady = ["25.010", "25.012", "25.009", "25.011", "25.008", "25.012", "25.010", "25.008"];
+    let moved = ["25.013", "25.014", "25.013", "25.014", "25.013", "25.014", "25.013", "25.014"];
+    let mut session = page(&of_values(&[&steady[..], &steady, &moved].concat()));
+    send(&mut session, StatisticsCommand::ChoosePoint(15));
+    doing(&mut session, StatisticsCommand::Freeze);
+    for (below, figure) in [(Below::Ewma, "weighted average 25."), (Below::Cusum, "sum above the mean ")] {
+        doing(&mut session, StatisticsCommand::ShowBelow(below));
+        let said = session.statistics().aside_said(Aside::Spread, &words());
+        assert!(said.starts_with(figure), "{said}");
+        let advice = session.statistics().advice(&words()).join("\n");
+        assert!(advice.contains("the mean has moved"), "{advice}");
+        let (_, of) = session.statistics().open().unwrap();
+        let drawn = of.drawn(Drawn::Memory, [600.0, 240.0], 0..24, &words()).unwrap();
+        assert!(drawn.spots.len() == 24 && drawn.marks.iter().any(|mark| matches!(mark, Mark::Ring { .. })));
+    }
+    doing(&mut session, StatisticsCommand::ShowBelow(Below::Spread));
+    assert!(session.statistics().aside_said(Aside::Spread, &words()).starts_with("mean spread"));
+}
+
+#[test]
+fn the_charts_are_saved_as_a_drawing_or_a_picture() {
+    let mut session = page(&of_values(&TEN));
+    doing(&mut session, StatisticsCommand::ShowBelow(Below::Ewma));
+    let mut written = |path: &str| {
+        send(&mut session, Command::OpenDialog(Purpose::SaveChart));
+        send(&mut session, Command::TypePath(path.to_owned()));
+        let effects = send(&mut session, Command::Confirm);
+        let bytes = effects.iter().find_map(|effect| match effect {
+            Effect::ForDialog(_, effect) => match effect.as_ref() {
+                Effect::Save(_, content) => Some(content.bytes().unwrap()),
+                _ => None,
+            },
+            _ => None,
+        });
+        let problem = session.dialog().and_then(|dialog| dialog.problem.as_ref()).map(ToString::to_string);
+        send(&mut session, Command::Close);
+        (bytes, problem)
+    };
+    let (svg, _) = written("/charts/a1.svg");
+    let svg = String::from_utf8(svg.unwrap()).unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("Weighted averages (EWMA)"), "{svg}");
+    assert!(written("/charts/a1.PNG").0.unwrap().starts_with(b"\x89PNG"));
+    let (none, problem) = written("/charts/a1.pdf");
+    assert_eq!((none, problem.as_deref()), (None, Some("The name of the file must end in .svg or .png.")));
+}
+
 #[test]
 fn points_are_walked_and_the_window_follows() {
     let mut session = page(&with_signal());
@@ -393,7 +524,9 @@ fn a_report_says_which_question_it_answers_and_waits_for_the_answer() {
     (answer.unread, answer.has_more) = (2, true);
     doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(answer)) });
     let (_, said) = reported(&mut session);
-    for line in ["Records asked for: part:Flange", "Older ones are not included.", "2 records cannot be read."] {
+    for line in
+        ["Flange", "Records asked for: part:Flange", "Older ones are not included.", "2 records cannot be read."]
+    {
         assert!(said.contains(line), "{line}: {said}");
     }
 }
@@ -413,7 +546,7 @@ fn a_template_without_statistics_is_refused_for_them_and_says_which_one_to_take(
 fn a_format_without_statistics_is_refused_for_them_and_says_which_ones_there_are() {
     let mut session = page(&with_signal());
     reported(&mut session);
-    for (number, rendering) in RENDERINGS.iter().enumerate().filter(|(_, rendering)| !rendering.is_label_alone) {
+    for (number, rendering) in RENDERINGS.iter().enumerate().filter(|(_, rendering)| rendering.holds != Holds::Label) {
         send(&mut session, Command::OpenDialog(Purpose::Report(number)));
         send(&mut session, Command::TypePath(format!("/reports/bores.{}", rendering.endings[0])));
         let is_written =

@@ -43,7 +43,7 @@ fn rings() -> String {
 /// Montgomery's piston rings, with exact constants (`crates/statistics/tests/data/pistonrings.json`).
 #[test]
 fn the_piston_rings_have_their_published_figures() {
-    for by in [&["--group", "5"][..], &["--by-part"]] {
+    for by in [&["--group", "5"][..], &["--group", "part"]] {
         let (code, found) = answer(&rings(), by);
         assert_eq!(code, Some(0));
         for (name, expected) in [
@@ -153,8 +153,42 @@ fn several_features_are_asked_about() {
     let differ = with("name;callout;measured\nbore;25 H7;25.01\nbore;25 H8;25.012\n");
     let (code, _, said) = stats(differ.path(), &["values.csv"]);
     assert!(code == Some(1) && said.contains("limits differ from value to value"), "{said}");
-    let (code, _, said) = stats(differ.path(), &["values.csv", "--lower", "25", "--upper", "25.02", "--by-part"]);
-    assert!(code == Some(1) && said.contains("no part or serial number"), "{said}");
+    let (code, _, said) = stats(differ.path(), &["values.csv", "--lower", "25", "--upper", "25.02", "--group", "part"]);
+    assert!(code == Some(1) && said.contains("values that do not say to which group they belong: 2"), "{said}");
+}
+
+/// The same rings, whose parts are batches or are measured half an hour after each other: every way has the same groups.
+#[test]
+fn subgroups_are_made_of_batches_and_of_pauses() {
+    let rows: Vec<String> = rings()
+        .lines()
+        .skip(1)
+        .enumerate()
+        .map(|(at, row)| {
+            let (_, row) = row.split_once(',').unwrap();
+            let minutes = at / 5 * 34 + at % 5;
+            let time = format!("2026-11-17T{:02}:{:02}:00", 6 + minutes / 60, minutes % 60);
+            format!("LOT-{},{time},{row}", at / 5)
+        })
+        .collect();
+    let text = format!("batch,time,feature,min,max,measured [mm]\n{}\n", rows.join("\n"));
+    let (_, expected) = answer(&rings(), &["--group", "5"]);
+    for group in ["batch", "20min", "29 min"] {
+        let (code, found) = answer(&text, &["--group", group]);
+        assert_eq!((code, &found["groups"]), (Some(0), &25.into()), "{group}");
+        for figure in ["cpk", "sigma_mm", "upper_control_mm"] {
+            assert_eq!(found[figure], expected[figure], "{figure} by {group}");
+        }
+    }
+    let (_, found) = answer(&text, &["--group", "1h"]);
+    assert_eq!(found["groups"], 1, "no pause is as long");
+    let folder = with(&text.replacen("LOT-3", "", 1));
+    let (code, _, said) = stats(folder.path(), &["values.csv", "--group", "batch"]);
+    assert!(code == Some(1) && said.contains("values that do not say to which group they belong: 1"), "{said}");
+    for wrong in ["0", "2.5", "month", "min", "-3", "99999999d"] {
+        let (code, _, said) = stats(folder.path(), &["values.csv", &format!("--group={wrong}")]);
+        assert!(code == Some(2) && said.contains("expected a number of values, part, batch"), "{wrong}: {said}");
+    }
 }
 
 /// A series that alarms everywhere is not a page of numbers; machines get all of them.

@@ -21,6 +21,7 @@ use crate::harness::{DESK, Window, check, picture_in, press, sheet_in};
 use crate::pictures::can_paint;
 use crate::statistics_page::{entries, flange, page_of};
 use crate::studies::evaluated;
+use crate::walk_page::with_alarm;
 
 /// Takes a picture of a window, if pictures can be made here.
 fn taken(name: &str, theme: Theme, size: Vec2, work: impl FnOnce(&mut Harness<'static, App>)) {
@@ -264,6 +265,14 @@ fn the_statistics_of_a_flange_in_a_small_window() {
 fn a_study_of_a_gauge() {
     if can_paint("study") {
         picture_in(&mut evaluated(), "study", "docs/screenshots");
+    }
+}
+
+#[test]
+fn an_alarm_of_a_control_chart() {
+    if can_paint("alarm") {
+        let folder = tempfile::tempdir().unwrap();
+        picture_in(&mut with_alarm(folder.path()), "alarm", "docs/screenshots");
     }
 }
 

@@ -223,6 +223,37 @@ fn means_of_groups_are_chosen_and_their_size_is_typed() {
 }
 
 #[test]
+fn means_are_of_one_person_by_the_list() {
+    let mut window = usual();
+    click(&mut window, Role::RadioButton, "Means of 5");
+    click(&mut window, Role::ComboBox, "Mean of");
+    click(&mut window, Role::Button, "values of one person");
+    window.get_by_label("125 values, 125 groups of 1");
+    assert!(window.query_by_label("Values per point").is_none());
+    click(&mut window, Role::ComboBox, "Mean of");
+    click(&mut window, Role::Button, "values without a pause");
+    window.get_by_label("125 values, 1 group of 125");
+    type_into(&mut window, "Pause in minutes", "16");
+    press(&mut window, Key::Enter);
+    window.get_by_label("125 values, 125 groups of 1");
+}
+
+#[test]
+fn a_stage_begins_by_a_key_and_sums_stand_below_the_chart() {
+    let mut window = with_chip();
+    on_last_point(&mut window);
+    for _ in 0..8 {
+        press(&mut window, Key::ArrowLeft);
+    }
+    press(&mut window, Key::S);
+    window.get_by_role_and_label(Role::Button, "Remove the stage");
+    click(&mut window, Role::RadioButton, "CUSUM");
+    let sums = window.get_by_role_and_label(Role::Image, "CUSUM");
+    let said = sums.accesskit_node().data().description().unwrap_or_default().to_owned();
+    assert!(said.starts_with("sum above the mean ") && said.contains("decision interval"), "{said}");
+}
+
+#[test]
 fn the_question_narrows_the_records() {
     let mut window = usual();
     type_into(&mut window, "Records", "nobody:\"");

@@ -330,12 +330,11 @@ fn a_value_that_cannot_be_is_asked_about_and_confirmed_or_measured_again() {
     assert_eq!(asked(&page).as_deref(), Some("B"));
 }
 
-#[test]
-fn a_rule_that_fires_asks_for_cause_and_action_and_changes_no_verdict() {
-    let folder = tempfile::tempdir().unwrap();
-    let plan = folder.path().join("flange.toml");
+/// A part with a value at which rules of the control chart fire.
+pub fn with_alarm(folder: &Path) -> Harnessed {
+    let plan = folder.join("flange.toml");
     put(&plan, "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n");
-    let window = window_of(folder.path(), DESK);
+    let window = window_of(folder, DESK);
     let mut page = Window { files: vec![(Purpose::OpenPlan, plan)], ..window }.open();
     type_into(&mut page, "Serial number", "A-01");
     press(&mut page, Key::Enter);
@@ -347,6 +346,13 @@ fn a_rule_that_fires_asks_for_cause_and_action_and_changes_no_verdict() {
     }
     assert!(page.query_by_label_contains("Open alarms").is_none());
     value(&mut page, "25.018");
+    page
+}
+
+#[test]
+fn a_rule_that_fires_asks_for_cause_and_action_and_changes_no_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = with_alarm(folder.path());
     assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
     // The value and its distance from the one before: one answer is for both.
     page.get_by_label("Open alarms: 2");

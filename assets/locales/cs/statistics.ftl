@@ -6,6 +6,7 @@ statistics-reason-not-a-number = hodnota { $place } není číslo
 statistics-reason-too-few = příliš málo hodnot nebo skupin: { $found }, potřeba je nejméně { $needed }
 statistics-reason-all-equal = všechny hodnoty jsou stejné: není rozptyl, se kterým by se dalo počítat
 statistics-reason-no-subgroups = žádná podskupina nemá dvě nebo více hodnot
+statistics-reason-ungrouped = hodnoty, které neuvádějí svou skupinu: { $count }
 statistics-reason-large-subgroup = počet hodnot v podskupině je { $found }: rozpětí se používá nejvýše pro { $most }
 statistics-reason-unequal-subgroups = podskupiny mají { $least } až { $most } hodnot: tento diagram potřebuje stejně velké podskupiny
 statistics-reason-no-limits = nejsou žádné meze
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Klouzavé rozpětí, µm
 statistics-chart-range = Rozpětí podskupin, µm
 statistics-chart-deviation = Směrodatná odchylka podskupin, µm
 statistics-chart-probability = Pravděpodobnostní graf
+statistics-chart-ewma = Vážené průměry (EWMA)
+statistics-chart-cusum = Součty odchylek od střední hodnoty (CUSUM)
 statistics-chart-probability-test = Pravděpodobnostní graf, Anderson-Darling { $statistic }, p = { $p }
 
 # Co s čísly udělat

@@ -292,6 +292,7 @@ file-kind-plan = Plány dílů
 file-kind-picture = Obrázky
 file-kind-watched = Sledované složky
 file-kind-budget = Bilance nejistot
+file-kind-chart = Grafy
 file-kind-readings = Odečty
 file-kind-study = Odečty měřidla
 dialog-move = Přejít na jinou položku

@@ -6,6 +6,7 @@ statistics-reason-not-a-number = Wert { $place } ist keine Zahl
 statistics-reason-too-few = zu wenige Werte oder Gruppen: { $found }, mindestens { $needed } nötig
 statistics-reason-all-equal = alle Werte sind gleich: es gibt keine Streuung, mit der gerechnet werden kann
 statistics-reason-no-subgroups = keine Stichprobe hat zwei oder mehr Werte
+statistics-reason-ungrouped = Werte ohne Angabe der Gruppe: { $count }
 statistics-reason-large-subgroup = eine Stichprobe hat { $found } Werte: Spannweiten werden bis höchstens { $most } verwendet
 statistics-reason-unequal-subgroups = Stichproben haben { $least } bis { $most } Werte: diese Karte braucht gleich große Stichproben
 statistics-reason-no-limits = es gibt keine Grenzwerte
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Gleitende Spannweite, µm
 statistics-chart-range = Spannweite der Gruppen, µm
 statistics-chart-deviation = Standardabweichung der Gruppen, µm
 statistics-chart-probability = Wahrscheinlichkeitsnetz
+statistics-chart-ewma = Gewichtete Mittelwerte (EWMA)
+statistics-chart-cusum = Summen der Abweichungen vom Mittelwert (CUSUM)
 statistics-chart-probability-test = Wahrscheinlichkeitsnetz, Anderson-Darling { $statistic }, p = { $p }
 
 # Was mit den Zahlen zu tun ist

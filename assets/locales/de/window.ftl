@@ -283,6 +283,7 @@ file-kind-plan = Prüfpläne
 file-kind-picture = Bilder
 file-kind-watched = Überwachte Ordner
 file-kind-budget = Unsicherheitsbudgets
+file-kind-chart = Karten
 file-kind-readings = Einzelmesswerte
 file-kind-study = Messungen eines Prüfmittels
 dialog-move = Zu einem anderen Element

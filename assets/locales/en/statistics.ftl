@@ -6,6 +6,7 @@ statistics-reason-not-a-number = value { $place } is not a number
 statistics-reason-too-few = too few values or groups: { $found }, at least { $needed } needed
 statistics-reason-all-equal = all values are equal: there is no spread to compute with
 statistics-reason-no-subgroups = no subgroup has two values or more
+statistics-reason-ungrouped = values that do not say to which group they belong: { $count }
 statistics-reason-large-subgroup = a subgroup has { $found } values: ranges are used for at most { $most }
 statistics-reason-unequal-subgroups = subgroups have { $least } to { $most } values: this chart needs subgroups of equal size
 statistics-reason-no-limits = there are no limits
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Moving range, µm
 statistics-chart-range = Range of groups, µm
 statistics-chart-deviation = Standard deviation of groups, µm
 statistics-chart-probability = Probability plot
+statistics-chart-ewma = Weighted averages (EWMA)
+statistics-chart-cusum = Sums of deviations from the mean (CUSUM)
 statistics-chart-probability-test = Probability plot, Anderson-Darling { $statistic }, p = { $p }
 
 # What to do with the figures

@@ -283,6 +283,7 @@ file-kind-plan = Part plans
 file-kind-picture = Pictures
 file-kind-watched = Watched folders
 file-kind-budget = Uncertainty budgets
+file-kind-chart = Charts
 file-kind-readings = Readings
 file-kind-study = Readings of a gauge
 dialog-move = Go to another entry

@@ -6,6 +6,7 @@ statistics-reason-not-a-number = el valor { $place } no es un número
 statistics-reason-too-few = muy pocos valores o grupos: { $found }, se necesitan al menos { $needed }
 statistics-reason-all-equal = todos los valores son iguales: no hay dispersión con la que calcular
 statistics-reason-no-subgroups = ningún subgrupo tiene dos valores o más
+statistics-reason-ungrouped = valores que no dicen a qué grupo pertenecen: { $count }
 statistics-reason-large-subgroup = un subgrupo tiene { $found } valores: el recorrido se usa hasta { $most }
 statistics-reason-unequal-subgroups = los subgrupos tienen de { $least } a { $most } valores: este gráfico necesita subgrupos de igual tamaño
 statistics-reason-no-limits = no hay límites
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Rango móvil, µm
 statistics-chart-range = Rango de los grupos, µm
 statistics-chart-deviation = Desviación típica de los grupos, µm
 statistics-chart-probability = Gráfico de probabilidad
+statistics-chart-ewma = Medias ponderadas (EWMA)
+statistics-chart-cusum = Sumas de desviaciones de la media (CUSUM)
 statistics-chart-probability-test = Gráfico de probabilidad, Anderson-Darling { $statistic }, p = { $p }
 
 # Qué hacer con las cifras

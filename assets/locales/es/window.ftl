@@ -283,6 +283,7 @@ file-kind-plan = Planes de pieza
 file-kind-picture = Imágenes
 file-kind-watched = Carpetas vigiladas
 file-kind-budget = Balances de incertidumbre
+file-kind-chart = Gráficos
 file-kind-readings = Lecturas
 file-kind-study = Lecturas de un instrumento
 dialog-move = Ir a otro elemento de la lista

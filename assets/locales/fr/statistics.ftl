@@ -6,6 +6,7 @@ statistics-reason-not-a-number = la valeur { $place } n'est pas un nombre
 statistics-reason-too-few = trop peu de valeurs ou de groupes : { $found }, au moins { $needed } nécessaires
 statistics-reason-all-equal = toutes les valeurs sont égales : il n'y a pas de dispersion à calculer
 statistics-reason-no-subgroups = aucun sous-groupe n'a deux valeurs ou plus
+statistics-reason-ungrouped = valeurs qui ne disent pas leur groupe : { $count }
 statistics-reason-large-subgroup = un sous-groupe a { $found } valeurs : l'étendue ne sert que jusqu'à { $most }
 statistics-reason-unequal-subgroups = les sous-groupes ont de { $least } à { $most } valeurs : cette carte demande des sous-groupes de même taille
 statistics-reason-no-limits = il n'y a pas de limites
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Étendue mobile, µm
 statistics-chart-range = Étendue des groupes, µm
 statistics-chart-deviation = Écart-type des groupes, µm
 statistics-chart-probability = Diagramme de probabilité
+statistics-chart-ewma = Moyennes pondérées (EWMA)
+statistics-chart-cusum = Sommes des écarts à la moyenne (CUSUM)
 statistics-chart-probability-test = Diagramme de probabilité, Anderson-Darling { $statistic }, p = { $p }
 
 # Que faire des chiffres

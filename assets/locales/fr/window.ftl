@@ -283,6 +283,7 @@ file-kind-plan = Plans de pièce
 file-kind-picture = Images
 file-kind-watched = Dossiers surveillés
 file-kind-budget = Bilans d'incertitude
+file-kind-chart = Cartes
 file-kind-readings = Lectures
 file-kind-study = Lectures d'un moyen de mesure
 dialog-move = Aller à un autre élément de la liste

@@ -6,6 +6,7 @@ statistics-reason-not-a-number = il valore { $place } non è un numero
 statistics-reason-too-few = troppo pochi valori o gruppi: { $found }, ne servono almeno { $needed }
 statistics-reason-all-equal = tutti i valori sono uguali: non c'è dispersione con cui calcolare
 statistics-reason-no-subgroups = nessun sottogruppo ha due o più valori
+statistics-reason-ungrouped = valori che non dicono il loro gruppo: { $count }
 statistics-reason-large-subgroup = un sottogruppo ha { $found } valori: l'escursione si usa fino a { $most }
 statistics-reason-unequal-subgroups = i sottogruppi hanno da { $least } a { $most } valori: questa carta richiede sottogruppi di uguale dimensione
 statistics-reason-no-limits = non ci sono limiti
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Escursione mobile, µm
 statistics-chart-range = Escursione dei gruppi, µm
 statistics-chart-deviation = Deviazione standard dei gruppi, µm
 statistics-chart-probability = Grafico di probabilità
+statistics-chart-ewma = Medie ponderate (EWMA)
+statistics-chart-cusum = Somme degli scostamenti dalla media (CUSUM)
 statistics-chart-probability-test = Grafico di probabilità, Anderson-Darling { $statistic }, p = { $p }
 
 # Che cosa fare dei valori

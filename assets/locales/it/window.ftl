@@ -283,6 +283,7 @@ file-kind-plan = Piani di misura
 file-kind-picture = Immagini
 file-kind-watched = Cartelle sorvegliate
 file-kind-budget = Bilanci dell'incertezza
+file-kind-chart = Carte
 file-kind-readings = Letture
 file-kind-study = Letture di uno strumento
 dialog-move = Passare a un altro nome

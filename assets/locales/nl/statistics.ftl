@@ -6,6 +6,7 @@ statistics-reason-not-a-number = waarde { $place } is geen getal
 statistics-reason-too-few = te weinig waarden of groepen: { $found }, minstens { $needed } nodig
 statistics-reason-all-equal = alle waarden zijn gelijk: er is geen spreiding om mee te rekenen
 statistics-reason-no-subgroups = geen enkele steekproef heeft twee of meer waarden
+statistics-reason-ungrouped = waarden die niet zeggen bij welke groep ze horen: { $count }
 statistics-reason-large-subgroup = een steekproef heeft { $found } waarden: de spreidingsbreedte wordt tot { $most } gebruikt
 statistics-reason-unequal-subgroups = steekproeven hebben { $least } tot { $most } waarden: deze kaart vraagt steekproeven van gelijke grootte
 statistics-reason-no-limits = er zijn geen grenzen
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Voortschrijdend bereik, µm
 statistics-chart-range = Spreidingsbreedte van groepen, µm
 statistics-chart-deviation = Standaardafwijking van groepen, µm
 statistics-chart-probability = Kansdiagram
+statistics-chart-ewma = Gewogen gemiddelden (EWMA)
+statistics-chart-cusum = Sommen van afwijkingen van het gemiddelde (CUSUM)
 statistics-chart-probability-test = Kansdiagram, Anderson-Darling { $statistic }, p = { $p }
 
 # Wat er met de cijfers te doen is

@@ -283,6 +283,7 @@ file-kind-plan = Onderdeelplannen
 file-kind-picture = Afbeeldingen
 file-kind-watched = Bewaakte mappen
 file-kind-budget = Onzekerheidsbudgetten
+file-kind-chart = Kaarten
 file-kind-readings = Aflezingen
 file-kind-study = Aflezingen van een meetmiddel
 dialog-move = Naar een ander item gaan

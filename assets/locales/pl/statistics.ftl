@@ -6,6 +6,7 @@ statistics-reason-not-a-number = wartość { $place } nie jest liczbą
 statistics-reason-too-few = za mało wartości lub grup: { $found }, potrzeba co najmniej { $needed }
 statistics-reason-all-equal = wszystkie wartości są równe: nie ma rozrzutu, z którym można liczyć
 statistics-reason-no-subgroups = żadna podgrupa nie ma dwóch lub więcej wartości
+statistics-reason-ungrouped = wartości, które nie podają swojej grupy: { $count }
 statistics-reason-large-subgroup = liczba wartości w podgrupie to { $found }: rozstęp stosuje się najwyżej do { $most }
 statistics-reason-unequal-subgroups = podgrupy mają od { $least } do { $most } wartości: ta karta wymaga podgrup równej wielkości
 statistics-reason-no-limits = nie ma granic
@@ -40,6 +41,8 @@ statistics-chart-moving-range = Ruchomy rozstęp, µm
 statistics-chart-range = Rozstęp grup, µm
 statistics-chart-deviation = Odchylenie standardowe grup, µm
 statistics-chart-probability = Wykres prawdopodobieństwa
+statistics-chart-ewma = Średnie ważone (EWMA)
+statistics-chart-cusum = Sumy odchyleń od średniej (CUSUM)
 statistics-chart-probability-test = Wykres prawdopodobieństwa, Anderson-Darling { $statistic }, p = { $p }
 
 # Co zrobić z liczbami

@@ -301,6 +301,7 @@ file-kind-plan = Plany części
 file-kind-picture = Obrazy
 file-kind-watched = Obserwowane foldery
 file-kind-budget = Budżety niepewności
+file-kind-chart = Karty
 file-kind-readings = Odczyty
 file-kind-study = Odczyty przyrządu
 dialog-move = Przejdź do innej pozycji

@@ -219,6 +219,7 @@ rows! {
     Question, "statistics-page-question", PAGE, "records-of-the-statistics";
     Last, "statistics-page-last", PAGE, "number-of-values";
     Size, "statistics-page-size", AT_TIMES, "values-of-a-point";
+    Pause, "statistics-page-pause", AT_TIMES, "pause-between-points";
     Reason, "statistics-page-reason", AT_TIMES, "reason-to-leave-a-point-out";
     StudyLower, "statistics-study-lower", AT_TIMES, "lower-limit-of-a-study";
     StudyUpper, "statistics-study-upper", AT_TIMES, "upper-limit-of-a-study";

@@ -16,7 +16,7 @@ use fitcheck_core::words::Words;
 use fitcheck_exchange::batch::FORMS as ROW_FORMS;
 use fitcheck_exchange::exchange::{self, tables::TABLE_FORMATS};
 use fitcheck_exchange::report::pairing::FORMATS as PAIR_FORMATS;
-use fitcheck_exchange::report::{RENDERINGS, of_any_paper};
+use fitcheck_exchange::report::{ChartFile, RENDERINGS, of_any_paper};
 
 use crate::page::Page;
 use crate::rows::row_forms;
@@ -86,6 +86,8 @@ pub enum Purpose {
     OpenStudy,
     /// Writing what the study gives an uncertainty budget.
     SaveStudyBudget,
+    /// Writing the charts of a feature on one sheet.
+    SaveChart,
     /// Reading measured holes or shafts for the pairing page.
     OpenParts(Feature),
     /// Writing the pairs in a format of their list, by its number there.
@@ -257,6 +259,7 @@ impl Purpose {
             Self::OpenBudget => reads("budget", "budget-page-dialog-open", TOML, &[Page::Budget]),
             Self::UseBudget => reads("budget", "budget-page-dialog-open", TOML, &[]),
             Self::SaveBudget | Self::SaveStudyBudget => writes("budget", "budget-page-dialog-save", TOML),
+            Self::SaveChart => writes("chart", "statistics-page-dialog-chart", Listed(&ChartFile::ENDINGS)),
             Self::OpenPlan => reads("plan", "parts-page-dialog-open", Listed(&exchange::PLAN_ENDINGS), &[Page::Parts]),
             Self::ImportSettings => reads("settings", "settings-page-dialog-import", TOML, &[]),
             Self::ExportSettings => writes("settings", "settings-page-dialog-export", TOML),

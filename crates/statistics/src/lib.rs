@@ -84,4 +84,4 @@ pub use sigma::{Method, Sigma};
 pub use signal::{Place, Signal, signals};
 pub use tolerance::Tolerance;
 pub use trend::{Offset, Reach, Trend, offset, trend};
-pub use weighted::{Cusum, CusumPoint, Ewma, EwmaPoint};
+pub use weighted::{Cusum, CusumPoint, Ewma, EwmaPoint, MemoryPoint};

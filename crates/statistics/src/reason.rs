@@ -38,6 +38,11 @@ pub enum Reason {
         /// The size of the largest.
         most: usize,
     },
+    /// Values that do not say to which subgroup they belong.
+    Ungrouped {
+        /// How many there are.
+        count: usize,
+    },
     /// No limit is given.
     NoLimits,
     /// One limit is missing where both are needed.

@@ -30,6 +30,25 @@ impl EwmaPoint {
     }
 }
 
+/// A point of a chart that remembers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MemoryPoint {
+    /// A weighted average.
+    Average(EwmaPoint),
+    /// The sums of what is above and below the mean.
+    Sums(CusumPoint),
+}
+
+impl MemoryPoint {
+    /// Whether it is beyond its limits.
+    pub fn is_out(&self) -> bool {
+        match self {
+            Self::Average(point) => point.is_out(),
+            Self::Sums(point) => point.is_out(),
+        }
+    }
+}
+
 impl Default for Ewma {
     /// λ = 0.2 and 2.962 s: a stable process is 500 values away from a false alarm (Lucas and Saccucci 1990).
     fn default() -> Self {

@@ -28,7 +28,7 @@ use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
 use crate::proof::{self, Seen, SeenFile};
 use crate::report::template::HeadField;
-use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
+use crate::report::{self, EndingError, Holds, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::words::{Language, Words};
 
@@ -246,7 +246,7 @@ impl Args {
         };
         report.tell(HeadField::Serial, &serial);
         let report = self.compared(self.look.dress(report, &template))?;
-        if rendering.is_checks_alone {
+        if rendering.holds == Holds::Checks {
             self.warn_of_checks_alone(report.notes.len(), io);
         }
         let written = match &self.output {

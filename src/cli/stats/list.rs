@@ -92,8 +92,7 @@ fn numbers(feature: &ListedFeature) -> [Option<f64>; 3] {
 fn why(feature: &ListedFeature) -> String {
     match &feature.ppk {
         Ok(_) => String::new(),
-        Err(NoPpk::Reason(reason)) => reason.to_string(),
-        Err(NoPpk::Series(SeriesError::NoParts)) => CliError::StatsNoParts.to_string(),
+        Err(NoPpk::Reason(reason) | NoPpk::Series(SeriesError::Reason(reason))) => reason.to_string(),
         Err(NoPpk::Series(_)) => CliError::StatsLimits.to_string(),
     }
 }

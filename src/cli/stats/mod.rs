@@ -23,7 +23,7 @@ use super::import::columns;
 use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs};
 use crate::length::Length;
 use crate::message::Say as _;
-use crate::series::{Answer, Grouping, Series, SeriesError, Wanted, names_are_parts};
+use crate::series::{Answer, Factor, Grouping, Series, SeriesError, Wanted, names_are_parts};
 use crate::statistics::Family;
 
 const EXAMPLES: &str = "\
@@ -37,7 +37,7 @@ Rules are looked at on the chart of single values or means; on ranges and standa
 Examples:
   fitcheck stats bores.csv
   fitcheck stats rings.csv --group 5 --rules western-electric
-  fitcheck stats --plan flange.toml --feature bore1 monday.dfq tuesday.dfq --by-part
+  fitcheck stats --plan flange.toml --feature bore1 monday.dfq tuesday.dfq --group part
   fitcheck stats roundness.csv --upper 0.008 --law folded-normal --format json
   fitcheck stats bores.csv --chart cusum --stage 31 --leave-out 12='chip in the bore'
   fitcheck stats study.csv --study crossed --lower 24.99 --upper 25.01
@@ -67,13 +67,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "NAME")]
     feature: Option<String>,
 
-    /// Subgroups of this many values in a row
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..), conflicts_with = "by_part")]
-    group: Option<u32>,
-
-    /// Subgroups of the values of one part in a row
-    #[arg(long)]
-    by_part: bool,
+    /// Subgroups: 5 for so many values in a row; part, batch, machine, gauge or who for those in a row that have it in common; 30min, 8h or 2d
+    /// for those with no longer pause between them
+    #[arg(long, value_name = "N|COLUMN|PAUSE", value_parser = grouping, default_value = "1", hide_default_value = true)]
+    group: Grouping,
 
     /// What the columns of a CSV hold, as in fitcheck import
     #[arg(long, value_name = "LIST|FILE")]
@@ -125,6 +122,24 @@ pub(super) struct Args {
     format: Format,
 }
 
+/// Reads `--group`.
+fn grouping(text: &str) -> Result<Grouping, String> {
+    let text = text.trim();
+    let figures = text.trim_end_matches(|character: char| character.is_ascii_alphabetic());
+    let unit = text.get(figures.len()..).unwrap_or_default();
+    let minutes = [("min", 1), ("h", 60), ("d", 24 * 60)].into_iter().find(|(name, _)| *name == unit);
+    let number = figures.trim().parse::<u32>().ok().filter(|number| 0 < *number);
+    let found = match (number, minutes) {
+        (Some(1), None) if unit.is_empty() => Some(Grouping::Single),
+        (Some(size), None) if unit.is_empty() => usize::try_from(size).ok().map(Grouping::Of),
+        (Some(number), Some((_, minutes))) => number.checked_mul(minutes).map(Grouping::Pause),
+        _ => Factor::ALL.into_iter().find(|factor| factor.word() == text).map(Grouping::By),
+    };
+    found.ok_or_else(|| {
+        "expected a number of values, part, batch, machine, gauge, who, or a pause such as 30min".to_owned()
+    })
+}
+
 fn level(text: &str) -> Result<f64, String> {
     let found = text.parse().ok().filter(|level: &f64| 0.5 <= *level && *level < 1.0);
     found.ok_or_else(|| "expected a level from 0.5 to below 1, such as 0.95".to_owned())
@@ -145,18 +160,13 @@ impl Args {
         if self.feature.is_none() && self.gauge.has_parts() {
             names_are_parts(&mut read.values);
         }
-        let grouping = match self.group {
-            Some(size) => Grouping::Of(usize::try_from(size).unwrap_or(usize::MAX)),
-            None if self.by_part => Grouping::ByPart,
-            None => Grouping::Single,
-        };
         if self.all {
             let wanted = Wanted { law: self.law, level: self.level, ..self.charts.wanted() };
-            let is_empty = list::list(&read.values, grouping, &wanted, self.format, io);
+            let is_empty = list::list(&read.values, self.group, &wanted, self.format, io);
             return Ok(if read.has_failed || is_empty { Outcome::BadData } else { Outcome::Done });
         }
         let series =
-            Series::of(&read.values, self.feature.as_deref(), grouping).map_err(|error| self.refused(error))?;
+            Series::of(&read.values, self.feature.as_deref(), self.group).map_err(|error| self.refused(error))?;
         let wanted = self.wanted(&series)?;
         let answer = self.answer(&series, &wanted)?;
         match self.format {
@@ -222,9 +232,8 @@ impl Args {
                 CliError::StatsNoFeature { given: self.feature.clone().into_iter().collect(), names }
             }
             SeriesError::Limits => CliError::StatsLimits,
-            SeriesError::NoParts => CliError::StatsNoParts,
             SeriesError::NoPoint { point, count } => CliError::StatsNoPoint { point, count },
-            SeriesError::NoFactor { count } => CliError::StatsNoFactor { count },
+            SeriesError::Reason(why) => CliError::StatsReason { why: why.message() },
         }
     }
 }

@@ -5,8 +5,8 @@ use serde_json::{Map, Value as Json, json};
 use crate::cli::Io;
 use crate::cli::people::{Aligned, Side};
 use crate::cli::rows::csv_line;
-use crate::series::{Answer, Figure, FigureKind, Group, Layout, MemoryPoint, Series, StudyKind};
-use crate::statistics::ChartPoint;
+use crate::series::{Answer, Figure, FigureKind, Group, Layout, Series, StudyKind};
+use crate::statistics::{ChartPoint, MemoryPoint};
 
 /// `3 operators`
 fn plural(count: usize, name: &str) -> String {

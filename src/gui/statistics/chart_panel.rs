@@ -9,10 +9,10 @@ use crate::gui::key_names::part_id;
 use crate::gui::segments::segments_ui;
 use crate::gui::shapes::{focus_ring, screen};
 use crate::gui::theme::{Icon, palette, space};
-use crate::gui::view::{View, focus_soon, heading, quiet, take_focus};
+use crate::gui::view::{View, focus_soon, heading, one_of_ui, quiet, take_focus};
 use crate::series::Drawn;
 use crate::session::focused::CHART;
-use crate::session::statistics::{PointsOf, Zooming};
+use crate::session::statistics::{MeanOf, PointsOf, Zooming};
 use crate::session::{StatisticsAction, StatisticsCommand, StatisticsField};
 use crate::statistics::picture::{Picture, Spot};
 
@@ -97,6 +97,29 @@ fn pointed_ui(ui: &Ui, view: &mut View<'_>, response: &Response, picture: &Pictu
     }
 }
 
+/// What is done with the point at which the keys are.
+const POINT_ACTIONS: [StatisticsAction; 4] =
+    [StatisticsAction::OpenPoint, StatisticsAction::LeaveOut, StatisticsAction::Freeze, StatisticsAction::Stage];
+
+/// Which values make a mean.
+fn mean_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let page = view.session.statistics();
+    let name = quiet(ui, view.text("statistics-page-mean-of"));
+    let entries = MeanOf::ALL.map(|of| (of, StatisticsAction::UseMeansOf(of).text(view.session, view.words)));
+    let (mean_of, list) = one_of_ui(ui, "statistics-mean-of", space(48.0), &page.mean_of, entries);
+    list.labelled_by(name.id);
+    if let Some(mean_of) = mean_of {
+        view.send(StatisticsCommand::UseMeansOf(mean_of));
+    }
+    let (field, id) = match page.mean_of {
+        MeanOf::Count => (StatisticsField::Size, "statistics-page-size"),
+        MeanOf::Pause => (StatisticsField::Pause, "statistics-page-pause"),
+        MeanOf::Part | MeanOf::Station | MeanOf::Person => return,
+    };
+    let name = quiet(ui, view.text(id));
+    field_ui(ui, view, field, name.id, FieldStyle::number(space(12.0)));
+}
+
 fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.statistics();
     let Some((feature, _)) = page.open() else { return };
@@ -105,22 +128,24 @@ fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
         let choices = [PointsOf::Single, PointsOf::Means].map(StatisticsAction::UsePoints);
         segments_ui(ui, view, &choices, space(64.0).min(ui.available_width()));
         if page.points_of == PointsOf::Means {
-            let name = quiet(ui, view.text("statistics-page-size"));
-            field_ui(ui, view, StatisticsField::Size, name.id, FieldStyle::number(space(12.0)));
+            mean_ui(ui, view);
         }
         for (zooming, icon) in [(Zooming::In, Icon::Plus), (Zooming::Out, Icon::Minus)] {
             view.icon_button(ui, StatisticsAction::Zoom(zooming), icon);
         }
+        view.icon_button(ui, StatisticsAction::SaveChart, Icon::FloppyDisk);
         if page.window().len() < page.count() {
             view.button(ui, StatisticsAction::Zoom(Zooming::Whole));
         }
         if page.cursor.is_some() {
-            for action in [StatisticsAction::OpenPoint, StatisticsAction::LeaveOut, StatisticsAction::Freeze] {
+            for action in POINT_ACTIONS {
                 view.button(ui, action);
             }
         }
     });
-    error_ui(ui, view, StatisticsField::Size);
+    for field in [StatisticsField::Size, StatisticsField::Pause] {
+        error_ui(ui, view, field);
+    }
     if page.asks_why {
         ui.horizontal_wrapped(|ui| {
             let name = view.text("statistics-page-reason");

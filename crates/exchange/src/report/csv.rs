@@ -20,16 +20,14 @@ use fitcheck_core::words::Words;
 use super::columns::{Cell as _, Column, cells, names};
 use super::part::PartSheet;
 use super::row::ReportRow;
-use super::{RenderError, Rendering, Report};
+use super::{Holds, RenderError, Rendering, Report};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {
     name: "csv",
     title: "CSV",
     is_for_people: false,
-    is_checks_alone: true,
-    is_label_alone: false,
-    has_statistics: false,
+    holds: Holds::Checks,
     endings: &["csv"],
     render: render_report,
 };

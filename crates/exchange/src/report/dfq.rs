@@ -18,16 +18,14 @@ use jiff::civil::DateTime;
 use super::given::{self, Catalogue, Found, Given, Known, Quantity, is_plain, remarks, standing};
 use super::row::Millimetres;
 use super::told::on_one_line;
-use super::{Rendering, Report};
+use super::{Holds, Rendering, Report};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {
     name: "dfq",
     title: "AQDEF (Q-DAS)",
     is_for_people: false,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: false,
+    holds: Holds::Report,
     endings: &["dfq"],
     render,
 };

@@ -14,16 +14,14 @@ use serde::Serialize;
 use super::csv::More;
 use super::part::PartSheet;
 use super::row::ReportRow;
-use super::{Checks, RenderError, Rendering, Report};
+use super::{Checks, Holds, RenderError, Rendering, Report};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {
     name: "json",
     title: "JSON",
     is_for_people: false,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: false,
+    holds: Holds::Report,
     endings: &["json"],
     render: render_report,
 };

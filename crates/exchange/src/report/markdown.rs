@@ -18,16 +18,14 @@ use super::said::{decimals_of, heading, lacks, title};
 use super::seen::ReportSurvey;
 use super::statistics;
 use super::told::{CheckSaid, callout, mark, on_one_line, standing, verdict};
-use super::{Rendering, Report, text};
+use super::{Holds, Rendering, Report, text};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {
     name: "markdown",
     title: "Markdown",
     is_for_people: true,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: true,
+    holds: Holds::ReportAndStatistics,
     endings: &["md", "markdown"],
     render,
 };

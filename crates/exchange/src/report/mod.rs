@@ -20,6 +20,7 @@
 //! | `shapes` | the picture of a part as shapes, for drawing |
 //! | `paper` | what pages are printed on |
 //! | `template` | what a report for people shows, and in which order |
+//! | `chart_file` | charts as files of their own |
 //! | `statistics` | the figures and charts of each feature, where the template shows them |
 //! | `told` | a check and a part in words, for the cells of tables |
 //! | `text` | sentences about status, source of the limits, size and position |
@@ -43,6 +44,7 @@
 
 pub mod band;
 pub mod changes;
+mod chart_file;
 pub mod columns;
 pub mod csv;
 pub mod dfq;
@@ -78,6 +80,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use changes::EarlierReport;
+pub use chart_file::ChartFile;
 use fitcheck_core::message::{Message, Say};
 use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
@@ -243,6 +246,19 @@ impl Report {
     }
 }
 
+/// What the files of a rendering have a place for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holds {
+    /// Checks alone, no title, part, order, inspector or notes of the report. The command line says so.
+    Checks,
+    /// Everything but the statistics of a template.
+    Report,
+    /// Everything.
+    ReportAndStatistics,
+    /// Labels alone: it takes no other paper.
+    Label,
+}
+
 /// One way to write a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Rendering {
@@ -252,12 +268,8 @@ pub struct Rendering {
     pub title: &'static str,
     /// Whether a person reads the file; otherwise it is for spreadsheets and programs.
     pub is_for_people: bool,
-    /// Whether it has no place for title, part, order, inspector and notes of the report. The command line says so.
-    pub is_checks_alone: bool,
-    /// Whether it is for labels and takes no other paper.
-    pub is_label_alone: bool,
-    /// Whether the statistics of a template stand in it; others have the checks alone.
-    pub has_statistics: bool,
+    /// What its files have a place for.
+    pub holds: Holds,
     /// Endings of its files without the point, the usual one first.
     pub endings: &'static [&'static str],
     /// Writes the file check by check. Machine-readable renderings do not use the words.
@@ -270,7 +282,7 @@ pub struct Rendering {
 impl Rendering {
     /// Why it cannot write reports on this paper; `None` where it can.
     pub fn refusal(&self, paper: Paper) -> Option<RenderError> {
-        (self.is_label_alone && !paper.is_label()).then_some(RenderError::LabelAlone { format: self.title })
+        (self.holds == Holds::Label && !paper.is_label()).then_some(RenderError::LabelAlone { format: self.title })
     }
 
     /// The file in memory.
@@ -299,7 +311,7 @@ pub const RENDERINGS: &[Rendering] = &[
 
 /// The renderings that take any paper, by their numbers: where nobody has chosen a template.
 pub fn of_any_paper() -> impl Iterator<Item = usize> {
-    RENDERINGS.iter().enumerate().filter(|(_, rendering)| !rendering.is_label_alone).map(|(number, _)| number)
+    RENDERINGS.iter().enumerate().filter(|(_, rendering)| rendering.holds != Holds::Label).map(|(number, _)| number)
 }
 
 /// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use

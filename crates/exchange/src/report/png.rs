@@ -12,18 +12,10 @@ use fitcheck_core::words::Words;
 use png::{BitDepth, ColorType, Encoder, PixelDimensions, Unit};
 
 use super::pdf::{Pages, raster};
-use super::{RenderError, Rendering, Report, shapes};
+use super::{Holds, RenderError, Rendering, Report, shapes};
 
-pub const RENDERING: Rendering = Rendering {
-    name: "png",
-    title: "PNG",
-    is_for_people: true,
-    is_checks_alone: false,
-    is_label_alone: true,
-    has_statistics: false,
-    endings: &["png"],
-    render,
-};
+pub const RENDERING: Rendering =
+    Rendering { name: "png", title: "PNG", is_for_people: true, holds: Holds::Label, endings: &["png"], render };
 
 /// Dots an inch.
 const FINENESS: u32 = 300;

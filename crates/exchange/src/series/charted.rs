@@ -1,29 +1,12 @@
 //! The chart of a series: its limits, the rules that fire, and the averages or sums that remember.
 
 use fitcheck_statistics::{
-    Advice, Chart, ChartPlan, ChartPoint, CusumPoint, ENOUGH_POINTS, EwmaPoint, Reason, Rule, Sample, chart, count,
+    Advice, Chart, ChartPlan, ChartPoint, ENOUGH_POINTS, MemoryPoint, Reason, Rule, Sample, chart, count,
 };
 
 use super::figure::{Figure, FigureKind};
 use super::wanted::{Memory, Wanted};
 use fitcheck_statistics::ChartKind;
-
-/// A point of a chart that remembers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MemoryPoint {
-    Average(EwmaPoint),
-    Sums(CusumPoint),
-}
-
-impl MemoryPoint {
-    /// Whether it is beyond its limits.
-    pub fn is_out(&self) -> bool {
-        match self {
-            Self::Average(point) => point.is_out(),
-            Self::Sums(point) => point.is_out(),
-        }
-    }
-}
 
 /// A chart that remembers. Every stage begins anew.
 #[derive(Debug, Clone)]

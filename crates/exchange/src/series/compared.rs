@@ -1,6 +1,8 @@
 //! Groups of values compared: people, machines, gauges or parts.
 
-use fitcheck_statistics::{Advice, compare};
+use std::borrow::Cow;
+
+use fitcheck_statistics::{Advice, Reason, compare};
 
 use super::figure::{Figure, FigureKind};
 use super::figures::{Answer, Group};
@@ -8,17 +10,18 @@ use super::value::Origin;
 use super::wanted::Wanted;
 use super::{Series, SeriesError};
 
-/// What makes a group.
+/// What the values of a group have in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Factor {
     Who,
     Machine,
     Gauge,
+    Batch,
     Part,
 }
 
 impl Factor {
-    pub const ALL: [Self; 4] = [Self::Who, Self::Machine, Self::Gauge, Self::Part];
+    pub const ALL: [Self; 5] = [Self::Who, Self::Machine, Self::Gauge, Self::Batch, Self::Part];
 
     /// Its name in files.
     pub const fn word(self) -> &'static str {
@@ -26,16 +29,18 @@ impl Factor {
             Self::Who => "who",
             Self::Machine => "machine",
             Self::Gauge => "gauge",
+            Self::Batch => "batch",
             Self::Part => "part",
         }
     }
 
-    fn of(self, origin: &Origin) -> String {
+    pub(super) fn of(self, origin: &Origin) -> Cow<'_, str> {
         match self {
-            Self::Who => origin.who.clone(),
-            Self::Machine => origin.machine.clone(),
-            Self::Gauge => origin.gauge.clone(),
-            Self::Part => origin.whole_part(),
+            Self::Who => origin.who.as_str().into(),
+            Self::Machine => origin.machine.as_str().into(),
+            Self::Gauge => origin.gauge.as_str().into(),
+            Self::Batch => origin.batch.as_str().into(),
+            Self::Part => origin.whole_part().into(),
         }
     }
 }
@@ -54,11 +59,11 @@ impl Answer {
         let counted = series.counted_without(wanted);
         let count = counted.iter().filter(|value| factor.of(&value.origin).is_empty()).count();
         if 0 < count {
-            return Err(SeriesError::NoFactor { count });
+            return Err(Reason::Ungrouped { count }.into());
         }
         for value in counted {
             let index = *known.entry(factor.of(&value.origin)).or_insert_with_key(|name| {
-                names.push(name.clone());
+                names.push(name.clone().into_owned());
                 groups.push(Vec::new());
                 groups.len() - 1
             });

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fitcheck_core::words::Words;
 use fitcheck_statistics::picture::{
-    Picture, View, histogram, probability_plot, run_chart, sheet, spread_chart, value_range,
+    Picture, View, histogram, memory_chart, probability_plot, run_chart, sheet, spread_chart, value_range,
 };
 use fitcheck_statistics::{Family, Reason, Signal, Tolerance};
 
@@ -17,6 +17,8 @@ pub enum Drawn {
     Run,
     /// Moving ranges, ranges or standard deviations.
     Spread,
+    /// Averages or sums that remember, where they are asked for.
+    Memory,
     Histogram,
     Probability,
 }
@@ -60,7 +62,8 @@ impl Answer {
         let chart = self.chart.as_ref().map_err(Clone::clone)?;
         let tolerance = Tolerance::new(lower, upper).ok();
         let of_law = (tolerance.as_ref(), law.unwrap_or(Family::Normal));
-        Ok(sheet(chart, values, of_law, (base, level), words))
+        let memory = self.memory.as_ref().map_or(&[][..], |memory| &memory.points);
+        Ok(sheet(chart, values, of_law, (base, level), memory, words))
     }
 }
 
@@ -91,6 +94,10 @@ impl Evaluated {
         Ok(match what {
             Drawn::Run => run_chart(chart?, tolerance, &self.signals, &view),
             Drawn::Spread => spread_chart(chart?, &self.signals, &view),
+            Drawn::Memory => {
+                chart?;
+                memory_chart(&self.answer.remembered()?.points, &view)
+            }
             Drawn::Histogram => histogram(&self.values, law, tolerance, &view),
             Drawn::Probability => probability_plot(&self.values, law, tolerance, self.answer.wanted.level, &view),
         })

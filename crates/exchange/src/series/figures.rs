@@ -4,7 +4,7 @@ use super::Series;
 use super::charted::{Charted, Remembered};
 use super::figure::{Figure, FigureKind, FigureMethod};
 use super::layout::Layout;
-use super::wanted::Wanted;
+use super::wanted::{Memory, Wanted};
 use fitcheck_core::message::Say as _;
 use fitcheck_statistics::gauge::Finding;
 use fitcheck_statistics::{
@@ -101,6 +101,12 @@ impl Answer {
             advice: Vec::new(),
             contributions: Vec::new(),
         }
+    }
+
+    /// The answer about values of which nothing can be computed.
+    pub(super) fn none(wanted: &Wanted, reason: Reason) -> Self {
+        let figures = vec![Figure::none(CPK, FigureKind::Index, reason.clone(), "")];
+        Self { figures, chart: Err(reason.clone()), fitted: Err(reason), ..Self::begun(wanted) }
     }
 
     /// Takes what a chart says.
@@ -248,6 +254,13 @@ impl Answer {
         if let Some(found) = middle.and_then(|middle| offset(values, middle, STEP, level).ok()) {
             self.advice.push(Advice::of_offset(&found));
         }
+    }
+
+    /// The chart that remembers, or why there is none.
+    pub(super) fn remembered(&self) -> Result<&Remembered, Reason> {
+        let why = |name: &str| self.figure(name)?.value.clone().err();
+        let lacks = || Memory::FIRST_FIGURES.into_iter().find_map(why).unwrap_or(Reason::Empty);
+        self.memory.as_ref().ok_or_else(lacks)
     }
 
     /// The sentences, in English.

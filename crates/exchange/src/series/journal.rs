@@ -2,7 +2,7 @@
 //!
 //! A feature is what has the same part, name, callout and limits: where a drawing changes, a new series begins.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 use fitcheck_statistics::{ChartKind, Reason, Rules, Sample, Signal, signals};
 
-use super::{Answer, LeftOut, Series, Value, Wanted};
+use super::{Answer, Grouping, LeftOut, Memory, Series, Value, Wanted};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, Entry};
 use crate::journal::natural::Natural;
@@ -143,21 +143,32 @@ fn asked_for(record: &Record) -> String {
 }
 
 /// How a series is looked at.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Look {
-    /// How many values in a row make a point.
-    pub size: usize,
+    /// What makes a point.
+    pub grouping: Grouping,
+    /// A chart that remembers, beside that of points.
+    pub memory: Option<Memory>,
     /// The rules that are looked at.
     pub rules: Rules,
     /// The first and the last value that control limits come from, by their numbers in the journal; `None` for all values.
     pub baseline: Option<[u64; 2]>,
+    /// The first values of further stages, by their numbers in the journal.
+    pub stages: BTreeSet<u64>,
     /// Values that somebody left out, by their numbers in the journal, with the reasons.
     pub apart: BTreeMap<u64, Arc<str>>,
 }
 
 impl Default for Look {
     fn default() -> Self {
-        Self { size: 1, rules: Rules::NELSON, baseline: None, apart: BTreeMap::new() }
+        Self {
+            grouping: Grouping::Single,
+            memory: None,
+            rules: Rules::NELSON,
+            baseline: None,
+            stages: BTreeSet::new(),
+            apart: BTreeMap::new(),
+        }
     }
 }
 
@@ -193,36 +204,47 @@ impl FeatureSeries {
 
     /// Computes everything.
     pub fn evaluate(&self, look: &Look) -> Evaluated {
-        let size = look.size.max(1);
         let why = |value: &Value| value.origin.number.and_then(|number| look.apart.get(&number)).cloned();
         let counts = |at: &usize| self.values.get(*at).is_some_and(|value| value.left_out.is_none());
         let shown: Vec<usize> = (0..self.values.len()).filter(counts).collect();
         let of: Vec<&Value> = self.values.iter().collect();
-        let counted = shown.iter().filter_map(|at| self.values.get(*at)).collect();
+        let counted: Vec<&Value> = shown.iter().filter_map(|at| self.values.get(*at)).collect();
+        let (points, ungrouped) = match look.grouping.groups(&counted) {
+            Ok(points) => (points, None),
+            Err(reason) => (Vec::new(), Some(reason)),
+        };
         let mut series = Series { name: None, groups: Vec::new(), counted, of };
-        let (mut points, mut values, mut apart) = (Vec::new(), Vec::new(), Vec::new());
-        for (point, places) in shown.chunks(size).enumerate() {
-            let start = point.saturating_mul(size);
-            points.push(start..start + places.len());
-            let sample = sample(&places.iter().filter_map(|at| self.values.get(*at)), why);
+        let (mut values, mut apart) = (Vec::new(), Vec::new());
+        for (point, places) in (1..).zip(&points) {
+            let sample = sample(series.counted.get(places.clone()).unwrap_or_default(), why);
             match sample.left_out {
-                Some(why) => apart.push((point + 1, why)),
+                Some(why) => apart.push((point, why)),
                 None => values.extend(&sample.values),
             }
             series.groups.push(sample.values);
         }
-        let number = |at: &usize| self.values.get(*at).and_then(|value| value.origin.number);
+        let point_of = |wanted: &u64| {
+            let place = series.counted.iter().position(|value| value.origin.number == Some(*wanted))?;
+            Some(points.partition_point(|point| point.end <= place) + 1)
+        };
+        // A baseline that is not in sight as a whole is longer than the series: it is refused.
         let baseline = look.baseline.map(|[first, last]| {
-            let of = |wanted: u64| shown.iter().position(|at| number(at) == Some(wanted));
-            // A baseline that is not in sight as a whole is longer than the series: it is refused.
-            of(last).filter(|_| of(first) == Some(0)).map_or(usize::MAX, |at| at / size + 1)
+            let last = point_of(&last).filter(|_| point_of(&first) == Some(1));
+            last.unwrap_or(usize::MAX)
         });
-        let limits = self.key.limits.map(|limit| limit.map(Length::to_mm_f64));
-        let chart = (size == 1).then_some(ChartKind::Individuals);
-        let groups = series.groups.len() - apart.len();
-        let (rules, left_out) = (look.rules, apart);
-        let wanted = Wanted { limits, chart, rules, baseline, left_out, level: LEVEL, ..Wanted::default() };
-        let answer = Answer::of(&series, &wanted);
+        let wanted = Wanted {
+            limits: self.key.limits.map(|limit| limit.map(Length::to_mm_f64)),
+            chart: (look.grouping == Grouping::Single).then_some(ChartKind::Individuals),
+            memory: look.memory,
+            rules: look.rules,
+            baseline,
+            stages: look.stages.iter().filter_map(point_of).collect(),
+            left_out: apart,
+            level: LEVEL,
+            ..Wanted::default()
+        };
+        let groups = series.groups.len() - wanted.left_out.len();
+        let answer = ungrouped.map_or_else(|| Answer::of(&series, &wanted), |why| Answer::none(&wanted, why));
         Evaluated {
             signals: answer.chart.as_ref().map_or_else(|_| Vec::new(), signals),
             answer,
@@ -238,11 +260,11 @@ impl FeatureSeries {
 }
 
 /// A point: what counts of its values, or all of them where nothing does.
-fn sample<'a>(values: &(impl Iterator<Item = &'a Value> + Clone), why: impl Fn(&Value) -> Option<Arc<str>>) -> Sample {
-    let mm = |value: &Value| value.measured.to_mm_f64();
-    let counted: Vec<f64> = values.clone().filter(|value| why(value).is_none()).map(mm).collect();
+fn sample(values: &[&Value], why: impl Fn(&Value) -> Option<Arc<str>>) -> Sample {
+    let mm = |value: &&Value| value.measured.to_mm_f64();
+    let counted: Vec<f64> = values.iter().filter(|value| why(value).is_none()).map(mm).collect();
     if counted.is_empty() {
-        Sample { values: values.clone().map(mm).collect(), left_out: values.clone().find_map(&why) }
+        Sample { values: values.iter().map(mm).collect(), left_out: values.iter().find_map(|value| why(value)) }
     } else {
         Sample::of(counted)
     }
@@ -253,7 +275,9 @@ impl Evaluated {
     pub fn read_text(&self, words: &Words) -> String {
         let mut said = vec![message!("statistics-page-values").count("count", self.values.len())];
         if self.answer.wanted.chart != Some(ChartKind::Individuals) {
-            let size = self.points.iter().map(ExactSizeIterator::len).max().unwrap_or(0);
+            let sizes = || self.points.iter().map(ExactSizeIterator::len);
+            let (least, most) = (sizes().min().unwrap_or(0), sizes().max().unwrap_or(0));
+            let size = if least < most { format!("{least}–{most}") } else { most.to_string() };
             said.push(message!("statistics-page-groups").count("count", self.groups).text("size", size));
         }
         let out = |why, count: usize| message!("statistics-page-out").text("why", why).count("count", count);

@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `value` | one value with what is known of it, and why it is left out |
+//! | `grouping` | what makes a subgroup |
 //! | `wanted` | what is asked |
 //! | `figure` | a figure with its interval and its method |
 //! | `charted` | the chart: limits, rules that fire, EWMA and CUSUM |
@@ -27,6 +28,7 @@ mod compared;
 mod drawn;
 mod figure;
 mod figures;
+mod grouping;
 mod journal;
 mod layout;
 mod listed;
@@ -38,12 +40,14 @@ mod wanted;
 
 use std::collections::BTreeSet;
 
-pub use charted::{MemoryPoint, Remembered};
+pub use charted::Remembered;
 pub use compared::Factor;
 pub use drawn::Drawn;
 pub use figure::{Figure, FigureKind, FigureMethod};
 pub use figures::{Answer, Contribution, Group};
 use fitcheck_core::length::Length;
+use fitcheck_statistics::Reason;
+pub use grouping::Grouping;
 pub use journal::{ASKED_INDEX, Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
 pub use layout::{Layout, StudyError, StudyKind, Understood};
 pub use listed::{ListedFeature, NoPpk, listed};
@@ -51,17 +55,6 @@ pub use reading::ValueReader;
 pub use study_wanted::{Reference, StudyWanted};
 pub use value::{LeftOut, Origin, Value, names_are_parts};
 pub use wanted::{Memory, Wanted};
-
-/// What makes a subgroup.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Grouping {
-    /// Each value is one.
-    Single,
-    /// So many values in a row.
-    Of(usize),
-    /// The values of one part in a row.
-    ByPart,
-}
 
 /// Why values make no series.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -72,12 +65,16 @@ pub enum SeriesError {
     NoFeature(String),
     /// Limits that differ from value to value.
     Limits,
-    /// Values without parts.
-    NoParts,
     /// A point that the chart does not have.
     NoPoint { point: usize, count: usize },
-    /// So many values say nothing of what groups are made of.
-    NoFactor { count: usize },
+    /// They make no groups.
+    Reason(Reason),
+}
+
+impl From<Reason> for SeriesError {
+    fn from(reason: Reason) -> Self {
+        Self::Reason(reason)
+    }
 }
 
 /// The values of one feature.
@@ -113,16 +110,9 @@ impl<'a> Series<'a> {
     /// The values of one feature.
     fn of_feature(name: Option<String>, of: Vec<&'a Value>, grouping: Grouping) -> Result<Self, SeriesError> {
         let counted: Vec<&Value> = of.iter().filter(|value| value.left_out.is_none()).copied().collect();
-        let groups: Vec<&[&Value]> = match grouping {
-            Grouping::Single => counted.chunks(1).collect(),
-            Grouping::Of(size) => counted.chunks(size.max(1)).collect(),
-            Grouping::ByPart if counted.iter().any(|value| value.origin.is_of_no_part()) => {
-                return Err(SeriesError::NoParts);
-            }
-            Grouping::ByPart => counted.chunk_by(|one, other| one.origin.is_of_same_part(&other.origin)).collect(),
-        };
-        let mm = |group: &[&Value]| group.iter().map(|value| value.measured.to_mm_f64()).collect();
-        let groups = groups.into_iter().map(mm).collect();
+        let mm = |values: &[&Value]| values.iter().map(|value| value.measured.to_mm_f64()).collect();
+        let groups = grouping.groups(&counted)?;
+        let groups = groups.into_iter().filter_map(|places| counted.get(places)).map(mm).collect();
         Ok(Self { name, groups, counted, of })
     }
 

@@ -44,6 +44,8 @@ pub struct Origin {
     pub piece: String,
     /// Who measured.
     pub who: String,
+    /// The batch.
+    pub batch: String,
     /// The machine that made the part.
     pub machine: String,
     /// What it was measured with, or at which station.
@@ -56,8 +58,8 @@ pub struct Origin {
 
 impl Origin {
     fn of(labels: &Labels) -> Self {
-        let Labels { part, who, machine, gauge, .. } = labels.clone();
-        Self { part, piece: labels.piece().to_owned(), who, machine, gauge, ..Self::default() }
+        let Labels { part, who, batch, machine, gauge, time, .. } = labels.clone();
+        Self { part, piece: labels.piece().to_owned(), who, batch, machine, gauge, time, number: None }
     }
 
     /// Whether nothing names the part.
@@ -69,11 +71,6 @@ impl Origin {
     pub fn whole_part(&self) -> String {
         let names = [self.part.as_str(), self.piece.as_str()];
         names.into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join(" ")
-    }
-
-    /// Whether both are of the same part.
-    pub fn is_of_same_part(&self, other: &Self) -> bool {
-        self.part == other.part && self.piece == other.piece
     }
 }
 

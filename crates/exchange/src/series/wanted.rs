@@ -14,6 +14,9 @@ pub enum Memory {
 }
 
 impl Memory {
+    /// The first figure of each kind; it has the reason where there is no chart.
+    pub(super) const FIRST_FIGURES: [&str; 2] = ["ewma_mm", "cusum_above_mm"];
+
     /// What it is, with its parameters.
     pub fn method(self) -> String {
         match self {

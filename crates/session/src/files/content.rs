@@ -8,7 +8,7 @@ use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::entry::{Reported, Shown};
 use fitcheck_exchange::proof::SeenFile;
 use fitcheck_exchange::report::pairing::Format;
-use fitcheck_exchange::report::{Rendering, Report};
+use fitcheck_exchange::report::{ChartFile, Rendering, Report};
 
 use crate::pairing::Paired;
 use crate::rows::RowsText;
@@ -27,6 +27,12 @@ pub enum Content {
         words: Arc<Words>,
         /// What it shows of the journal; `None` where the journal has none of its checks.
         shown: Option<Box<Shown>>,
+    },
+    /// The charts of a feature.
+    Chart {
+        /// As SVG.
+        drawing: String,
+        format: ChartFile,
     },
     /// Rows of a large file with their verdicts.
     Rows(Box<RowsText>),
@@ -47,6 +53,7 @@ impl Content {
         match self {
             Self::Bytes(bytes) => out.write_all(bytes),
             Self::Report { report, rendering, words, .. } => (rendering.render)(report, words, out),
+            Self::Chart { drawing, format } => out.write_all(&format.bytes("", drawing)?),
             Self::Rows(rows) => rows.write(out),
             Self::Pairs { paired, format } => (format.write)(&paired.answer, out),
         }
@@ -88,6 +95,9 @@ impl PartialEq for Content {
             (Self::Bytes(bytes), Self::Bytes(others)) => bytes == others,
             (Self::Report { report, .. }, Self::Report { report: other, .. }) => {
                 Arc::ptr_eq(&report.checks, &other.checks)
+            }
+            (Self::Chart { drawing, format }, Self::Chart { drawing: other, format: other_format }) => {
+                (drawing, format) == (other, other_format)
             }
             (Self::Rows(rows), Self::Rows(other)) => rows == other,
             (Self::Pairs { paired, format }, Self::Pairs { paired: other, format: other_format }) => {

@@ -28,6 +28,7 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::{Absent, DeviationTable};
+use fitcheck_exchange::report::ChartFile;
 use fitcheck_files::FileError;
 use fitcheck_nc::control::mask::Mask;
 use jiff::civil::DateTime;
@@ -152,6 +153,10 @@ impl Session {
                 let file = self.statistics.study.file().map_or("", |file| file.name.as_str());
                 names::with_ending(file, purpose.ending())
             }
+            Purpose::SaveChart => {
+                let title = self.statistics.open().map_or_else(String::new, |(feature, _)| feature.key.title(true));
+                names::dated(&names::allowed(&title), now, purpose.ending())
+            }
             Purpose::SavePlan(_) => names::with_ending(&self.parts.document.name(), purpose.ending()),
             Purpose::SavePairs(_) => {
                 let name = self.shared.words().get("pairing-page-file-name");
@@ -274,6 +279,10 @@ impl Session {
             Purpose::SaveStudyBudget => {
                 let budget = self.statistics.study.budget(now.date());
                 budget.ok_or_else(|| message!("statistics-study-no-budget"))?.into_bytes().into()
+            }
+            Purpose::SaveChart => {
+                let format = ChartFile::of(&path).ok_or_else(|| message!("statistics-page-chart-ending"))?;
+                Content::Chart { drawing: self.statistics.drawing(&self.shared.report_words())?, format }
             }
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| message!("cycles-no-log"))?;

@@ -72,7 +72,9 @@ impl Session {
                 let shown = recording.shown(counted.map(|value| value.origin.number), None);
                 let is_partial = self.statistics.found().is_some_and(|found| 0 < found.unread);
                 let notes = self.statistics.told_of_question();
-                (Report { series, notes, is_partial, ..Report::new(now, Vec::<Record>::new()) }, shown, None)
+                let part = series.features.first().map(|feature| feature.key.part.0.clone());
+                let part = part.filter(|part| !part.is_empty() && !series.has_parts());
+                (Report { series, part, notes, is_partial, ..Report::new(now, Vec::<Record>::new()) }, shown, None)
             }
         };
         let mut report = report;

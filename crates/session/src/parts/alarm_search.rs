@@ -16,7 +16,7 @@ pub struct NewestValue {
 }
 
 /// How series are looked at for alarms: as the statistics page looks at them.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct AlarmSearch {
     /// The values that came; none where only the open alarms are asked for.
     pub newest: Vec<NewestValue>,

@@ -1,7 +1,7 @@
 //! What can be done on the reports page.
 
 use fitcheck_core::words::Words;
-use fitcheck_exchange::report::RENDERINGS;
+use fitcheck_exchange::report::{Holds, RENDERINGS};
 
 use super::{Magnification, ReportOf, ReportsCommand};
 use crate::Session;
@@ -55,7 +55,11 @@ impl Actions for ReportsAction {
                 on(Page::Reports, "reports-page-print", ReportsCommand::Print).key(Shortcut::ctrl('P')).when(has_report)
             }
             Self::Save(number) => on(Page::Reports, "reports-page-save", Command::OpenDialog(Purpose::Report(number)))
-                .when(if RENDERINGS.get(number).is_some_and(|to| to.is_label_alone) { has_label } else { has_report }),
+                .when(if RENDERINGS.get(number).is_some_and(|to| to.holds == Holds::Label) {
+                    has_label
+                } else {
+                    has_report
+                }),
             Self::Of(of) => on(Page::Reports, of.name(), ReportsCommand::Of(of)).when(match of {
                 ReportOf::Part => |session| session.can_report(ReportOf::Part),
                 ReportOf::Check => |session| session.can_report(ReportOf::Check),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::report::pdf::{self, Pages};
 use fitcheck_exchange::report::template::{HeadField, Section, Template};
-use fitcheck_exchange::report::{RENDERINGS, RenderError, Rendering};
+use fitcheck_exchange::report::{Holds, RENDERINGS, RenderError, Rendering};
 use jiff::civil::DateTime;
 
 use super::drawing::{Drawing, WatchedChecks};
@@ -121,7 +121,7 @@ impl Session {
         if of == ReportOf::Statistics && !self.reports.shows(Section::Statistics) {
             return Err(message!("reports-page-no-statistics"));
         }
-        if of == ReportOf::Statistics && !rendering.has_statistics {
+        if of == ReportOf::Statistics && rendering.holds != Holds::ReportAndStatistics {
             return Err(RenderError::NoStatistics { format: rendering.title }.message());
         }
         let mut composed = self.composed(of, now)?;

@@ -6,7 +6,9 @@ use fitcheck_exchange::series::StudyKind;
 use fitcheck_statistics::Rule;
 
 use super::study::kind_id;
-use super::{Aside, PointsOf, StatisticsCommand, StatisticsField, StatisticsView, StudyCommand, Zooming};
+use super::{
+    Aside, Below, MeanOf, PointsOf, StatisticsCommand, StatisticsField, StatisticsView, StudyCommand, Zooming,
+};
 use crate::Session;
 use crate::action::row::{ActionRow, Actions, Sends, actions, keys, on, within};
 use crate::action::{ActionScope, Key, Part, Shortcut};
@@ -52,6 +54,10 @@ actions! {
     MoveFeature(Step): Step::BLOCKS;
     /// Chooses what makes a point.
     UsePoints(PointsOf): [PointsOf::Single, PointsOf::Means];
+    /// Chooses which values make a mean.
+    UseMeansOf(MeanOf): MeanOf::ALL;
+    /// Chooses what stands below the chart.
+    ShowBelow(Below): Below::ALL;
     /// Shows or hides the rules.
     ShowRules;
     /// Looks at a rule, or no longer.
@@ -66,6 +72,8 @@ actions! {
     Zoom(Zooming): [Zooming::In, Zooming::Out, Zooming::Whole];
     /// Takes control limits from the points up to this one, or from all again.
     Freeze;
+    /// A stage with limits of its own begins at this point, or no longer.
+    Stage;
     /// Leaves the point out, or takes it in again.
     LeaveOut;
     /// Leaves it out for the reason in the field.
@@ -74,6 +82,8 @@ actions! {
     CancelReason;
     /// Puts figures and signals on the clipboard.
     CopyStatistics;
+    /// Writes the charts into a file.
+    SaveChart;
     /// Reports what the page shows.
     ReportStatistics;
     /// Shows the alarms that nobody has answered, where they are answered.
@@ -108,6 +118,16 @@ impl Actions for StatisticsAction {
                 };
                 on(Page::Statistics, text, StatisticsCommand::UsePoints(of))
             }
+            Self::UseMeansOf(of) => on(Page::Statistics, mean_id(of), StatisticsCommand::UseMeansOf(of))
+                .when(|session| session.statistics().points_of == PointsOf::Means),
+            Self::ShowBelow(below) => {
+                let text = match below {
+                    Below::Spread => "statistics-page-spread",
+                    Below::Ewma => "statistics-page-ewma",
+                    Below::Cusum => "statistics-page-cusum",
+                };
+                on(Page::Statistics, text, StatisticsCommand::ShowBelow(below))
+            }
             Self::ShowRules => ActionRow::new(
                 ActionScope::Page(Page::Statistics),
                 "statistics-page-rules",
@@ -133,6 +153,9 @@ impl Actions for StatisticsAction {
 
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         match self {
+            Self::UsePoints(PointsOf::Means) if session.statistics().mean_of != MeanOf::Count => {
+                Some(words.get("statistics-page-means-of-groups"))
+            }
             Self::UsePoints(PointsOf::Means) => {
                 let size = session.text(StatisticsField::Size).trim();
                 Some(words.say(&message!("statistics-page-means").text("size", size)))
@@ -143,6 +166,7 @@ impl Actions for StatisticsAction {
                 Some(words.say(&message!("statistics-page-alarms").count("count", count)))
             }
             Self::Freeze if session.statistics().is_frozen() => Some(words.get("statistics-page-unfreeze")),
+            Self::Stage if session.statistics().stage() == Some(true) => Some(words.get("statistics-page-no-stage")),
             Self::LeaveOut if is_left_out(session) => Some(words.get("statistics-page-take-in")),
             _ => None,
         }
@@ -154,6 +178,8 @@ impl Actions for StatisticsAction {
             Self::ShowStatistics(view) => page.view == view,
             Self::KindOfStudy(kind) => page.study.kind == kind,
             Self::UsePoints(of) => page.points_of == of,
+            Self::UseMeansOf(of) => page.mean_of == of,
+            Self::ShowBelow(below) => page.below() == below,
             Self::ShowRules => page.shows_rules,
             Self::SwitchRule(rule) => page.rules().has(rule),
             Self::Show(aside) => page.aside == aside,
@@ -226,6 +252,10 @@ impl StatisticsAction {
                 .hint("statistics-page-freeze-hint")
                 .key(key('B'))
                 .when(|session| has_cursor(session) || session.statistics().is_frozen()),
+            Self::Stage => within(CHART, "statistics-page-stage", StatisticsCommand::Stage)
+                .hint("statistics-page-stage-hint")
+                .key(key('S'))
+                .when(|session| session.statistics().stage().is_some()),
             Self::LeaveOut => within(CHART, "statistics-page-leave-out", StatisticsCommand::LeaveOut)
                 .hint("statistics-page-leave-out-hint")
                 .key(key('X'))
@@ -234,6 +264,12 @@ impl StatisticsAction {
                 .when(|session| !session.text(StatisticsField::Reason).trim().is_empty()),
             Self::CancelReason => {
                 on(Page::Statistics, "statistics-page-cancel-reason", StatisticsCommand::CancelReason)
+            }
+            Self::SaveChart => {
+                on(Page::Statistics, "statistics-page-save-chart", Command::OpenDialog(Purpose::SaveChart))
+                    .hint("statistics-page-save-chart-hint")
+                    .key(Shortcut::ctrl('S'))
+                    .when(|session| shows_features(session) && session.statistics().has_chart())
             }
             Self::ReportStatistics => on(Page::Statistics, "statistics-page-report", ReportsCommand::OfStatistics)
                 .hint("statistics-page-report-hint")
@@ -250,6 +286,17 @@ impl StatisticsAction {
                     }
                 }),
         }
+    }
+}
+
+/// The text of what makes a mean.
+const fn mean_id(of: MeanOf) -> &'static str {
+    match of {
+        MeanOf::Count => "statistics-page-mean-count",
+        MeanOf::Pause => "statistics-page-mean-pause",
+        MeanOf::Part => "statistics-page-mean-part",
+        MeanOf::Station => "statistics-page-mean-station",
+        MeanOf::Person => "statistics-page-mean-person",
     }
 }
 

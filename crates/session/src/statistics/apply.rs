@@ -3,9 +3,11 @@
 use std::ops::Range;
 
 use fitcheck_core::message::Message;
+use fitcheck_exchange::series::Memory;
+use fitcheck_statistics::{Cusum, Ewma};
 use jiff::civil::DateTime;
 
-use super::{StatisticsCommand, StatisticsField, StatisticsPage, StatisticsView, StudyCommand};
+use super::{Below, StatisticsCommand, StatisticsField, StatisticsPage, StatisticsView, StudyCommand};
 use crate::command::Command;
 use crate::effect::Effect;
 use crate::page::Page;
@@ -35,7 +37,7 @@ impl PageState for StatisticsPage {
                 self.texts.set(field, text);
                 match field {
                     StatisticsField::Question | StatisticsField::Last => self.ask(shared, true),
-                    StatisticsField::Size => self.recompute(),
+                    StatisticsField::Size | StatisticsField::Pause => self.recompute(),
                     StatisticsField::Reason => {}
                     StatisticsField::StudyLower
                     | StatisticsField::StudyUpper
@@ -58,9 +60,18 @@ impl PageState for StatisticsPage {
             StatisticsCommand::ChooseFeature(at) => self.choose_feature(at),
             StatisticsCommand::UsePoints(points_of) => {
                 self.points_of = points_of;
-                self.cursor = None;
-                self.window = None;
-                self.asks_why = false;
+                self.regroup();
+            }
+            StatisticsCommand::UseMeansOf(mean_of) => {
+                self.mean_of = mean_of;
+                self.regroup();
+            }
+            StatisticsCommand::ShowBelow(below) => {
+                self.look.memory = match below {
+                    Below::Spread => None,
+                    Below::Ewma => Some(Memory::Ewma(Ewma::default())),
+                    Below::Cusum => Some(Memory::Cusum(Cusum::default())),
+                };
                 self.recompute();
             }
             StatisticsCommand::SwitchRule(rule) => {
@@ -75,6 +86,7 @@ impl PageState for StatisticsPage {
             StatisticsCommand::Zoom(zooming) => self.zoom(zooming),
             StatisticsCommand::See(window) => self.see(window),
             StatisticsCommand::Freeze => self.freeze(),
+            StatisticsCommand::Stage => self.switch_stage(),
             StatisticsCommand::LeaveOut => return self.leave_out(),
             StatisticsCommand::TakeReason => self.take_reason(),
             StatisticsCommand::CancelReason => self.asks_why = false,

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::journal::ask::AskedKinds;
-use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, FeatureSeries, Look};
+use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, Factor, FeatureSeries, Grouping, Look};
 
-use super::{PointsOf, SeriesFound, StatisticsField, StatisticsPage, asks_for};
+use super::{MeanOf, PointsOf, SeriesFound, StatisticsField, StatisticsPage, asks_for};
 use crate::effect::Effect;
 use crate::parts::{AlarmSearch, NewestValue};
 use crate::recording::Keeping;
@@ -20,6 +20,9 @@ const USUAL: usize = 125;
 /// The most values of a feature, and the most values of a point whose range says something.
 const MOST: usize = 100_000;
 const MOST_IN_POINT: usize = 25;
+
+/// The longest pause between two values of a point in minutes: 30 days.
+const LONGEST_PAUSE: usize = 30 * 24 * 60;
 
 impl StatisticsPage {
     /// The part that is open on its page: the first question is about it.
@@ -111,18 +114,37 @@ impl StatisticsPage {
     }
 
     fn compute(&mut self, found: Arc<SeriesFound>) {
-        let size = match self.points_of {
-            PointsOf::Single => Some(1),
-            PointsOf::Means => self.number(StatisticsField::Size, 2..=MOST_IN_POINT),
-        };
-        if let Some(size) = size {
-            self.look.size = size;
+        if let Some(grouping) = self.grouping() {
+            self.look.grouping = grouping;
         }
         let looks = found.features.iter().map(|feature| self.look_of(feature)).collect();
         self.runs += 1;
         let features = found.features.clone();
         self.computing = Some((self.runs, found));
         self.errands.push(Effect::EvaluateSeries { run: self.runs, features, looks });
+    }
+
+    /// What makes a point; `None` where a field does not say it.
+    fn grouping(&mut self) -> Option<Grouping> {
+        match (self.points_of, self.mean_of) {
+            (PointsOf::Single, _) => Some(Grouping::Single),
+            (PointsOf::Means, MeanOf::Count) => self.number(StatisticsField::Size, 2..=MOST_IN_POINT).map(Grouping::Of),
+            (PointsOf::Means, MeanOf::Pause) => {
+                let minutes = self.number(StatisticsField::Pause, 1..=LONGEST_PAUSE)?;
+                u32::try_from(minutes).ok().map(Grouping::Pause)
+            }
+            (PointsOf::Means, MeanOf::Part) => Some(Grouping::By(Factor::Part)),
+            (PointsOf::Means, MeanOf::Station) => Some(Grouping::By(Factor::Gauge)),
+            (PointsOf::Means, MeanOf::Person) => Some(Grouping::By(Factor::Who)),
+        }
+    }
+
+    /// Other values make a point: the chart is another one.
+    pub(super) fn regroup(&mut self) {
+        self.cursor = None;
+        self.window = None;
+        self.asks_why = false;
+        self.recompute();
     }
 
     /// Values are on disk: what fires there is looked for as the page looks at their series.

@@ -7,7 +7,7 @@ use fitcheck_core::message::Message;
 use fitcheck_exchange::series::Evaluated;
 use fitcheck_statistics::Rule;
 
-use super::{Aside, PointsOf, SeriesFound, StatisticsField, StatisticsView, StudyCommand, Zooming};
+use super::{Aside, Below, MeanOf, PointsOf, SeriesFound, StatisticsField, StatisticsView, StudyCommand, Zooming};
 use crate::step::Step;
 
 /// What can be done on the statistics page, and what comes back from outside.
@@ -42,6 +42,10 @@ pub enum StatisticsCommand {
     ChooseFeature(usize),
     /// Chooses what makes a point.
     UsePoints(PointsOf),
+    /// Chooses which values make a mean.
+    UseMeansOf(MeanOf),
+    /// Chooses what stands below the chart.
+    ShowBelow(Below),
     /// Looks at a rule, or no longer.
     SwitchRule(Rule),
     /// Shows or hides the rules.
@@ -60,6 +64,8 @@ pub enum StatisticsCommand {
     See(Range<usize>),
     /// Takes control limits from the points up to that at which the keys are, or from all points again.
     Freeze,
+    /// A stage begins at the point at which the keys are, or no longer.
+    Stage,
     /// Leaves the point out, for which a reason is asked; or takes it in again.
     LeaveOut,
     /// The reason is given.

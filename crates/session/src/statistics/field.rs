@@ -12,6 +12,8 @@ kept_fields! {
     Last: "statistics-last", "125";
     /// How many values in a row make a point, where points are means.
     Size: "statistics-size", "5";
+    /// After how many minutes without a value a mean begins anew.
+    Pause: "statistics-pause", "60";
     /// Why a point is left out.
     Reason: "statistics-reason", "";
     /// The lower limit that a gauge is used for; those of the file count where both are empty.

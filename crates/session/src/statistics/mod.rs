@@ -28,8 +28,10 @@ use std::sync::Arc;
 pub use actions::{CHART, FEATURES, StatisticsAction};
 pub use command::StatisticsCommand;
 pub use field::StatisticsField;
-use fitcheck_core::message::Message;
-use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Look, Value};
+use fitcheck_core::message::{Message, Say as _, message};
+use fitcheck_core::words::Words;
+use fitcheck_exchange::series::{Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Look, Memory, Value};
+use fitcheck_statistics::picture::svg;
 pub use study::{Study, StudyAsked, StudyCommand, StudyFigure, StudyFile, StudyFound, StudyRead};
 pub use texts::{FigureText, SignalText, said_of_value};
 
@@ -58,6 +60,42 @@ pub enum PointsOf {
     Single,
     /// So many values in a row.
     Means,
+}
+
+/// Which values make a mean.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum MeanOf {
+    /// So many in a row.
+    #[default]
+    Count,
+    /// Those until a pause of so many minutes.
+    Pause,
+    /// Those of one part in a row.
+    Part,
+    /// Those of one station in a row.
+    Station,
+    /// Those that one person measured in a row.
+    Person,
+}
+
+impl MeanOf {
+    pub const ALL: [Self; 5] = [Self::Count, Self::Pause, Self::Part, Self::Station, Self::Person];
+}
+
+/// What stands below the chart, of the same points.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Below {
+    /// Their spread.
+    #[default]
+    Spread,
+    /// Weighted averages.
+    Ewma,
+    /// Sums of deviations.
+    Cusum,
+}
+
+impl Below {
+    pub const ALL: [Self; 3] = [Self::Spread, Self::Ewma, Self::Cusum];
 }
 
 /// What stands beside the chart where there is room for one thing only.
@@ -128,6 +166,7 @@ pub struct StatisticsPage {
     version: u64,
     chosen: Option<FeatureKey>,
     pub points_of: PointsOf,
+    pub mean_of: MeanOf,
     look: Look,
     /// The baselines of features, by the numbers of their first and last value.
     baselines: BTreeMap<FeatureKey, [u64; 2]>,
@@ -199,6 +238,31 @@ impl StatisticsPage {
     /// Which rules are looked at.
     pub const fn rules(&self) -> fitcheck_statistics::Rules {
         self.look.rules
+    }
+
+    /// What stands below the chart.
+    pub const fn below(&self) -> Below {
+        match self.look.memory {
+            None => Below::Spread,
+            Some(Memory::Ewma(_)) => Below::Ewma,
+            Some(Memory::Cusum(_)) => Below::Cusum,
+        }
+    }
+
+    /// Whether the chosen feature has a chart.
+    pub fn has_chart(&self) -> bool {
+        self.open().is_some_and(|(_, of)| of.answer.chart.is_ok())
+    }
+
+    /// The charts of the chosen feature on one sheet, as SVG.
+    ///
+    /// # Errors
+    /// Why there are none.
+    pub(crate) fn drawing(&self, words: &Words) -> Result<String, Message> {
+        let (feature, of) = self.open().ok_or_else(|| message!("statistics-page-none"))?;
+        let sheet =
+            of.sheet(words).map_err(|why| message!("statistics-page-no-chart").message("why", why.message()))?;
+        Ok(svg(&sheet, &feature.key.title(true)))
     }
 
     /// The values of a point of the chosen feature.

@@ -9,7 +9,7 @@ use fitcheck_core::words::Words;
 use fitcheck_exchange::series::{ASKED_INDEX, Answer, Evaluated, Value};
 use fitcheck_statistics::{Reason, Signal};
 
-use super::{Aside, StatisticsPage};
+use super::{Aside, Below, StatisticsPage};
 
 /// A figure as it stands on the page.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -177,6 +177,14 @@ impl StatisticsPage {
         let figures: &[(&str, &str, usize, f64)] = match aside {
             Aside::Signals => &[],
             Aside::Histogram => &[("mean_mm", "mm", 4, 1.0), ("sd_mm", "µm", 2, 1_000.0)],
+            Aside::Spread if self.below() == Below::Ewma => {
+                &[("ewma_mm", "mm", 4, 1.0), ("ewma_lower_mm", "mm", 4, 1.0), ("ewma_upper_mm", "mm", 4, 1.0)]
+            }
+            Aside::Spread if self.below() == Below::Cusum => &[
+                ("cusum_above_mm", "µm", 1, 1_000.0),
+                ("cusum_below_mm", "µm", 1, 1_000.0),
+                ("cusum_interval_mm", "µm", 1, 1_000.0),
+            ],
             Aside::Spread => &[("spread_centre_mm", "µm", 1, 1_000.0), ("spread_upper_mm", "µm", 1, 1_000.0)],
             Aside::Probability => &[("anderson_darling", "", 2, 1.0), ("anderson_darling_p", "", 3, 1.0)],
         };

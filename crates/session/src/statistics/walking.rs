@@ -108,6 +108,26 @@ impl StatisticsPage {
         self.recompute();
     }
 
+    /// The value with which a stage would begin at the cursor. The first one begins where the chart does.
+    fn begins_stage(&self) -> Option<u64> {
+        let cursor = self.cursor.filter(|cursor| 0 < *cursor)?;
+        self.values_of(cursor).find_map(|value| value.origin.number)
+    }
+
+    /// Whether a stage may begin at the cursor, and whether one does.
+    pub fn stage(&self) -> Option<bool> {
+        self.begins_stage().map(|number| self.look.stages.contains(&number))
+    }
+
+    /// A stage with limits of its own begins at the cursor, or no longer.
+    pub(super) fn switch_stage(&mut self) {
+        let Some(number) = self.begins_stage() else { return };
+        if !self.look.stages.remove(&number) {
+            self.look.stages.insert(number);
+        }
+        self.recompute();
+    }
+
     /// Asks why the point is left out, or takes it in again.
     pub(super) fn leave_out(&mut self) -> Vec<Effect> {
         let Some(point) = self.cursor else { return Vec::new() };

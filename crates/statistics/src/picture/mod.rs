@@ -5,6 +5,7 @@
 //! | `scale` | values to places, and the values that an axis names |
 //! | `plot` | the ground of a chart: its axes, lines and labels |
 //! | `run` | values or means, and their spread, in their order |
+//! | `memory` | averages or sums that remember |
 //! | `histogram` | how often values are, beside the curve of a law |
 //! | `probability` | values against the shares of a law |
 //! | `sheet` | all charts of a series together |
@@ -15,6 +16,7 @@
 //! values that share a place, the least and the greatest are drawn.
 
 mod histogram;
+mod memory;
 mod plot;
 mod probability;
 mod run;
@@ -26,6 +28,7 @@ use std::ops::Range;
 
 use fitcheck_core::words::Words;
 pub use histogram::histogram;
+pub use memory::memory_chart;
 pub use probability::probability_plot;
 pub use run::{run_chart, spread_chart, value_range};
 pub use sheet::sheet;

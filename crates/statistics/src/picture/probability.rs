@@ -28,13 +28,12 @@ pub fn probability_plot(
     level: f64,
     view: &View<'_>,
 ) -> Picture {
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    let value = |number: &usize| values.get(*number).copied().unwrap_or(f64::NAN);
-    order.sort_by(|one, other| value(one).total_cmp(&value(other)));
+    let mut order: Vec<(f64, usize)> = values.iter().copied().zip(0..).collect();
+    order.sort_unstable_by(|(one, _), (other, _)| one.total_cmp(other));
     let share = |rank: usize| (place(rank) + 0.7) / (count(values.len()) + 0.4);
     let edge = normal_quantile(share(0)).abs().max(1.0) * 1.15;
     let view = View { values: [-edge, edge], ..view.clone() };
-    let range = across(order.first().map(value), order.last().map(value));
+    let range = across([order.first(), order.last()].map(|end| end.map(|(value, _)| *value)));
     let Some(mut plot) = Plot::new(&view, range, false) else { return Picture::default() };
     let limits = tolerance.map_or([None, None], |tolerance| [tolerance.lower(), tolerance.upper()]);
     let limits: Vec<f64> = limits.into_iter().flatten().filter(|limit| plot.across.has(*limit)).collect();
@@ -52,8 +51,8 @@ pub fn probability_plot(
     }
     let mut last = [f64::NEG_INFINITY; 2];
     for rank in ranks(values.len(), edge) {
-        let Some(number) = order.get(rank) else { continue };
-        let at = [plot.across.at(value(number)), plot.values.at(normal_quantile(share(rank)))];
+        let Some((value, number)) = order.get(rank) else { continue };
+        let at = [plot.across.at(*value), plot.values.at(normal_quantile(share(rank)))];
         if CLOSE <= (at[0] - last[0]).abs().max((at[1] - last[1]).abs()) {
             plot.picture.dot(at, 3.0, Tone::Data);
             plot.picture.spots.push(Spot { number: *number, at });
@@ -85,8 +84,8 @@ fn rank_of(share: f64, values: usize) -> usize {
     rank as usize
 }
 
-fn across(least: Option<f64>, greatest: Option<f64>) -> [f64; 2] {
-    let (Some(least), Some(greatest)) = (least, greatest) else { return [0.0, 1.0] };
+fn across(ends: [Option<f64>; 2]) -> [f64; 2] {
+    let [Some(least), Some(greatest)] = ends else { return [0.0, 1.0] };
     let margin = ((greatest - least) * 0.25).max(1e-6);
     [least - margin, greatest + margin]
 }

@@ -27,7 +27,7 @@ pub fn value_range(chart: &Chart, tolerance: Option<&Tolerance>, points: &Range<
     with_margin(of_points.chain(limits))
 }
 
-fn with_margin(values: impl Iterator<Item = f64>) -> [f64; 2] {
+pub(super) fn with_margin(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], value| [from.min(value), to.max(value)]);
     let [from, to] = ends;
     if !(from.is_finite() && to.is_finite()) {
@@ -75,7 +75,7 @@ pub fn spread_chart(chart: &Chart, signals: &[Signal], view: &View<'_>) -> Pictu
 }
 
 /// A little room on both sides of the points.
-fn ends(points: &Range<usize>) -> [f64; 2] {
+pub(super) fn ends(points: &Range<usize>) -> [f64; 2] {
     let last = place(points.end.saturating_sub(1));
     let first = place(points.start);
     let margin = ((last - first) * 0.01).max(0.5);
@@ -97,7 +97,7 @@ fn draw(plot: &mut Plot<'_>, chart: &Chart, of: Place, signals: &[Signal], view:
     numbers(plot, view);
 }
 
-fn numbers(plot: &mut Plot<'_>, view: &View<'_>) {
+pub(super) fn numbers(plot: &mut Plot<'_>, view: &View<'_>) {
     let margins = plot.across;
     let [first, last] = [view.points.start, view.points.end.saturating_sub(1)].map(place);
     // Only whole points are named.
@@ -144,25 +144,43 @@ fn control(plot: &mut Plot<'_>, chart: &Chart, of: Place, view: &View<'_>) {
 /// left out stand alone, as circles.
 fn series(plot: &mut Plot<'_>, chart: &Chart, of: Place, view: &View<'_>) -> Vec<Spot> {
     let points = chart.points.get(view.points.clone()).unwrap_or_default();
+    let drawn = (view.points.start..).zip(points).filter_map(|(number, point)| {
+        let at = [plot.across.at(place(number)), plot.values.at(of.of(point)?.value)];
+        Some((Spot { number, at }, point.left_out.is_some()))
+    });
+    let (apart, counted): (Vec<_>, Vec<_>) = drawn.partition(|(_, is_left_out)| *is_left_out);
+    for (spot, _) in &apart {
+        plot.picture.ring(spot.at, 3.5, Tone::LeftOut);
+    }
+    let spot = |(spot, _): &(Spot, bool)| *spot;
+    let mut spots = thinned(plot, points.len(), counted.iter().map(spot));
+    let line: Vec<[f64; 2]> = spots.iter().map(|spot| spot.at).collect();
+    if !is_close(plot, points.len()) {
+        for at in &line {
+            plot.picture.dot(*at, 3.0, Tone::Data);
+        }
+        spots.extend(apart.iter().map(spot));
+        spots.sort_by_key(|spot| spot.number);
+    }
+    plot.picture.line(line, Tone::Data, 1.0);
+    spots
+}
+
+/// Whether so many points are so close that those of a place are drawn together.
+fn is_close(plot: &Plot<'_>, count: usize) -> bool {
     let [left, right] = plot.across.places;
-    let is_close = (right - left) / place(points.len().max(1)) < CLOSE;
+    (right - left) / place(count.max(1)) < CLOSE
+}
+
+/// What is drawn of so many points: all of them, or the least and the greatest of each place where they are close.
+pub(super) fn thinned(plot: &Plot<'_>, count: usize, points: impl Iterator<Item = Spot>) -> Vec<Spot> {
+    if !is_close(plot, count) {
+        return points.collect();
+    }
     let mut spots: Vec<Spot> = Vec::new();
     let mut column: Option<(f64, [Spot; 2])> = None;
-    for (number, point) in (view.points.start..).zip(points) {
-        let Some(figure) = of.of(point) else { continue };
-        let at = [plot.across.at(place(number)), plot.values.at(figure.value)];
-        if point.left_out.is_some() {
-            plot.picture.ring(at, 3.5, Tone::LeftOut);
-            if !is_close {
-                spots.push(Spot { number, at });
-            }
-            continue;
-        }
-        let spot = Spot { number, at };
-        if !is_close {
-            spots.push(spot);
-            continue;
-        }
+    for spot in points {
+        let at = spot.at;
         let here = (at[0] / CLOSE).floor();
         match &mut column {
             Some((place, [high, low])) if (*place - here).abs() < 0.5 => {
@@ -179,14 +197,6 @@ fn series(plot: &mut Plot<'_>, chart: &Chart, of: Place, view: &View<'_>) -> Vec
         }
     }
     spots.extend(column.into_iter().flat_map(|(_, ends)| in_order(ends)));
-    let counted = |spot: &&Spot| chart.points.get(spot.number).is_some_and(|point| point.left_out.is_none());
-    let line: Vec<[f64; 2]> = spots.iter().filter(counted).map(|spot| spot.at).collect();
-    if !is_close {
-        for at in &line {
-            plot.picture.dot(*at, 3.0, Tone::Data);
-        }
-    }
-    plot.picture.line(line, Tone::Data, 1.0);
     spots
 }
 

@@ -3,12 +3,15 @@
 use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 
-use super::{Anchor, Mark, Picture, Tone, View, histogram, probability_plot, run_chart, spread_chart, value_range};
+use super::{
+    Anchor, Mark, Picture, Tone, View, histogram, memory_chart, probability_plot, run_chart, spread_chart, value_range,
+};
 use crate::chart::{Chart, ChartKind};
 use crate::fitted::{Family, Fitted};
 use crate::shape::anderson_darling;
 use crate::signal::signals;
 use crate::tolerance::Tolerance;
+use crate::weighted::MemoryPoint;
 
 /// How wide and how high a sheet is.
 const SIZE: [f64; 2] = [880.0, 660.0];
@@ -19,12 +22,13 @@ const GAP: f64 = 20.0;
 const FIRST: f64 = 0.72;
 const UPPER: f64 = 0.56;
 
-/// All charts of a series with its chart, its values, and what lengths are counted from.
+/// All charts of a series with its chart, its values, and what lengths are counted from; and the chart that remembers, where there is one.
 pub fn sheet(
     chart: &Chart,
     values: &[f64],
     (tolerance, law): (Option<&Tolerance>, Family),
     (base, level): (f64, f64),
+    memory: &[(usize, MemoryPoint)],
     words: &Words,
 ) -> Picture {
     let points = 0..chart.points.len();
@@ -70,6 +74,14 @@ pub fn sheet(
     };
     let plot = probability_plot(values, fitted.as_ref().ok(), tolerance, level, &view(half, below));
     sheet.place([half + GAP, upper + GAP], title, plot);
+    if let Some((_, first)) = memory.first() {
+        let title = match first {
+            MemoryPoint::Average(_) => words.get("statistics-chart-ewma"),
+            MemoryPoint::Sums(_) => words.get("statistics-chart-cusum"),
+        };
+        sheet.place([0.0, height + GAP], title, memory_chart(memory, &view(width, below)));
+        sheet.size[1] = height + GAP + below;
+    }
     sheet
 }
 

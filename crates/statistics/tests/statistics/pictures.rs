@@ -1,9 +1,11 @@
 use fitcheck_core::words::{Language, Words};
 use fitcheck_statistics::picture::{
-    Mark, Picture, Tone, View, histogram, probability_plot, run_chart, sheet, spread_chart, svg, value_range,
+    Mark, Picture, Tone, View, histogram, memory_chart, probability_plot, run_chart, sheet, spread_chart, svg,
+    value_range,
 };
 use fitcheck_statistics::{
-    Chart, ChartKind, ChartPlan, Family, Fitted, Place, Rule, Sample, Signal, Tolerance, chart, signals,
+    Chart, ChartKind, ChartPlan, Cusum, Family, Fitted, MemoryPoint, Place, Rule, Sample, Signal, Tolerance, chart,
+    signals,
 };
 use proptest::prelude::*;
 
@@ -151,13 +153,39 @@ fn a_sheet_is_a_well_formed_file_with_its_sentence() {
     let groups: Vec<Sample> = rings().into_iter().map(Sample::of).collect();
     let chart = chart(&groups, &ChartPlan::of(ChartKind::MeansRanges)).unwrap();
     let tolerance = Tolerance::new(Some(73.95), Some(74.05)).unwrap();
-    let drawn = sheet(&chart, &values, (Some(&tolerance), Family::Normal), (74.0, 0.95), &english());
+    let drawn = sheet(&chart, &values, (Some(&tolerance), Family::Normal), (74.0, 0.95), &[], &english());
     let file = svg(&drawn, "A <chart> & more");
     assert!(file.contains("<title>A &lt;chart&gt; &amp; more</title>"));
     assert_eq!(file.matches('<').count(), file.matches('>').count());
     for title in ["Means of groups in µm from 74, oldest left", "Histogram", "Range of groups, µm"] {
         assert!(file.contains(title), "{title}");
     }
+    let sums = sums(&values, 74.001, 0.01);
+    let taller = sheet(&chart, &values, (Some(&tolerance), Family::Normal), (74.0, 0.95), &sums, &english());
+    assert!(drawn.size[1] < taller.size[1] && texts(&taller).contains(&"Sums of deviations from the mean (CUSUM)"));
+}
+
+/// The sums of values about a mean, as numbered points.
+fn sums(values: &[f64], mean: f64, sigma: f64) -> Vec<(usize, MemoryPoint)> {
+    let points = Cusum::default().points(values, mean, sigma).unwrap();
+    (1..).zip(points.into_iter().map(MemoryPoint::Sums)).collect()
+}
+
+/// Ten values on the mean and ten that are two standard deviations above it: the sum grows by 1.5 s a point, and is beyond 5 s from the
+/// fourth of them on.
+#[test]
+fn sums_beyond_the_decision_interval_are_marked_and_the_axis_counts_from_zero() {
+    let values: Vec<f64> = (0..20).map(|at| if at < 10 { 25.0 } else { 25.002 }).collect();
+    let words = english();
+    let chart = individuals(&[25.0, 25.001]);
+    let view = View { points: 0..20, ..view(&chart, None, &words) };
+    let drawn = memory_chart(&sums(&values, 25.0, 0.001), &view);
+    let rings = drawn.marks.iter().filter(|mark| matches!(mark, Mark::Ring { .. })).count();
+    assert_eq!((rings, drawn.spots.len()), (7, 20));
+    let texts = texts(&drawn);
+    assert!(texts.contains(&"upper +5.0") && texts.contains(&"lower −5.0"), "{texts:?}");
+    let narrow = memory_chart(&sums(&values, 25.0, 0.001), &View { points: 0..13, ..view });
+    assert!(!narrow.marks.iter().any(|mark| matches!(mark, Mark::Ring { .. })), "what is in sight is drawn");
 }
 
 proptest! {
@@ -197,6 +225,7 @@ proptest! {
         for drawn in [
             run_chart(&chart, Some(&tolerance), &fired, &view),
             spread_chart(&chart, &fired, &view),
+            memory_chart(&sums(&values, 25.0, 0.001), &view),
             histogram(&values, law.as_ref(), Some(&tolerance), &view),
             probability_plot(&values, law.as_ref(), Some(&tolerance), 0.95, &view),
         ] {

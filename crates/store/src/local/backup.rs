@@ -69,7 +69,8 @@ fn copy(connection: &Connection, path: &Path, to: &Path) -> Result<(), StoreErro
     };
     let name = to.to_str().ok_or_else(|| StoreError::CannotOpen { path: to.to_owned() })?;
     connection.execute("VACUUM INTO ?1", params![name]).map_err(failed)?;
-    let file = std::fs::File::open(to).map_err(|error| StoreError::system(to, &error))?;
+    // Windows makes nothing last that cannot be written.
+    let file = std::fs::File::options().write(true).open(to).map_err(|error| StoreError::system(to, &error))?;
     file.sync_all().map_err(|error| StoreError::system(to, &error))
 }
 

@@ -210,8 +210,21 @@ fn not_on_a_network(path: &Path, folder: &Path) -> Result<(), StoreError> {
     Ok(())
 }
 
+/// The same: a share, or a drive that stands for one.
+#[cfg(windows)]
+fn not_on_a_network(path: &Path, folder: &Path) -> Result<(), StoreError> {
+    use std::path::{Component, Prefix};
+    let whole = std::fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+    match whole.components().next() {
+        Some(Component::Prefix(prefix)) if matches!(prefix.kind(), Prefix::UNC(..) | Prefix::VerbatimUNC(..)) => {
+            Err(StoreError::NetworkFolder { path: path.to_owned() })
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Other systems do not tell what a folder is.
-#[cfg(not(target_os = "linux"))]
+#[cfg(not(any(target_os = "linux", windows)))]
 fn not_on_a_network(_path: &Path, _folder: &Path) -> Result<(), StoreError> {
     Ok(())
 }

@@ -30,16 +30,14 @@ use super::statistics::{self, FeatureStatistics};
 use super::template::{Company, Section as Shown};
 use super::text;
 use super::told::printable;
-use super::{Rendering, Report};
+use super::{Holds, Rendering, Report};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {
     name: "html",
     title: "HTML",
     is_for_people: true,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: true,
+    holds: Holds::ReportAndStatistics,
     endings: &["html", "htm"],
     render,
 };

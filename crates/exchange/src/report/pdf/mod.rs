@@ -71,15 +71,13 @@ use tags::{Kind, TagId, Tags};
 use super::said::{heading, title};
 use super::seen::ReportSurvey;
 use super::template::Section;
-use super::{Rendering, Report};
+use super::{Holds, Rendering, Report};
 
 pub const RENDERING: Rendering = Rendering {
     name: "pdf",
     title: "PDF",
     is_for_people: true,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: true,
+    holds: Holds::ReportAndStatistics,
     endings: &["pdf"],
     render,
 };

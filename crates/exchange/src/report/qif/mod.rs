@@ -22,18 +22,10 @@ use std::io::{self, Write};
 
 use fitcheck_core::words::Words;
 
-use super::{Rendering, Report};
+use super::{Holds, Rendering, Report};
 
-pub const RENDERING: Rendering = Rendering {
-    name: "qif",
-    title: "QIF",
-    is_for_people: false,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: false,
-    endings: &["qif"],
-    render,
-};
+pub const RENDERING: Rendering =
+    Rendering { name: "qif", title: "QIF", is_for_people: false, holds: Holds::Report, endings: &["qif"], render };
 
 fn render(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
     document::write(report, out)

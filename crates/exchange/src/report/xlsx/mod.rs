@@ -32,20 +32,12 @@ use rust_xlsxwriter::{DocProperties, Workbook, XlsxError};
 use super::said::title;
 use super::seen::ReportSurvey;
 use super::told::on_one_line;
-use super::{Rendering, Report};
+use super::{Holds, Rendering, Report};
 use cells::{Looks, Paper, excel_time};
 use names::SheetNames;
 
-pub const RENDERING: Rendering = Rendering {
-    name: "xlsx",
-    title: "XLSX",
-    is_for_people: true,
-    is_checks_alone: false,
-    is_label_alone: false,
-    has_statistics: false,
-    endings: &["xlsx"],
-    render,
-};
+pub const RENDERING: Rendering =
+    Rendering { name: "xlsx", title: "XLSX", is_for_people: true, holds: Holds::Report, endings: &["xlsx"], render };
 
 /// The most checks of a workbook, far below the 1 048 576 rows of a sheet: it takes some 100 MB of memory to write, and as much to open.
 pub const MOST_CHECKS: usize = 50_000;
