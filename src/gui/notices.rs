@@ -65,7 +65,7 @@ pub(super) fn leave_in_time(ui: &Ui, view: &mut View<'_>, stays: f64) {
     };
     let left = since + stays - now;
     if left <= 0.0 {
-        view.send(Command::Close);
+        view.send(Command::CloseNotice);
     } else {
         ui.ctx().request_repaint_after(Duration::from_secs_f64(left));
     }
@@ -95,7 +95,7 @@ fn toast_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             });
         });
         ui.visuals_mut().override_text_color = Some(palette.on_toast.0);
-        view.icon_button(ui, WindowAction::Close, Icon::X);
+        view.icon_button(ui, WindowAction::CloseNotice, Icon::X);
     });
 }
 
@@ -156,7 +156,7 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
     }
     ui.horizontal_wrapped(|ui| {
         offers_ui(ui, view, notice);
-        view.wide_button(ui, WindowAction::Close);
+        view.wide_button(ui, WindowAction::CloseNotice);
     });
 }
 

@@ -5,7 +5,8 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use eframe::egui::{Key, Theme, Vec2, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Theme, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use fitcheck::gui::App;
 use fitcheck::session::help::Sample;
@@ -17,7 +18,7 @@ use fitcheck::session::{
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::Language;
 
-use crate::harness::{DESK, Window, check, picture_in, press, sheet_in};
+use crate::harness::{DESK, Window, check, click, picture_in, press, sheet_in, type_into};
 use crate::pictures::can_paint;
 use crate::statistics_page::{entries, flange, page_of};
 use crate::studies::evaluated;
@@ -272,7 +273,14 @@ fn a_study_of_a_gauge() {
 fn an_alarm_of_a_control_chart() {
     if can_paint("alarm") {
         let folder = tempfile::tempdir().unwrap();
-        picture_in(&mut with_alarm(folder.path()), "alarm", "docs/screenshots");
+        let mut window = with_alarm(folder.path(), vec2(1280.0, 1000.0));
+        click(&mut window, Role::Button, "Answer the alarm of Flange A");
+        for _ in 0..2 {
+            click(&mut window, Role::Button, "Close");
+        }
+        type_into(&mut window, "Cause", "Tool wear");
+        window.hover_at(pos2(640.0, 500.0));
+        picture_in(&mut window, "alarm", "docs/screenshots");
     }
 }
 

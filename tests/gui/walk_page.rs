@@ -331,10 +331,10 @@ fn a_value_that_cannot_be_is_asked_about_and_confirmed_or_measured_again() {
 }
 
 /// A part with a value at which rules of the control chart fire.
-pub fn with_alarm(folder: &Path) -> Harnessed {
+pub fn with_alarm(folder: &Path, size: Vec2) -> Harnessed {
     let plan = folder.join("flange.toml");
     put(&plan, "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n");
-    let window = window_of(folder, DESK);
+    let window = window_of(folder, size);
     let mut page = Window { files: vec![(Purpose::OpenPlan, plan)], ..window }.open();
     type_into(&mut page, "Serial number", "A-01");
     press(&mut page, Key::Enter);
@@ -352,7 +352,7 @@ pub fn with_alarm(folder: &Path) -> Harnessed {
 #[test]
 fn a_rule_that_fires_asks_for_cause_and_action_and_changes_no_verdict() {
     let folder = tempfile::tempdir().unwrap();
-    let mut page = with_alarm(folder.path());
+    let mut page = with_alarm(folder.path(), DESK);
     assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
     // The value and its distance from the one before: one answer is for both.
     page.get_by_label("Open alarms: 2");
@@ -362,6 +362,9 @@ fn a_rule_that_fires_asks_for_cause_and_action_and_changes_no_verdict() {
     page.get_by_label("Open alarms: 2");
     click(&mut page, Role::Button, "Answer the alarm of Flange A");
     assert!(has_focus(&page, Role::TextInput, "Cause"));
+    // The notice of the alarm is closed by its own button, and the form stays.
+    click(&mut page, Role::Button, "Close");
+    page.get_by_role_and_label(Role::TextInput, "Cause");
     type_into(&mut page, "Cause", "Tool wear");
     type_into(&mut page, "Action", "Coolant filled up");
     press(&mut page, Key::Enter);

@@ -97,6 +97,8 @@ macro_rules! command {
             Confirm,
             /// Closes the dialog or the oldest notice.
             Close,
+            /// Closes the notice that is shown, whatever else is open.
+            CloseNotice,
             /// Shows or hides what was told before.
             ShowMessages(bool),
             /// Empties the list of what was told before.

@@ -523,6 +523,7 @@ impl Session {
             Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
+            Command::CloseNotice => shared.notices.close(),
             Command::ShowMessages(shows) => shared.notices.shows_earlier = shows,
             Command::ForgetMessages => shared.notices.forget_earlier(),
             Command::AskToLeave => {

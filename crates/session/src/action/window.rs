@@ -89,6 +89,8 @@ actions! {
     Keypad;
     /// Closes what lies over the page: a dialog, a window, the oldest notice.
     Close;
+    /// Closes the notice that is shown.
+    CloseNotice;
     /// Shows or hides what was told before.
     Messages;
     /// Empties the list of what was told before.
@@ -209,6 +211,9 @@ impl Actions for WindowAction {
             Self::Close => {
                 let row = switch("close", |session| session.uppermost().unwrap_or(Command::Close));
                 row.key(Shortcut::plain(Key::Escape)).when(|session| session.uppermost().is_some())
+            }
+            Self::CloseNotice => {
+                everywhere("close", Command::CloseNotice).when(|session| !session.notices().is_empty())
             }
             Self::Messages => switch("messages", |session| Command::ShowMessages(!session.shows_messages()))
                 .when(|session| session.shows_messages() || 0 < session.earlier_notices().len()),

@@ -245,7 +245,7 @@ fn of_headings(page: &'static ManualPage, own: &Words, others: &[Words]) -> impl
 /// Whether an action stands in the palette: those of a dialog do not, for none is open, nor what only closes the palette.
 fn is_listed(action: Action) -> bool {
     action.place() != ActionScope::Dialog
-        && !matches!(action, Action::Window(WindowAction::Palette | WindowAction::Close))
+        && !matches!(action, Action::Window(WindowAction::Palette | WindowAction::Close | WindowAction::CloseNotice))
 }
 
 fn of_action(action: Action, session: &Session, own: &Words, others: &[Words]) -> PaletteEntry {
