@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use super::CliError;
-use crate::store::is_server;
-use crate::store::local::{self};
+use crate::files;
+use crate::store::{is_server, local};
 
 pub(super) const JOURNAL: &str =
     "Journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own journal";
@@ -38,7 +38,7 @@ impl JournalPlace {
 
 /// The user's own journal.
 pub(super) fn own() -> Result<PathBuf, CliError> {
-    Ok(local::folder().ok_or(CliError::NoJournalFolder)?.join(local::FILE))
+    Ok(files::journal_folder().ok_or(CliError::NoJournalFolder)?.join(local::FILE))
 }
 
 impl JournalArgs {

@@ -110,7 +110,7 @@ pub use start::Start;
 ///
 /// Without a subcommand, the window opens. With file names instead, the window opens these files.
 #[derive(Debug, Parser)]
-#[command(name = "fitcheck", version, max_term_width = 100, after_help = EXIT_CODES)]
+#[command(name = "fitcheck", bin_name = "fitcheck", version, max_term_width = 100, after_help = EXIT_CODES)]
 #[command(override_usage = "fitcheck [COMMAND]\n       fitcheck FILE...")]
 pub struct Cli {
     #[command(subcommand)]

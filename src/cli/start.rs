@@ -32,7 +32,7 @@ impl Cli {
     /// Reads the process's arguments. Help and wrong usage end the program here. `knows_ending` says whether a path ends
     /// as a file that the window may read.
     pub fn start(knows_ending: fn(&Path) -> bool) -> Start {
-        let given: Vec<OsString> = std::env::args_os().collect();
+        let given: Vec<OsString> = wild::args_os().collect();
         // What follows two hyphens is a file, whatever it is called.
         let names_files = given.get(1).is_some_and(|first| first == "--");
         match Self::try_parse_from(&given) {

@@ -168,7 +168,8 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
             .with_title("Fitcheck")
             .with_inner_size(Vec2::new(1280.0, 800.0))
             .with_min_inner_size(Vec2::new(480.0, 320.0));
-        let options = eframe::NativeOptions { viewport, renderer, ..Default::default() };
+        let persistence_path = crate::files::carried_folder().map(|folder| folder.join("app.ron"));
+        let options = eframe::NativeOptions { viewport, renderer, persistence_path, ..Default::default() };
         let setup = Setup { files: files.to_owned(), ..Setup::for_user() };
         eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, setup)))))
     };

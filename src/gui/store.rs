@@ -6,8 +6,6 @@ use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use etcetera::BaseStrategy as _;
-
 use crate::files::{self, FileError};
 use crate::message::{Message, Say as _, message};
 use crate::session::{Saved, SavedError};
@@ -22,8 +20,7 @@ pub struct Store {
 impl Store {
     /// In the user's own settings folder, where there is one.
     pub fn of_user() -> Self {
-        let folder = etcetera::choose_base_strategy().ok().map(|folders| folders.config_dir().join("fitcheck"));
-        Self { path: folder.map(|folder| folder.join("state.toml")) }
+        Self { path: files::settings_folder().map(|folder| folder.join("state.toml")) }
     }
 
     pub fn at(path: &Path) -> Self {

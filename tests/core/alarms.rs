@@ -16,7 +16,7 @@ use fitcheck::session::parts::{AlarmSearch, AlarmsFound, NewestValue, WalkComman
 use fitcheck::session::{
     Command, Effect, PartsAction, RecordRow, RecordsCommand, Session, StatisticsAction, WalkField,
 };
-use fitcheck::statistics::{Place, Rule, Rules};
+use fitcheck::statistics::{Place, Reason, Rule, Rules};
 use fitcheck::store::StoreError;
 use fitcheck::store::local::{Journal, Opening, Reader, verify};
 use fitcheck::words::{Language, Words};
@@ -47,9 +47,10 @@ fn series(values: &[&str]) -> FeatureSeries {
 /// The rules that fire at the newest of these values, with the entries of the pattern.
 fn fired(values: &[&str], known: &[Alarm]) -> Vec<(Rule, u64, u64)> {
     let newest = u64::try_from(values.len()).unwrap() + 1;
-    let alarms = series(values).alarms(&Look::default(), newest, known);
+    let alarms = series(values).alarms(&Look::default(), newest, known).unwrap();
     alarms
         .iter()
+        .map(|(_, alarm)| alarm)
         .filter(|alarm| alarm.place == Place::Location)
         .map(|alarm| (alarm.rule, alarm.first, alarm.last))
         .collect()
@@ -67,12 +68,15 @@ fn only_a_pattern_of_the_newest_value_is_an_alarm() {
     // The next value is calm: what fired before is not its own.
     assert_eq!(fired(&[&out[..], &["25.010"]].concat(), &[]), []);
     // A value that is not the newest one fires nothing.
-    assert_eq!(series(&out).alarms(&Look::default(), 13, &[]), []);
+    assert_eq!(series(&out).alarms(&Look::default(), 13, &[]), Ok(Vec::new()));
     // A rule that is not looked at fires nothing.
     let look = Look { rules: Rules::NONE, ..Look::default() };
-    assert_eq!(series(&out).alarms(&look, 14, &[]), []);
-    let since = series(&out).alarms(&Look::default(), 14, &[]);
-    assert!(since.iter().all(|alarm| alarm.since == "S-14"), "{since:?}");
+    assert_eq!(series(&out).alarms(&look, 14, &[]), Ok(Vec::new()));
+    let since = series(&out).alarms(&Look::default(), 14, &[]).unwrap();
+    assert!(since.iter().all(|(serial, alarm)| serial == "S-14" && alarm.since == "S-14"), "{since:?}");
+    // Where limits were to come from values that are not there any more, nothing would be seen: that is told.
+    let look = Look { baseline: Some([1, 9]), ..Look::default() };
+    assert_eq!(series(&out).alarms(&look, 14, &[]), Err(Reason::NoBaseline));
 }
 
 #[test]
@@ -261,7 +265,7 @@ fn row(number: u64, entry: Entry) -> RecordRow {
 }
 
 fn found(fired: Vec<(NewestValue, Alarm)>, open: Vec<RecordRow>) -> WalkCommand {
-    WalkCommand::AlarmsFound(Ok(Box::new(AlarmsFound { fired, open })))
+    WalkCommand::AlarmsFound(Ok(Box::new(AlarmsFound { fired, open, unchecked: Vec::new() })))
 }
 
 #[test]
@@ -309,6 +313,24 @@ fn a_recorded_value_is_looked_at_and_what_fires_is_kept_told_and_answered() {
     assert_eq!(session.parts().alarms.open(), []);
     assert!(searched(&heads(&mut session, run, &[32])).is_some());
     assert_eq!(session.text(WalkField::Cause), "");
+}
+
+/// Nothing would be seen from now on: that is told, and not again at every value.
+#[test]
+fn rules_that_cannot_be_looked_at_are_told_once() {
+    let mut session = walking_by(PLAN);
+    let value = NewestValue { number: 30, part: "Flange".into(), serial: "A-1".into(), feature: "A".into() };
+    let unchecked = vec![(value, Reason::NoBaseline.message())];
+    let found = WalkCommand::AlarmsFound(Ok(Box::new(AlarmsFound { unchecked, ..AlarmsFound::default() })));
+    send(&mut session, found.clone());
+    let why = said(&Reason::NoBaseline.message());
+    let expected = format!("Cannot look at the rules of control charts, Flange A: {why}");
+    let told = |session: &Session| {
+        session.notices().iter().filter(|notice| said(&notice.message).starts_with("Cannot look")).count()
+    };
+    assert_eq!(said(&session.notices().last().unwrap().message), expected);
+    send(&mut session, found);
+    assert_eq!(told(&session), 1);
 }
 
 #[test]

@@ -154,6 +154,23 @@ fn the_journal_is_the_users_own_unless_another_one_is_named() {
     assert_eq!(place.done("journal list").lines().count(), 2);
 }
 
+/// A program on a stick, with a folder `state` beside it.
+#[test]
+fn a_program_that_is_carried_about_keeps_its_journal_beside_it() {
+    let place = Place::new();
+    std::fs::create_dir_all(place.path("stick/state")).unwrap();
+    let carried = place.path("stick/fitcheck");
+    let built = env!("CARGO_BIN_EXE_fitcheck");
+    std::fs::hard_link(built, &carried).or_else(|_| std::fs::copy(built, &carried).map(drop)).unwrap();
+    let mut command = std::process::Command::new(&carried);
+    command.args(["check", "25 H7", "--measured", "25.012", "--record"]).current_dir(place.0.path());
+    let output = command.env("HOME", place.path("home")).env_remove("FITCHECK_JOURNAL").output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let names = ["journal.sqlite", "journal-heads.txt"];
+    assert!(names.iter().all(|name| place.path("stick/state").join(name).exists()));
+    assert!(!place.path("home").exists());
+}
+
 #[test]
 fn where_nothing_can_be_recorded_the_verdict_is_there_and_the_call_fails() {
     let place = Place::new();

@@ -4,13 +4,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use fitcheck::journal::Record;
 use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Moment};
-use fitcheck::journal::{Alarm, Record};
 use fitcheck::length::Length;
 use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::report::{Holds, RENDERINGS, rendering_for};
-use fitcheck::series::{Drawn, Factor, Gathering, Grouping, LeftOut, Look};
+use fitcheck::series::{Drawn, Factor, FiredAlarm, Gathering, Grouping, LeftOut, Look};
 use fitcheck::session::statistics::{Aside, Below, MeanOf, PointsOf, SeriesFound, Zooming};
 use fitcheck::session::{
     Command, Content as Written, Effect, Page, Purpose, ReportOf, ReportsCommand, Session, StatisticsAction,
@@ -333,12 +333,17 @@ fn of_parts() -> Vec<(u64, Entry, bool)> {
 
 #[test]
 fn means_are_of_one_part_of_one_person_or_of_what_was_measured_without_a_pause() {
-    let mut session = page(&of_parts());
+    let mut entries = of_parts();
+    for (at, (_, entry, _)) in entries.iter_mut().enumerate() {
+        entry.about.who = if at < 4 { "Anna" } else { "Bert" }.to_owned();
+        entry.about.station = if at < 9 { "Mill 3" } else { "Mill 4" }.to_owned();
+    }
+    let mut session = page(&entries);
     doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Means));
     for (mean_of, expected) in [
         (MeanOf::Part, "11 values, 3 groups of 1–5"),
-        (MeanOf::Person, "11 values, 1 group of 11"),
-        (MeanOf::Station, "11 values, 1 group of 11"),
+        (MeanOf::Person, "11 values, 2 groups of 4–7"),
+        (MeanOf::Station, "11 values, 2 groups of 2–9"),
         (MeanOf::Pause, "11 values, 1 group of 11"),
         (MeanOf::Count, "11 values, 3 groups of 1–5"),
     ] {
@@ -357,6 +362,15 @@ fn values_that_do_not_say_their_group_are_no_chart_and_say_so() {
     let said = session.statistics().chart_text(&words());
     assert!(said.contains("values that do not say to which group they belong: 1"), "{said}");
     assert!(!session.can(StatisticsAction::SaveChart));
+    assert!(said_of_look(&session).contains("of the values of one station"));
+    // The figures of all values need no groups.
+    assert_eq!(session.statistics().read_text(&words()).as_deref(), Some("11 values"));
+    let [mean, ..] = figure(&session, "Mean");
+    assert_eq!(mean, "25.0105");
+}
+
+fn said_of_look(session: &Session) -> String {
+    session.statistics().told_of_look(&words()).join("\n")
 }
 
 /// The part that is being measured may get more values: it is no point of which a rule fires.
@@ -373,16 +387,17 @@ fn a_part_is_a_point_of_an_alarm_once_the_next_one_begins() {
     let alarms = |entries: &[(u64, Entry, bool)]| {
         let found = found(entries, 125);
         let newest = entries.last().map(|(number, ..)| *number).unwrap();
-        found.features[0].alarms(&look, newest, &[])
+        found.features[0].alarms(&look, newest, &[]).unwrap()
     };
-    let beyond = |alarms: &[Alarm]| alarms.iter().any(|alarm| alarm.rule == Rule::BeyondLimits);
+    let beyond = |alarms: &[FiredAlarm]| alarms.iter().any(|(_, alarm)| alarm.rule == Rule::BeyondLimits);
     assert!(!beyond(&alarms(&entries)), "part 21 may get more values");
     let next = of_values(&[&values[..], &["25.010"]].concat()).pop().unwrap();
     entries.push(next);
     let found = alarms(&entries);
     assert!(beyond(&found), "{found:?}");
-    let of_part = found.iter().find(|alarm| alarm.rule == Rule::BeyondLimits).unwrap();
-    assert_eq!((of_part.first, of_part.last, of_part.since.as_str()), (42, 43, "S-21"));
+    let (serial, alarm) = found.iter().find(|(_, alarm)| alarm.rule == Rule::BeyondLimits).unwrap();
+    assert_eq!((alarm.first, alarm.last, alarm.since.as_str()), (42, 43, "S-21"));
+    assert_eq!(serial, "S-21", "the alarm is of the part that fired it, not of the one that ended it");
 }
 
 #[test]
@@ -399,8 +414,82 @@ fn a_stage_begins_at_the_cursor_with_limits_of_its_own_and_ends_again() {
     assert!(said.contains("centre line 25.0161 mm"), "{said}");
     let [mean, ..] = figure(&session, "Mean");
     assert_eq!(mean, "25.0161", "the process as it is now");
+    let [_, of, _] = figure(&session, "Outside the limits");
+    assert_eq!(of, "of 8", "figures and counts are of the same values");
+    assert_eq!(session.statistics().read_text(&words()).as_deref(), Some("18 values"));
+    assert!(said_of_look(&session).contains("Stages begin at points 11; the figures are those of the last one."));
     doing(&mut session, StatisticsCommand::Stage);
     assert_eq!(session.statistics().chart_text(&words()), before);
+}
+
+fn stages(session: &Session) -> Vec<(usize, usize)> {
+    let (_, of) = session.statistics().open().unwrap();
+    let stages = &of.answer.chart.as_ref().unwrap().stages;
+    stages.iter().map(|stage| (stage.points.start, stage.baseline)).collect()
+}
+
+#[test]
+fn a_stage_waits_until_it_has_limits_of_its_own() {
+    let mut session = page(&of_values(&TEN));
+    send(&mut session, StatisticsCommand::ChoosePoint(9));
+    doing(&mut session, StatisticsCommand::Stage);
+    assert_eq!(stages(&session), [(0, 10)], "one value has no limits");
+    assert!(said_of_look(&session).contains("do not count so far: 1"), "{}", said_of_look(&session));
+    assert_eq!(session.statistics().stage(), Some(true));
+    let (run, _, most) = asked(&send(&mut session, StatisticsCommand::ReadAgain));
+    let more = of_values(&[&TEN[..], &["25.012", "25.013"]].concat());
+    doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(found(&more, most))) });
+    assert_eq!(stages(&session), [(0, 9), (9, 3)]);
+}
+
+#[test]
+fn limits_are_frozen_within_the_stage_of_the_cursor() {
+    let mut session = page(&of_values(&[TEN, TEN].concat()));
+    send(&mut session, StatisticsCommand::ChoosePoint(10));
+    doing(&mut session, StatisticsCommand::Stage);
+    send(&mut session, StatisticsCommand::ChoosePoint(14));
+    doing(&mut session, StatisticsCommand::Freeze);
+    assert_eq!(stages(&session), [(0, 10), (10, 5)]);
+    assert!(said_of_look(&session).contains("The control limits are those of points 11 to 15."));
+    // A stage that begins among these points takes those that are its own.
+    send(&mut session, StatisticsCommand::ChoosePoint(13));
+    doing(&mut session, StatisticsCommand::Stage);
+    assert_eq!(stages(&session), [(0, 10), (10, 3), (13, 7)]);
+}
+
+#[test]
+fn a_stage_stays_when_its_first_value_is_withdrawn_and_no_group_goes_on_into_it() {
+    let mut entries = of_values(&[TEN, TEN].concat());
+    let mut session = page(&entries);
+    send(&mut session, StatisticsCommand::ChoosePoint(12));
+    doing(&mut session, StatisticsCommand::Stage);
+    entries[12].2 = true;
+    let (run, _, most) = asked(&send(&mut session, StatisticsCommand::ReadAgain));
+    doing(&mut session, StatisticsCommand::Found { run, result: Ok(Arc::new(found(&entries, most))) });
+    assert_eq!(stages(&session), [(0, 12), (12, 7)]);
+    doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Means));
+    let (_, of) = session.statistics().open().unwrap();
+    let sizes: Vec<usize> = of.points.iter().map(ExactSizeIterator::len).collect();
+    assert_eq!(sizes, [5, 5, 2, 5, 2]);
+    send(&mut session, StatisticsCommand::ChoosePoint(3));
+    assert_eq!(session.statistics().stage(), Some(true));
+    doing(&mut session, StatisticsCommand::Stage);
+    assert_eq!(session.statistics().open().unwrap().1.stages, []);
+}
+
+#[test]
+fn a_point_that_other_values_make_is_not_the_one_that_was_chosen() {
+    let mut session = page(&of_values(&[TEN, TEN].concat()));
+    doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Means));
+    send(&mut session, StatisticsCommand::ChoosePoint(2));
+    send(&mut session, StatisticsCommand::LeaveOut);
+    let effects = typed(&mut session, StatisticsField::Size, "4");
+    compute(&mut session, effects);
+    assert!(session.statistics().cursor.is_none() && !session.statistics().asks_why);
+    typed(&mut session, StatisticsField::Size, "99");
+    assert!(session.error(StatisticsField::Size).is_some());
+    doing(&mut session, StatisticsCommand::UsePoints(PointsOf::Single));
+    assert!(session.error(StatisticsField::Size).is_none(), "nobody could correct it");
 }
 
 /// A process that moved by one standard deviation: Shewhart's limits do not see it, the sums do.
@@ -511,7 +600,7 @@ fn what_the_page_shows_is_reported_with_what_was_left_out_and_where_the_limits_c
     let (_, said) = reported(&mut session);
     assert!(said.contains("20 values, 1 left out: with a reason"), "{said}");
     assert!(said.contains("Point 21: Left out: chip on the probe"), "{said}");
-    assert!(said.contains("The control limits are those of the first 10 points."), "{said}");
+    assert!(said.contains("The control limits are those of points 1 to 10."), "{said}");
     assert!(said.contains(&format!("**Ppk overall**: {ppk} ({interval})")), "{said}");
 }
 

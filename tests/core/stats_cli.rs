@@ -191,6 +191,43 @@ fn subgroups_are_made_of_batches_and_of_pauses() {
     }
 }
 
+/// Exactly as long as the pause is no longer than it, and what is measured earlier than the value before begins a group, too.
+#[test]
+fn a_pause_is_what_is_longer_backwards_as_well() {
+    let of = |times: [&str; 3]| {
+        let rows = times.map(|time| format!("{time};25 H7;25.010\n"));
+        format!("time;callout;measured\n{}", rows.concat())
+    };
+    let half_past = of(["2026-11-18T07:00:00", "2026-11-18T07:30:00", "2026-11-18T08:00:01"]);
+    let (_, found) = answer(&half_past, &["--group", "30min"]);
+    assert_eq!(found["groups"], 2);
+    let tuesday_first = of(["2026-11-18T07:00:00", "2026-11-17T07:00:00", "2026-11-17T07:10:00"]);
+    let (_, found) = answer(&tuesday_first, &["--group", "8h"]);
+    assert_eq!(found["groups"], 2);
+}
+
+/// Two standard deviations above the mean from point 11 on: the sum grows by 1.5 s a point. A point that is left out is none of them.
+#[test]
+fn a_cusum_names_the_point_at_which_the_shift_began() {
+    let rows: Vec<&str> = std::iter::repeat_n("25.010", 10).chain(std::iter::repeat_n("25.012", 8)).collect();
+    let folder = with(&format!("measured [mm]\n{}\n", rows.join("\n")));
+    let call = ["values.csv", "--chart", "cusum", "--known", "25.010,0.001", "--rules", "none"];
+    let (_, out, _) = stats(folder.path(), &call);
+    assert!(out.contains("first at point 14: the mean has moved, since about point 11"), "{out}");
+    let (_, out, _) = stats(folder.path(), &[&call[..], &["--leave-out", "12=chip"]].concat());
+    assert!(out.contains("first at point 15: the mean has moved, since about point 11"), "{out}");
+}
+
+/// 24 parts measured once and one measured twice: the limits come from one range.
+#[test]
+fn limits_from_few_groups_of_several_values_are_told() {
+    let rows: Vec<String> = (0..25).map(|at| format!("S-{};ring;25.0{}", at.min(23), 10 + at % 3)).collect();
+    let text = format!("serial;feature;measured [mm]\n{}\n", rows.join("\n"));
+    let folder = with(&text);
+    let (_, out, _) = stats(folder.path(), &["values.csv", "--group", "part"]);
+    assert!(out.contains("control limits come from 1 points: 20 or more are usual"), "{out}");
+}
+
 /// A series that alarms everywhere is not a page of numbers; machines get all of them.
 #[test]
 fn people_see_the_first_points_of_a_rule() {

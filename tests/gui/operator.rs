@@ -235,12 +235,14 @@ fn a_result_below_the_verdict_opens_with_its_reasons_and_measuring_goes_on() {
 }
 
 #[test]
-fn a_file_that_is_dropped_on_an_operators_window_is_told() {
+fn a_file_that_is_dropped_on_an_operators_window_is_told_and_the_notice_is_closed() {
     let mut window = open();
     let path = std::path::PathBuf::from("/plans/flange.csv");
     window.input_mut().dropped_files.push(Arc::new(Dropped(path)));
     window.run();
     window.get_by_label_contains("flange.csv is not opened here");
+    click(&mut window, Role::Button, "Close");
+    assert!(window.state().session().notices().is_empty());
 }
 
 #[test]

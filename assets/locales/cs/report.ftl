@@ -167,7 +167,6 @@ report-section-picture = Obrázek s bublinami
 report-section-lot = Díly, nejhorší první
 report-section-statistics = Statistika prvků
 report-statistics-limits = Meze nejsou u všech hodnot stejné: způsobilost se neuvádí.
-report-statistics-baseline = Regulační meze jsou z prvních { $count } bodů.
 report-statistics-most = Statistika má jen prvních { $count } hodnot.
 report-section-features = Hodnoty
 report-section-statement = Prohlášení o shodě

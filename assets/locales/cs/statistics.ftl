@@ -7,6 +7,19 @@ statistics-reason-too-few = příliš málo hodnot nebo skupin: { $found }, pot�
 statistics-reason-all-equal = všechny hodnoty jsou stejné: není rozptyl, se kterým by se dalo počítat
 statistics-reason-no-subgroups = žádná podskupina nemá dvě nebo více hodnot
 statistics-reason-ungrouped = hodnoty, které neuvádějí svou skupinu: { $count }
+statistics-look-grouped = Body jsou průměry: { $by ->
+        [part] hodnot jednoho dílu
+        [batch] hodnot jedné dávky
+        [machine] hodnot jednoho stroje
+        [gauge] hodnot jednoho stanoviště
+        [who] hodnot jedné osoby
+       *[other] hodnot bez pauzy delší než { $minutes } min
+    }.
+statistics-look-stages = Etapy začínají v bodech { $points }; hodnoty jsou z poslední etapy.
+statistics-look-waits = Etapy, které ještě nemají dost různých hodnot a zatím se nepoužívají: { $count }.
+statistics-look-frozen = Regulační meze jsou z bodů { $first } až { $last }.
+statistics-look-memory = Druhý diagram: { $method }.
+statistics-look-no-memory = Žádný diagram { $method }: { $why }.
 statistics-reason-large-subgroup = počet hodnot v podskupině je { $found }: rozpětí se používá nejvýše pro { $most }
 statistics-reason-unequal-subgroups = podskupiny mají { $least } až { $most } hodnot: tento diagram potřebuje stejně velké podskupiny
 statistics-reason-no-limits = nejsou žádné meze
@@ -42,7 +55,7 @@ statistics-chart-range = Rozpětí podskupin, µm
 statistics-chart-deviation = Směrodatná odchylka podskupin, µm
 statistics-chart-probability = Pravděpodobnostní graf
 statistics-chart-ewma = Vážené průměry (EWMA)
-statistics-chart-cusum = Součty odchylek od střední hodnoty (CUSUM)
+statistics-chart-cusum = Součty odchylek od průměru (CUSUM)
 statistics-chart-probability-test = Pravděpodobnostní graf, Anderson-Darling { $statistic }, p = { $p }
 
 # Co s čísly udělat
@@ -66,7 +79,7 @@ statistics-advice-no-trend = žádný trend: změna od dílu k dílu je šum
 statistics-advice-trend = rozměr se mění o { $um } µm na díl
 statistics-advice-trend-at-limit = rozměr se mění o { $um } µm na díl a od této chvíle je třeba počítat s díly za mezí
 statistics-advice-trend-to = rozměr se mění o { $um } µm na díl: počet dílů do meze je asi { $parts } ({ $level } %: { $least } až { $most })
-statistics-advice-average-out = klouzavý průměr je mimo své meze, poprvé v bodě { $at }: průměr se posunul
+statistics-advice-average-out = vážený průměr je mimo své meze, poprvé v bodě { $at }: průměr se posunul
 statistics-advice-sum-out = součet je mimo rozhodovací interval, poprvé v bodě { $at }: průměr se posunul, přibližně od bodu { $since }
 statistics-advice-groups-alike = skupiny se neliší více než náhodně (p = { $p })
 statistics-advice-groups-differ = skupiny se liší (p = { $p })

@@ -21,6 +21,7 @@ walk-page-alarm-causes = Opotřebený nástroj; Nový nástroj; Korekce nástroj
 walk-page-alarm-actions = Nástroj vyměněn; Korekce upravena; Díl znovu upnut; Stroj vyčištěn; Změřeno znovu; Seřizovač informován; Sledováno dál; Není třeba
 walk-page-alarm-empty = uveďte text, nebo vyberte některý ze seznamu
 walk-page-alarms-unread = Pravidla regulačních diagramů nelze prověřit: { $why }
+walk-page-alarms-unchecked = Pravidla regulačních diagramů nelze prověřit, { $name }: { $why }
 walk-page-alarm-unrecorded = Výstrahu regulačního diagramu nelze zaznamenat: { $why }
 walk-page-simulate = Simulovat
 walk-page-simulate-hint = Provede cyklus prvku na dokonalém dílu; hodnotu nikdo neměří a zůstane označena jako simulovaná

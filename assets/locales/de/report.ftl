@@ -159,7 +159,6 @@ report-section-picture = Bild mit Stempeln
 report-section-lot = Teile, schlechtestes zuerst
 report-section-statistics = Statistik der Merkmale
 report-statistics-limits = Die Grenzmaße sind nicht bei allen Werten gleich: Es wird keine Fähigkeit angegeben.
-report-statistics-baseline = Die Eingriffsgrenzen stammen aus den ersten { $count } Punkten.
 report-statistics-most = Die Statistik enthält nur die ersten { $count } Werte.
 report-section-features = Werte
 report-section-statement = Konformitätsaussage

@@ -7,6 +7,19 @@ statistics-reason-too-few = zu wenige Werte oder Gruppen: { $found }, mindestens
 statistics-reason-all-equal = alle Werte sind gleich: es gibt keine Streuung, mit der gerechnet werden kann
 statistics-reason-no-subgroups = keine Stichprobe hat zwei oder mehr Werte
 statistics-reason-ungrouped = Werte ohne Angabe der Gruppe: { $count }
+statistics-look-grouped = Punkte sind Mittel: { $by ->
+        [part] der Werte eines Teils
+        [batch] der Werte einer Charge
+        [machine] der Werte einer Maschine
+        [gauge] der Werte einer Station
+        [who] der Werte einer Person
+       *[other] der Werte ohne eine Pause von mehr als { $minutes } min
+    }.
+statistics-look-stages = Abschnitte beginnen bei den Punkten { $points }; die Kennwerte sind die des letzten.
+statistics-look-waits = Abschnitte, die noch zu wenige verschiedene Werte haben und noch nicht gelten: { $count }.
+statistics-look-frozen = Die Eingriffsgrenzen stammen aus den Punkten { $first } bis { $last }.
+statistics-look-memory = Zweite Karte: { $method }.
+statistics-look-no-memory = Keine Karte { $method }: { $why }.
 statistics-reason-large-subgroup = eine Stichprobe hat { $found } Werte: Spannweiten werden bis höchstens { $most } verwendet
 statistics-reason-unequal-subgroups = Stichproben haben { $least } bis { $most } Werte: diese Karte braucht gleich große Stichproben
 statistics-reason-no-limits = es gibt keine Grenzwerte
@@ -66,7 +79,7 @@ statistics-advice-no-trend = kein Trend: die Änderung von Teil zu Teil ist Raus
 statistics-advice-trend = das Maß ändert sich um { $um } µm je Teil
 statistics-advice-trend-at-limit = das Maß ändert sich um { $um } µm je Teil, und ab sofort ist mit Teilen außerhalb des Grenzwerts zu rechnen
 statistics-advice-trend-to = das Maß ändert sich um { $um } µm je Teil: bis zum Grenzwert bleiben etwa { $parts } Teile ({ $level } %: { $least } bis { $most })
-statistics-advice-average-out = der gleitende Mittelwert liegt außerhalb seiner Grenzen, zuerst an Punkt { $at }: der Mittelwert hat sich verschoben
+statistics-advice-average-out = das gewichtete Mittel liegt außerhalb seiner Grenzen, zuerst an Punkt { $at }: der Mittelwert hat sich verschoben
 statistics-advice-sum-out = die Summe liegt außerhalb des Entscheidungsintervalls, zuerst an Punkt { $at }: der Mittelwert hat sich etwa seit Punkt { $since } verschoben
 statistics-advice-groups-alike = die Gruppen unterscheiden sich nicht mehr als durch Zufall (p = { $p })
 statistics-advice-groups-differ = die Gruppen unterscheiden sich (p = { $p })

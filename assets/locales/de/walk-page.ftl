@@ -21,6 +21,7 @@ walk-page-alarm-causes = Werkzeugverschleiß; Neues Werkzeug; Werkzeugkorrektur;
 walk-page-alarm-actions = Werkzeug gewechselt; Korrektur geändert; Teil neu gespannt; Maschine gereinigt; Neu gemessen; Einrichter informiert; Wird beobachtet; Keine nötig
 walk-page-alarm-empty = einen Text schreiben oder einen aus der Liste wählen
 walk-page-alarms-unread = Die Regeln der Regelkarten können nicht geprüft werden: { $why }
+walk-page-alarms-unchecked = Die Regeln der Regelkarten können nicht geprüft werden, { $name }: { $why }
 walk-page-alarm-unrecorded = Der Alarm der Regelkarte kann nicht aufgezeichnet werden: { $why }
 walk-page-simulate = Simulieren
 walk-page-simulate-hint = Führt den Zyklus des Merkmals an einem idealen Teil aus; niemand misst den Wert, und er bleibt als simuliert gekennzeichnet

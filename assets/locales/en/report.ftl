@@ -159,7 +159,6 @@ report-section-picture = Picture with balloons
 report-section-lot = Parts, worst first
 report-section-statistics = Statistics of features
 report-statistics-limits = The limits differ from value to value: no capability is stated.
-report-statistics-baseline = The control limits are those of the first { $count } points.
 report-statistics-most = The statistics have only the first { $count } values.
 report-section-features = Values
 report-section-statement = Statement of conformity

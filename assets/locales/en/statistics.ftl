@@ -7,6 +7,19 @@ statistics-reason-too-few = too few values or groups: { $found }, at least { $ne
 statistics-reason-all-equal = all values are equal: there is no spread to compute with
 statistics-reason-no-subgroups = no subgroup has two values or more
 statistics-reason-ungrouped = values that do not say to which group they belong: { $count }
+statistics-look-grouped = Points are means: { $by ->
+        [part] of the values of one part
+        [batch] of the values of one batch
+        [machine] of the values of one machine
+        [gauge] of the values of one station
+        [who] of the values of one person
+       *[other] of values without a pause of more than { $minutes } min
+    }.
+statistics-look-stages = Stages begin at points { $points }; the figures are those of the last one.
+statistics-look-waits = Stages that have too few different values yet and do not count so far: { $count }.
+statistics-look-frozen = The control limits are those of points { $first } to { $last }.
+statistics-look-memory = Second chart: { $method }.
+statistics-look-no-memory = No chart { $method }: { $why }.
 statistics-reason-large-subgroup = a subgroup has { $found } values: ranges are used for at most { $most }
 statistics-reason-unequal-subgroups = subgroups have { $least } to { $most } values: this chart needs subgroups of equal size
 statistics-reason-no-limits = there are no limits
@@ -66,7 +79,7 @@ statistics-advice-no-trend = no trend: the change from part to part is noise
 statistics-advice-trend = the size changes by { $um } µm per part
 statistics-advice-trend-at-limit = the size changes by { $um } µm per part, and parts beyond the limit must be expected now
 statistics-advice-trend-to = the size changes by { $um } µm per part: about { $parts } parts are left until the limit ({ $level } %: { $least } to { $most })
-statistics-advice-average-out = the average is beyond its limits, first at point { $at }: the mean has moved
+statistics-advice-average-out = the weighted average is beyond its limits, first at point { $at }: the mean has moved
 statistics-advice-sum-out = the sum is beyond the decision interval, first at point { $at }: the mean has moved, since about point { $since }
 statistics-advice-groups-alike = the groups do not differ more than by chance (p = { $p })
 statistics-advice-groups-differ = the groups differ (p = { $p })

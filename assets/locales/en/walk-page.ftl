@@ -21,6 +21,7 @@ walk-page-alarm-causes = Tool wear; New tool; Tool offset; Clamping; Chips or di
 walk-page-alarm-actions = Tool changed; Offset corrected; Part clamped again; Machine cleaned; Measured again; Setter told; Watched further; None needed
 walk-page-alarm-empty = write a text, or choose one from the list
 walk-page-alarms-unread = Cannot look at the rules of control charts: { $why }
+walk-page-alarms-unchecked = Cannot look at the rules of control charts, { $name }: { $why }
 walk-page-alarm-unrecorded = Cannot record the alarm of the control chart: { $why }
 walk-page-simulate = Simulate
 walk-page-simulate-hint = Runs the feature's cycle on a perfect part; nobody measures the value, and it stays marked as simulated

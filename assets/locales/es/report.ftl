@@ -159,7 +159,6 @@ report-section-picture = Imagen con globos
 report-section-lot = Piezas, la peor primero
 report-section-statistics = Estadística de los elementos
 report-statistics-limits = Los límites difieren de un valor a otro: no se indica ninguna capacidad.
-report-statistics-baseline = Los límites de control son los de los primeros { $count } puntos.
 report-statistics-most = La estadística solo contiene los primeros { $count } valores.
 report-section-features = Valores
 report-section-statement = Declaración de conformidad

@@ -7,6 +7,19 @@ statistics-reason-too-few = muy pocos valores o grupos: { $found }, se necesitan
 statistics-reason-all-equal = todos los valores son iguales: no hay dispersión con la que calcular
 statistics-reason-no-subgroups = ningún subgrupo tiene dos valores o más
 statistics-reason-ungrouped = valores que no dicen a qué grupo pertenecen: { $count }
+statistics-look-grouped = Los puntos son medias: { $by ->
+        [part] de los valores de una pieza
+        [batch] de los valores de un lote
+        [machine] de los valores de una máquina
+        [gauge] de los valores de una estación
+        [who] de los valores de una persona
+       *[other] de valores sin una pausa de más de { $minutes } min
+    }.
+statistics-look-stages = Las etapas empiezan en los puntos { $points }; los valores son los de la última.
+statistics-look-waits = Etapas que aún tienen muy pocos valores distintos y todavía no cuentan: { $count }.
+statistics-look-frozen = Los límites de control son los de los puntos { $first } a { $last }.
+statistics-look-memory = Segundo gráfico: { $method }.
+statistics-look-no-memory = Ningún gráfico { $method }: { $why }.
 statistics-reason-large-subgroup = un subgrupo tiene { $found } valores: el recorrido se usa hasta { $most }
 statistics-reason-unequal-subgroups = los subgrupos tienen de { $least } a { $most } valores: este gráfico necesita subgrupos de igual tamaño
 statistics-reason-no-limits = no hay límites
@@ -66,7 +79,7 @@ statistics-advice-no-trend = sin tendencia: el cambio de una pieza a otra es rui
 statistics-advice-trend = la medida cambia { $um } µm por pieza
 statistics-advice-trend-at-limit = la medida cambia { $um } µm por pieza, y desde ahora cabe esperar piezas fuera del límite
 statistics-advice-trend-to = la medida cambia { $um } µm por pieza: quedan unas { $parts } piezas hasta el límite ({ $level } %: de { $least } a { $most })
-statistics-advice-average-out = la media móvil está fuera de sus límites, por primera vez en el punto { $at }: la media se ha desplazado
+statistics-advice-average-out = la media ponderada está fuera de sus límites, por primera vez en el punto { $at }: la media se ha desplazado
 statistics-advice-sum-out = la suma está fuera del intervalo de decisión, por primera vez en el punto { $at }: la media se ha desplazado, desde el punto { $since } aproximadamente
 statistics-advice-groups-alike = los grupos no difieren más que por azar (p = { $p })
 statistics-advice-groups-differ = los grupos difieren (p = { $p })

@@ -21,6 +21,7 @@ walk-page-alarm-causes = Desgaste de la herramienta; Herramienta nueva; Correcci
 walk-page-alarm-actions = Herramienta cambiada; Corrección ajustada; Pieza sujetada de nuevo; Máquina limpiada; Medido de nuevo; Preparador avisado; En observación; Ninguna necesaria
 walk-page-alarm-empty = escriba un texto o elija uno de la lista
 walk-page-alarms-unread = No se pueden comprobar las reglas de las cartas de control: { $why }
+walk-page-alarms-unchecked = No se pueden comprobar las reglas de las cartas de control, { $name }: { $why }
 walk-page-alarm-unrecorded = No se puede registrar la alarma de la carta de control: { $why }
 walk-page-simulate = Simular
 walk-page-simulate-hint = Ejecuta el ciclo del elemento en una pieza perfecta; nadie mide el valor, y queda marcado como simulado

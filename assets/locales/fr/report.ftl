@@ -159,7 +159,6 @@ report-section-picture = Image avec bulles
 report-section-lot = Pièces, la pire d’abord
 report-section-statistics = Statistiques des éléments
 report-statistics-limits = Les limites diffèrent d’une valeur à l’autre : aucune capabilité n’est indiquée.
-report-statistics-baseline = Les limites de contrôle sont celles des { $count } premiers points.
 report-statistics-most = Les statistiques ne comprennent que les { $count } premières valeurs.
 report-section-features = Valeurs
 report-section-statement = Déclaration de conformité

@@ -7,6 +7,19 @@ statistics-reason-too-few = trop peu de valeurs ou de groupes : { $found }, au m
 statistics-reason-all-equal = toutes les valeurs sont égales : il n'y a pas de dispersion à calculer
 statistics-reason-no-subgroups = aucun sous-groupe n'a deux valeurs ou plus
 statistics-reason-ungrouped = valeurs qui ne disent pas leur groupe : { $count }
+statistics-look-grouped = Les points sont des moyennes : { $by ->
+        [part] des valeurs d'une pièce
+        [batch] des valeurs d'un lot
+        [machine] des valeurs d'une machine
+        [gauge] des valeurs d'un poste
+        [who] des valeurs d'une personne
+       *[other] des valeurs sans pause de plus de { $minutes } min
+    }.
+statistics-look-stages = Des étapes commencent aux points { $points } ; les valeurs sont celles de la dernière.
+statistics-look-waits = Étapes qui ont encore trop peu de valeurs différentes et ne comptent pas pour l'instant : { $count }.
+statistics-look-frozen = Les limites de contrôle sont celles des points { $first } à { $last }.
+statistics-look-memory = Seconde carte : { $method }.
+statistics-look-no-memory = Pas de carte { $method } : { $why }.
 statistics-reason-large-subgroup = un sous-groupe a { $found } valeurs : l'étendue ne sert que jusqu'à { $most }
 statistics-reason-unequal-subgroups = les sous-groupes ont de { $least } à { $most } valeurs : cette carte demande des sous-groupes de même taille
 statistics-reason-no-limits = il n'y a pas de limites
@@ -66,7 +79,7 @@ statistics-advice-no-trend = pas de tendance : la variation d'une pièce à l'au
 statistics-advice-trend = la cote varie de { $um } µm par pièce
 statistics-advice-trend-at-limit = la cote varie de { $um } µm par pièce, et des pièces hors limite sont à attendre dès maintenant
 statistics-advice-trend-to = la cote varie de { $um } µm par pièce : il reste environ { $parts } pièces jusqu'à la limite ({ $level } % : { $least } à { $most })
-statistics-advice-average-out = la moyenne mobile est hors de ses limites, d'abord au point { $at } : la moyenne s'est déplacée
+statistics-advice-average-out = la moyenne pondérée est hors de ses limites, d'abord au point { $at } : la moyenne s'est déplacée
 statistics-advice-sum-out = la somme est hors de l'intervalle de décision, d'abord au point { $at } : la moyenne s'est déplacée, depuis le point { $since } environ
 statistics-advice-groups-alike = les groupes ne diffèrent pas plus que par hasard (p = { $p })
 statistics-advice-groups-differ = les groupes diffèrent (p = { $p })

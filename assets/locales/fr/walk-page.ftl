@@ -21,6 +21,7 @@ walk-page-alarm-causes = Usure de l'outil; Outil neuf; Correction d'outil; Serra
 walk-page-alarm-actions = Outil changé; Correction modifiée; Pièce resserrée; Machine nettoyée; Remesuré; Régleur informé; Sous surveillance; Aucune nécessaire
 walk-page-alarm-empty = écrire un texte ou en choisir un dans la liste
 walk-page-alarms-unread = Impossible de vérifier les règles des cartes de contrôle : { $why }
+walk-page-alarms-unchecked = Impossible de vérifier les règles des cartes de contrôle, { $name } : { $why }
 walk-page-alarm-unrecorded = Impossible d'enregistrer l'alarme de la carte de contrôle : { $why }
 walk-page-simulate = Simuler
 walk-page-simulate-hint = Exécute le cycle de l'élément sur une pièce parfaite ; personne ne mesure la valeur, et elle reste marquée comme simulée

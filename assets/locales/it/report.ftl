@@ -159,7 +159,6 @@ report-section-picture = Immagine con pallini
 report-section-lot = Pezzi, il peggiore per primo
 report-section-statistics = Statistica degli elementi
 report-statistics-limits = I limiti variano da valore a valore: non è indicata alcuna capacità.
-report-statistics-baseline = I limiti di controllo sono quelli dei primi { $count } punti.
 report-statistics-most = La statistica contiene solo i primi { $count } valori.
 report-section-features = Valori
 report-section-statement = Dichiarazione di conformità

@@ -108,9 +108,9 @@ statistics-page-unfreeze = Limiti da tutti i punti
 statistics-page-freeze-hint = I punti successivi non spostano i limiti di controllo.
 statistics-page-leave-out = Escludere…
 statistics-page-leave-out-hint = Il punto resta nella carta con il suo motivo. Non conta per limiti, regole e valori.
-statistics-page-stage = Inizia qui una fase
-statistics-page-no-stage = Togli la fase
-statistics-page-stage-hint = Da questo punto i limiti si ricalcolano, per esempio dopo un cambio utensile. Le cifre sono quelle dell'ultima fase.
+statistics-page-stage = Iniziare qui una fase
+statistics-page-no-stage = Togliere la fase
+statistics-page-stage-hint = Da questo punto i limiti si ricalcolano, per esempio dopo un cambio utensile. I valori sono quelle dell'ultima fase.
 statistics-page-take-in = Includere di nuovo
 statistics-page-reason = Motivo
 statistics-page-take-reason = Escludere
@@ -119,9 +119,9 @@ statistics-page-copy = Copiare i valori
 statistics-page-copy-hint = Valori, segnali e consigli come tabella per un foglio di calcolo
 statistics-page-report = Rapporto…
 statistics-page-report-hint = Valori e grafici di tutte le caratteristiche come rapporto da firmare
-statistics-page-save-chart = Salva carta…
+statistics-page-save-chart = Salvare la carta…
 statistics-page-save-chart-hint = Tutte le carte della caratteristica su un foglio, come SVG o PNG
-statistics-page-dialog-chart = Salva carta
+statistics-page-dialog-chart = Salvare la carta
 statistics-page-chart-ending = Il nome del file deve finire in .svg o .png.
 
 # Segnali

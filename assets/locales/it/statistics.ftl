@@ -7,6 +7,19 @@ statistics-reason-too-few = troppo pochi valori o gruppi: { $found }, ne servono
 statistics-reason-all-equal = tutti i valori sono uguali: non c'è dispersione con cui calcolare
 statistics-reason-no-subgroups = nessun sottogruppo ha due o più valori
 statistics-reason-ungrouped = valori che non dicono il loro gruppo: { $count }
+statistics-look-grouped = I punti sono medie: { $by ->
+        [part] dei valori di un pezzo
+        [batch] dei valori di un lotto
+        [machine] dei valori di una macchina
+        [gauge] dei valori di una postazione
+        [who] dei valori di una persona
+       *[other] dei valori senza una pausa di oltre { $minutes } min
+    }.
+statistics-look-stages = Le fasi iniziano ai punti { $points }; i valori sono quelli dell'ultima.
+statistics-look-waits = Fasi che hanno ancora troppo pochi valori diversi e per ora non contano: { $count }.
+statistics-look-frozen = I limiti di controllo sono quelli dei punti da { $first } a { $last }.
+statistics-look-memory = Seconda carta: { $method }.
+statistics-look-no-memory = Nessuna carta { $method }: { $why }.
 statistics-reason-large-subgroup = un sottogruppo ha { $found } valori: l'escursione si usa fino a { $most }
 statistics-reason-unequal-subgroups = i sottogruppi hanno da { $least } a { $most } valori: questa carta richiede sottogruppi di uguale dimensione
 statistics-reason-no-limits = non ci sono limiti
@@ -66,7 +79,7 @@ statistics-advice-no-trend = nessuna tendenza: la variazione da un pezzo all'alt
 statistics-advice-trend = la misura varia di { $um } µm per pezzo
 statistics-advice-trend-at-limit = la misura varia di { $um } µm per pezzo, e da ora sono da attendersi pezzi fuori limite
 statistics-advice-trend-to = la misura varia di { $um } µm per pezzo: restano circa { $parts } pezzi fino al limite ({ $level } %: da { $least } a { $most })
-statistics-advice-average-out = la media mobile è fuori dai suoi limiti, per la prima volta al punto { $at }: la media si è spostata
+statistics-advice-average-out = la media ponderata è fuori dai suoi limiti, per la prima volta al punto { $at }: la media si è spostata
 statistics-advice-sum-out = la somma è fuori dall'intervallo di decisione, per la prima volta al punto { $at }: la media si è spostata, circa dal punto { $since }
 statistics-advice-groups-alike = i gruppi non differiscono più che per caso (p = { $p })
 statistics-advice-groups-differ = i gruppi differiscono (p = { $p })

@@ -21,6 +21,7 @@ walk-page-alarm-causes = Usura dell'utensile; Utensile nuovo; Correzione dell'ut
 walk-page-alarm-actions = Utensile cambiato; Correzione modificata; Pezzo riserrato; Macchina pulita; Rimisurato; Attrezzista avvisato; In osservazione; Nessuno necessario
 walk-page-alarm-empty = scrivere un testo o sceglierne uno dall'elenco
 walk-page-alarms-unread = Impossibile verificare le regole delle carte di controllo: { $why }
+walk-page-alarms-unchecked = Impossibile verificare le regole delle carte di controllo, { $name }: { $why }
 walk-page-alarm-unrecorded = Impossibile registrare l'allarme della carta di controllo: { $why }
 walk-page-simulate = Simulare
 walk-page-simulate-hint = Esegue il ciclo dell'elemento su un pezzo perfetto; nessuno misura il valore, che resta contrassegnato come simulato

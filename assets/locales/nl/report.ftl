@@ -159,7 +159,6 @@ report-section-picture = Afbeelding met ballonnen
 report-section-lot = Onderdelen, slechtste eerst
 report-section-statistics = Statistiek van kenmerken
 report-statistics-limits = De grenzen verschillen per waarde: er wordt geen bekwaamheid vermeld.
-report-statistics-baseline = De regelgrenzen komen uit de eerste { $count } punten.
 report-statistics-most = De statistiek bevat alleen de eerste { $count } waarden.
 report-section-features = Waarden
 report-section-statement = Conformiteitsverklaring

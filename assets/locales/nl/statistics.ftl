@@ -7,6 +7,19 @@ statistics-reason-too-few = te weinig waarden of groepen: { $found }, minstens {
 statistics-reason-all-equal = alle waarden zijn gelijk: er is geen spreiding om mee te rekenen
 statistics-reason-no-subgroups = geen enkele steekproef heeft twee of meer waarden
 statistics-reason-ungrouped = waarden die niet zeggen bij welke groep ze horen: { $count }
+statistics-look-grouped = Punten zijn gemiddelden: { $by ->
+        [part] van de waarden van één onderdeel
+        [batch] van de waarden van één partij
+        [machine] van de waarden van één machine
+        [gauge] van de waarden van één station
+        [who] van de waarden van één persoon
+       *[other] van waarden zonder een pauze van meer dan { $minutes } min
+    }.
+statistics-look-stages = Fasen beginnen bij de punten { $points }; de waarden zijn die van de laatste.
+statistics-look-waits = Fasen die nog te weinig verschillende waarden hebben en nog niet tellen: { $count }.
+statistics-look-frozen = De regelgrenzen komen uit de punten { $first } tot { $last }.
+statistics-look-memory = Tweede kaart: { $method }.
+statistics-look-no-memory = Geen kaart { $method }: { $why }.
 statistics-reason-large-subgroup = een steekproef heeft { $found } waarden: de spreidingsbreedte wordt tot { $most } gebruikt
 statistics-reason-unequal-subgroups = steekproeven hebben { $least } tot { $most } waarden: deze kaart vraagt steekproeven van gelijke grootte
 statistics-reason-no-limits = er zijn geen grenzen
@@ -66,7 +79,7 @@ statistics-advice-no-trend = geen trend: de verandering van onderdeel tot onderd
 statistics-advice-trend = de maat verandert { $um } µm per onderdeel
 statistics-advice-trend-at-limit = de maat verandert { $um } µm per onderdeel, en vanaf nu zijn onderdelen buiten de grens te verwachten
 statistics-advice-trend-to = de maat verandert { $um } µm per onderdeel: er resten ongeveer { $parts } onderdelen tot de grens ({ $level } %: { $least } tot { $most })
-statistics-advice-average-out = het voortschrijdend gemiddelde ligt buiten zijn grenzen, voor het eerst bij punt { $at }: het gemiddelde is verschoven
+statistics-advice-average-out = het gewogen gemiddelde ligt buiten zijn grenzen, voor het eerst bij punt { $at }: het gemiddelde is verschoven
 statistics-advice-sum-out = de som ligt buiten het beslissingsinterval, voor het eerst bij punt { $at }: het gemiddelde is verschoven, sinds ongeveer punt { $since }
 statistics-advice-groups-alike = de groepen verschillen niet meer dan door toeval (p = { $p })
 statistics-advice-groups-differ = de groepen verschillen (p = { $p })

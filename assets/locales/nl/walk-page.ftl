@@ -21,6 +21,7 @@ walk-page-alarm-causes = Gereedschapsslijtage; Nieuw gereedschap; Gereedschapsco
 walk-page-alarm-actions = Gereedschap gewisseld; Correctie aangepast; Onderdeel opnieuw opgespannen; Machine schoongemaakt; Opnieuw gemeten; Insteller ingelicht; Wordt gevolgd; Geen nodig
 walk-page-alarm-empty = schrijf een tekst, of kies er een uit de lijst
 walk-page-alarms-unread = De regels van de regelkaarten kunnen niet worden bekeken: { $why }
+walk-page-alarms-unchecked = De regels van de regelkaarten kunnen niet worden bekeken, { $name }: { $why }
 walk-page-alarm-unrecorded = Het alarm van de regelkaart kan niet worden vastgelegd: { $why }
 walk-page-simulate = Simuleren
 walk-page-simulate-hint = Voert de cyclus van het element uit op een perfect onderdeel; niemand meet de waarde, en ze blijft gemerkt als gesimuleerd

@@ -171,7 +171,6 @@ report-section-picture = Rysunek z balonikami
 report-section-lot = Części, od najgorszej
 report-section-statistics = Statystyka cech
 report-statistics-limits = Granice różnią się między wartościami: zdolność nie jest podana.
-report-statistics-baseline = Granice kontrolne pochodzą z pierwszych { $count } punktów.
 report-statistics-most = Statystyka obejmuje tylko pierwsze { $count } wartości.
 report-section-features = Wartości
 report-section-statement = Stwierdzenie zgodności

@@ -7,6 +7,19 @@ statistics-reason-too-few = za mało wartości lub grup: { $found }, potrzeba co
 statistics-reason-all-equal = wszystkie wartości są równe: nie ma rozrzutu, z którym można liczyć
 statistics-reason-no-subgroups = żadna podgrupa nie ma dwóch lub więcej wartości
 statistics-reason-ungrouped = wartości, które nie podają swojej grupy: { $count }
+statistics-look-grouped = Punkty są średnimi: { $by ->
+        [part] wartości jednej części
+        [batch] wartości jednej partii
+        [machine] wartości jednej maszyny
+        [gauge] wartości jednego stanowiska
+        [who] wartości jednej osoby
+       *[other] wartości bez przerwy dłuższej niż { $minutes } min
+    }.
+statistics-look-stages = Etapy zaczynają się w punktach { $points }; wartości pochodzą z ostatniego.
+statistics-look-waits = Etapy, które mają jeszcze za mało różnych wartości i na razie się nie liczą: { $count }.
+statistics-look-frozen = Granice kontrolne pochodzą z punktów od { $first } do { $last }.
+statistics-look-memory = Druga karta: { $method }.
+statistics-look-no-memory = Brak karty { $method }: { $why }.
 statistics-reason-large-subgroup = liczba wartości w podgrupie to { $found }: rozstęp stosuje się najwyżej do { $most }
 statistics-reason-unequal-subgroups = podgrupy mają od { $least } do { $most } wartości: ta karta wymaga podgrup równej wielkości
 statistics-reason-no-limits = nie ma granic
@@ -66,7 +79,7 @@ statistics-advice-no-trend = brak trendu: zmiana między kolejnymi częściami t
 statistics-advice-trend = wymiar zmienia się o { $um } µm na część
 statistics-advice-trend-at-limit = wymiar zmienia się o { $um } µm na część i od teraz należy się spodziewać części poza granicą
 statistics-advice-trend-to = wymiar zmienia się o { $um } µm na część: do granicy pozostało około { $parts } części ({ $level } %: od { $least } do { $most })
-statistics-advice-average-out = średnia ruchoma jest poza swoimi granicami, po raz pierwszy w punkcie { $at }: średnia się przesunęła
+statistics-advice-average-out = średnia ważona jest poza swoimi granicami, po raz pierwszy w punkcie { $at }: średnia się przesunęła
 statistics-advice-sum-out = suma jest poza przedziałem decyzyjnym, po raz pierwszy w punkcie { $at }: średnia się przesunęła, mniej więcej od punktu { $since }
 statistics-advice-groups-alike = grupy nie różnią się bardziej niż przypadkowo (p = { $p })
 statistics-advice-groups-differ = grupy się różnią (p = { $p })

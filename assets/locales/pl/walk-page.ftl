@@ -21,6 +21,7 @@ walk-page-alarm-causes = Zużycie narzędzia; Nowe narzędzie; Korekcja narzędz
 walk-page-alarm-actions = Wymieniono narzędzie; Zmieniono korekcję; Zamocowano ponownie; Oczyszczono maszynę; Zmierzono ponownie; Powiadomiono ustawiacza; Obserwowane dalej; Niepotrzebne
 walk-page-alarm-empty = wpisać tekst lub wybrać go z listy
 walk-page-alarms-unread = Nie można sprawdzić reguł kart kontrolnych: { $why }
+walk-page-alarms-unchecked = Nie można sprawdzić reguł kart kontrolnych, { $name }: { $why }
 walk-page-alarm-unrecorded = Nie można zapisać alarmu karty kontrolnej: { $why }
 walk-page-simulate = Symuluj
 walk-page-simulate-hint = Wykonuje cykl elementu na idealnej części; nikt nie mierzy tej wartości, pozostaje ona oznaczona jako symulowana

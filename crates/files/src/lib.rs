@@ -6,6 +6,7 @@ mod beside;
 mod folder;
 mod hearing;
 mod listing;
+mod places;
 mod stopping;
 mod straight;
 mod unfinished;
@@ -22,6 +23,7 @@ pub use beside::beside;
 pub use beside::beside_path;
 pub use folder::{make_folder, no_half_set, write_folder, write_into};
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
+pub use places::{carried_folder, journal_folder, settings_folder};
 pub use stopping::Stop;
 pub use zone::{ZoneError, now, zone, zone_name, zone_or_unknown};
 

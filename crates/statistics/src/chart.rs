@@ -126,7 +126,7 @@ pub struct StageFigures {
     pub mean: f64,
     /// The standard deviation of single values.
     pub sigma: Sigma,
-    /// How many points the limits come from; 0 where they were given.
+    /// How many points say how wide the limits are: of subgroups those of several values; 0 where the limits were given.
     pub baseline: usize,
 }
 
@@ -236,7 +236,10 @@ fn figures(
         (ChartKind::Individuals, Method::Deviations) => Sigma::within([values.as_slice()], plan.method)?,
         (_, method) => Sigma::within(counted.iter().copied(), method)?,
     };
-    Ok(StageFigures { points, mean: Moments::of(&values)?.mean, sigma, baseline: counted.len() })
+    // A subgroup of one value says nothing of the spread.
+    let says = |group: &&&[f64]| plan.kind == ChartKind::Individuals || 1 < group.len();
+    let baseline = counted.iter().filter(says).count();
+    Ok(StageFigures { points, mean: Moments::of(&values)?.mean, sigma, baseline })
 }
 
 /// The points of a stage.

@@ -6,9 +6,10 @@ use std::path::Path;
 use super::{Journals, ReadError, Reads};
 use crate::journal::Alarm;
 use crate::journal::ask::{AskedKinds, Question};
-use crate::message::{Message, message};
-use crate::series::{Gathering, Look};
+use crate::message::{Message, Say as _, message};
+use crate::series::{FiredAlarm, Gathering, Look};
 use crate::session::parts::{AlarmSearch, AlarmsFound, NewestValue};
+use crate::statistics::Reason;
 
 /// So many open alarms are shown, the newest of them.
 const MOST_OPEN: usize = 200;
@@ -32,8 +33,12 @@ pub(super) fn find(search: &AlarmSearch, journals: &dyn Journals, file: Option<&
 fn look(search: &AlarmSearch, reader: &dyn Reads) -> Result<AlarmsFound, ReadError> {
     let mut found = AlarmsFound::default();
     for value in &search.newest {
-        let fired = fired(search, value, reader)?;
-        found.fired.extend(fired.into_iter().map(|alarm| (value.clone(), alarm)));
+        match fired(search, value, reader)? {
+            Ok(fired) => found
+                .fired
+                .extend(fired.into_iter().map(|(serial, alarm)| (NewestValue { serial, ..value.clone() }, alarm))),
+            Err(why) => found.unchecked.push((value.clone(), why.message())),
+        }
     }
     let open = Question { kinds: AskedKinds::Alarms, standing: true, ..Question::default() };
     let mut numbers = reader.numbers(&open, None, MOST_OPEN)?;
@@ -43,7 +48,11 @@ fn look(search: &AlarmSearch, reader: &dyn Reads) -> Result<AlarmsFound, ReadErr
 }
 
 /// What fires at a value.
-fn fired(search: &AlarmSearch, value: &NewestValue, reader: &dyn Reads) -> Result<Vec<Alarm>, ReadError> {
+fn fired(
+    search: &AlarmSearch,
+    value: &NewestValue,
+    reader: &dyn Reads,
+) -> Result<Result<Vec<FiredAlarm>, Reason>, ReadError> {
     let NewestValue { number, part, feature, .. } = value;
     let of = |kinds| {
         let (part, feature) = (Some(part.clone()), Some(feature.clone()));
@@ -60,7 +69,7 @@ fn fired(search: &AlarmSearch, value: &NewestValue, reader: &dyn Reads) -> Resul
     let series = gathering.finish(search.most);
     let has_it =
         |series: &&crate::series::FeatureSeries| series.values.iter().any(|value| value.origin.number == Some(*number));
-    let Some(series) = series.iter().find(has_it) else { return Ok(Vec::new()) };
+    let Some(series) = series.iter().find(has_it) else { return Ok(Ok(Vec::new())) };
     let known = reader.rows(&reader.numbers(&of(AskedKinds::Alarms), None, MOST_KNOWN)?)?;
     let known: Vec<Alarm> = known.iter().filter_map(|row| row.entry.as_ref().ok()?.alarm()).cloned().collect();
     let baseline = search.baselines.get(&series.key).copied();

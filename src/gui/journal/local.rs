@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{Journals, Keeps, ReadError, Reads};
+use crate::files;
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
@@ -36,7 +37,7 @@ impl Local {
     /// its records in a file, whatever server gets them afterwards.
     pub fn usual() -> Option<PathBuf> {
         let named = std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty() && !is_server(text));
-        named.map(PathBuf::from).or_else(|| local::folder().map(|folder| folder.join(local::FILE)))
+        named.map(PathBuf::from).or_else(|| files::journal_folder().map(|folder| folder.join(local::FILE)))
     }
 }
 

@@ -55,7 +55,7 @@ fn rows(view: &View<'_>, places: Range<usize>) -> Vec<Row<usize>> {
         let number = ppk.as_ref().map_or_else(|_| "–".to_owned(), |(ppk, _)| view.words.number(&format!("{ppk:.2}")));
         let bar = ppk.as_ref().ok().map(|(ppk, _)| [*ppk, ASKED_INDEX].map(|index| screen(index / LONGEST)));
         let told = ppk.map_or_else(|why| view.words.told(&why), |_| number.clone());
-        let said = message!("statistics-page-feature-said").text("name", &name).count("count", of.values.len());
+        let said = message!("statistics-page-feature-said").text("name", &name).count("count", of.counted);
         let said = view.words.say(&said.text("ppk", told));
         let is_chosen = chosen == Some(place);
         let [name, below] = feature.key.lines(with_part).map(|line| view.words.number(&line));

@@ -51,7 +51,8 @@ pub(super) fn signals_ui(ui: &mut Ui, view: &mut View<'_>) {
 pub(super) fn advice_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.statistics();
     heading(ui, view.text("statistics-page-advice"));
-    for said in page.proof_text(view.words).into_iter().chain(page.advice(view.words)) {
+    let told = page.told_of_look(view.words).into_iter().chain(page.proof_text(view.words));
+    for said in told.chain(page.advice(view.words)) {
         ui.add(Label::new(RichText::new(said).size(sizes().small)).wrap());
     }
 }

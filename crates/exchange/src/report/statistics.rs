@@ -174,10 +174,7 @@ struct Top {
 fn evaluated((feature, of): (&FeatureSeries, &Evaluated), with_part: bool, words: &Words) -> FeatureStatistics {
     let answer = &of.answer;
     let heading = words.number(&feature.key.title(with_part));
-    let mut told = Vec::new();
-    if let Some(count) = answer.wanted.baseline.filter(|_| answer.chart.is_ok()) {
-        told.push(words.say(&message!("report-statistics-baseline").count("count", count)));
-    }
+    let mut told: Vec<String> = of.told().iter().map(|message| words.say(message)).collect();
     told.extend(answer.wanted.left_out.iter().map(|(point, reason)| {
         let reason = words.say(&message!("statistics-page-left-out-because").text("reason", &**reason));
         format!("{}: {reason}", words.say(&message!("statistics-page-at").text("point", *point)))

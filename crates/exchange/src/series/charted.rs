@@ -128,10 +128,14 @@ impl Charted {
             None => return,
         };
         self.figures.extend(lines.map(|(name, value)| Figure::bare(name, FigureKind::Length, value, method.clone())));
-        self.advice.extend(found.points.iter().find(|(_, point)| point.is_out()).map(|(at, point)| match point {
+        let out = found.points.iter().enumerate().find(|(_, (_, point))| point.is_out());
+        self.advice.extend(out.map(|(place, (at, point))| match point {
             MemoryPoint::Average(_) => Advice::AverageOut { at: *at },
-            // The sum began at the point that has 1 in it.
-            MemoryPoint::Sums(sums) => Advice::SumOut { at: *at, since: (at + 1).saturating_sub(sums.since) },
+            // The sum began at the point that has 1 in it; points that are left out do not count.
+            MemoryPoint::Sums(sums) => {
+                let first = found.points.get((place + 1).saturating_sub(sums.since));
+                Advice::SumOut { at: *at, since: first.map_or(*at, |(number, _)| *number) }
+            }
         }));
         self.memory = Some(found);
     }

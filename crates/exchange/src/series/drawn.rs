@@ -35,7 +35,8 @@ impl Answer {
     pub fn sheet(&self, series: &Series<'_>, nominal: Option<f64>, words: &Words) -> Result<Picture, Reason> {
         let [lower, upper] = self.wanted.limits;
         let samples = self.wanted.samples(series);
-        let counted = samples.iter().filter(|sample| sample.left_out.is_none());
+        let now = self.wanted.stages().last().map_or(0, |stage| stage.first);
+        let counted = samples.iter().skip(now).filter(|sample| sample.left_out.is_none());
         let values: Vec<f64> = counted.flat_map(|sample| &sample.values).copied().collect();
         let base = nominal.or(lower).or(upper).or(values.first().copied()).ok_or(Reason::Empty)?;
         self.sheet_of(&values, base, words)

@@ -103,10 +103,13 @@ impl Answer {
         }
     }
 
-    /// The answer about values of which nothing can be computed.
-    pub(super) fn none(wanted: &Wanted, reason: Reason) -> Self {
-        let figures = vec![Figure::none(CPK, FigureKind::Index, reason.clone(), "")];
-        Self { figures, chart: Err(reason.clone()), fitted: Err(reason), ..Self::begun(wanted) }
+    /// The same figures without a chart, for this reason.
+    pub(super) fn without_chart(mut self, reason: Reason) -> Self {
+        if let Ok(of_chart) = self.chart.as_ref().map(|chart| FigureMethod::from(chart.kind.word())) {
+            self.figures.retain(|figure| figure.method != of_chart);
+            self.advice.retain(|advice| !matches!(advice, Advice::FewPoints { .. } | Advice::Unstable { .. }));
+        }
+        Self { chart: Err(reason), memory: None, fired: Vec::new(), ..self }
     }
 
     /// Takes what a chart says.

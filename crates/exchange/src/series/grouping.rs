@@ -16,7 +16,7 @@ pub enum Grouping {
     Of(usize),
     /// The values in a row that have this in common.
     By(Factor),
-    /// The values in a row until nothing was measured for more than so many minutes.
+    /// The values in a row of which none was measured more than so many minutes after, or before, the last one.
     Pause(u32),
 }
 
@@ -68,5 +68,5 @@ fn places(values: &[&Value], goes_with: impl Fn(&Value, &Value) -> bool) -> Vec<
 
 fn is_pause(one: &Value, other: &Value, minutes: u32) -> bool {
     let passed = one.origin.time.zip(other.origin.time).map(|(one, other)| one.duration_until(other));
-    passed.is_some_and(|passed| i64::from(minutes) * 60 < passed.as_secs())
+    passed.is_some_and(|passed| i64::from(minutes) * 60 < passed.as_secs().abs())
 }

@@ -1,29 +1,19 @@
-//! Series of a journal: checks become values, one series for each feature; and what is computed of one.
+//! Series of a journal: checks become values, one series for each feature.
 //!
 //! A feature is what has the same part, name, callout and limits: where a drawing changes, a new series begins.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::message;
-use fitcheck_core::words::Words;
-use fitcheck_statistics::{ChartKind, Reason, Rules, Sample, Signal, signals};
 
-use super::{Answer, Grouping, LeftOut, Memory, Series, Value, Wanted};
+use super::{Evaluated, Value};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, Entry};
 use crate::journal::natural::Natural;
 
 /// So many entries of a journal are read at most, the newest of them.
 pub const MOST_READ: usize = 100_000;
-
-/// The index that is usually asked for.
-pub const ASKED_INDEX: f64 = 1.33;
-
-/// The level of all intervals.
-const LEVEL: f64 = 0.95;
 
 /// What makes a feature.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -140,167 +130,4 @@ impl Gathering {
 fn asked_for(record: &Record) -> String {
     let [minimum, maximum] = [record.limits.minimum(), record.limits.maximum()];
     record.callout.map_or_else(|| format!("{minimum} … {maximum} mm"), |callout| callout.to_string())
-}
-
-/// How a series is looked at.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Look {
-    /// What makes a point.
-    pub grouping: Grouping,
-    /// A chart that remembers, beside that of points.
-    pub memory: Option<Memory>,
-    /// The rules that are looked at.
-    pub rules: Rules,
-    /// The first and the last value that control limits come from, by their numbers in the journal; `None` for all values.
-    pub baseline: Option<[u64; 2]>,
-    /// The first values of further stages, by their numbers in the journal.
-    pub stages: BTreeSet<u64>,
-    /// Values that somebody left out, by their numbers in the journal, with the reasons.
-    pub apart: BTreeMap<u64, Arc<str>>,
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            grouping: Grouping::Single,
-            memory: None,
-            rules: Rules::NELSON,
-            baseline: None,
-            stages: BTreeSet::new(),
-            apart: BTreeMap::new(),
-        }
-    }
-}
-
-/// What is computed of the series of a feature.
-#[derive(Debug)]
-pub struct Evaluated {
-    pub answer: Answer,
-    /// What fires on the chart, numbered as it stands.
-    pub signals: Vec<Signal>,
-    /// The values that count, in millimetres.
-    pub values: Vec<f64>,
-    /// What lengths of charts are counted from, in millimetres.
-    pub base: f64,
-    /// The values of all points, by their places in the series.
-    pub shown: Vec<usize>,
-    /// Which of them each point has.
-    pub points: Vec<Range<usize>>,
-    /// How many points count.
-    pub groups: usize,
-    /// How many values are left out for each reason, where there are any.
-    pub left_out: Vec<(LeftOut, usize)>,
-    /// How many values somebody left out.
-    pub apart: usize,
-}
-
-impl FeatureSeries {
-    /// The nominal size, or else a limit or a value.
-    fn base(&self) -> Option<Length> {
-        let FeatureKey { nominal, limits: [lower, upper], .. } = self.key;
-        let first = self.values.first().map(|value| value.measured);
-        nominal.or(lower).or(upper).or(first)
-    }
-
-    /// Computes everything.
-    pub fn evaluate(&self, look: &Look) -> Evaluated {
-        let why = |value: &Value| value.origin.number.and_then(|number| look.apart.get(&number)).cloned();
-        let counts = |at: &usize| self.values.get(*at).is_some_and(|value| value.left_out.is_none());
-        let shown: Vec<usize> = (0..self.values.len()).filter(counts).collect();
-        let of: Vec<&Value> = self.values.iter().collect();
-        let counted: Vec<&Value> = shown.iter().filter_map(|at| self.values.get(*at)).collect();
-        let (points, ungrouped) = match look.grouping.groups(&counted) {
-            Ok(points) => (points, None),
-            Err(reason) => (Vec::new(), Some(reason)),
-        };
-        let mut series = Series { name: None, groups: Vec::new(), counted, of };
-        let (mut values, mut apart) = (Vec::new(), Vec::new());
-        for (point, places) in (1..).zip(&points) {
-            let sample = sample(series.counted.get(places.clone()).unwrap_or_default(), why);
-            match sample.left_out {
-                Some(why) => apart.push((point, why)),
-                None => values.extend(&sample.values),
-            }
-            series.groups.push(sample.values);
-        }
-        let point_of = |wanted: &u64| {
-            let place = series.counted.iter().position(|value| value.origin.number == Some(*wanted))?;
-            Some(points.partition_point(|point| point.end <= place) + 1)
-        };
-        // A baseline that is not in sight as a whole is longer than the series: it is refused.
-        let baseline = look.baseline.map(|[first, last]| {
-            let last = point_of(&last).filter(|_| point_of(&first) == Some(1));
-            last.unwrap_or(usize::MAX)
-        });
-        let wanted = Wanted {
-            limits: self.key.limits.map(|limit| limit.map(Length::to_mm_f64)),
-            chart: (look.grouping == Grouping::Single).then_some(ChartKind::Individuals),
-            memory: look.memory,
-            rules: look.rules,
-            baseline,
-            stages: look.stages.iter().filter_map(point_of).collect(),
-            left_out: apart,
-            level: LEVEL,
-            ..Wanted::default()
-        };
-        let groups = series.groups.len() - wanted.left_out.len();
-        let answer = ungrouped.map_or_else(|| Answer::of(&series, &wanted), |why| Answer::none(&wanted, why));
-        Evaluated {
-            signals: answer.chart.as_ref().map_or_else(|_| Vec::new(), signals),
-            answer,
-            values,
-            base: self.base().map_or(0.0, Length::to_mm_f64),
-            points,
-            groups,
-            left_out: series.left_out().collect(),
-            apart: shown.iter().filter_map(|at| self.values.get(*at)).filter(|value| why(value).is_some()).count(),
-            shown,
-        }
-    }
-}
-
-/// A point: what counts of its values, or all of them where nothing does.
-fn sample(values: &[&Value], why: impl Fn(&Value) -> Option<Arc<str>>) -> Sample {
-    let mm = |value: &&Value| value.measured.to_mm_f64();
-    let counted: Vec<f64> = values.iter().filter(|value| why(value).is_none()).map(mm).collect();
-    if counted.is_empty() {
-        Sample { values: values.iter().map(mm).collect(), left_out: values.iter().find_map(|value| why(value)) }
-    } else {
-        Sample::of(counted)
-    }
-}
-
-impl Evaluated {
-    /// What was read, before anything is said of it: `125 values, 25 groups of 5, 2 left out`.
-    pub fn read_text(&self, words: &Words) -> String {
-        let mut said = vec![message!("statistics-page-values").count("count", self.values.len())];
-        if self.answer.wanted.chart != Some(ChartKind::Individuals) {
-            let sizes = || self.points.iter().map(ExactSizeIterator::len);
-            let (least, most) = (sizes().min().unwrap_or(0), sizes().max().unwrap_or(0));
-            let size = if least < most { format!("{least}–{most}") } else { most.to_string() };
-            said.push(message!("statistics-page-groups").count("count", self.groups).text("size", size));
-        }
-        let out = |why, count: usize| message!("statistics-page-out").text("why", why).count("count", count);
-        said.extend(self.left_out.iter().map(|(why, count)| out(why.word(), *count)));
-        said.extend((0 < self.apart).then(|| out("user", self.apart)));
-        said.iter().map(|message| words.say(message)).collect::<Vec<_>>().join(", ")
-    }
-
-    /// Ppk with its interval, or why there is none.
-    ///
-    /// # Errors
-    /// The reason.
-    pub fn ppk(&self) -> Result<(f64, [f64; 2]), Reason> {
-        let figure = self.answer.figure("ppk").or_else(|| self.answer.figure("cpk")).ok_or(Reason::NoLimits)?;
-        let (value, interval) = figure.value.clone()?;
-        interval.map(|interval| (value, interval)).ok_or(Reason::NoLimits)
-    }
-
-    /// Whether Ppk is proven to be what is asked for: its lower bound is not below it.
-    ///
-    /// # Errors
-    /// Why there is no Ppk.
-    pub fn is_proven(&self) -> Result<bool, Reason> {
-        self.ppk().map(|(_, [lower, _])| ASKED_INDEX <= lower)
-    }
 }

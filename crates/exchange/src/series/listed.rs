@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use fitcheck_statistics::Reason;
 
+use super::evaluated::ASKED_INDEX;
 use super::figures::Answer;
-use super::journal::ASKED_INDEX;
 use super::value::Value;
 use super::wanted::Wanted;
 use super::{Grouping, Series, SeriesError};

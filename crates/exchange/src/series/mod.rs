@@ -16,7 +16,8 @@
 //! | `compared` | groups such as machines, compared |
 //! | `listed` | every feature in a line, those that need a look first |
 //! | `drawn` | its charts as drawings |
-//! | `journal` | the series of a journal, one for each feature, and what is computed of one |
+//! | `journal` | the series of a journal, one for each feature |
+//! | `evaluated` | what is computed of one, as it is looked at |
 //! | `alarms` | which rules fire at its newest value |
 //!
 //! `fitcheck stats` and the page Statistics show the same figures.
@@ -26,6 +27,7 @@ mod budget;
 mod charted;
 mod compared;
 mod drawn;
+mod evaluated;
 mod figure;
 mod figures;
 mod grouping;
@@ -40,15 +42,17 @@ mod wanted;
 
 use std::collections::BTreeSet;
 
+pub use alarms::FiredAlarm;
 pub use charted::Remembered;
 pub use compared::Factor;
 pub use drawn::Drawn;
+pub use evaluated::{ASKED_INDEX, Evaluated, Look};
 pub use figure::{Figure, FigureKind, FigureMethod};
 pub use figures::{Answer, Contribution, Group};
 use fitcheck_core::length::Length;
 use fitcheck_statistics::Reason;
 pub use grouping::Grouping;
-pub use journal::{ASKED_INDEX, Evaluated, EvaluatedSeries, FeatureKey, FeatureSeries, Gathering, Look, MOST_READ};
+pub use journal::{EvaluatedSeries, FeatureKey, FeatureSeries, Gathering, MOST_READ};
 pub use layout::{Layout, StudyError, StudyKind, Understood};
 pub use listed::{ListedFeature, NoPpk, listed};
 pub use reading::ValueReader;

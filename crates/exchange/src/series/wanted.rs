@@ -1,5 +1,6 @@
 //! What is asked of a series.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use fitcheck_statistics::{Baseline, ChartKind, Cusum, Ewma, Family, Rules, Sample, Stage};
@@ -36,6 +37,8 @@ pub struct Wanted {
     pub rules: Rules,
     /// So many first points of each stage have its limits.
     pub baseline: Option<usize>,
+    /// Points, from 0, that the limits of their stage come from, as far as they are in it. Other stages have limits of all their points.
+    pub frozen: Option<Range<usize>>,
     /// Mean and standard deviation of single values from an earlier study, for all stages.
     pub known: Option<[f64; 2]>,
     /// The first points of further stages, from 1.
@@ -55,6 +58,7 @@ impl Default for Wanted {
             memory: None,
             rules: Rules::NELSON,
             baseline: None,
+            frozen: None,
             known: None,
             stages: Vec::new(),
             left_out: Vec::new(),
@@ -109,11 +113,15 @@ impl Wanted {
             [0].into_iter().chain(self.stages.iter().filter_map(|point| point.checked_sub(1))).collect();
         first.sort_unstable();
         first.dedup();
-        let baseline = |first: usize| match (self.known, self.baseline) {
-            (Some([mean, sigma]), _) => Baseline::Known { mean, sigma },
-            (None, Some(count)) => Baseline::Points(first..first.saturating_add(count)),
-            (None, None) => Baseline::All,
+        let ends: Vec<usize> = first.iter().skip(1).copied().chain([usize::MAX]).collect();
+        let baseline = |first: usize, end: usize| match (self.known, self.baseline, &self.frozen) {
+            (Some([mean, sigma]), ..) => Baseline::Known { mean, sigma },
+            (None, Some(count), _) => Baseline::Points(first..first.saturating_add(count)),
+            (None, None, Some(frozen)) if (first..end).contains(&frozen.start) => {
+                Baseline::Points(frozen.start..frozen.end.min(end))
+            }
+            (None, None, _) => Baseline::All,
         };
-        first.into_iter().map(|first| Stage { first, baseline: baseline(first) }).collect()
+        first.into_iter().zip(ends).map(|(first, end)| Stage { first, baseline: baseline(first, end) }).collect()
     }
 }

@@ -3,14 +3,17 @@
 use std::io::{Cursor, Write as _};
 
 use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipWriter};
+use zip::{CompressionMethod, System, ZipWriter};
 
 use super::SetFile;
 use super::error::SetError;
 
-/// Files without folders, not compressed and without a time, so that the same files always give the same bytes.
+/// Files without folders, not compressed, without a time and as if from one system, so that the same files always give the same bytes.
 pub(super) fn zip(files: &[SetFile]) -> Result<Vec<u8>, SetError> {
-    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored).unix_permissions(0o644);
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Stored)
+        .system(System::Unix)
+        .unix_permissions(0o644);
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     let mut add = |file: &SetFile| {
         writer.start_file(file.name.as_str(), options)?;

@@ -19,6 +19,7 @@ impl Action {
                     | WindowAction::Undo
                     | WindowAction::Keypad
                     | WindowAction::Close
+                    | WindowAction::CloseNotice
                     | WindowAction::Messages
                     | WindowAction::ForgetMessages
                     | WindowAction::RecordAgain

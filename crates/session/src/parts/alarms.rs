@@ -77,6 +77,8 @@ pub struct Alarms {
     sent: BTreeMap<u64, Vec<(Named, Alarm)>>,
     /// The alarms that were answered here: the journal may not know it yet.
     answered: BTreeSet<u64>,
+    /// Why rules cannot be looked at, as it was told: not again at every value.
+    told: BTreeSet<String>,
     /// The alarm that is being answered, by the number of its entry.
     pub answering: Option<u64>,
 }
@@ -140,10 +142,17 @@ impl PartsPage {
 
     /// What was found of alarms: what fired is recorded and told, and what is open is shown.
     pub(super) fn take_alarms(&mut self, found: Result<Box<AlarmsFound>, Message>, shared: &mut Shared) {
-        let AlarmsFound { fired, open } = match found {
+        let AlarmsFound { fired, unchecked, open } = match found {
             Ok(found) => *found,
             Err(why) => return shared.tell(message!("walk-page-alarms-unread").message("why", why)),
         };
+        for (NewestValue { part, feature, .. }, why) in unchecked {
+            let name = name(&Named { part, feature, ..Named::default() });
+            let said = message!("walk-page-alarms-unchecked").text("name", name).message("why", why);
+            if self.alarms.told.insert(said.to_string()) {
+                shared.tell(said);
+            }
+        }
         self.alarms.open = open.iter().filter_map(OpenAlarm::of).collect();
         let answered = &self.alarms.answered;
         self.alarms.open.retain(|alarm| !answered.contains(&alarm.head.number));

@@ -1,5 +1,6 @@
 //! What was found of alarms of control charts.
 
+use fitcheck_core::message::Message;
 use fitcheck_exchange::journal::Alarm;
 
 use super::alarm_search::NewestValue;
@@ -10,6 +11,8 @@ use crate::records::RecordRow;
 pub struct AlarmsFound {
     /// What fired, each at its value.
     pub fired: Vec<(NewestValue, Alarm)>,
+    /// Features whose rules cannot be looked at, each with its newest value and the reason.
+    pub unchecked: Vec<(NewestValue, Message)>,
     /// The alarms of the journal that nobody has answered, the oldest first.
     pub open: Vec<RecordRow>,
 }

@@ -37,7 +37,7 @@ impl PageState for StatisticsPage {
                 self.texts.set(field, text);
                 match field {
                     StatisticsField::Question | StatisticsField::Last => self.ask(shared, true),
-                    StatisticsField::Size | StatisticsField::Pause => self.recompute(),
+                    StatisticsField::Size | StatisticsField::Pause => self.regroup(),
                     StatisticsField::Reason => {}
                     StatisticsField::StudyLower
                     | StatisticsField::StudyUpper

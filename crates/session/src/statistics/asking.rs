@@ -126,6 +126,9 @@ impl StatisticsPage {
 
     /// What makes a point; `None` where a field does not say it.
     fn grouping(&mut self) -> Option<Grouping> {
+        for field in [StatisticsField::Size, StatisticsField::Pause] {
+            self.errors.remove(&field);
+        }
         match (self.points_of, self.mean_of) {
             (PointsOf::Single, _) => Some(Grouping::Single),
             (PointsOf::Means, MeanOf::Count) => self.number(StatisticsField::Size, 2..=MOST_IN_POINT).map(Grouping::Of),

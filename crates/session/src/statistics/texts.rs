@@ -94,6 +94,12 @@ impl StatisticsPage {
         figures
     }
 
+    /// How the chosen feature is looked at, where that is not the usual way: groups, stages, limits that stay, a chart that remembers.
+    pub fn told_of_look(&self, words: &Words) -> Vec<String> {
+        let told = self.open().map_or_else(Vec::new, |(_, of)| of.told());
+        told.iter().map(|message| words.say(message)).collect()
+    }
+
     /// Whether Ppk is proven to be what is usually asked for; never whether that is good.
     pub fn proof_text(&self, words: &Words) -> Option<String> {
         let (_, of) = self.open()?;
@@ -146,7 +152,8 @@ impl StatisticsPage {
         if let Err(why) = &of.answer.chart {
             return words.say(&message!("statistics-page-no-chart").message("why", why.message()));
         }
-        chart_said(&of.answer, of.points.len(), of.signals.len(), words)
+        let said = chart_said(&of.answer, of.points.len(), of.signals.len(), words);
+        std::iter::once(said).chain(self.told_of_look(words)).collect::<Vec<_>>().join(" ")
     }
 
     /// What is said of the point at which the keys are.
@@ -206,6 +213,7 @@ impl StatisticsPage {
         let (feature, _) = self.open()?;
         let mut lines = vec![feature.key.title(true)];
         lines.extend(self.read_text(words));
+        lines.extend(self.told_of_look(words));
         let cells = |figure: FigureText| {
             let FigureText { name, value, unit, note } = figure;
             [name, value, unit, note].join("\t")

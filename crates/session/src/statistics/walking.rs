@@ -94,37 +94,43 @@ impl StatisticsPage {
         self.chosen.as_ref().is_some_and(|key| self.baselines.contains_key(key))
     }
 
-    /// Control limits come from the points up to the cursor, or from all points again.
+    /// The limits of the stage that has the cursor come from its points up to there, or from all points again.
     pub(super) fn freeze(&mut self) {
         let Some(key) = self.chosen.clone() else { return };
         if self.baselines.remove(&key).is_none() {
-            let number = |point: usize, is_last: bool| {
-                let mut numbers = self.values_of(point).filter_map(|value| value.origin.number);
-                if is_last { numbers.last() } else { numbers.next() }
-            };
-            let Some(ends) = number(0, false).zip(self.cursor.and_then(|cursor| number(cursor, true))) else { return };
+            let Some(cursor) = self.cursor else { return };
+            let stages = self.open().and_then(|(_, of)| Some(&of.answer.chart.as_ref().ok()?.stages));
+            let stage = stages.into_iter().flatten().find(|stage| stage.points.contains(&cursor));
+            let first = stage.map_or(0, |stage| stage.points.start);
+            let first = self.values_of(first).find_map(|value| value.origin.number);
+            let last = self.values_of(cursor).filter_map(|value| value.origin.number).last();
+            let Some(ends) = first.zip(last) else { return };
             self.baselines.insert(key, ends.into());
         }
         self.recompute();
     }
 
-    /// The value with which a stage would begin at the cursor. The first one begins where the chart does.
-    fn begins_stage(&self) -> Option<u64> {
-        let cursor = self.cursor.filter(|cursor| 0 < *cursor)?;
-        self.values_of(cursor).find_map(|value| value.origin.number)
+    /// The values that say that a stage begins at the cursor.
+    fn stages_here(&self) -> impl Iterator<Item = u64> {
+        let stages = self.open().map_or(&[][..], |(_, of)| of.stages.as_slice());
+        stages.iter().filter(|(point, _)| Some(*point) == self.cursor).map(|(_, number)| *number)
     }
 
-    /// Whether a stage may begin at the cursor, and whether one does.
+    /// Whether a stage begins at the cursor; `None` where none can: the first one begins where the chart does.
     pub fn stage(&self) -> Option<bool> {
-        self.begins_stage().map(|number| self.look.stages.contains(&number))
+        let has_one = self.stages_here().next().is_some();
+        (has_one || 0 < self.cursor?).then_some(has_one)
     }
 
     /// A stage with limits of its own begins at the cursor, or no longer.
     pub(super) fn switch_stage(&mut self) {
-        let Some(number) = self.begins_stage() else { return };
-        if !self.look.stages.remove(&number) {
-            self.look.stages.insert(number);
+        let Some(cursor) = self.cursor.filter(|_| self.stage().is_some()) else { return };
+        let here: Vec<u64> = self.stages_here().collect();
+        let first = self.values_of(cursor).find_map(|value| value.origin.number);
+        if here.is_empty() {
+            self.look.stages.extend(first);
         }
+        self.look.stages.retain(|number| !here.contains(number));
         self.recompute();
     }
 

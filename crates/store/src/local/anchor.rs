@@ -7,7 +7,6 @@
 
 use std::path::{Path, PathBuf};
 
-use etcetera::BaseStrategy as _;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
 use fitcheck_files::{self as files, FileError};
 use rusqlite::{Connection, OptionalExtension as _};
@@ -35,14 +34,12 @@ pub struct Anchors(Vec<Anchor>);
 impl Anchors {
     /// Where the user's are: beside the settings, not beside the journals.
     pub fn of_user() -> Option<PathBuf> {
-        let folders = etcetera::choose_base_strategy().ok()?;
-        Some(folders.config_dir().join("fitcheck").join("journal-heads.txt"))
+        Some(files::settings_folder()?.join("journal-heads.txt"))
     }
 
     /// Where the last entries are that servers have, of journals that this user has sent.
     pub fn of_servers() -> Option<PathBuf> {
-        let folders = etcetera::choose_base_strategy().ok()?;
-        Some(folders.config_dir().join("fitcheck").join("server-heads.txt"))
+        Some(files::settings_folder()?.join("server-heads.txt"))
     }
 
     /// Reads a file of them; none where there is no file.

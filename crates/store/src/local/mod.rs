@@ -42,7 +42,6 @@ mod words;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use etcetera::BaseStrategy as _;
 use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head, entry_hash};
 use fitcheck_exchange::journal::entry::{About, Begin, Content, Entry, Kept, Moment};
@@ -55,13 +54,8 @@ use self::turn::Turn;
 pub use self::verify::{Finding, Verified, verify};
 use super::error::{StoreError, StoreRemark};
 
-/// The name of the file in the user's data folder.
+/// The name of the file in the folder for the journal.
 pub const FILE: &str = "journal.sqlite";
-
-/// The user's data folder for Fitcheck; `None` where there is none.
-pub fn folder() -> Option<PathBuf> {
-    etcetera::choose_base_strategy().ok().map(|folders| folders.data_dir().join("fitcheck"))
-}
 
 /// What a journal is opened with.
 #[derive(Debug, Clone)]
