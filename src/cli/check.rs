@@ -5,12 +5,11 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use super::args::dialogue;
-use super::budget;
 use super::judging::{FeatureArg, JudgeArgs};
 use super::material::Part;
 use super::record::RecordArgs;
 use super::said::decided;
-use super::{CliError, CliRemark, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs};
+use super::{CliError, CliRemark, CliWarning, ErrorSubject, Format, IntoCliError as _, Io, Outcome, TableArgs, budget};
 use crate::budget::Assessment;
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;

@@ -6,8 +6,7 @@ use super::rule::RuleArgs;
 use super::{CliError, ErrorSubject, Format, IntoCliError as _, Io, Outcome};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Bounds, Deviations, Feature};
-use crate::verdict::rules::{Acceptance, Prior, Risks, Zones, acceptance_for};
-use crate::verdict::rules::{RuleName, percent};
+use crate::verdict::rules::{Acceptance, Prior, Risks, RuleName, Zones, acceptance_for, percent};
 use crate::verdict::{Rule, Status};
 
 const EXAMPLES: &str = "\

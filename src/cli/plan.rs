@@ -6,8 +6,7 @@ use jiff::civil::DateTime;
 use serde_json::{Value as Json, json};
 
 use super::import::columns;
-use super::rows::csv_line;
-use super::rows::{line, names};
+use super::rows::{csv_line, line, names};
 use super::{CliError, CliRemark, ErrorSubject, Figure, Format, IntoCliError as _, Io, Outcome, TableArgs, read_input};
 use crate::cli::io::{is_dash, write_new};
 use crate::exchange::{self, ImportInputs, Mapping, PLAN_ENDINGS};

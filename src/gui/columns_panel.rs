@@ -9,8 +9,7 @@ use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, problem, quiet};
 use crate::exchange::{ColumnUnit, DecimalSign, Role, Separator};
 use crate::message::{Message, message};
-use crate::session::WindowAction;
-use crate::session::{ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
+use crate::session::{ColumnChoice, ColumnsCommand, OpenColumns, WindowAction, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.
 const ROLES: [Role; 25] = [

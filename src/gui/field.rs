@@ -15,13 +15,11 @@ use eframe::egui::{
 
 use super::field_help::{self, field_help_ui};
 use super::in_turn::hold;
-use super::keypad;
 use super::room::is_low;
-use super::section;
 use super::theme::{self, Icon, control, space};
 use super::view::{View, problem, quiet, quiet_text, remembered};
-use crate::session::{CheckField, WalkField};
-use crate::session::{Command, Field, FieldPlace, Session, WindowAction};
+use super::{keypad, section};
+use crate::session::{CheckField, Command, Field, FieldPlace, Session, WalkField, WindowAction};
 
 /// How a field looks.
 pub(super) struct FieldStyle {

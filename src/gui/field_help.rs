@@ -7,12 +7,10 @@ use eframe::egui::{
 };
 
 use super::cycles::picture::{parameter_picture, parameter_range};
-use super::field_id;
 use super::help::blocks_ui;
-use super::keypad;
-use super::section;
 use super::theme::{Icon, Weight, control, palette, space};
 use super::view::{View, heading, quiet};
+use super::{field_id, keypad, section};
 use crate::message::message;
 use crate::session::help::{HelpTopic, ManualPage};
 use crate::session::{Field, HelpCommand, Session, WindowAction};

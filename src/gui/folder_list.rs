@@ -8,8 +8,7 @@ use super::theme::{control, palette, space};
 use super::view::{View, problem, quiet, quiet_cut, remembered};
 use crate::files::{Entry, MOST_ENTRIES};
 use crate::message::{Message, message};
-use crate::session::FilesAction;
-use crate::session::{Dialog, FilesCommand};
+use crate::session::{Dialog, FilesAction, FilesCommand};
 use crate::words::Words;
 
 /// What is beside the list in the dialog: texts and margins in steps, and rows of buttons and fields.

@@ -6,8 +6,7 @@ use std::process::{Command as Process, Stdio};
 use std::sync::Arc;
 
 use super::errands::Errands;
-use super::picture;
-use super::templates;
+use super::{picture, templates};
 use crate::message::{Message, message};
 use crate::report::pdf::Pages;
 use crate::session::{Content, Effect, ReportsCommand};

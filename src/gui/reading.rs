@@ -15,13 +15,10 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::tool_table::ToolTable;
 use crate::exchange::contacts::{self, Contacts};
 use crate::exchange::{self, ImportInputs};
-use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, OwnTexts, Say as _, message};
 use crate::nc::program::ProgramWarning;
-use crate::part;
 use crate::probing::simulated::{Part, Simulation};
-use crate::proof;
 use crate::report::changes::EarlierReport;
 use crate::report::pairing::PairingParts;
 use crate::session::parts::{PlanCommand, WalkCommand};
@@ -35,6 +32,7 @@ use crate::session::{
 use crate::text::decode;
 use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{DeviationTable, Feature, Sources};
+use crate::{files, part, proof};
 
 /// Whether an answer brings what a file holds.
 pub(super) const fn is_read(command: &Command) -> bool {

@@ -14,8 +14,7 @@ use crate::control::tool_table::{Tool, ToolTable};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::message;
-use crate::session::WorkpieceAction;
-use crate::session::{NamedTool, text_of_tool, tool_message};
+use crate::session::{NamedTool, WorkpieceAction, text_of_tool, tool_message};
 use crate::text::{Within as _, cut};
 
 /// The widths of the list's columns in characters: T and NAME, then the lengths.

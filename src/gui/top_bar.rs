@@ -23,9 +23,9 @@ use super::who::{names_ui, who_ui};
 use crate::message::{Message, message};
 use crate::report::of_any_paper;
 use crate::session::{
-    Action, Command, Density, FilesCommand, OpenGauge, Page, Section, Session, SettingsCommand, Theme,
+    Action, CheckAction, Command, Density, FilesCommand, OpenGauge, Page, Section, Session, SettingsCommand, Theme,
+    WindowAction, row_forms,
 };
-use crate::session::{CheckAction, WindowAction, row_forms};
 use crate::text::long;
 use crate::tolerance::Base;
 use crate::words::Language;

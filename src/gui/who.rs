@@ -8,8 +8,7 @@ use super::over_page::just_opened;
 use super::theme::{self, Icon, Weight, control, sizes, space};
 use super::view::{View, focus_soon, quiet, take_focus};
 use crate::message::Message;
-use crate::session::WindowAction;
-use crate::session::{Command, RecordsCommand, RecordsField};
+use crate::session::{Command, RecordsCommand, RecordsField, WindowAction};
 
 /// The button with the name, and its menu; nothing where nothing is recorded.
 pub(super) fn who_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -17,8 +17,7 @@ use super::theme::space;
 use super::view::{View, quiet};
 use crate::exchange::Body;
 use crate::message::{Message, message};
-use crate::session::WindowAction;
-use crate::session::Working;
+use crate::session::{WindowAction, Working};
 use crate::text::long;
 
 /// Before this nothing is said: most files are done by then.

@@ -6,7 +6,6 @@ use fitcheck_core::probing::cycles::measuring;
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Words;
 
-use super::Session;
 use super::budget::BudgetField;
 use super::check::CheckField;
 use super::cycles::{CycleField, fold_of};
@@ -16,7 +15,7 @@ use super::help::HelpPlace;
 use super::program::{Input, ProgramField};
 use super::records::RecordsField;
 use super::statistics::StatisticsField;
-use super::treated;
+use super::{Session, treated};
 
 /// The drawing of a field: a parameter of a cycle that means the same.
 pub type FieldDrawing = (&'static Cycle, Key);

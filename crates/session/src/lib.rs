@@ -198,8 +198,7 @@ use self::asking::Asking;
 use self::files::Places;
 use self::page::pages;
 use self::shared::Shared;
-use self::state::PageQuestion;
-use self::state::PageState as _;
+use self::state::{PageQuestion, PageState as _};
 
 /// What takes the focus as a whole on the pages.
 pub mod focused {

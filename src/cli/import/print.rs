@@ -8,8 +8,7 @@ use serde_json::{Map, Number, Value as Json};
 
 use super::row::{ImportRow, RowKind};
 use crate::cli::people::{Aligned, Side, mm, um};
-use crate::cli::rows::csv_line;
-use crate::cli::rows::{Columns, names};
+use crate::cli::rows::{Columns, csv_line, names};
 use crate::cli::{CliError, Format, IntoCliError as _, Io};
 use crate::length::{Length, Unit};
 use crate::report::csv::{CsvLine, More, cell};

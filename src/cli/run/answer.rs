@@ -5,10 +5,9 @@
 use serde::ser::{Serialize, SerializeMap as _, Serializer};
 use serde_json::{Map, Value as Json, json};
 
-use super::super::CliRemark;
 use super::super::cycle::Source;
 use super::super::cycle::answer::{check, source as result_source, value as result_value};
-use super::super::tools;
+use super::super::{CliRemark, tools};
 use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;

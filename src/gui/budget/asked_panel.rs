@@ -5,8 +5,7 @@ use eframe::egui::Ui;
 use crate::gui::field::pairs_ui;
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
-use crate::session::BudgetAction;
-use crate::session::{BudgetField, Readings};
+use crate::session::{BudgetAction, BudgetField, Readings};
 
 /// How many notes on readings are shown; a notice had all of them.
 const NOTES: usize = 5;

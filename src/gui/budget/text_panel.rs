@@ -8,8 +8,7 @@ use crate::gui::room::is_low;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
-use crate::session::BudgetAction;
-use crate::session::BudgetCommand;
+use crate::session::{BudgetAction, BudgetCommand};
 
 /// The lines of the text that are in sight at least.
 const LEAST_ROWS: usize = 8;

@@ -14,8 +14,7 @@ use crate::gui::segments::segments_ui;
 use crate::gui::theme::{self, Icon, control, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
-use crate::session::CheckAction;
-use crate::session::{CheckCommand, CheckField, Command, MeasureBy};
+use crate::session::{CheckAction, CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
 /// Callout and measured value beside each other, where the keypad leaves little room.

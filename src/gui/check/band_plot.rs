@@ -14,8 +14,7 @@ use crate::report::band::{Band, GuardBand, Guarded, Marker, Side};
 use crate::session::CheckField;
 use crate::tolerance::Limits;
 use crate::tolerance::callout::Callout;
-use crate::verdict::Rule;
-use crate::verdict::Status;
+use crate::verdict::{Rule, Status};
 use crate::words::Words;
 
 /// The band of a page on which nothing was typed yet.

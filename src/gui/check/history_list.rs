@@ -12,9 +12,8 @@ use crate::gui::view::{Digits, View};
 use crate::journal::Record;
 use crate::journal::query::{Column as By, RecordId, TIME, callout};
 use crate::message::{Message, Say as _, message};
-use crate::session::CheckAction;
 use crate::session::focused::HISTORY;
-use crate::session::{Action, CheckCommand, status_text};
+use crate::session::{Action, CheckAction, CheckCommand, status_text};
 
 /// The id of the list: it takes the focus as a whole.
 pub(in crate::gui) fn id() -> Id {

@@ -16,8 +16,7 @@ use crate::gui::view::{Digits, View, heading, quiet, remembered};
 use crate::journal::Record;
 use crate::journal::query::callout;
 use crate::message::{Message, message};
-use crate::session::{CheckAction, WindowAction};
-use crate::session::{CheckField, Field, status_text};
+use crate::session::{CheckAction, CheckField, Field, WindowAction, status_text};
 
 /// How many checks the strip shows.
 const LAST: usize = 4;

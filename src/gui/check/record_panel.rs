@@ -8,8 +8,7 @@ use crate::gui::spoken::gap_ui;
 use crate::gui::theme::{self, Icon, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::message;
-use crate::session::WindowAction;
-use crate::session::{CheckField, Keeping, Recorded};
+use crate::session::{CheckField, Keeping, Recorded, WindowAction};
 
 /// Left: serial number and remark, and whether checks are recorded.
 pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {

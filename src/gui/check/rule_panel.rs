@@ -10,8 +10,7 @@ use crate::gui::theme::{Icon, space};
 use crate::gui::view::{View, one_of_ui, quiet};
 use crate::length::Length;
 use crate::message::{Message, message};
-use crate::session::WindowAction;
-use crate::session::{CheckCommand, CheckField, Page, RuleFields, UncertaintyFrom, rule_name_id};
+use crate::session::{CheckCommand, CheckField, Page, RuleFields, UncertaintyFrom, WindowAction, rule_name_id};
 use crate::verdict::rules::{Prover, RuleName, percent};
 
 /// The fields that the header of the rule folds away.

@@ -8,8 +8,7 @@ use crate::gui::view::{Digits, View, caret_ui, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::message;
-use crate::session::CheckAction;
-use crate::session::{Command, MaskChoice, Purpose};
+use crate::session::{CheckAction, Command, MaskChoice, Purpose};
 use crate::words::{Dialogue, Words};
 
 /// The pop-up and what can be done with it.

@@ -2,8 +2,7 @@
 
 use eframe::egui::{Align, Button, Color32, Label, Layout, RichText, Ui, vec2};
 
-use crate::gui::check::mask_chooser_ui;
-use crate::gui::check::recorded_ui;
+use crate::gui::check::{mask_chooser_ui, recorded_ui};
 use crate::gui::popup::popup_ui;
 use crate::gui::room::is_tiny;
 use crate::gui::shapes::Edge;
@@ -13,8 +12,7 @@ use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height,
 use crate::length::{Length, Unit};
 use crate::message::{Message, message};
 use crate::probing::cycle::{Check, CycleResult, LogTarget, ResultName, ResultParameter, Value};
-use crate::session::{CycleRun, RunLog};
-use crate::session::{CyclesAction, WorkpieceAction};
+use crate::session::{CycleRun, CyclesAction, RunLog, WorkpieceAction};
 use crate::verdict::{Removal, Status};
 use crate::words::Words;
 

@@ -6,8 +6,7 @@ use crate::gui::over_page::just_opened;
 use crate::gui::spoken::dialog_headed;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::session::CyclesAction;
-use crate::session::CyclesCommand;
+use crate::session::{CyclesAction, CyclesCommand};
 
 /// How many lines of a block and of what is wrong with it are in sight.
 const LINES: f32 = 12.0;

@@ -13,8 +13,10 @@ use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet
 use crate::message::message;
 use crate::probing::cycle::{Cycle, Key, Parameter, ParameterGroup, Value};
 use crate::probing::cycles::CYCLES;
-use crate::session::{Axis, ContactsFrom, CycleField, CyclesCommand};
-use crate::session::{CyclesAction, WindowAction, WorkpieceAction, fold_name, group_name, may_fold};
+use crate::session::{
+    Axis, ContactsFrom, CycleField, CyclesAction, CyclesCommand, WindowAction, WorkpieceAction, fold_name, group_name,
+    may_fold,
+};
 
 /// What stands above the form: the cycle, where contacts come from, and what runs it.
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {

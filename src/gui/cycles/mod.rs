@@ -19,7 +19,7 @@ mod seen_panel;
 pub(super) mod workpiece_window;
 
 use crate::gui::page::{Group, PageView, cycle_file, ending, open};
-use crate::session::Purpose;
+use crate::session::{Action, Command, CycleField, CyclesCommand, Purpose};
 use eframe::egui::{Id, Ui};
 use std::path::Path;
 
@@ -29,7 +29,6 @@ use super::over_page::just_opened;
 use super::theme::{Icon, space};
 use super::verdict_card::least_width;
 use super::view::{View, remembered};
-use crate::session::{Action, Command, CycleField, CyclesCommand};
 
 pub(super) const PAGE: PageView = PageView { opened, dropped, ..PageView::of(Group::Control, Icon::Target, cycles_ui) };
 

@@ -11,8 +11,7 @@ use crate::gui::view::{View, heading, quiet};
 use crate::length::without_zeros;
 use crate::message::Message;
 use crate::probing::cycle::{Move, Parameter, Phase};
-use crate::session::CyclesAction;
-use crate::session::{CycleRun, CyclesCommand, Step};
+use crate::session::{CycleRun, CyclesAction, CyclesCommand, Step};
 use crate::words::Words;
 
 /// From this width things stand beside each other.

@@ -9,8 +9,7 @@ use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::Shape;
-use crate::session::WorkpieceAction;
-use crate::session::{WorkpieceCommand, WorkpieceField, shape_id};
+use crate::session::{WorkpieceAction, WorkpieceCommand, WorkpieceField, shape_id};
 
 /// The window, where it is open. What is typed counts at once.
 pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {

@@ -15,9 +15,8 @@ use crate::gui::key_names::part_id;
 use crate::gui::theme::{self, Palette, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
-use crate::session::FitAction;
 use crate::session::focused::CLASSES;
-use crate::session::{ClassMap, FitCommand, MapCell};
+use crate::session::{ClassMap, FitAction, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
 

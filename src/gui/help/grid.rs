@@ -3,8 +3,7 @@
 
 use eframe::egui::{Layout, Rect, Shape, Ui, vec2};
 
-use super::text::mark_shape;
-use super::text::{job, spans_ui};
+use super::text::{job, mark_shape, spans_ui};
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
 use crate::session::help::{HelpMark, HelpWords, Span};

@@ -9,8 +9,7 @@ use eframe::egui::{Context, Id, Ui};
 use super::sheets::{Key, with_class};
 use crate::gui::field_id;
 use crate::gui::view::View;
-use crate::session::TablesAction;
-use crate::session::{Command, Field, FitField, Page};
+use crate::session::{Command, Field, FitField, Page, TablesAction};
 
 /// Does in a field what a key is for.
 pub(super) fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {

@@ -9,8 +9,7 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut, quiet_height};
 use crate::message::{Located, Message, Say as _, message};
 use crate::report::pairing::{Note, PairingParts, PartsFrom};
-use crate::session::PairingAction;
-use crate::session::PairingField;
+use crate::session::{PairingAction, PairingField};
 use crate::tolerance::Feature;
 
 /// How many refused rows, and how many notes, stand in the column; more of them open with a button.

@@ -19,9 +19,7 @@ use std::path::Path;
 use eframe::egui::{Id, Ui};
 
 use crate::gui::page::{Group, PageView, open};
-use crate::session::Command;
-use crate::session::PairingCommand;
-use crate::session::Purpose;
+use crate::session::{Command, PairingCommand, PairingField, Purpose};
 
 #[cfg(test)]
 pub(super) use pairs_list::columns;
@@ -31,7 +29,6 @@ use super::field;
 use super::over_page::just_opened;
 use super::theme::{Icon, control, space};
 use super::view::View;
-use crate::session::PairingField;
 
 pub(super) const PAGE: PageView =
     PageView { dropped, ..PageView::of(Group::Design, Icon::LinkSimpleHorizontal, pairing_ui) };

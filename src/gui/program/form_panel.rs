@@ -14,9 +14,8 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
 use crate::message::message;
-use crate::session::WorkpieceAction;
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
-use crate::session::{Field, ProgramCommand, ProgramField};
+use crate::session::{Field, ProgramCommand, ProgramField, WorkpieceAction};
 use crate::verdict::Status;
 
 /// The panel's content, with the files for a control where they have no room elsewhere.

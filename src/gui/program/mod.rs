@@ -40,11 +40,8 @@ use super::over_page::just_opened;
 use super::theme::{Icon, space};
 use super::view::{View, focus_soon, take_focus};
 use crate::gui::page::{Group, PageView, ending, open};
-use crate::session::Command;
-use crate::session::CycleFile;
-use crate::session::Purpose;
 use crate::session::program::Speed;
-use crate::session::{ProgramAction, ProgramCommand, ProgramField};
+use crate::session::{Command, CycleFile, ProgramAction, ProgramCommand, ProgramField, Purpose};
 
 pub(super) const PAGE: PageView = PageView {
     action: |_| ProgramAction::OpenProgram.into(),

@@ -7,8 +7,7 @@ use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, quiet, remembered};
 use crate::message::message;
-use crate::session::ProgramAction;
-use crate::session::feature_message;
+use crate::session::{ProgramAction, feature_message};
 use crate::text::Within as _;
 
 /// How many features are visible without scrolling.

@@ -8,9 +8,8 @@ use crate::gui::spoken::live;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_height, list_ui, one_of_ui};
 use crate::nc::machine::Shipped;
-use crate::session::ProgramAction;
 use crate::session::program::{EntryKind, Origin, Speed, State, Switch};
-use crate::session::{FilesCommand, ProgramCommand, Purpose};
+use crate::session::{FilesCommand, ProgramAction, ProgramCommand, Purpose};
 use crate::text::Within as _;
 
 /// The width of the list of programs.

@@ -9,9 +9,8 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::{Say as _, message};
-use crate::session::WorkpieceAction;
 use crate::session::program::{Run, ToolOf};
-use crate::session::{ProgramCommand, ProgramField};
+use crate::session::{ProgramCommand, ProgramField, WorkpieceAction};
 
 /// The most tools and changes that are drawn.
 const MOST: usize = 20;

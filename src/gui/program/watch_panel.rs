@@ -13,9 +13,8 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::nc::machine::shown;
-use crate::session::ProgramAction;
 use crate::session::program::{Name, Watched};
-use crate::session::{ProgramCommand, ProgramField};
+use crate::session::{ProgramAction, ProgramCommand, ProgramField};
 use crate::text::Within as _;
 
 /// The height of a parameter, and how many are in sight where there is room.

@@ -12,8 +12,7 @@ use crate::journal::ask::KEYS;
 use crate::message::{Message, message};
 use crate::report::of_any_paper;
 use crate::session::records::{Filter, LeftOut, NOT_GOOD, Shorthand};
-use crate::session::{Command, Field, RecordsCommand, RecordsField};
-use crate::session::{RecordsAction, WindowAction};
+use crate::session::{Command, Field, RecordsAction, RecordsCommand, RecordsField, WindowAction};
 use crate::text::long;
 use crate::verdict::Status;
 

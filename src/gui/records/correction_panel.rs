@@ -11,8 +11,7 @@ use crate::gui::view::{View, heading, problem, quiet, quiet_height};
 use crate::journal::Record;
 use crate::message::message;
 use crate::session::records::Correcting;
-use crate::session::{Field, RecordsField};
-use crate::session::{RecordsAction, RecordsCommand, WindowAction};
+use crate::session::{Field, RecordsAction, RecordsCommand, RecordsField, WindowAction};
 use crate::tolerance::Feature;
 
 /// Reasons that most corrections have.

@@ -12,8 +12,7 @@ use crate::gui::theme::space;
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
 use crate::session::records::{Verified, Walk};
-use crate::session::{Keeping, RecordsField};
-use crate::session::{RecordsAction, WindowAction};
+use crate::session::{Keeping, RecordsAction, RecordsField, WindowAction};
 
 /// The foot of the page.
 pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -11,8 +11,7 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::edged_chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::{Message, message};
-use crate::session::RecordsAction;
-use crate::session::{RecordRow, RecordsCommand};
+use crate::session::{RecordRow, RecordsAction, RecordsCommand};
 use crate::words::Words;
 
 /// The panel.

@@ -5,9 +5,8 @@ use eframe::egui::{Button, Label, RichText, Ui, vec2};
 use crate::gui::columns::{column_ui, footed_column_ui};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::session::StatisticsAction;
-use crate::session::StatisticsCommand;
 use crate::session::statistics::SignalText;
+use crate::session::{StatisticsAction, StatisticsCommand};
 use crate::statistics::Rule;
 
 /// So many signals are listed.

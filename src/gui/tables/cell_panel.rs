@@ -10,9 +10,8 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
-use crate::session::TablesAction;
 use crate::session::tables::{Document, Origin};
-use crate::session::{TablesCommand, TablesField};
+use crate::session::{TablesAction, TablesCommand, TablesField};
 use crate::tolerance::compare::Difference;
 use crate::tolerance::{Deviations, ToleranceClass, iso286};
 

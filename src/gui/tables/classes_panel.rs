@@ -5,8 +5,7 @@ use eframe::egui::Ui;
 use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
-use crate::session::TablesAction;
-use crate::session::TablesField;
+use crate::session::{TablesAction, TablesField};
 
 /// The panel's content.
 pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {

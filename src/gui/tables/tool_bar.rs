@@ -11,9 +11,8 @@ use crate::gui::spoken::live;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, quiet, quiet_cut};
 use crate::message::message;
-use crate::session::TablesAction;
 use crate::session::tables::{Document, Origin, TableChoice};
-use crate::session::{TablesCommand, TablesField};
+use crate::session::{TablesAction, TablesCommand, TablesField};
 use crate::verdict::Status;
 
 /// What has a button of its own as far as there is room, the most important one first; the rest is in a menu.

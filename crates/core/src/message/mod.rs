@@ -36,8 +36,7 @@ mod placeables;
 use std::fmt;
 use std::sync::LazyLock;
 
-pub use arg::{Arg, IntoArg};
-pub use arg::{as_text, printed};
+pub use arg::{Arg, IntoArg, as_text, printed};
 pub use bundle::{Bundle, Transform};
 pub use fitcheck_derive::{Say, message};
 pub use foreign::{guarded, is_formula, is_wild, tame};

@@ -26,8 +26,7 @@
 mod dialogue;
 mod language;
 
-pub use dialogue::PerDialogue;
-pub use dialogue::{Dialogue, DialogueWords, StatusWords};
+pub use dialogue::{Dialogue, DialogueWords, PerDialogue, StatusWords};
 pub use language::Language;
 
 use std::sync::Arc;

@@ -8,8 +8,7 @@ use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
 
 use crate::exchange::batch::{BLOCK, HEAD, Layout, read};
-use crate::exchange::pieces;
-use crate::exchange::{ImportErrorKind, Mapping};
+use crate::exchange::{ImportErrorKind, Mapping, pieces};
 
 /// The largest window of a Zstandard stream, 2^23 bytes: up to level 19 none is larger, and each takes memory.
 const WINDOW_LOG: u32 = 23;

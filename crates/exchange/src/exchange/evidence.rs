@@ -9,12 +9,11 @@ use fitcheck_core::message::{Message, READ_BACK};
 use fitcheck_core::words::{Language, Words};
 use fitcheck_nc::control::simulated::is_mark;
 
-use super::cells;
 use super::claim::Claim;
 use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::refused::{Cell, Refused};
-use super::{warmth, words};
+use super::{cells, warmth, words};
 use crate::exchange::cell::Cells as _;
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -6,9 +6,8 @@ use fitcheck_core::length::Unit;
 use super::cells::is_number;
 use super::columns::Columns;
 use super::role::Role;
-use super::units;
 use super::vocabulary::Rank;
-use super::words;
+use super::{units, words};
 
 impl Columns {
     /// Whether a row that is no measurement names other columns than those of the file.

@@ -8,12 +8,11 @@ use std::io::{self, Read};
 
 use encoding_rs::Encoding;
 use encoding_rs_io::DecodeReaderBytesBuilder;
-use fitcheck_core::text::windows_1252;
+use fitcheck_core::text::{Within as _, windows_1252};
 
 use super::batch::{BLOCK, read};
 use super::error::ImportErrorKind;
 use super::index::LONGEST_ROW;
-use fitcheck_core::text::Within as _;
 
 /// How much the first piece has: the longest row and a header, so that the columns are known by it.
 const FIRST: usize = LONGEST_ROW + BLOCK;

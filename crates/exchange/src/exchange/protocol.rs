@@ -20,12 +20,11 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::head::Head;
 use super::imported::{Sink, WhyUnjudged};
-use super::limits;
 use super::printed::{Figure, LeftLines, PrintedFault, PrintedLine, PrintedRow, each_line, set_aside};
 use super::quantity::Quantity;
 use super::role::Role;
 use super::source::{Beginning, Context, Source};
-use super::{Format, Labels, words};
+use super::{Format, Labels, limits, words};
 
 pub(super) const FORMAT: Format = Format {
     name: "calypso-text",

@@ -8,8 +8,7 @@ use fitcheck_core::length::Unit;
 use super::beside::of_no_size;
 use super::claim::Claim;
 use super::evidence::says_simulated;
-use super::stated;
-use super::warmth;
+use super::{stated, warmth};
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct RemarkColumn {

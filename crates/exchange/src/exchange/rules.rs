@@ -9,18 +9,16 @@ use fitcheck_core::length::Length;
 use fitcheck_core::message::Say as _;
 use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, Sources, Tolerance, ToleranceClass};
 
-use super::band;
-use super::cells;
 use super::column::LengthColumn;
 use super::columns::Columns;
 use super::error::{ImportErrorKind, ImportWarningKind};
-use super::evidence;
 use super::given::{shorten, shorten_cell};
 use super::imported::{StatedLimits, WhyUnjudged};
 use super::limits::{LimitColumns, LimitsAre};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
 use super::refused::{Cell, Refused};
+use super::{band, cells, evidence};
 use crate::exchange::cell::Cells as _;
 
 /// What a row says.

@@ -8,11 +8,8 @@ use super::cells::{WholeNumbers, decimals, is_blank, is_comment, is_data, is_num
 use super::delimited::{Item, Rows, SEPARATORS};
 use super::limits::{self, LimitName};
 use super::role::Role;
-use super::samples;
-use super::stated;
 use super::vocabulary::Rank;
-use super::warmth;
-use super::words;
+use super::{samples, stated, warmth, words};
 
 /// How many rows are examined to find out what a file is.
 pub(super) const SAMPLE: usize = 200;

@@ -10,15 +10,13 @@ use fitcheck_core::message::message;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
-use super::head;
 use super::html::part::{SizeView, size_view};
 use super::html::{MOST_CHECKS, closing};
 use super::part::PartSheet;
 use super::said::{decimals_of, heading, lacks, title};
 use super::seen::ReportSurvey;
-use super::statistics;
 use super::told::{CheckSaid, callout, mark, on_one_line, standing, verdict};
-use super::{Holds, Rendering, Report, text};
+use super::{Holds, Rendering, Report, head, statistics, text};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {

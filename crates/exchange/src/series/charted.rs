@@ -1,12 +1,11 @@
 //! The chart of a series: its limits, the rules that fire, and the averages or sums that remember.
 
 use fitcheck_statistics::{
-    Advice, Chart, ChartPlan, ChartPoint, ENOUGH_POINTS, MemoryPoint, Reason, Rule, Sample, chart, count,
+    Advice, Chart, ChartKind, ChartPlan, ChartPoint, ENOUGH_POINTS, MemoryPoint, Reason, Rule, Sample, chart, count,
 };
 
 use super::figure::{Figure, FigureKind};
 use super::wanted::{Memory, Wanted};
-use fitcheck_statistics::ChartKind;
 
 /// A chart that remembers. Every stage begins anew.
 #[derive(Debug, Clone)]

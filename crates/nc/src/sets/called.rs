@@ -18,8 +18,7 @@
 //! | Q73, Q83, Q72 | those of a pocket or boss along X |
 
 use fitcheck_core::part::FeatureKind;
-use fitcheck_core::probing::cycle::{Axis, Cycle, Key, Meaning};
-use fitcheck_core::probing::cycle::{Control as CycleControl, Parameter};
+use fitcheck_core::probing::cycle::{Axis, Control as CycleControl, Cycle, Key, Meaning, Parameter};
 use fitcheck_core::probing::cycles::{cycles_of, measuring_cycles_of};
 use fitcheck_core::probing::simulated::Shape;
 use fitcheck_core::tolerance::Feature;

@@ -5,12 +5,11 @@ use fitcheck_core::part::{self, FeatureKind};
 use fitcheck_core::probing::cycle::{Axis, Key, Meaning};
 use fitcheck_core::tolerance::Callout;
 
-use super::Planned;
 use super::blocks::{Blocks, bare, number, print, shipped_program, written};
 use super::called::Called;
 use super::error::SetRemark;
-use super::given;
 use super::names::{Control, Names};
+use super::{Planned, given};
 use crate::control::variables::Parameter;
 use crate::program::{Body, TextExpression, TextOperand};
 

@@ -7,11 +7,10 @@
 use fitcheck_core::tolerance::Feature;
 use fitcheck_shipped as shipped;
 
-use super::Planned;
 use super::called::Called;
 use super::error::SetRemark;
-use super::given;
 use super::names::{Control, Names};
+use super::{Planned, given};
 
 /// What begins a line that is only there where the plan says more of judging than the set knows.
 const OF_UNKNOWN: &str = "{?unknown}";

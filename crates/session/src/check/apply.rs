@@ -3,8 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
-use fitcheck_core::message::{Say as _, message};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature, Sources};
 use fitcheck_exchange::exchange::Labels;

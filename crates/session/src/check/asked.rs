@@ -10,10 +10,9 @@ use fitcheck_core::probing::cycles::measuring;
 use fitcheck_core::tolerance::callout::halves;
 use fitcheck_core::tolerance::{Callout, Feature, Limits, LimitsError, Sources, Tolerance};
 
-use super::CheckField;
-use super::RuleChoice;
 use super::doubted::{DoubtedText, Meant};
 use super::worth::RuleFields;
+use super::{CheckField, RuleChoice};
 use crate::texts::{Range, Texts, whole};
 
 /// The meaning of the fields. Made anew at every change.

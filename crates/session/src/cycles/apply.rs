@@ -1,7 +1,6 @@
 //! How commands and news change the cycles page.
 
-use fitcheck_core::message::Message;
-use fitcheck_core::message::message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::probing::cycle;
 use jiff::civil::DateTime;
 

@@ -44,14 +44,13 @@ pub(super) use places::Places;
 pub use places::RecentFile;
 pub use working::Working;
 
-use super::Session;
 use super::effect::Effect;
 use super::help::Sample;
 use super::notice::Notice;
 use super::page::Page;
-use super::program;
 use super::purpose::Purpose;
 use super::shared::{MaskChoice, News, OwnMask};
+use super::{Session, program};
 
 impl Session {
     /// Does something about files.

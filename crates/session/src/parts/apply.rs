@@ -14,14 +14,12 @@ use super::{PartsAction, PartsCommand, PartsField, PartsPage, PartsView, PlanCom
 use crate::command::Command;
 use crate::effect::Effect;
 use crate::page::Page;
-use crate::parts::PlanField;
-use crate::parts::WalkField;
 use crate::parts::resume::Resume;
+use crate::parts::{PlanField, WalkField};
 use crate::saved::Saved;
 use crate::shared::{News, Shared};
 use crate::state::{PageQuestion, PageState};
-use crate::texts::KeptField as _;
-use crate::texts::Texts;
+use crate::texts::{KeptField as _, Texts};
 
 impl PageState for PartsPage {
     type Command = PartsCommand;

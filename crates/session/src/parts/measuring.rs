@@ -14,9 +14,8 @@ use fitcheck_exchange::journal::entry::{FileRole, UsedFile};
 use jiff::civil::DateTime;
 
 use super::judging::judged;
-use super::serials;
 use super::walking::Value;
-use super::{PartsPage, WalkCommand};
+use super::{PartsPage, WalkCommand, serials};
 use crate::Question;
 use crate::effect::Effect;
 use crate::gauges::{FromGauge, measured_with};

@@ -4,9 +4,8 @@ use fitcheck_core::message::{Message, message, shortened};
 use fitcheck_core::part::{Column, DraftFeature, MOST_FEATURES};
 use fitcheck_core::tolerance::Sources;
 
-use super::PartsPage;
 use super::draft_cells::{clamped, selected, write};
-use super::paste;
+use super::{PartsPage, paste};
 use crate::shared::Shared;
 
 /// The longest list of names that is told.

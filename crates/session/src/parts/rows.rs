@@ -9,8 +9,7 @@ use fitcheck_core::tolerance::Sources;
 use super::document::Typing;
 use super::draft_cells::{clamped, place, write};
 use super::picture::NUDGE;
-use super::sorting;
-use super::{PartsPage, PlanCommand};
+use super::{PartsPage, PlanCommand, sorting};
 use crate::Step;
 
 impl PartsPage {

@@ -8,9 +8,8 @@ use fitcheck_core::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck_core::tolerance::{Feature, Limits};
 use fitcheck_nc::machine::Contacts;
 
-use super::Input;
 use super::inputs::length;
-use super::{ProgramField, ProgramPage, WorkpieceFrom};
+use super::{Input, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::page::Page;
 use crate::purpose::{CycleFile, Purpose};
 use crate::shared::Shared;

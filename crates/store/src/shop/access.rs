@@ -3,11 +3,10 @@
 //! In this order: the address, `PGPASSWORD`, the password file, the system's keyring. It is never written to a file, a
 //! log or an error.
 
-use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc;
-use std::thread;
 use std::time::Duration;
+use std::{fmt, thread};
 
 use fitcheck_core::message::Say;
 use fitcheck_files as files;

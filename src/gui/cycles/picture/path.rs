@@ -4,10 +4,9 @@ use eframe::egui::{Align2, Rect, Sense, Ui, vec2};
 
 use super::canvas::Canvas;
 use super::criteria::plain;
-use super::part;
 use super::scale::{Scale, legend};
-use super::system;
 use super::way::{Eye, System, Way, phase_id, place};
+use super::{part, system};
 use crate::gui::spoken;
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;

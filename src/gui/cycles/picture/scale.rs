@@ -9,8 +9,7 @@ use crate::gui::shapes::screen;
 use crate::gui::theme::{sizes, space};
 use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
-use crate::probing::simulated::Outline;
-use crate::probing::simulated::PartFeature;
+use crate::probing::simulated::{Outline, PartFeature};
 use crate::words::Words;
 
 /// The share of the room that is kept free around a view.

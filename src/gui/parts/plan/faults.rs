@@ -10,9 +10,8 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::message;
 use crate::part::{Finding, Spot};
-use crate::session::PartsAction;
-use crate::session::PartsCommand;
 use crate::session::parts::PlanCommand;
+use crate::session::{PartsAction, PartsCommand};
 
 /// Whether there is anything to list.
 pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {

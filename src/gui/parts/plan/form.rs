@@ -7,9 +7,8 @@ use crate::gui::field::{FieldStyle, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::part::HeadField;
-use crate::session::PartsAction;
-use crate::session::PartsCommand;
 use crate::session::parts::{PlanCommand, PlanField};
+use crate::session::{PartsAction, PartsCommand};
 
 /// The width of a field: its hint is whole.
 fn width(ui: &Ui, view: &View<'_>, field: HeadField) -> f32 {

@@ -5,8 +5,7 @@ use eframe::egui::Ui;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
-use crate::session::PartsAction;
-use crate::session::Step;
+use crate::session::{PartsAction, Step};
 
 /// What is done with the plan as a whole: a new one, writing it as TOML and as CSV.
 const WHOLE: [PartsAction; 3] = [PartsAction::NewPlan, PartsAction::SavePlan(0), PartsAction::SavePlan(1)];

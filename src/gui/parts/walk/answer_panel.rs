@@ -16,9 +16,8 @@ use crate::gui::verdict_card::{
 use crate::gui::view::{Digits, View, problem, quiet, remembered, steady};
 use crate::message::{Message, message};
 use crate::report::of_any_paper;
-use crate::session::PartsAction;
 use crate::session::parts::{Headline, Value, Walking};
-use crate::session::{Keeping, Question, Recorded};
+use crate::session::{Keeping, PartsAction, Question, Recorded};
 
 /// The share of the height that a card keeps at most.
 const MOST: f32 = 0.62;

@@ -14,8 +14,7 @@ use crate::gui::view::{Digits, View, heading, problem, quiet, steady};
 use crate::message::message;
 use crate::part::{Plan, Size};
 use crate::session::help::Sample;
-use crate::session::{FilesCommand, Purpose};
-use crate::session::{PartsAction, WalkField, WindowAction};
+use crate::session::{FilesCommand, PartsAction, Purpose, WalkField, WindowAction};
 
 /// The panel's content.
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -3,9 +3,8 @@
 use super::probed::{clearance, probing};
 use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
-use crate::probing::cycle::Plane;
 use crate::probing::cycle::{
-    Angle, Course, CycleError, Inputs, Key, Meaning, Parameter, ParameterName, QUARTER_TURN, Texts,
+    Angle, Course, CycleError, Inputs, Key, Meaning, Parameter, ParameterName, Plane, QUARTER_TURN, Texts,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;

@@ -32,13 +32,12 @@ use fitcheck_core::text::PLAIN_LINE_END_BYTES;
 use keys::{BETWEEN_FIELDS, Level, Line, line};
 use reader::{Half, Reader};
 
-use super::Format;
 use super::characteristic::{Characteristic, CharacteristicKind, Characteristics};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::Sink;
 use super::pieces::Pieces;
 use super::source::{Beginning, Source, WHOLE};
-use super::units;
+use super::{Format, units};
 
 pub(super) const FORMAT: Format = Format {
     name: "aqdef",

@@ -4,23 +4,20 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use fitcheck_core::message::Say as _;
-use fitcheck_core::text::windows_1252;
+use fitcheck_core::text::{Within as _, windows_1252};
 use fitcheck_nc::control::simulated::is_mark;
 
-use crate::exchange::FORMATS;
 use crate::exchange::cell::single_blanks;
-use crate::exchange::cells;
 use crate::exchange::column::listed;
 use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
-use crate::exchange::left_out;
 use crate::exchange::limits::LimitColumns;
 use crate::exchange::mapping::Mapping;
 use crate::exchange::row::TextRow;
 use crate::exchange::sample::Sample;
-use fitcheck_core::text::Within as _;
+use crate::exchange::{FORMATS, cells, left_out};
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);

@@ -13,9 +13,8 @@ use crate::exchange::quantity::{is_shape, may_be_named};
 use crate::exchange::remarks::RemarkColumn;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::units;
 use crate::exchange::warmth::{self, OfTemperature, Whose};
-use crate::exchange::words;
+use crate::exchange::{units, words};
 
 impl Sample {
     /// The columns beside the value of which something is compared; `names` are those of the columns, where there are any.

@@ -21,7 +21,6 @@ mod find;
 use fitcheck_core::length::Unit;
 use fitcheck_core::tolerance::Feature;
 
-use super::cells;
 use super::claim::{Claim, Figure, letters};
 use super::evidence::yes_or_no;
 use super::limits::{self, LimitName};
@@ -29,7 +28,7 @@ use super::quantity::{is_form, is_shape};
 use super::role::Role;
 use super::vocabulary::has;
 use super::warmth::{self, OfTemperature};
-use super::words;
+use super::{cells, words};
 
 /// What a column says of each value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

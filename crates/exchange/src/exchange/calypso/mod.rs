@@ -14,14 +14,13 @@ use fitcheck_core::message::FilePlace;
 use fitcheck_core::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, lines, plain_lines_from};
 use row::{CalypsoRow, RefusedRow};
 
-use super::Format;
 use super::characteristic::Characteristics;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::Sink;
 use super::index::LONGEST_ROW;
 use super::source::{Beginning, Context, Source};
-use super::units;
+use super::{Format, units};
 
 pub(super) const FORMAT: Format = Format {
     name: "calypso",

@@ -5,14 +5,13 @@ use fitcheck_core::probing::cycle::Axis;
 
 use super::columns::{Column, Columns};
 use super::error::{CalypsoFault, CalypsoWarning};
-use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind, Value};
 use crate::exchange::claim::Claim;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::Quantity;
-use crate::exchange::units;
+use crate::exchange::{Labels, units};
 
 /// The word of a diameter; it stands under `type` or under `idsymbol`.
 const DIAMETER: &str = "diameter";

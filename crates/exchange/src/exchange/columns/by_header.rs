@@ -16,8 +16,7 @@ use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
 use crate::exchange::stated::Stated;
 use crate::exchange::vocabulary::Rank;
-use crate::exchange::warmth;
-use crate::exchange::words;
+use crate::exchange::{warmth, words};
 
 impl Sample {
     /// What the names of a header say.

@@ -5,12 +5,11 @@ use csv::StringRecord;
 use super::Columns;
 use crate::exchange::beside::BesideColumn;
 use crate::exchange::cell::Cells as _;
-use crate::exchange::cells;
 use crate::exchange::column::{NAMED, name_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::head::Head;
 use crate::exchange::sample::Sample;
-use crate::exchange::stated;
+use crate::exchange::{cells, stated};
 
 impl Sample {
     /// What the columns are.

@@ -28,9 +28,8 @@ use super::quantity::QuantityColumn;
 use super::remarks::RemarkColumn;
 use super::role::Role;
 use super::row::cells_of;
-use super::samples;
 use super::stated::Stated;
-use super::words;
+use super::{samples, words};
 use crate::exchange::cell::Cells as _;
 
 /// What the columns of a file are.

@@ -18,9 +18,8 @@ use super::given::shorten;
 use super::role::Role;
 use super::sample::Sample;
 use super::source::decode;
-use super::stated;
 use super::warmth::{self, Scale};
-use super::words;
+use super::{stated, words};
 
 /// The most contacts of a file: a scan of some minutes.
 pub const MOST_CONTACTS: usize = 500_000;

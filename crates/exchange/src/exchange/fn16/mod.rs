@@ -20,14 +20,12 @@ mod roles;
 
 use std::collections::VecDeque;
 
-use super::Format;
-use super::cells;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::imported::Sink;
 use super::pieces::Pieces;
 use super::source::{Beginning, Source};
-use super::stated;
+use super::{Format, cells, stated};
 use fitcheck_core::message::{FilePlace, Say as _};
 use fitcheck_core::text;
 use fitcheck_nc::control::mask::{Inverse, Mask, PrintMatch, Printed};

@@ -6,12 +6,11 @@ use fitcheck_core::length::{Length, Unit};
 use super::names::{LimitName, by_name, by_sign};
 use super::{LimitColumns, LimitsAre};
 use crate::exchange::cell::Cells as _;
-use crate::exchange::cells;
 use crate::exchange::column::{LengthColumn, listed, name_of, several, unit_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::units;
+use crate::exchange::{cells, units};
 
 /// What else is known of the columns of a file.
 #[derive(Clone, Copy)]

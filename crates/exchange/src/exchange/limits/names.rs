@@ -4,11 +4,10 @@ use csv::StringRecord;
 
 use crate::exchange::claim::letters;
 use crate::exchange::role::Role;
-use crate::exchange::units;
 use crate::exchange::vocabulary::{
     LARGEST, LOWER, LOWER_DEVIATION, MAXIMUM, MINIMUM, MINUS, Rank, SIGNED, SMALLEST, UPPER, UPPER_DEVIATION, has,
 };
-use crate::exchange::words;
+use crate::exchange::{units, words};
 
 /// What a name says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

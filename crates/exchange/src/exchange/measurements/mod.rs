@@ -12,7 +12,6 @@
 mod reader;
 mod time;
 
-use crate::exchange::Format;
 use crate::exchange::columns::Columns;
 use crate::exchange::delimited::{Rows, without_separator_line};
 use crate::exchange::error::ImportErrorKind;
@@ -22,7 +21,7 @@ use crate::exchange::pieces::Pieces;
 use crate::exchange::sample::{NO_SEPARATOR, Sample};
 use crate::exchange::size::SizesOf;
 use crate::exchange::source::{Context, Source, WHOLE};
-use crate::exchange::stated;
+use crate::exchange::{Format, stated};
 use csv::StringRecord;
 use reader::{NOTHING, Reader};
 use std::borrow::Cow;

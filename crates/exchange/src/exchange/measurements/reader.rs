@@ -1,9 +1,7 @@
 //! Rows whose columns are known: each is judged, refused, or told about.
 
 use super::time::{date_time, has_offset};
-use crate::exchange::Labels;
 use crate::exchange::cell::{Cells as _, joined};
-use crate::exchange::cells;
 use crate::exchange::claim::{Claim, ClaimAnswer};
 use crate::exchange::column::listed;
 use crate::exchange::columns::Columns;
@@ -13,14 +11,12 @@ use crate::exchange::evidence::marks_simulation;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Sink, Unjudged};
 use crate::exchange::index::LONGEST_ROW;
-use crate::exchange::left_out;
 use crate::exchange::refused::{Cell, Refused};
 use crate::exchange::remarks::Heard;
 use crate::exchange::rules::{RowMeasurement, Rules};
 use crate::exchange::size::{Size, SizesOf};
 use crate::exchange::source::Context;
-use crate::exchange::stated;
-use crate::exchange::words;
+use crate::exchange::{Labels, cells, left_out, stated, words};
 use crate::journal::Record;
 use csv::StringRecord;
 use fitcheck_core::length::Length;

@@ -12,10 +12,9 @@ use parquet::file::statistics::Statistics;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{SchemaDescPtr, SchemaDescriptor, Type};
 
-use super::Field;
 use super::column::{Rows, Values};
-use super::delta;
 use super::page::{Body, Chunk, Packer};
+use super::{Field, delta};
 
 /// A row group, ready to be written.
 #[derive(Debug, Default)]

@@ -5,14 +5,13 @@ use fitcheck_core::message::FilePlace;
 use jiff::civil::DateTime;
 
 use super::{Computed, Printed, PrintedFault, PrintedLine, set_aside};
-use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, CharacteristicKind, Value};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Sink, WhyUnjudged};
 use crate::exchange::quantity::{self, Quantity};
 use crate::exchange::source::Context;
-use crate::exchange::units;
+use crate::exchange::{Labels, units};
 
 /// What a figure of a row is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

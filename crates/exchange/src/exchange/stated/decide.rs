@@ -8,7 +8,6 @@ use super::mention::{Mention, Word, key, mentions, of_name, word};
 use super::{Stated, differ, joined, sign, squeezed};
 use crate::exchange::beside::BesideColumn;
 use crate::exchange::cell::Cells as _;
-use crate::exchange::cells;
 use crate::exchange::column::name_of;
 use crate::exchange::columns::Columns;
 use crate::exchange::error::ImportErrorKind;
@@ -16,8 +15,8 @@ use crate::exchange::given::shorten;
 use crate::exchange::limits::LimitColumns;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::units;
 use crate::exchange::vocabulary::Rank;
+use crate::exchange::{cells, units};
 use fitcheck_core::text::Within as _;
 
 /// Decides the units of the columns of a file by its first rows.

@@ -6,9 +6,8 @@ use fitcheck_core::length::Unit;
 use super::sign;
 use crate::exchange::delimited::SEPARATORS;
 use crate::exchange::role::Role;
-use crate::exchange::units;
 use crate::exchange::vocabulary::Rank;
-use crate::exchange::words;
+use crate::exchange::{units, words};
 
 /// Names of what states a unit, in small letters.
 const KEYS: &str = "unit|eh|einh|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\

@@ -18,12 +18,11 @@ mod mention;
 
 use csv::StringRecord;
 
-use super::cells;
 use super::column::{LengthColumn, name_of};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::refused::{Cell, Refused};
-use super::units;
+use super::{cells, units};
 use crate::exchange::cell;
 use crate::exchange::cell::Cells as _;
 pub(super) use decide::decide;

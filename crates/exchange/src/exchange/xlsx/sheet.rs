@@ -8,9 +8,8 @@ use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
 use super::shown;
-use crate::exchange::cells;
 use crate::exchange::error::ImportErrorKind;
-use crate::exchange::units;
+use crate::exchange::{cells, units};
 
 /// Columns that are read: a cell further to the right is refused.
 const MOST_COLUMNS: usize = 1_000;

@@ -23,14 +23,12 @@ use super::changes::Changes;
 use super::head::{self, DATE};
 use super::origins::{self, Entry};
 use super::part::PartSheet;
-use super::picture;
 use super::said::{cause, decimals_of, nearest, title, undecided};
 use super::seen::ReportSurvey;
 use super::statistics::{self, FeatureStatistics};
 use super::template::{Company, Section as Shown};
-use super::text;
 use super::told::printable;
-use super::{Holds, Rendering, Report};
+use super::{Holds, Rendering, Report, picture, text};
 use crate::journal::Record;
 
 pub const RENDERING: Rendering = Rendering {

@@ -13,11 +13,10 @@ use super::rows::Rows;
 use super::table::Table;
 use super::tags::TagId;
 use crate::journal::Record;
-use crate::report::Report;
 use crate::report::said::{cause, removal_said, undecided};
 use crate::report::seen::ReportSurvey;
 use crate::report::template::Section;
-use crate::report::text;
+use crate::report::{Report, text};
 
 /// The answer of a single check.
 pub(super) fn card(record: &Record, words: &Words) -> Card {

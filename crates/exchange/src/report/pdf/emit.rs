@@ -4,8 +4,6 @@ use std::io;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
-use krilla::Document;
-use krilla::SerializeSettings;
 use krilla::configure::{Accessibility, Archival, ConfigurationBuilder, ValidationError};
 use krilla::destination::XyzDestination;
 use krilla::embed::{AssociationKind, EmbeddedFile, MimeType};
@@ -15,6 +13,7 @@ use krilla::metadata::{DateTime as Stamp, Metadata};
 use krilla::outline::{Outline, OutlineNode};
 use krilla::page::PageSettings;
 use krilla::tagging::{Artifact, ArtifactType, ContentTag, Identifier};
+use krilla::{Document, SerializeSettings};
 
 use super::attach::Attachments;
 use super::brush::Brush;

@@ -10,9 +10,8 @@ use super::look::{Style, TEXT, VALUE, WORD};
 use super::sheet::{Area, Edge, Shape};
 use super::signs::Sign;
 use super::tags::{Kind, Tags};
-use crate::report::Report;
-use crate::report::head;
 use crate::report::template::Section;
+use crate::report::{Report, head};
 
 /// From the edge of the label.
 const SIDE: f32 = 6.0;

@@ -16,12 +16,11 @@ use super::rows::Rows;
 use super::table::Table;
 use super::tags::TagId;
 use crate::journal::Record;
-use crate::report::Report;
 use crate::report::origins::Entry;
 use crate::report::part::PartSheet;
 use crate::report::said::{beyond_limits, cause, decimals_of, lacks};
 use crate::report::template::Section;
-use crate::report::text;
+use crate::report::{Report, text};
 
 /// What stands below a table usually, and is to be on the same page: what the verdicts rest on, and the signature.
 const BELOW: f32 = 196.0;

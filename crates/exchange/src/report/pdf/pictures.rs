@@ -13,12 +13,11 @@ use super::look::{CHIP, GAP, LINE, NOTE, PAPER, RADIUS, TEXT, tone};
 use super::sheet::{Area, Edge, Shape};
 use super::table::outline;
 use super::tags::{Kind, TagId};
-use crate::report::Report;
 use crate::report::image::{Image, ImageKind, broken};
 use crate::report::part::PartSheet;
 use crate::report::said::balloon_said;
-use crate::report::shapes;
 use crate::report::statistics::FeatureStatistics;
+use crate::report::{Report, shapes};
 
 /// The most dots of a PNG: all of them are in memory while they are packed anew.
 const MOST_DOTS: u64 = 16_000_000;

@@ -1,8 +1,7 @@
 //! Cycles 0 and 1: one contact, from a place in a direction. They judge nothing; cycle 0 puts a coordinate into a parameter.
 
-use fitcheck_core::probing::Orientation;
 use fitcheck_core::probing::cycle::{CycleError, Move, Phase, Plane};
-use fitcheck_core::probing::{Contact, NoContact};
+use fitcheck_core::probing::{Contact, NoContact, Orientation};
 
 use super::super::around::{Purpose, millimetres};
 use super::super::budget::Settings;
