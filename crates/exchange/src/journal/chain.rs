@@ -122,7 +122,7 @@ pub fn entry_hash(chain: ChainId, before: Head, body: &[u8]) -> Option<Hash> {
     Some(Hash(hasher.finalize().into()))
 }
 
-fn hex(bytes: &[u8]) -> String {
+pub(crate) fn hex(bytes: &[u8]) -> String {
     use fmt::Write as _;
     bytes.iter().fold(String::with_capacity(2 * bytes.len()), |mut text, byte| {
         // A text takes everything.

@@ -207,11 +207,6 @@ impl PairingPage {
         })
     }
 
-    /// What has to be done outside.
-    pub(crate) fn take_errands(&mut self) -> Vec<Effect> {
-        std::mem::take(&mut self.errands)
-    }
-
     /// The pairs as a file.
     pub(crate) fn content(&self, format: usize) -> Result<Content, Message> {
         let paired = self.paired.as_ref().ok_or_else(|| message!("pairing-page-nothing-to-save"))?;

@@ -164,6 +164,15 @@ impl RecordsPage {
         if self.chosen.is_empty() { &self.gathered } else { &self.chosen }
     }
 
+    /// The records that the report has.
+    fn rows_for_report(&self) -> impl Iterator<Item = &Arc<RecordRow>> {
+        self.for_use().values().filter(|row| match use_of(row) {
+            Use::Reported(_) => true,
+            Use::Simulated(_) => self.with_simulated,
+            _ => false,
+        })
+    }
+
     /// Chooses a record, or not; one that was not read cannot be chosen.
     pub(super) fn choose(&mut self, number: u64, is_chosen: bool) {
         match self.listing.row(number).filter(|_| is_chosen) {
@@ -229,22 +238,12 @@ impl RecordsPage {
 
     /// The entries of the records of a report, in the same order.
     pub(crate) fn heads_for_report(&self) -> Vec<Head> {
-        let used = self.for_use().values().filter(|row| match use_of(row) {
-            Use::Reported(_) => true,
-            Use::Simulated(_) => self.with_simulated,
-            _ => false,
-        });
-        used.map(|row| row.head).collect()
+        self.rows_for_report().map(|row| row.head).collect()
     }
 
     /// How many of the reported records stand in the place of a corrected one.
     fn corrections(&self) -> usize {
-        let used = self.for_use().values().filter(|row| match use_of(row) {
-            Use::Reported(_) => true,
-            Use::Simulated(_) => self.with_simulated,
-            _ => false,
-        });
-        let checks = used.filter_map(|row| row.entry.as_ref().ok()?.check());
+        let checks = self.rows_for_report().filter_map(|row| row.entry.as_ref().ok()?.check());
         checks.filter(|check| check.corrects.is_some()).count()
     }
 

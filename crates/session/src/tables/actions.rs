@@ -1,6 +1,7 @@
 //! What can be done on the table page.
 
 use fitcheck_core::message::message;
+use fitcheck_core::text::sentence;
 use fitcheck_core::tolerance::{Deviations, ToleranceClass};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
@@ -114,7 +115,7 @@ impl Actions for TablesAction {
     fn name(&self, session: &Session, words: &Words) -> Option<String> {
         match *self {
             Self::SaveTable(number) => {
-                Some(capitalised(&format!("{}…", words.get(TABLE_FORMATS.get(number)?.description))))
+                Some(sentence(&format!("{}…", words.get(TABLE_FORMATS.get(number)?.description))))
             }
             Self::RemoveColumn => {
                 let class = selected(session).map(|(_, (class, _))| class.to_string());
@@ -166,10 +167,4 @@ fn has_cell(session: &Session) -> bool {
 fn cell(session: &Session) -> Option<Deviations> {
     let (document, (class, range)) = selected(session)?;
     document.cell(class, range)
-}
-
-/// Capitalised, as an entry of a menu.
-fn capitalised(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
 }

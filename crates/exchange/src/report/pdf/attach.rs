@@ -6,6 +6,7 @@ use std::sync::Arc;
 use fitcheck_core::words::Words;
 use sha2::{Digest as _, Sha256};
 
+use crate::journal::chain::hex;
 use crate::report::seen::ReportSurvey;
 use crate::report::{Rendering, Report, csv, json};
 
@@ -40,7 +41,7 @@ impl Attachments {
         for (rendering, name, media) in DATA {
             let file = Kept::of(rendering, report, words)?;
             if all.digest.is_empty() {
-                all.digest = hexadecimal(&file.digest.finalize());
+                all.digest = hex(&file.digest.finalize());
             }
             match file.bytes {
                 Some(bytes) => all.files.push(Attachment { name, media, bytes: Arc::new(bytes) }),
@@ -126,9 +127,4 @@ impl Write for Kept {
     fn flush(&mut self) -> io::Result<()> {
         Ok(())
     }
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    let digit = |value: u8| char::from_digit(value.into(), 16);
-    bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).flatten().collect()
 }
