@@ -417,7 +417,9 @@ fn a_stage_begins_at_the_cursor_with_limits_of_its_own_and_ends_again() {
     let [_, of, _] = figure(&session, "Outside the limits");
     assert_eq!(of, "of 8", "figures and counts are of the same values");
     assert_eq!(session.statistics().read_text(&words()).as_deref(), Some("18 values"));
-    assert!(said_of_look(&session).contains("Stages begin at points 11; the figures are those of the last one."));
+    assert!(
+        said_of_look(&session).contains("Points at which a stage begins: 11. The figures are those of the last stage.")
+    );
     doing(&mut session, StatisticsCommand::Stage);
     assert_eq!(session.statistics().chart_text(&words()), before);
 }

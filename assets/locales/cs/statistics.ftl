@@ -15,7 +15,7 @@ statistics-look-grouped = Body jsou průměry: { $by ->
         [who] hodnot jedné osoby
        *[other] hodnot bez pauzy delší než { $minutes } min
     }.
-statistics-look-stages = Etapy začínají v bodech { $points }; hodnoty jsou z poslední etapy.
+statistics-look-stages = Body, v nichž začíná etapa: { $points }. Hodnoty jsou z poslední etapy.
 statistics-look-waits = Etapy, které ještě nemají dost různých hodnot a zatím se nepoužívají: { $count }.
 statistics-look-frozen = Regulační meze jsou z bodů { $first } až { $last }.
 statistics-look-memory = Druhý diagram: { $method }.

@@ -15,7 +15,7 @@ statistics-look-grouped = Punkte sind Mittel: { $by ->
         [who] der Werte einer Person
        *[other] der Werte ohne eine Pause von mehr als { $minutes } min
     }.
-statistics-look-stages = Abschnitte beginnen bei den Punkten { $points }; die Kennwerte sind die des letzten.
+statistics-look-stages = Punkte, bei denen ein Abschnitt beginnt: { $points }. Die Kennwerte sind die des letzten Abschnitts.
 statistics-look-waits = Abschnitte, die noch zu wenige verschiedene Werte haben und noch nicht gelten: { $count }.
 statistics-look-frozen = Die Eingriffsgrenzen stammen aus den Punkten { $first } bis { $last }.
 statistics-look-memory = Zweite Karte: { $method }.

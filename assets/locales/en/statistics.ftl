@@ -15,7 +15,7 @@ statistics-look-grouped = Points are means: { $by ->
         [who] of the values of one person
        *[other] of values without a pause of more than { $minutes } min
     }.
-statistics-look-stages = Stages begin at points { $points }; the figures are those of the last one.
+statistics-look-stages = Points at which a stage begins: { $points }. The figures are those of the last stage.
 statistics-look-waits = Stages that have too few different values yet and do not count so far: { $count }.
 statistics-look-frozen = The control limits are those of points { $first } to { $last }.
 statistics-look-memory = Second chart: { $method }.

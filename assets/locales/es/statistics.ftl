@@ -15,7 +15,7 @@ statistics-look-grouped = Los puntos son medias: { $by ->
         [who] de los valores de una persona
        *[other] de valores sin una pausa de más de { $minutes } min
     }.
-statistics-look-stages = Las etapas empiezan en los puntos { $points }; los valores son los de la última.
+statistics-look-stages = Puntos en los que empieza una etapa: { $points }. Los valores son los de la última etapa.
 statistics-look-waits = Etapas que aún tienen muy pocos valores distintos y todavía no cuentan: { $count }.
 statistics-look-frozen = Los límites de control son los de los puntos { $first } a { $last }.
 statistics-look-memory = Segundo gráfico: { $method }.

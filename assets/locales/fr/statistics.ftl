@@ -15,7 +15,7 @@ statistics-look-grouped = Les points sont des moyennes : { $by ->
         [who] des valeurs d'une personne
        *[other] des valeurs sans pause de plus de { $minutes } min
     }.
-statistics-look-stages = Des étapes commencent aux points { $points } ; les valeurs sont celles de la dernière.
+statistics-look-stages = Points où commence une étape : { $points }. Les valeurs sont celles de la dernière étape.
 statistics-look-waits = Étapes qui ont encore trop peu de valeurs différentes et ne comptent pas pour l'instant : { $count }.
 statistics-look-frozen = Les limites de contrôle sont celles des points { $first } à { $last }.
 statistics-look-memory = Seconde carte : { $method }.

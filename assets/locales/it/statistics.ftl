@@ -15,7 +15,7 @@ statistics-look-grouped = I punti sono medie: { $by ->
         [who] dei valori di una persona
        *[other] dei valori senza una pausa di oltre { $minutes } min
     }.
-statistics-look-stages = Le fasi iniziano ai punti { $points }; i valori sono quelli dell'ultima.
+statistics-look-stages = Punti in cui inizia una fase: { $points }. I valori sono quelli dell'ultima fase.
 statistics-look-waits = Fasi che hanno ancora troppo pochi valori diversi e per ora non contano: { $count }.
 statistics-look-frozen = I limiti di controllo sono quelli dei punti da { $first } a { $last }.
 statistics-look-memory = Seconda carta: { $method }.

@@ -15,7 +15,7 @@ statistics-look-grouped = Punten zijn gemiddelden: { $by ->
         [who] van de waarden van één persoon
        *[other] van waarden zonder een pauze van meer dan { $minutes } min
     }.
-statistics-look-stages = Fasen beginnen bij de punten { $points }; de waarden zijn die van de laatste.
+statistics-look-stages = Punten waar een fase begint: { $points }. De waarden zijn die van de laatste fase.
 statistics-look-waits = Fasen die nog te weinig verschillende waarden hebben en nog niet tellen: { $count }.
 statistics-look-frozen = De regelgrenzen komen uit de punten { $first } tot { $last }.
 statistics-look-memory = Tweede kaart: { $method }.

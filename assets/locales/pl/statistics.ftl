@@ -15,7 +15,7 @@ statistics-look-grouped = Punkty są średnimi: { $by ->
         [who] wartości jednej osoby
        *[other] wartości bez przerwy dłuższej niż { $minutes } min
     }.
-statistics-look-stages = Etapy zaczynają się w punktach { $points }; wartości pochodzą z ostatniego.
+statistics-look-stages = Punkty, w których zaczyna się etap: { $points }. Wartości pochodzą z ostatniego etapu.
 statistics-look-waits = Etapy, które mają jeszcze za mało różnych wartości i na razie się nie liczą: { $count }.
 statistics-look-frozen = Granice kontrolne pochodzą z punktów od { $first } do { $last }.
 statistics-look-memory = Druga karta: { $method }.
