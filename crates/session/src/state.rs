@@ -46,9 +46,6 @@ pub(super) trait PageState: Sized {
         Vec::new()
     }
 
-    /// The command that replaces a field's text.
-    fn typed(field: Self::Field, text: String) -> Self::Command;
-
     fn text(&self, field: Self::Field) -> &str;
 
     /// What is wrong with a field.

@@ -17,7 +17,7 @@ macro_rules! typing {
             /// The command that replaces the field's text.
             pub fn typed(self, text: String) -> Command {
                 match self {
-                    $(Self::$page(field) => super::$folder::$State::typed(field, text).into(),)+
+                    $(Self::$page(field) => super::$folder::$Command::Type(field, text).into(),)+
                     Self::Workpiece(field) => WorkpieceCommand::Type(field, text).into(),
                 }
             }

@@ -36,9 +36,10 @@ const NM_PER_MM: i64 = 1_000_000;
 pub struct Length(i64);
 
 /// The unit in which a number without a unit of its own is read, or in which a length is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Unit {
     /// Millimetres.
+    #[default]
     Millimetre,
     /// Micrometres.
     Micrometre,

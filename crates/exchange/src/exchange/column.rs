@@ -12,7 +12,7 @@ use crate::exchange::cell::{Cells as _, single_blanks};
 /// How many columns a message names at most.
 pub(super) const NAMED: usize = 8;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct LengthColumn {
     pub(super) at: usize,
     pub(super) unit: Unit,

@@ -13,11 +13,12 @@ use crate::control::table::Generation;
 use crate::program::TextOperand;
 
 /// A generation of controls that sets are written for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Control {
     /// iTNC 530, from NC software 340 49x-07 and 606 42x-02 (NC-Solutions, description of NC program 8255).
     Itnc530,
     /// TNC 320, TNC 620 and TNC 640.
+    #[default]
     Tnc640,
     /// TNC7 and TNC7 basic.
     Tnc7,

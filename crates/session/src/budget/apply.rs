@@ -84,10 +84,6 @@ impl PageState for BudgetPage {
 
     fn follow(&mut self, _news: &News, _shared: &mut Shared) {}
 
-    fn typed(field: BudgetField, text: String) -> BudgetCommand {
-        BudgetCommand::Type(field, text)
-    }
-
     fn text(&self, field: BudgetField) -> &str {
         self.texts.text(field)
     }

@@ -178,10 +178,6 @@ impl PageState for CheckPage {
         std::mem::take(&mut self.errands)
     }
 
-    fn typed(field: CheckField, text: String) -> CheckCommand {
-        CheckCommand::Type(field, text)
-    }
-
     fn text(&self, field: CheckField) -> &str {
         self.texts.text(field)
     }

@@ -88,7 +88,7 @@ pub struct Question {
 }
 
 /// The state of the check page.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 #[expect(clippy::struct_excessive_bools, reason = "each answers another question about the page")]
 pub struct CheckPage {
     texts: Texts<CheckField>,
@@ -146,32 +146,7 @@ impl CheckPage {
         let by = saved.by;
         let judging = saved.judging;
         let asked = CheckInputs::read(&texts, None, judging, sources, &Meant::default());
-        Self {
-            texts,
-            by,
-            feature: None,
-            judging,
-            own_judging: None,
-            before_budget: None,
-            asked,
-            shown: None,
-            lent: None,
-            own: BTreeMap::new(),
-            inputs: Inputs::default(),
-            refusal: None,
-            measured_is_used: false,
-            is_repeated: false,
-            gauge: None,
-            judged: Asking::default(),
-            question: None,
-            meant: Meant::default(),
-            asks: false,
-            lot: None,
-            rows: None,
-            shows_rows: false,
-            runs: 0,
-            errands: Vec::new(),
-        }
+        Self { texts, by, judging, asked, ..Self::default() }
     }
 
     /// The texts that are kept: the user's own, without a value that was judged. A forgotten filter would hide checks

@@ -97,10 +97,6 @@ impl PageState for CyclesPage {
         }
     }
 
-    fn typed(field: CycleField, text: String) -> CyclesCommand {
-        CyclesCommand::Type(field, text)
-    }
-
     fn text(&self, field: CycleField) -> &str {
         let text = match field {
             CycleField::Parameter(key) => self.texts.get(&(self.cycle.number, key)),

@@ -57,10 +57,6 @@ impl PageState for FitPage {
         }
     }
 
-    fn typed(field: FitField, text: String) -> FitCommand {
-        FitCommand::Type(field, text)
-    }
-
     fn text(&self, field: FitField) -> &str {
         self.texts.text(field)
     }

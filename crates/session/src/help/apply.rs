@@ -102,10 +102,6 @@ impl PageState for HelpPage {
         }
     }
 
-    fn typed(field: HelpField, text: String) -> HelpCommand {
-        HelpCommand::Type(field, text)
-    }
-
     fn text(&self, _field: HelpField) -> &str {
         &self.query
     }

@@ -69,10 +69,6 @@ impl PageState for PairingPage {
         std::mem::take(&mut self.errands)
     }
 
-    fn typed(field: PairingField, text: String) -> PairingCommand {
-        PairingCommand::Type(field, text)
-    }
-
     fn text(&self, field: PairingField) -> &str {
         self.texts.text(field)
     }

@@ -43,10 +43,12 @@ impl PageState for PartsPage {
     fn apply(&mut self, command: PartsCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         let mut effects = Vec::new();
         match command {
-            PartsCommand::Type(WalkField::Value, _) if shared.is_for_operators() && self.walking.waits() => {
+            PartsCommand::Type(PartsField::Walk(WalkField::Value), _)
+                if shared.is_for_operators() && self.walking.waits() =>
+            {
                 shared.tell_to_go_on();
             }
-            PartsCommand::Type(field, text) => {
+            PartsCommand::Type(PartsField::Walk(field), text) => {
                 match field {
                     WalkField::Value => self.type_value(&text),
                     WalkField::Serial => self.again = None,
@@ -63,6 +65,9 @@ impl PageState for PartsPage {
                 self.settle();
                 self.view = view;
                 self.ask_for_keys();
+            }
+            PartsCommand::Type(PartsField::Plan(field), text) => {
+                effects.extend(self.apply_plan(PlanCommand::Type(field, text), shared));
             }
             PartsCommand::Plan(command) => effects.extend(self.apply_plan(command, shared)),
             PartsCommand::Walk(command) => effects = self.apply_walk(command, shared, now),
@@ -110,13 +115,6 @@ impl PageState for PartsPage {
 
     fn take_errands(&mut self) -> Vec<Effect> {
         std::mem::take(&mut self.errands)
-    }
-
-    fn typed(field: PartsField, text: String) -> PartsCommand {
-        match field {
-            PartsField::Walk(field) => PartsCommand::Type(field, text),
-            PartsField::Plan(field) => PartsCommand::Plan(PlanCommand::Type(field, text)),
-        }
     }
 
     fn text(&self, field: PartsField) -> &str {

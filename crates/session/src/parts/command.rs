@@ -8,16 +8,15 @@ use fitcheck_core::part::{Column, Document};
 use fitcheck_exchange::exchange::Item;
 
 use super::watch_news::WatchNews;
-use super::{AlarmsFound, PartPicture, PartsView, PlanField};
+use super::{AlarmsFound, PartPicture, PartsField, PartsView, PlanField};
 use crate::Step;
-use crate::parts::WalkField;
 use crate::records::RecordRow;
 
 /// What can be done on the parts page.
 #[derive(Debug, Clone)]
 pub enum PartsCommand {
     /// Replaces the text of a field.
-    Type(WalkField, String),
+    Type(PartsField, String),
     /// Opens a view.
     Show(PartsView),
     /// Does something to the plan.

@@ -86,10 +86,6 @@ impl PageState for ProgramPage {
         }
     }
 
-    fn typed(field: ProgramField, text: String) -> ProgramCommand {
-        ProgramCommand::Type(field, text)
-    }
-
     fn text(&self, field: ProgramField) -> &str {
         let typed = match field {
             ProgramField::Input(input) => self.typed.get(&input.parameter()),

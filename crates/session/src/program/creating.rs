@@ -85,7 +85,7 @@ impl PartialEq for Asked {
 }
 
 /// The set as it would be written now.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Creating {
     pub control: Control,
     /// Whether it measures the parts of a series, one at each start.
@@ -102,22 +102,6 @@ pub struct Creating {
     made: Option<Result<Arc<NcSet>, Vec<Message>>>,
     /// Counts how often it had to come into sight.
     looks: u64,
-}
-
-impl Default for Creating {
-    fn default() -> Self {
-        Self {
-            control: Control::Tnc640,
-            is_series: false,
-            by_text: false,
-            shown: None,
-            language: None,
-            from: None,
-            asked: None,
-            made: None,
-            looks: 0,
-        }
-    }
 }
 
 impl Creating {

@@ -120,10 +120,6 @@ impl PageState for RecordsPage {
         std::mem::take(&mut self.errands)
     }
 
-    fn typed(field: RecordsField, text: String) -> RecordsCommand {
-        RecordsCommand::Type(field, text)
-    }
-
     fn text(&self, field: RecordsField) -> &str {
         self.texts.get(&field).map_or("", String::as_str)
     }

@@ -126,10 +126,6 @@ impl PageState for ReportsPage {
         std::mem::take(&mut self.errands)
     }
 
-    fn typed(field: ReportsField, text: String) -> ReportsCommand {
-        ReportsCommand::Type(field, text)
-    }
-
     fn text(&self, field: ReportsField) -> &str {
         self.texts.text(field)
     }

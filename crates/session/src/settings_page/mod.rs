@@ -150,10 +150,6 @@ impl PageState for SettingsPage {
         self.gauges.take_errands().into_iter().chain(self.company.take_errand()).collect()
     }
 
-    fn typed(field: SettingsField, text: String) -> SettingsCommand {
-        SettingsCommand::Type(field, text)
-    }
-
     fn text(&self, field: SettingsField) -> &str {
         match field {
             SettingsField::Find => &self.query,

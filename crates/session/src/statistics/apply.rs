@@ -118,10 +118,6 @@ impl PageState for StatisticsPage {
         errands
     }
 
-    fn typed(field: StatisticsField, text: String) -> StatisticsCommand {
-        StatisticsCommand::Type(field, text)
-    }
-
     fn text(&self, field: StatisticsField) -> &str {
         self.texts.text(field)
     }

@@ -43,10 +43,6 @@ impl PageState for TablesPage {
         }
     }
 
-    fn typed(field: TablesField, text: String) -> TablesCommand {
-        TablesCommand::Type(field, text)
-    }
-
     fn text(&self, field: TablesField) -> &str {
         self.texts.text(field)
     }

@@ -7,13 +7,9 @@ use super::{Columns, LabelColumns};
 use crate::exchange::cells::{is_callout, is_class_with_grade, is_number, own_callout};
 use crate::exchange::column::{LengthColumn, name_of, several};
 use crate::exchange::error::ImportErrorKind;
-use crate::exchange::evidence::Evidence;
-use crate::exchange::head::Head;
-use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::Free;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::stated::Stated;
 
 impl Sample {
     /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only column
@@ -68,31 +64,11 @@ impl Sample {
             tolerance,
             nominal: nominal.map(|at| LengthColumn { at, unit: Unit::Millimetre }),
             measured: LengthColumn { at: measured, unit: Unit::Millimetre },
-            tolerance_goes_both_ways: false,
-            limits: None,
-            time: Vec::new(),
-            simulated: None,
             count,
-            header: None,
-            names_known: false,
             ignored: (0..count).filter(|at| !is_used(*at)).map(|at| name_of(at, "")).collect(),
             quantities,
-            decimal_sign: None,
-            behind: None,
-            decimals: None,
-            own: OwnColumns::default(),
-            evidence: Evidence::default(),
             labels: LabelColumns { may_be_running: true, ..LabelColumns::default() },
-            other_values: Vec::new(),
-            beside: Vec::new(),
-            remarks: Vec::new(),
-            samples: Vec::new(),
-            samples_named: String::new(),
-            sample: String::new(),
-            head: Head::default(),
-            top: None,
-            first: None,
-            stated: Stated::default(),
+            ..Columns::default()
         })
     }
 

@@ -7,14 +7,12 @@ use crate::exchange::cell::Cells as _;
 use crate::exchange::column::{LengthColumn, name_of, unit_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
-use crate::exchange::head::Head;
 use crate::exchange::limits::{self, Beside, LimitColumns};
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::Free;
 use crate::exchange::rivals::{Roles, best};
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::stated::Stated;
 use crate::exchange::vocabulary::Rank;
 use crate::exchange::{warmth, words};
 
@@ -93,22 +91,10 @@ impl Sample {
             header: Some(line),
             names_known: true,
             ignored: ignored.map(|(at, name)| name_of(at, name)).collect(),
-            decimal_sign: None,
-            behind: None,
-            decimals: None,
             own,
             evidence,
             labels,
-            other_values: Vec::new(),
-            beside: Vec::new(),
-            remarks: Vec::new(),
-            samples: Vec::new(),
-            samples_named: String::new(),
-            sample: String::new(),
-            head: Head::default(),
-            top: None,
-            first: None,
-            stated: Stated::default(),
+            ..Columns::default()
         })
     }
 }

@@ -33,7 +33,7 @@ use super::{samples, words};
 use crate::exchange::cell::Cells as _;
 
 /// What the columns of a file are.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Columns {
     pub(super) id: Option<usize>,
     pub(super) tolerance: Option<usize>,

@@ -9,13 +9,12 @@ use crate::exchange::columns::{Columns, LabelColumns};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
 use crate::exchange::given::shorten;
-use crate::exchange::head::Head;
 use crate::exchange::limits::{self, Beside, Found, LimitColumns, LimitsAre};
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
-use crate::exchange::stated::{self, Stated};
+use crate::exchange::stated;
 use fitcheck_core::text::Within as _;
 
 /// The columns of limits.
@@ -264,31 +263,14 @@ impl Said<'_> {
             tolerance: beside(self.either(Role::Tolerance, |found| found.tolerance)),
             nominal: nominal.map(|at| self.length(at)).transpose()?,
             measured: self.length(measured)?,
-            tolerance_goes_both_ways: false,
-            limits: None,
             time: self.times(),
             simulated: self.either(Role::Simulated, |found| found.simulated),
-            quantities: Vec::new(),
             count: count.max(self.roles.iter().filter_map(|(_, at)| *at).max().map_or(0, |at| at + 1)),
-            header: None,
-            names_known: false,
-            ignored: Vec::new(),
-            decimal_sign: None,
-            behind: None,
-            decimals: None,
             own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
             evidence: self.evidence(measured),
             labels,
-            other_values: Vec::new(),
-            beside: Vec::new(),
-            remarks: Vec::new(),
-            samples: Vec::new(),
-            samples_named: String::new(),
-            sample: String::new(),
-            head: Head::default(),
-            top: None,
             first: self.mapping.first_row,
-            stated: Stated::default(),
+            ..Columns::default()
         })
     }
 
