@@ -117,7 +117,8 @@ impl PresetTable {
         self.rows.get(&number).copied().ok_or_else(|| FaultKind::NoPreset { table: self.name(), row: number })
     }
 
-    fn value(&self, row: usize, column: usize) -> Result<Option<Length>, FaultKind> {
+    /// What a cell says; `None` where it is blank.
+    fn cell<T>(&self, row: usize, column: usize, read: impl Fn(&str) -> Option<T>) -> Result<Option<T>, FaultKind> {
         let cell = self.text(row, column);
         let table = self.name();
         let name = || self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
@@ -128,7 +129,11 @@ impl PresetTable {
             return Ok(None);
         }
         let no_number = || FaultKind::NoNumberInCell { table, row, column: name(), cell: cell.to_owned() };
-        Length::parse_in(cell, self.unit()).map(Some).map_err(|_length| no_number())
+        read(cell).map(Some).ok_or_else(no_number)
+    }
+
+    fn value(&self, row: usize, column: usize) -> Result<Option<Length>, FaultKind> {
+        self.cell(row, column, |cell| Length::parse_in(cell, self.unit()).ok())
     }
 
     fn row(&self, number: u32) -> Result<PresetRow, FaultKind> {
@@ -151,18 +156,7 @@ impl PresetTable {
 
     /// Degrees in a cell; `None` where it is blank.
     fn angle(&self, row: usize, column: usize) -> Result<Option<f64>, FaultKind> {
-        let cell = self.text(row, column);
-        let table = self.name();
-        let name = || self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
-        if self.file.touches(row, column) {
-            return Err(FaultKind::Touches { table, row, column: name() });
-        }
-        if is_blank(cell) {
-            return Ok(None);
-        }
-        let angle = cell.parse::<f64>().ok().filter(|angle| angle.abs() <= 360.0);
-        let no_number = || FaultKind::NoNumberInCell { table, row, column: name(), cell: cell.to_owned() };
-        angle.map(Some).ok_or_else(no_number)
+        self.cell(row, column, |cell| cell.parse::<f64>().ok().filter(|angle| angle.abs() <= 360.0))
     }
 
     fn check_unlocked(&self, number: u32) -> Result<(), FaultKind> {
