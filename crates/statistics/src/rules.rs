@@ -6,59 +6,37 @@
 
 use fitcheck_core::message::Say;
 
-/// A rule.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Say)]
-#[say(prefix = "statistics-rule")]
-pub enum Rule {
-    /// Nelson 1, Western Electric 1: a point beyond 3 s.
-    BeyondLimits,
-    /// Nelson 2: nine points on one side of the centre line.
-    NineOneSide,
-    /// Nelson 3: six points rising or falling.
-    SixTrend,
-    /// Nelson 4: fourteen points alternately rising and falling.
-    FourteenAlternating,
-    /// Nelson 5, Western Electric 2: two of three points beyond 2 s on one side.
-    TwoOfThree,
-    /// Nelson 6, Western Electric 3: four of five points beyond 1 s on one side.
-    FourOfFive,
-    /// Nelson 7: fifteen points within 1 s.
-    FifteenWithin,
-    /// Nelson 8: eight points beyond 1 s, on either side.
-    EightBeyond,
-    /// Western Electric 4: eight points on one side of the centre line.
-    EightOneSide,
+fitcheck_core::named! {
+    /// A rule.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Say)]
+    #[say(prefix = "statistics-rule")]
+    pub enum Rule {
+        /// All of them.
+        ALL;
+        /// Its name in files and options.
+        fn word;
+        /// Nelson 1, Western Electric 1: a point beyond 3 s.
+        BeyondLimits = "nelson-1",
+        /// Nelson 2: nine points on one side of the centre line.
+        NineOneSide = "nelson-2",
+        /// Nelson 3: six points rising or falling.
+        SixTrend = "nelson-3",
+        /// Nelson 4: fourteen points alternately rising and falling.
+        FourteenAlternating = "nelson-4",
+        /// Nelson 5, Western Electric 2: two of three points beyond 2 s on one side.
+        TwoOfThree = "nelson-5",
+        /// Nelson 6, Western Electric 3: four of five points beyond 1 s on one side.
+        FourOfFive = "nelson-6",
+        /// Nelson 7: fifteen points within 1 s.
+        FifteenWithin = "nelson-7",
+        /// Nelson 8: eight points beyond 1 s, on either side.
+        EightBeyond = "nelson-8",
+        /// Western Electric 4: eight points on one side of the centre line.
+        EightOneSide = "western-electric-4",
+    }
 }
 
 impl Rule {
-    /// All of them.
-    pub const ALL: [Self; 9] = [
-        Self::BeyondLimits,
-        Self::NineOneSide,
-        Self::SixTrend,
-        Self::FourteenAlternating,
-        Self::TwoOfThree,
-        Self::FourOfFive,
-        Self::FifteenWithin,
-        Self::EightBeyond,
-        Self::EightOneSide,
-    ];
-
-    /// Its name in files and options.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::BeyondLimits => "nelson-1",
-            Self::NineOneSide => "nelson-2",
-            Self::SixTrend => "nelson-3",
-            Self::FourteenAlternating => "nelson-4",
-            Self::TwoOfThree => "nelson-5",
-            Self::FourOfFive => "nelson-6",
-            Self::FifteenWithin => "nelson-7",
-            Self::EightBeyond => "nelson-8",
-            Self::EightOneSide => "western-electric-4",
-        }
-    }
-
     /// How many points its pattern has.
     pub const fn points(self) -> usize {
         match self {

@@ -2,24 +2,16 @@
 
 use eframe::egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, RichText};
 
-/// How an icon is drawn: bold for verdicts and carets, filled for the page where one is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Weight {
-    Regular,
-    Bold,
-    Fill,
-}
-
-impl Weight {
-    pub const ALL: [Self; 3] = [Self::Regular, Self::Bold, Self::Fill];
-
-    /// The name of its font, which is a family of its own: a line of text has another middle than an icon.
-    pub const fn font(self) -> &'static str {
-        match self {
-            Self::Regular => "icons-regular",
-            Self::Bold => "icons-bold",
-            Self::Fill => "icons-fill",
-        }
+fitcheck_core::named! {
+    /// How an icon is drawn: bold for verdicts and carets, filled for the page where one is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Weight {
+        ALL;
+        /// The name of its font, which is a family of its own: a line of text has another middle than an icon.
+        fn font;
+        Regular = "icons-regular",
+        Bold = "icons-bold",
+        Fill = "icons-fill",
     }
 }
 

@@ -4,22 +4,28 @@ use serde::Deserialize;
 
 use super::numbers::{ALPHA, FAR};
 
-/// The kind of a contribution as it is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum KindName {
-    /// The scatter of one touch.
-    Scatter,
-    /// The temperature of the part.
-    PartTemperature,
-    /// That of the machine's scales.
-    ScaleTemperature,
-    /// The expansion of the part.
-    PartExpansion,
-    /// That of the machine's scales.
-    ScaleExpansion,
-    /// The step of the display.
-    Resolution,
+crate::named! {
+    /// The kind of a contribution as it is written.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum KindName {
+        /// Every kind; a contribution without one is plain.
+        ALL;
+        /// Its name in files.
+        fn name;
+        /// The scatter of one touch.
+        Scatter = "scatter",
+        /// The temperature of the part.
+        PartTemperature = "part-temperature",
+        /// That of the machine's scales.
+        ScaleTemperature = "scale-temperature",
+        /// The expansion of the part.
+        PartExpansion = "part-expansion",
+        /// That of the machine's scales.
+        ScaleExpansion = "scale-expansion",
+        /// The step of the display.
+        Resolution = "resolution",
+    }
 }
 
 /// The keys of a standard uncertainty, an expanded one with its factor, and a half width, in the unit of a kind.
@@ -67,28 +73,6 @@ const PER_KELVIN: Keys = Keys {
 };
 
 impl KindName {
-    /// Every kind; a contribution without one is plain.
-    pub const ALL: [Self; 6] = [
-        Self::Scatter,
-        Self::PartTemperature,
-        Self::ScaleTemperature,
-        Self::PartExpansion,
-        Self::ScaleExpansion,
-        Self::Resolution,
-    ];
-
-    /// Its name in files.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Scatter => "scatter",
-            Self::PartTemperature => "part-temperature",
-            Self::ScaleTemperature => "scale-temperature",
-            Self::PartExpansion => "part-expansion",
-            Self::ScaleExpansion => "scale-expansion",
-            Self::Resolution => "resolution",
-        }
-    }
-
     /// The keys of its uncertainty.
     pub const fn keys(kind: Option<Self>) -> &'static Keys {
         match kind {

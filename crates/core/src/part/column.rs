@@ -1,113 +1,63 @@
 //! What a plan says of a feature, and of the part: the columns of its table and the keys of its file.
 
-/// What a plan says of a feature. The key is the name in files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Column {
-    /// The number of its balloon on the drawing.
-    Number,
-    /// Its name.
-    Name,
-    /// What is measured: a diameter if not given.
-    Kind,
-    /// The measured axis of a width, or the direction in which a face or point is probed.
-    Axis,
-    /// Nominal size and tolerance; the band of a point.
-    Callout,
-    /// The same for the side of a pocket or boss along Y.
-    SecondCallout,
-    /// Hole or shaft, where the callout does not say it.
-    Feature,
-    /// Centre in X, or the point's place, mm.
-    X,
-    /// Centre in Y, or the point's place, mm.
-    Y,
-    /// Measuring height in Z, or the point's place, mm.
-    Z,
-    /// Angle of the first contact from +X, degrees.
-    Angle,
-    /// Lateral set-up clearance, mm.
-    Clearance,
-    /// Where the probe moves without a collision, mm.
-    ClearanceHeight,
-    /// The measuring cycle, where it is not the usual one of the kind.
-    Cycle,
-    /// Further parameters of the cycle: `Q423=3 Q320=1`.
-    Parameters,
-    /// The material, or its expansion in millionths per kelvin.
-    Material,
-    /// The decision rule.
-    Rule,
-    /// The standard uncertainty, µm.
-    Uncertainty,
-    /// What a value can be at all: two lengths, mm.
-    Plausible,
-    /// The same for the side of a pocket or boss along Y.
-    SecondPlausible,
-    /// Anything else.
-    Remark,
-    /// Where its balloon is on the picture: from 0 at the left to 1 at the right.
-    BalloonX,
-    /// From 0 at the top to 1 at the bottom.
-    BalloonY,
+crate::named! {
+    /// What a plan says of a feature. The key is the name in files.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Column {
+        /// Every column, in the order of files and of the table in the window.
+        ALL;
+        /// The name in files.
+        fn key;
+        /// The number of its balloon on the drawing.
+        Number = "number",
+        /// Its name.
+        Name = "name",
+        /// What is measured: a diameter if not given.
+        Kind = "kind",
+        /// The measured axis of a width, or the direction in which a face or point is probed.
+        Axis = "axis",
+        /// Nominal size and tolerance; the band of a point.
+        Callout = "callout",
+        /// The same for the side of a pocket or boss along Y.
+        SecondCallout = "callout2",
+        /// Hole or shaft, where the callout does not say it.
+        Feature = "feature",
+        /// Centre in X, or the point's place, mm.
+        X = "x",
+        /// Centre in Y, or the point's place, mm.
+        Y = "y",
+        /// Measuring height in Z, or the point's place, mm.
+        Z = "z",
+        /// Angle of the first contact from +X, degrees.
+        Angle = "angle",
+        /// Lateral set-up clearance, mm.
+        Clearance = "clearance",
+        /// Where the probe moves without a collision, mm.
+        ClearanceHeight = "clearance_height",
+        /// The measuring cycle, where it is not the usual one of the kind.
+        Cycle = "cycle",
+        /// Further parameters of the cycle: `Q423=3 Q320=1`.
+        Parameters = "parameters",
+        /// The material, or its expansion in millionths per kelvin.
+        Material = "material",
+        /// The decision rule.
+        Rule = "rule",
+        /// The standard uncertainty, µm.
+        Uncertainty = "u_um",
+        /// What a value can be at all: two lengths, mm.
+        Plausible = "plausible",
+        /// The same for the side of a pocket or boss along Y.
+        SecondPlausible = "plausible2",
+        /// Anything else.
+        Remark = "remark",
+        /// Where its balloon is on the picture: from 0 at the left to 1 at the right.
+        BalloonX = "balloon_x",
+        /// From 0 at the top to 1 at the bottom.
+        BalloonY = "balloon_y",
+    }
 }
 
 impl Column {
-    /// Every column, in the order of files and of the table in the window.
-    pub const ALL: [Self; 23] = [
-        Self::Number,
-        Self::Name,
-        Self::Kind,
-        Self::Axis,
-        Self::Callout,
-        Self::SecondCallout,
-        Self::Feature,
-        Self::X,
-        Self::Y,
-        Self::Z,
-        Self::Angle,
-        Self::Clearance,
-        Self::ClearanceHeight,
-        Self::Cycle,
-        Self::Parameters,
-        Self::Material,
-        Self::Rule,
-        Self::Uncertainty,
-        Self::Plausible,
-        Self::SecondPlausible,
-        Self::Remark,
-        Self::BalloonX,
-        Self::BalloonY,
-    ];
-
-    /// The name in files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Number => "number",
-            Self::Name => "name",
-            Self::Kind => "kind",
-            Self::Axis => "axis",
-            Self::Callout => "callout",
-            Self::SecondCallout => "callout2",
-            Self::Feature => "feature",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-            Self::Angle => "angle",
-            Self::Clearance => "clearance",
-            Self::ClearanceHeight => "clearance_height",
-            Self::Cycle => "cycle",
-            Self::Parameters => "parameters",
-            Self::Material => "material",
-            Self::Rule => "rule",
-            Self::Uncertainty => "u_um",
-            Self::Plausible => "plausible",
-            Self::SecondPlausible => "plausible2",
-            Self::Remark => "remark",
-            Self::BalloonX => "balloon_x",
-            Self::BalloonY => "balloon_y",
-        }
-    }
-
     /// Its place among [`Self::ALL`].
     pub fn at(self) -> usize {
         Self::ALL.iter().take_while(|column| **column != self).count()
@@ -152,62 +102,38 @@ impl Column {
     }
 }
 
-/// What a plan says of the part as a whole.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum HeadField {
-    /// The part's name or number.
-    Part,
-    /// The drawing.
-    Drawing,
-    /// The picture: a PNG, JPEG or SVG file beside the plan.
-    Picture,
-    /// The material of every feature that names none.
-    Material,
-    /// The decision rule of every feature that names none.
-    Rule,
-    /// The standard uncertainty of every feature that names none, µm.
-    Uncertainty,
-    /// The machine's travel in X: two numbers, mm.
-    TravelX,
-    /// The same in Y.
-    TravelY,
-    /// The same in Z.
-    TravelZ,
-    /// Anything else.
-    Remark,
+crate::named! {
+    /// What a plan says of the part as a whole.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum HeadField {
+        /// Every field, in the order of files and of the form.
+        ALL;
+        /// The name in files.
+        fn key;
+        /// The part's name or number.
+        Part = "part",
+        /// The drawing.
+        Drawing = "drawing",
+        /// The picture: a PNG, JPEG or SVG file beside the plan.
+        Picture = "picture",
+        /// The material of every feature that names none.
+        Material = "material",
+        /// The decision rule of every feature that names none.
+        Rule = "rule",
+        /// The standard uncertainty of every feature that names none, µm.
+        Uncertainty = "u_um",
+        /// The machine's travel in X: two numbers, mm.
+        TravelX = "travel_x",
+        /// The same in Y.
+        TravelY = "travel_y",
+        /// The same in Z.
+        TravelZ = "travel_z",
+        /// Anything else.
+        Remark = "remark",
+    }
 }
 
 impl HeadField {
-    /// Every field, in the order of files and of the form.
-    pub const ALL: [Self; 10] = [
-        Self::Part,
-        Self::Drawing,
-        Self::Picture,
-        Self::Material,
-        Self::Rule,
-        Self::Uncertainty,
-        Self::TravelX,
-        Self::TravelY,
-        Self::TravelZ,
-        Self::Remark,
-    ];
-
-    /// The name in files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Part => "part",
-            Self::Drawing => "drawing",
-            Self::Picture => "picture",
-            Self::Material => "material",
-            Self::Rule => "rule",
-            Self::Uncertainty => "u_um",
-            Self::TravelX => "travel_x",
-            Self::TravelY => "travel_y",
-            Self::TravelZ => "travel_z",
-            Self::Remark => "remark",
-        }
-    }
-
     /// Its place among [`Self::ALL`].
     pub fn at(self) -> usize {
         Self::ALL.iter().take_while(|field| **field != self).count()

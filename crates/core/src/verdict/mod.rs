@@ -18,31 +18,34 @@ use crate::length::Length;
 use crate::message::{Arg, Message, Say, message, printed};
 use crate::tolerance::{Bounds, Feature, Limits};
 
-/// What to do with the part; `Display` is the English word.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, Say)]
-#[say(prefix = "status")]
-pub enum Status {
-    /// Inside the limits or on one of them.
-    #[serde(rename = "GOOD")]
-    Good,
-    /// Outside, but material can still be taken off.
-    #[serde(rename = "REWORK")]
-    Rework,
-    /// Nothing is decided: the value lies within a guard band of the rule.
-    #[serde(rename = "RE-MEASURE")]
-    ReMeasure,
-    /// Outside, and nobody has said hole or shaft: whether material can still be taken off is open.
-    #[serde(rename = "OUT OF LIMITS")]
-    OutOfLimits,
-    /// Outside, and material cannot be put back.
-    #[serde(rename = "SCRAP")]
-    Scrap,
+crate::named! {
+    /// What to do with the part; `Display` is the English word.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize, Say)]
+    #[say(prefix = "status")]
+    pub enum Status {
+        /// Every status, best first.
+        ALL;
+        /// The word as questions have it: in small letters and without blanks.
+        fn key;
+        /// Inside the limits or on one of them.
+        #[serde(rename = "GOOD")]
+        Good = "good",
+        /// Outside, but material can still be taken off.
+        #[serde(rename = "REWORK")]
+        Rework = "rework",
+        /// Nothing is decided: the value lies within a guard band of the rule.
+        #[serde(rename = "RE-MEASURE")]
+        ReMeasure = "re-measure",
+        /// Outside, and nobody has said hole or shaft: whether material can still be taken off is open.
+        #[serde(rename = "OUT OF LIMITS")]
+        OutOfLimits = "out-of-limits",
+        /// Outside, and material cannot be put back.
+        #[serde(rename = "SCRAP")]
+        Scrap = "scrap",
+    }
 }
 
 impl Status {
-    /// Every status, best first.
-    pub const ALL: [Self; 5] = [Self::Good, Self::Rework, Self::ReMeasure, Self::OutOfLimits, Self::Scrap];
-
     /// Its place in [`Status::ALL`].
     #[inline]
     pub const fn at(self) -> usize {
@@ -58,17 +61,6 @@ impl Status {
     /// Whether most sets of values have none: one between guard bands, or one that is neither hole nor shaft.
     pub const fn is_rare(self) -> bool {
         matches!(self, Self::ReMeasure | Self::OutOfLimits)
-    }
-
-    /// The word as questions have it: in small letters and without blanks.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Good => "good",
-            Self::Rework => "rework",
-            Self::ReMeasure => "re-measure",
-            Self::OutOfLimits => "out-of-limits",
-            Self::Scrap => "scrap",
-        }
     }
 
     /// The word for machines, the same in every language.

@@ -84,29 +84,20 @@ pub struct UsedFile {
     pub sha256: Hash,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum FileRole {
-    /// Measured values or contacts.
-    Measurements,
-    /// An NC program.
-    Program,
-    /// The simulated workpiece.
-    Workpiece,
-    /// An uncertainty budget.
-    Budget,
-}
-
-impl FileRole {
-    pub const ALL: [Self; 4] = [Self::Measurements, Self::Program, Self::Workpiece, Self::Budget];
-
-    /// Its word in an entry's body.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Measurements => "measurements",
-            Self::Program => "program",
-            Self::Workpiece => "workpiece",
-            Self::Budget => "budget",
-        }
+fitcheck_core::named! {
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum FileRole {
+        ALL;
+        /// Its word in an entry's body.
+        fn word;
+        /// Measured values or contacts.
+        Measurements = "measurements",
+        /// An NC program.
+        Program = "program",
+        /// The simulated workpiece.
+        Workpiece = "workpiece",
+        /// An uncertainty budget.
+        Budget = "budget",
     }
 }
 

@@ -10,30 +10,22 @@ use super::value::Origin;
 use super::wanted::Wanted;
 use super::{Series, SeriesError};
 
-/// What the values of a group have in common.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Factor {
-    Who,
-    Machine,
-    Gauge,
-    Batch,
-    Part,
+fitcheck_core::named! {
+    /// What the values of a group have in common.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    pub enum Factor {
+        ALL;
+        /// Its name in files.
+        fn word;
+        Who = "who",
+        Machine = "machine",
+        Gauge = "gauge",
+        Batch = "batch",
+        Part = "part",
+    }
 }
 
 impl Factor {
-    pub const ALL: [Self; 5] = [Self::Who, Self::Machine, Self::Gauge, Self::Batch, Self::Part];
-
-    /// Its name in files.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Who => "who",
-            Self::Machine => "machine",
-            Self::Gauge => "gauge",
-            Self::Batch => "batch",
-            Self::Part => "part",
-        }
-    }
-
     pub(super) fn of(self, origin: &Origin) -> Cow<'_, str> {
         match self {
             Self::Who => origin.who.as_str().into(),

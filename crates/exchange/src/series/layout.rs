@@ -7,34 +7,24 @@ use fitcheck_statistics::gauge::Finding;
 
 use super::value::Value;
 
-/// A kind of study.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
-pub enum StudyKind {
-    /// Many readings of one master.
-    Type1,
-    /// Every operator reads every part.
-    #[default]
-    Crossed,
-    /// Every operator has parts of its own.
-    Nested,
-    /// Several masters.
-    Linearity,
-    /// One master over time.
-    Stability,
-}
-
-impl StudyKind {
-    pub const ALL: [Self; 5] = [Self::Type1, Self::Crossed, Self::Nested, Self::Linearity, Self::Stability];
-
-    /// Its name in files.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Type1 => "type1",
-            Self::Crossed => "crossed",
-            Self::Nested => "nested",
-            Self::Linearity => "linearity",
-            Self::Stability => "stability",
-        }
+fitcheck_core::named! {
+    /// A kind of study.
+    #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+    pub enum StudyKind {
+        ALL;
+        /// Its name in files.
+        fn word;
+        /// Many readings of one master.
+        Type1 = "type1",
+        /// Every operator reads every part.
+        #[default]
+        Crossed = "crossed",
+        /// Every operator has parts of its own.
+        Nested = "nested",
+        /// Several masters.
+        Linearity = "linearity",
+        /// One master over time.
+        Stability = "stability",
     }
 }
 

@@ -7,31 +7,22 @@ use crate::exchange::{Labels, StatedLimits, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, CycleCheck, Entry};
 
-/// Why a value is left out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum LeftOut {
-    /// Nobody measured it.
-    Simulated,
-    /// Its file says that it is none.
-    Invalid,
-    /// It contradicts something, or may be another quantity.
-    Doubtful,
-    /// It was withdrawn, or another record stands in its place.
-    Withdrawn,
-}
-
-impl LeftOut {
-    /// All reasons, in the order in which they are counted.
-    pub const ALL: [Self; 4] = [Self::Simulated, Self::Invalid, Self::Doubtful, Self::Withdrawn];
-
-    /// Its name in files.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Simulated => "simulated",
-            Self::Invalid => "invalid",
-            Self::Doubtful => "doubtful",
-            Self::Withdrawn => "withdrawn",
-        }
+fitcheck_core::named! {
+    /// Why a value is left out.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum LeftOut {
+        /// All reasons, in the order in which they are counted.
+        ALL;
+        /// Its name in files.
+        fn word;
+        /// Nobody measured it.
+        Simulated = "simulated",
+        /// Its file says that it is none.
+        Invalid = "invalid",
+        /// It contradicts something, or may be another quantity.
+        Doubtful = "doubtful",
+        /// It was withdrawn, or another record stands in its place.
+        Withdrawn = "withdrawn",
     }
 }
 

@@ -9,60 +9,38 @@ use std::ops::RangeInclusive;
 
 use fitcheck_core::message::Say;
 
-/// Which family a parameter belongs to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Family {
-    /// Global numbers.
-    Q,
-    /// Numbers local to a program.
-    Ql,
-    /// Numbers that survive power-off.
-    Qr,
-    Qs,
-    /// `#l1`: numbers of a lathe control, local to a program.
-    LatheLocal,
-    /// `#c1`: numbers of a lathe control, of the channel.
-    LatheChannel,
-    /// `#g1`: numbers of a lathe control that survive power-off; from 200 on whole numbers.
-    LatheGlobal,
-    /// `#x1`: texts of a lathe control.
-    LatheText,
-    /// `#i99`: what a lathe control itself provides.
-    LatheControl,
+fitcheck_core::named! {
+    /// Which family a parameter belongs to.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Family {
+        /// All families.
+        ALL;
+        /// What precedes the number: `Q`, `#l`.
+        fn prefix;
+        /// Global numbers.
+        Q = "Q",
+        /// Numbers local to a program.
+        Ql = "QL",
+        /// Numbers that survive power-off.
+        Qr = "QR",
+        Qs = "QS",
+        /// `#l1`: numbers of a lathe control, local to a program.
+        LatheLocal = "#l",
+        /// `#c1`: numbers of a lathe control, of the channel.
+        LatheChannel = "#c",
+        /// `#g1`: numbers of a lathe control that survive power-off; from 200 on whole numbers.
+        LatheGlobal = "#g",
+        /// `#x1`: texts of a lathe control.
+        LatheText = "#x",
+        /// `#i99`: what a lathe control itself provides.
+        LatheControl = "#i",
+    }
 }
 
 /// The first of the global variables of a lathe control that hold only whole numbers.
 pub const FIRST_WHOLE_GLOBAL: u16 = 200;
 
 impl Family {
-    /// All families.
-    pub const ALL: [Self; 9] = [
-        Self::Q,
-        Self::Ql,
-        Self::Qr,
-        Self::Qs,
-        Self::LatheLocal,
-        Self::LatheChannel,
-        Self::LatheGlobal,
-        Self::LatheText,
-        Self::LatheControl,
-    ];
-
-    /// What precedes the number: `Q`, `#l`.
-    pub const fn prefix(self) -> &'static str {
-        match self {
-            Self::Q => "Q",
-            Self::Ql => "QL",
-            Self::Qr => "QR",
-            Self::Qs => "QS",
-            Self::LatheLocal => "#l",
-            Self::LatheChannel => "#c",
-            Self::LatheGlobal => "#g",
-            Self::LatheText => "#x",
-            Self::LatheControl => "#i",
-        }
-    }
-
     /// The numbers that a control has. Those of milling controls are from their manuals, those of lathe controls general
     /// knowledge, those of `#i` ours: only `#i99` is known (`docs/SOURCES.md`).
     pub const fn numbers(self) -> RangeInclusive<u16> {

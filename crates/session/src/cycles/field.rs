@@ -13,26 +13,18 @@ pub enum CycleField {
     Position(Axis),
 }
 
-/// An axis of the machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Axis {
-    /// The first.
-    X,
-    /// The second.
-    Y,
-    /// The third.
-    Z,
-}
-
-impl Axis {
-    /// All axes.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
-
-    pub const fn letter(self) -> &'static str {
-        match self {
-            Self::X => "X",
-            Self::Y => "Y",
-            Self::Z => "Z",
-        }
+fitcheck_core::named! {
+    /// An axis of the machine.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+    pub enum Axis {
+        /// All axes.
+        ALL;
+        fn letter;
+        /// The first.
+        X = "X",
+        /// The second.
+        Y = "Y",
+        /// The third.
+        Z = "Z",
     }
 }

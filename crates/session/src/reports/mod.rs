@@ -37,34 +37,24 @@ pub use field::ReportsField;
 use crate::effect::Effect;
 use crate::texts::Texts;
 
-/// What a report is about.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
-pub enum ReportOf {
-    /// The part that is being measured.
-    Part,
-    /// The verdict that stands on the check page.
-    Check,
-    /// What the check page lists.
-    #[default]
-    List,
-    /// The chosen records, or all that a question finds.
-    Records,
-    /// What the statistics page shows.
-    Statistics,
-}
-
-impl ReportOf {
-    pub const ALL: [Self; 5] = [Self::Part, Self::Check, Self::List, Self::Records, Self::Statistics];
-
-    /// The id of its name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Part => "reports-page-part",
-            Self::Check => "reports-page-check",
-            Self::List => "reports-page-list",
-            Self::Records => "reports-page-records",
-            Self::Statistics => "reports-page-statistics",
-        }
+fitcheck_core::named! {
+    /// What a report is about.
+    #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+    pub enum ReportOf {
+        ALL;
+        /// The id of its name.
+        fn name;
+        /// The part that is being measured.
+        Part = "reports-page-part",
+        /// The verdict that stands on the check page.
+        Check = "reports-page-check",
+        /// What the check page lists.
+        #[default]
+        List = "reports-page-list",
+        /// The chosen records, or all that a question finds.
+        Records = "reports-page-records",
+        /// What the statistics page shows.
+        Statistics = "reports-page-statistics",
     }
 }
 

@@ -36,55 +36,61 @@ pub enum FormClass {
 
 as_text!(FormClass, Modifier);
 
-/// Which size of a feature is meant, or under which conditions it holds: a specification modifier of ISO 14405-1:2016, tables 1 and 2.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Modifier {
-    /// Each two-point size: what a size without a modifier means, too.
-    TwoPoint,
-    /// Each local size defined by a sphere.
-    Sphere,
-    /// The least-squares size.
-    LeastSquares,
-    /// The maximum inscribed size.
-    Inscribed,
-    /// The minimum circumscribed size.
-    Circumscribed,
-    /// The minimax size.
-    Minimax,
-    /// The diameter by the circumference.
-    Circumference,
-    /// The diameter by the area.
-    Area,
-    /// The diameter by the volume.
-    Volume,
-    /// The largest of the local sizes.
-    Largest,
-    /// The smallest of the local sizes.
-    Smallest,
-    /// The average of the local sizes.
-    Average,
-    /// The median of the local sizes.
-    Median,
-    /// The middle of the local sizes.
-    Middle,
-    /// The range of the local sizes.
-    Range,
-    /// The standard deviation of the local sizes.
-    StandardDeviation,
-    /// The envelope requirement.
-    Envelope,
-    /// Any cross section.
-    AnyCrossSection,
-    /// A specific cross section.
-    SpecificCrossSection,
-    /// Any longitudinal section.
-    AnyLongitudinalSection,
-    /// One tolerance for several features as if they were one.
-    Common,
-    /// Several features as one.
-    United,
-    /// Not clamped.
-    FreeState,
+crate::named! {
+    /// Which size of a feature is meant, or under which conditions it holds: a specification modifier of ISO 14405-1:2016, tables 1 and 2.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    pub enum Modifier {
+        /// Every modifier, in the order in which they are written.
+        ALL;
+        /// The letters on the drawing, in a circle or an oval there: `E`, `GG`.
+        fn letters;
+        /// Each two-point size: what a size without a modifier means, too.
+        TwoPoint = "LP",
+        /// Each local size defined by a sphere.
+        Sphere = "LS",
+        /// The least-squares size.
+        LeastSquares = "GG",
+        /// The maximum inscribed size.
+        Inscribed = "GX",
+        /// The minimum circumscribed size.
+        Circumscribed = "GN",
+        /// The minimax size.
+        Minimax = "GC",
+        /// The diameter by the circumference.
+        Circumference = "CC",
+        /// The diameter by the area.
+        Area = "CA",
+        /// The diameter by the volume.
+        Volume = "CV",
+        /// The largest of the local sizes.
+        Largest = "SX",
+        /// The smallest of the local sizes.
+        Smallest = "SN",
+        /// The average of the local sizes.
+        Average = "SA",
+        /// The median of the local sizes.
+        Median = "SM",
+        /// The middle of the local sizes.
+        Middle = "SD",
+        /// The range of the local sizes.
+        Range = "SR",
+        /// The standard deviation of the local sizes.
+        StandardDeviation = "SQ",
+        /// The envelope requirement.
+        Envelope = "E",
+        /// Any cross section.
+        AnyCrossSection = "ACS",
+        /// A specific cross section.
+        SpecificCrossSection = "SCS",
+        /// Any longitudinal section.
+        AnyLongitudinalSection = "ALS",
+        /// One tolerance for several features as if they were one.
+        Common = "CT",
+        /// Several features as one.
+        United = "UF",
+        /// Not clamped.
+        FreeState = "F",
+    }
 }
 
 /// What a modifier asks for, as far as one measured diameter is concerned.
@@ -107,62 +113,6 @@ pub enum ModifierGroup {
 pub struct Modifiers(u32);
 
 impl Modifier {
-    /// Every modifier, in the order in which they are written.
-    pub const ALL: [Self; 23] = [
-        Self::TwoPoint,
-        Self::Sphere,
-        Self::LeastSquares,
-        Self::Inscribed,
-        Self::Circumscribed,
-        Self::Minimax,
-        Self::Circumference,
-        Self::Area,
-        Self::Volume,
-        Self::Largest,
-        Self::Smallest,
-        Self::Average,
-        Self::Median,
-        Self::Middle,
-        Self::Range,
-        Self::StandardDeviation,
-        Self::Envelope,
-        Self::AnyCrossSection,
-        Self::SpecificCrossSection,
-        Self::AnyLongitudinalSection,
-        Self::Common,
-        Self::United,
-        Self::FreeState,
-    ];
-
-    /// The letters on the drawing, in a circle or an oval there: `E`, `GG`.
-    pub const fn letters(self) -> &'static str {
-        match self {
-            Self::TwoPoint => "LP",
-            Self::Sphere => "LS",
-            Self::LeastSquares => "GG",
-            Self::Inscribed => "GX",
-            Self::Circumscribed => "GN",
-            Self::Minimax => "GC",
-            Self::Circumference => "CC",
-            Self::Area => "CA",
-            Self::Volume => "CV",
-            Self::Largest => "SX",
-            Self::Smallest => "SN",
-            Self::Average => "SA",
-            Self::Median => "SM",
-            Self::Middle => "SD",
-            Self::Range => "SR",
-            Self::StandardDeviation => "SQ",
-            Self::Envelope => "E",
-            Self::AnyCrossSection => "ACS",
-            Self::SpecificCrossSection => "SCS",
-            Self::AnyLongitudinalSection => "ALS",
-            Self::Common => "CT",
-            Self::United => "UF",
-            Self::FreeState => "F",
-        }
-    }
-
     /// The modifier of its letters.
     pub fn from_letters(letters: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|modifier| modifier.letters() == letters)

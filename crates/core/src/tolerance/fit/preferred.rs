@@ -84,30 +84,36 @@ pub fn preference(hole: ToleranceClass, shaft: ToleranceClass) -> Option<Prefere
     Preference::of_parts(hole, shaft)
 }
 
-/// What a fit is for: the names of ANSI B4.2 (metric), from loose to tight.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Say)]
-#[say(prefix = "fit-function")]
-pub enum Function {
-    /// `H11/c11`: wide tolerances, rough work.
-    LooseRunning,
-    /// `H9/d9`: high speed or large changes of temperature.
-    FreeRunning,
-    /// `H8/f7`: accurate machines at moderate speed.
-    CloseRunning,
-    /// `H7/g6`: moves and turns freely, and locates.
-    Sliding,
-    /// `H7/h6`: snug, but freely assembled and taken apart.
-    LocationalClearance,
-    /// `H7/k6`: between clearance and interference.
-    LocationalTransition,
-    /// `H7/n6`: the same where more interference is allowed.
-    LocationalTransitionTighter,
-    /// `H7/p6`: rigid and aligned, without much pressure; a transition fit up to 3 mm.
-    LocationalInterference,
-    /// `H7/s6`: shrink fits on light sections.
-    MediumDrive,
-    /// `H7/u6`: parts that withstand high stress.
-    Force,
+crate::named! {
+    /// What a fit is for: the names of ANSI B4.2 (metric), from loose to tight.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Say)]
+    #[say(prefix = "fit-function")]
+    pub enum Function {
+        /// Every function, from loose to tight.
+        ALL;
+        /// The word for machines and the command line, the same in every language.
+        fn word;
+        /// `H11/c11`: wide tolerances, rough work.
+        LooseRunning = "loose-running",
+        /// `H9/d9`: high speed or large changes of temperature.
+        FreeRunning = "free-running",
+        /// `H8/f7`: accurate machines at moderate speed.
+        CloseRunning = "close-running",
+        /// `H7/g6`: moves and turns freely, and locates.
+        Sliding = "sliding",
+        /// `H7/h6`: snug, but freely assembled and taken apart.
+        LocationalClearance = "locational-clearance",
+        /// `H7/k6`: between clearance and interference.
+        LocationalTransition = "locational-transition",
+        /// `H7/n6`: the same where more interference is allowed.
+        LocationalTransitionTighter = "locational-transition-tighter",
+        /// `H7/p6`: rigid and aligned, without much pressure; a transition fit up to 3 mm.
+        LocationalInterference = "locational-interference",
+        /// `H7/s6`: shrink fits on light sections.
+        MediumDrive = "medium-drive",
+        /// `H7/u6`: parts that withstand high stress.
+        Force = "force",
+    }
 }
 
 /// A pair of classes with the name of its function.
@@ -122,36 +128,6 @@ pub struct NamedFit {
 }
 
 impl Function {
-    /// Every function, from loose to tight.
-    pub const ALL: [Self; 10] = [
-        Self::LooseRunning,
-        Self::FreeRunning,
-        Self::CloseRunning,
-        Self::Sliding,
-        Self::LocationalClearance,
-        Self::LocationalTransition,
-        Self::LocationalTransitionTighter,
-        Self::LocationalInterference,
-        Self::MediumDrive,
-        Self::Force,
-    ];
-
-    /// The word for machines and the command line, the same in every language.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::LooseRunning => "loose-running",
-            Self::FreeRunning => "free-running",
-            Self::CloseRunning => "close-running",
-            Self::Sliding => "sliding",
-            Self::LocationalClearance => "locational-clearance",
-            Self::LocationalTransition => "locational-transition",
-            Self::LocationalTransitionTighter => "locational-transition-tighter",
-            Self::LocationalInterference => "locational-interference",
-            Self::MediumDrive => "medium-drive",
-            Self::Force => "force",
-        }
-    }
-
     /// The letter that is not H, the hole's grade, the shaft's grade: the same in both bases.
     const fn parts(self) -> (Letter, u8, u8) {
         match self {
