@@ -18,7 +18,6 @@ use crate::exchange::{warmth, words};
 
 impl Sample {
     /// What the names of a header say.
-    #[expect(clippy::too_many_lines, reason = "one line for each thing that a column may hold")]
     pub(super) fn by_header(&self, line: usize, header: &StringRecord) -> Result<Columns, ImportErrorKind> {
         let mut roles: Vec<_> = header.iter().map(words::role).collect();
         let own = OwnColumns::of(header);
