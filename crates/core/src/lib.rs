@@ -81,7 +81,6 @@ extern crate self as fitcheck_core;
 pub mod budget;
 pub mod length;
 pub mod message;
-mod named;
 pub mod pairing;
 pub mod part;
 pub mod probing;

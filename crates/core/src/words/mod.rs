@@ -6,6 +6,7 @@
 //! |---|---|
 //! | `language` | the languages of the window and of reports: the folders of `assets/locales` |
 //! | `dialogue` | the dialogue languages of the control: masks, logs, programs, cycles |
+//! | `named` | enums whose variants all have a word |
 //!
 //! To add a language of the window:
 //!
@@ -25,6 +26,7 @@
 
 mod dialogue;
 mod language;
+mod named;
 
 pub use dialogue::{Dialogue, DialogueWords, PerDialogue, StatusWords};
 pub use language::Language;

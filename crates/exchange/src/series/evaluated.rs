@@ -77,6 +77,26 @@ pub struct Evaluated {
     pub apart: usize,
 }
 
+/// Features with what was computed of each, in the same order.
+#[derive(Debug, Clone, Default)]
+pub struct EvaluatedSeries {
+    pub features: Vec<Arc<FeatureSeries>>,
+    pub answers: Arc<Vec<Evaluated>>,
+}
+
+impl EvaluatedSeries {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&FeatureSeries, &Evaluated)> {
+        self.features.iter().map(Arc::as_ref).zip(self.answers.iter())
+    }
+
+    /// Whether they are of several parts.
+    pub fn has_parts(&self) -> bool {
+        let mut parts = self.features.iter().map(|feature| &feature.key.part);
+        let first = parts.next();
+        parts.any(|part| Some(part) != first)
+    }
+}
+
 /// The points of a series: its values that count, and which of them each point has.
 struct Points {
     places: Vec<Range<usize>>,

@@ -3,11 +3,10 @@
 //! A feature is what has the same part, name, callout and limits: where a drawing changes, a new series begins.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use fitcheck_core::length::Length;
 
-use super::{Evaluated, Value};
+use super::Value;
 use crate::journal::Record;
 use crate::journal::entry::{Checked, Entry};
 use crate::journal::natural::Natural;
@@ -49,26 +48,6 @@ impl FeatureKey {
 
 fn joined<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
     texts.into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(", ")
-}
-
-/// Features with what was computed of each, in the same order.
-#[derive(Debug, Clone, Default)]
-pub struct EvaluatedSeries {
-    pub features: Vec<Arc<FeatureSeries>>,
-    pub answers: Arc<Vec<Evaluated>>,
-}
-
-impl EvaluatedSeries {
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&FeatureSeries, &Evaluated)> {
-        self.features.iter().map(Arc::as_ref).zip(self.answers.iter())
-    }
-
-    /// Whether they are of several parts.
-    pub fn has_parts(&self) -> bool {
-        let mut parts = self.features.iter().map(|feature| &feature.key.part);
-        let first = parts.next();
-        parts.any(|part| Some(part) != first)
-    }
 }
 
 /// The values of one feature, the oldest first, with those that are left out.
