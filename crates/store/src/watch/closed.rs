@@ -5,7 +5,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 /// What is known of who writes a file.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -102,21 +101,21 @@ impl Ear {
 impl Ear {
     /// Who writes a file, by what was heard.
     #[cfg(not(windows))]
-    pub(super) fn writer(&self, path: &Path, _known: Writer, _quiet: Duration) -> Writer {
+    pub(super) fn writer(&self, path: &Path, _known: Writer, _rests: bool) -> Writer {
         self.writers.get(path).copied().unwrap_or(Writer::Unknown)
     }
 
     /// Whether somebody has a file open to write. The system is asked by opening it, and whoever begins to write at that moment is refused: so
     /// it is asked of files that rest, and only until one is closed. One that is written again is a new one.
     #[cfg(windows)]
-    pub(super) fn writer(&self, path: &Path, known: Writer, quiet: Duration) -> Writer {
+    pub(super) fn writer(&self, path: &Path, known: Writer, rests: bool) -> Writer {
         use std::os::windows::fs::OpenOptionsExt as _;
         /// FILE_SHARE_READ: other readers are allowed, and no writer.
         const READERS: u32 = 1;
         if known == Writer::Closed {
             return Writer::Closed;
         }
-        if quiet < super::folder::SETTLED {
+        if !rests {
             return Writer::Writes;
         }
         let opened = std::fs::OpenOptions::new().read(true).share_mode(READERS).open(path);

@@ -15,7 +15,7 @@ use super::note::is_note;
 
 /// How long a file has to be unchanged before the last value of a format that shows nothing of its end counts as complete, where its writer
 /// has closed it: some close a file after each line.
-pub(super) const SETTLED: Duration = Duration::from_secs(1);
+const SETTLED: Duration = Duration::from_secs(1);
 
 /// How long a file has to be unchanged before all of it counts as complete, where the system does not say whether anybody writes it.
 const LONG: Duration = Duration::from_secs(10);
@@ -162,7 +162,8 @@ impl Folder {
                 let is_written = is_heard || is_own || stamp.beside.is_written(&seen.stamp.beside);
                 *seen = KnownFile { was_done: is_written && (is_done || seen.was_done), ..new };
             }
-            let writer = self.ear.writer(&path, seen.writer, clock.saturating_sub(seen.since));
+            let rests = SETTLED <= clock.saturating_sub(seen.since);
+            let writer = self.ear.writer(&path, seen.writer, rests);
             // What was left of it while somebody wrote it is taken when it is closed.
             if seen.state == FileState::Done && seen.writer == Writer::Writes && writer != Writer::Writes {
                 seen.state = FileState::Open;
