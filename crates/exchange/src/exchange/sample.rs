@@ -279,9 +279,7 @@ fn merged(top: &StringRecord, bottom: &StringRecord) -> StringRecord {
 
 /// How many columns a row would name as a header.
 fn named(cells: &StringRecord) -> usize {
-    // Figures alone name nothing, and most cells are such.
-    let is_figures = |cell: &&str| cell.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'.' | b','));
-    cells.iter().filter(|cell| !is_figures(cell) && words::role(cell).is_some()).count()
+    cells.iter().filter(|cell| words::role(cell).is_some()).count()
 }
 
 impl Sample {
