@@ -34,6 +34,8 @@ pub(super) enum CliError {
     BatchSimulated { name: String },
     /// A dash, which is standard output, for what cannot go there.
     Dash,
+    /// A name that no subcommand has.
+    NoSubcommand { given: String, names: String },
     /// A measured diameter of zero or less.
     NotAboveZero { diameter: Length },
     /// An option of ISO 286, where the control's tables answer.

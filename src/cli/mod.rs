@@ -62,6 +62,7 @@ mod batch;
 mod budget;
 mod check;
 mod circle;
+mod completions;
 mod cycle;
 mod decide;
 mod error;
@@ -72,6 +73,7 @@ mod journal;
 mod journal_place;
 mod judging;
 mod limits;
+mod man;
 mod material;
 mod measured;
 mod nc;
@@ -110,11 +112,20 @@ pub use start::Start;
 ///
 /// Without a subcommand, the window opens. With file names instead, the window opens these files.
 #[derive(Debug, Parser)]
-#[command(name = "fitcheck", bin_name = "fitcheck", version, max_term_width = 100, after_help = EXIT_CODES)]
+#[command(name = "fitcheck", bin_name = "fitcheck", version = version(), max_term_width = 100, after_help = EXIT_CODES)]
 #[command(override_usage = "fitcheck [COMMAND]\n       fitcheck FILE...")]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
+}
+
+/// The version; of a package with the commit that it was built from, and that commit's day.
+fn version() -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    match (option_env!("FITCHECK_COMMIT"), option_env!("FITCHECK_DATE")) {
+        (Some(commit), Some(date)) => format!("{version} ({commit}, {date})"),
+        _ => version.to_owned(),
+    }
 }
 
 const EXIT_CODES: &str = "\
@@ -133,9 +144,11 @@ subcommands! {
     Batch(batch::Args),
     Budget(budget::Args),
     Circle(circle::Args),
+    Completions(completions::Args),
     Cycle(cycle::Args),
     Decide(decide::Args),
     Journal(journal::Args),
+    Man(man::Args),
     Nc(nc::Args),
     Pair(pair::Args),
     Plan(plan::Args),

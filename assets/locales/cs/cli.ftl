@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Errors
 cli-batch-simulated = první řádky { $name } uvádějí, že je simulovaný, a zachovat je umí jen CSV: zapisujte CSV
 cli-dash = - je standardní výstup, což zde není možné: uveďte název, nebo ./- pro soubor či složku s názvem -
+cli-no-subcommand = { $given } není podpříkaz; zde jsou: { $names }
 cli-not-above-zero = { $diameter } mm není nad 0
 cli-ratio-of-one-limit = pravidlo asme-simple porovnává nejistotu s tolerancí: očekává se --lower a --upper
 cli-already-corrected = --temperature: soubor udává, že jeho hodnoty už platí pro 20 °C

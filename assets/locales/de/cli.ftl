@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Fehler
 cli-batch-simulated = die ersten Textzeilen von { $name } sagen, dass die Datei simuliert ist, und nur CSV kann sie behalten: CSV schreiben
 cli-dash = - ist die Standardausgabe, und das ist hier nicht möglich: einen Namen angeben, oder ./- für eine Datei oder einen Ordner namens -
+cli-no-subcommand = { $given } ist kein Unterbefehl; hier gibt es: { $names }
 cli-not-above-zero = { $diameter } mm ist nicht größer als 0
 cli-ratio-of-one-limit = Regel asme-simple vergleicht die Unsicherheit mit der Toleranz: --lower und --upper erwartet
 cli-already-corrected = --temperature: laut Datei gelten ihre Werte schon bei 20 °C

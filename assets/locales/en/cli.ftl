@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Errors
 cli-batch-simulated = the first lines of { $name } say that it is simulated, and only CSV can keep them: write CSV
 cli-dash = - is standard output, which is not possible here: give a name, or ./- for a file or folder named -
+cli-no-subcommand = { $given } is not a subcommand; these are: { $names }
 cli-not-above-zero = { $diameter } mm is not above 0
 cli-ratio-of-one-limit = rule asme-simple compares the uncertainty with the tolerance: expected --lower and --upper
 cli-already-corrected = --temperature: the file says that its values are at 20 °C already

@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Errors
 cli-batch-simulated = las primeras líneas de { $name } dicen que es simulado, y solo CSV puede conservarlas: escriba CSV
 cli-dash = - es la salida estándar, que aquí no es posible: dé un nombre, o ./- para un archivo o una carpeta llamados -
+cli-no-subcommand = { $given } no es un subcomando; aquí los hay: { $names }
 cli-not-above-zero = { $diameter } mm no es mayor que 0
 cli-ratio-of-one-limit = la regla asme-simple compara la incertidumbre con la tolerancia: se esperaban --lower y --upper
 cli-already-corrected = --temperature: el archivo dice que sus valores ya están a 20 °C

@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Erreurs
 cli-batch-simulated = les premières lignes de { $name } disent qu'il est simulé, et seul CSV peut les conserver : écrire du CSV
 cli-dash = - est la sortie standard, impossible ici : donner un nom, ou ./- pour un fichier ou dossier nommé -
+cli-no-subcommand = { $given } n’est pas une sous-commande ; il y a ici : { $names }
 cli-not-above-zero = { $diameter } mm n'est pas supérieur à 0
 cli-ratio-of-one-limit = la règle asme-simple compare l'incertitude à la tolérance : --lower et --upper attendus
 cli-already-corrected = --temperature : le fichier dit que ses valeurs sont déjà à 20 °C

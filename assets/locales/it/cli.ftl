@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Errori
 cli-batch-simulated = le prime linee di { $name } dicono che è simulato, e solo CSV può conservarle: scrivere CSV
 cli-dash = - è lo standard output, che qui non è possibile: indicare un nome, o ./- per un file o una cartella di nome -
+cli-no-subcommand = { $given } non è un sottocomando; qui ci sono: { $names }
 cli-not-above-zero = { $diameter } mm non è maggiore di 0
 cli-ratio-of-one-limit = la regola asme-simple confronta l'incertezza con la tolleranza: attesi --lower e --upper
 cli-already-corrected = --temperature: il file dice che i suoi valori sono già a 20 °C

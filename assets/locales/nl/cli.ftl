@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Fouten
 cli-batch-simulated = de eerste regels van { $name } zeggen dat het bestand gesimuleerd is, en alleen CSV kan die overnemen: schrijf CSV
 cli-dash = - is de standaarduitvoer, en dat kan hier niet: geef een naam, of ./- voor een bestand of map met de naam -
+cli-no-subcommand = { $given } is geen subcommando; hier zijn er: { $names }
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
 cli-ratio-of-one-limit = regel asme-simple vergelijkt de onzekerheid met de tolerantie: --lower en --upper verwacht
 cli-already-corrected = --temperature: volgens het bestand gelden de waarden al bij 20 °C

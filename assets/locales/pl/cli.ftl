@@ -33,6 +33,7 @@ cli-what-set = --set { $name }={ $value }
 # Errors
 cli-batch-simulated = pierwsze linie { $name } mówią, że plik jest symulowany, a tylko CSV może je zachować: zapisać CSV
 cli-dash = - to standardowe wyjście, tutaj niemożliwe: podać nazwę, a dla pliku lub folderu o nazwie - podać ./-
+cli-no-subcommand = { $given } nie jest podpoleceniem; tutaj są: { $names }
 cli-not-above-zero = { $diameter } mm nie jest większe od 0
 cli-ratio-of-one-limit = reguła asme-simple porównuje niepewność z tolerancją: oczekiwane --lower i --upper
 cli-already-corrected = --temperature: plik mówi, że jego wartości już dotyczą 20 °C
