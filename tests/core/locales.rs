@@ -352,7 +352,7 @@ fn every_rule_every_format_and_every_column_of_a_plan_has_its_texts() {
 #[test]
 fn materials_and_the_entry_of_the_desktop_have_their_names_in_every_language() {
     let materials = std::fs::read_to_string(root().join("assets/materials.toml")).unwrap();
-    let desktop = std::fs::read_to_string(root().join("packaging/fitcheck.desktop")).unwrap();
+    let desktop = std::fs::read_to_string(root().join("packaging/linux/fitcheck.desktop")).unwrap();
     let count = materials.matches("[[material]]").count();
     for language in Language::all().filter(|language| *language != Language::En) {
         let code = language.code();
@@ -360,7 +360,10 @@ fn materials_and_the_entry_of_the_desktop_have_their_names_in_every_language() {
             materials.lines().filter(|line| line.starts_with("names = ") && line.contains(&format!("{code} = ")));
         assert_eq!(named.count(), count, "{code} in assets/materials.toml");
         for key in ["GenericName", "Comment", "Keywords"] {
-            assert!(desktop.contains(&format!("\n{key}[{code}]=")), "{key}[{code}] in packaging/fitcheck.desktop");
+            assert!(
+                desktop.contains(&format!("\n{key}[{code}]=")),
+                "{key}[{code}] in packaging/linux/fitcheck.desktop"
+            );
         }
     }
 }

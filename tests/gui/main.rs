@@ -18,6 +18,7 @@ mod gauges;
 mod harness;
 mod help_page;
 mod history;
+mod icons;
 mod keeping;
 mod keyboard;
 mod lot;

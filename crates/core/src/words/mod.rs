@@ -11,7 +11,7 @@
 //! To add a language of the window:
 //!
 //! 1. Add a folder to `assets/locales` with every file of `en`. `language.ftl` has the name of the language and its decimal sign.
-//! 2. Add the language to `assets/materials.toml` (names of materials) and `packaging/fitcheck.desktop`. Letters beyond Latin and Greek
+//! 2. Add the language to `assets/materials.toml` (names of materials) and `packaging/linux/fitcheck.desktop`. Letters beyond Latin and Greek
 //!    need other fonts (`assets/fonts`).
 //! 3. Add a call such as `fitcheck report … --language fr` to the corpus and record the answers (`tests/core/corpus.rs`).
 //! 4. Say so in `docs/manual/window.md`, `docs/TERMS.md` and `CHANGELOG.md`.
