@@ -91,5 +91,5 @@ pub fn list_up_to(folder: &Path, most: usize) -> Result<Listing, FileError> {
 fn absolute(folder: &Path) -> Result<PathBuf, FileError> {
     let path = std::path::absolute(folder).map_err(|error| system(folder, &error))?;
     let goes_up = path.components().any(|part| part == std::path::Component::ParentDir);
-    if goes_up { path.canonicalize().map_err(|error| system(folder, &error)) } else { Ok(path) }
+    if goes_up { dunce::canonicalize(&path).map_err(|error| system(folder, &error)) } else { Ok(path) }
 }

@@ -176,11 +176,13 @@ impl Search<'_> {
             return found.clone();
         }
         let is_there = exact.symlink_metadata().is_ok();
-        let found = if is_there {
+        // Windows finds an entry under its name in any case: which one it is, the list says.
+        let found = if is_there && !cfg!(windows) {
             Ok(Some(exact.clone()))
         } else {
             match self.names.find(folder, name).as_slice() {
-                [] => Ok(None),
+                [] => Ok(is_there.then(|| exact.clone())),
+                several if several.iter().any(|other| other == name) => Ok(Some(exact.clone())),
                 [other] => Ok(Some(folder.join(other))),
                 several => Err(listed(several)),
             }
@@ -250,5 +252,6 @@ fn of_file(error: FileError, path: &NcPath) -> StoreError {
         FileError::Missing { .. } => StoreError::Missing { path },
         FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },
         FileError::System { reason, .. } => StoreError::System { path, reason },
+        FileError::Busy { .. } => StoreError::System { reason: error.to_string(), path },
     }
 }
