@@ -332,3 +332,14 @@ fn nobody_listening_to_refusals_leaves_the_answers_and_the_exit_code() {
         assert_eq!((said.lines().count(), output.status.code()), (lines, Some(1)), "{format}");
     }
 }
+
+#[test]
+fn utf_16_is_read_from_a_redirected_file() {
+    let units =
+        |order: fn(u16) -> [u8; 2]| "\u{feff}25 H7\r\n12 ±0.05\r\n".encode_utf16().flat_map(order).collect::<Vec<u8>>();
+    let expected = limits(&["-", "--format", "csv"], "25 H7\n12 ±0.05\n".as_bytes()).success();
+    for bytes in [units(u16::to_le_bytes), units(u16::to_be_bytes)] {
+        let answer = limits(&["-", "--format", "csv"], &bytes).success();
+        assert_eq!(answer.get_output().stdout, expected.get_output().stdout);
+    }
+}

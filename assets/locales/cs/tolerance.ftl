@@ -120,6 +120,7 @@ file-exists = soubor nebo složka s tímto názvem už existuje: { $path }
 file-half-set = zápis sady souborů se zastavil uprostřed, část souborů ve složce je proto stará a část nová: k dokončení zapište sadu znovu; co se má ještě přesunout, je v { $path }
 file-not-a-file = to je roura nebo zařízení, ne soubor: { $path }
 file-changed = soubor se během čtení změnil; načtěte jej znovu: { $path }
+file-busy = soubor je otevřen v jiném programu: zavřete jej tam a zkuste to znovu: { $path }
 file-stopped = zastaveno: nic nebylo zapsáno: { $path }
 file-too-large = soubor je větší než { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

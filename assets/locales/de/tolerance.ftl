@@ -120,6 +120,7 @@ file-exists = eine Datei oder einen Ordner dieses Namens gibt es schon: { $path 
 file-half-set = das Schreiben eines Dateisatzes wurde mittendrin beendet, daher sind manche Dateien im Ordner alt und manche neu: den Dateisatz noch einmal schreiben, um ihn zu vervollständigen; was noch zu verschieben ist, steht in { $path }
 file-not-a-file = das ist eine Pipe oder ein Gerät, keine Datei: { $path }
 file-changed = die Datei hat sich während des Lesens geändert; noch einmal lesen: { $path }
+file-busy = die Datei ist in einem anderen Programm geöffnet: dort schließen und noch einmal versuchen: { $path }
 file-stopped = angehalten: nichts wurde geschrieben: { $path }
 file-too-large = die Datei ist größer als { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

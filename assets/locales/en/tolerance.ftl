@@ -120,6 +120,7 @@ file-exists = a file or folder of this name already exists: { $path }
 file-half-set = writing a set of files stopped in the middle, so some files of the folder are old and some are new: write the set again to finish it; what is still to be moved is in { $path }
 file-not-a-file = this is a pipe or a device, not a file: { $path }
 file-changed = the file changed while it was read; read it again: { $path }
+file-busy = the file is open in another program: close it there and try again: { $path }
 file-stopped = stopped: nothing was written: { $path }
 file-too-large = the file is larger than { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

@@ -120,6 +120,7 @@ file-exists = ya existe un archivo o una carpeta con este nombre: { $path }
 file-half-set = la escritura de un juego de archivos se detuvo a la mitad, así que unos archivos de la carpeta son nuevos y otros antiguos: escriba de nuevo el juego para terminarla; lo que falta por mover está en { $path }
 file-not-a-file = es una canalización o un dispositivo, no un archivo: { $path }
 file-changed = el archivo cambió mientras se leía; léalo de nuevo: { $path }
+file-busy = el archivo está abierto en otro programa: ciérrelo allí e inténtelo de nuevo: { $path }
 file-stopped = detenido: no se ha escrito nada: { $path }
 file-too-large = el archivo es mayor que { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

@@ -120,6 +120,7 @@ file-exists = un fichier ou dossier de ce nom existe déjà : { $path }
 file-half-set = l'écriture d'un ensemble de fichiers s'est arrêtée en cours, si bien que le dossier contient des fichiers anciens et nouveaux : écrire l'ensemble de nouveau pour la terminer ; ce qui reste à déplacer est dans { $path }
 file-not-a-file = c'est un tube ou un périphérique et non un fichier : { $path }
 file-changed = le fichier a changé pendant la lecture ; le relire : { $path }
+file-busy = le fichier est ouvert dans un autre programme : le fermer là-bas et réessayer : { $path }
 file-stopped = arrêté, rien n'a été écrit : { $path }
 file-too-large = le fichier dépasse { $limit } Mio : { $path }
 file-system = { $reason } : { $path }

@@ -120,6 +120,7 @@ file-exists = un file o una cartella di questo nome esiste già: { $path }
 file-half-set = la scrittura di un set di file si è fermata a metà, quindi nella cartella alcuni file sono vecchi e altri nuovi: scrivere di nuovo il set per completarlo; ciò che resta da spostare è in { $path }
 file-not-a-file = è una pipe o un dispositivo, non un file: { $path }
 file-changed = il file è cambiato durante la lettura; leggerlo di nuovo: { $path }
+file-busy = il file è aperto in un altro programma: chiuderlo lì e riprovare: { $path }
 file-stopped = interrotto: non è stato scritto nulla: { $path }
 file-too-large = il file supera { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

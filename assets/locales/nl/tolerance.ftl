@@ -120,6 +120,7 @@ file-exists = er bestaat al een bestand of map met deze naam: { $path }
 file-half-set = het schrijven van een reeks bestanden is halverwege gestopt, dus sommige bestanden in de map zijn oud en andere nieuw: schrijf de reeks opnieuw om die af te maken; wat nog verplaatst moet worden staat in { $path }
 file-not-a-file = dit is een pipe of een apparaat, geen bestand: { $path }
 file-changed = het bestand is veranderd terwijl het werd gelezen; lees het opnieuw: { $path }
+file-busy = het bestand is open in een ander programma: sluit het daar en probeer het opnieuw: { $path }
 file-stopped = gestopt: er is niets geschreven: { $path }
 file-too-large = het bestand is groter dan { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

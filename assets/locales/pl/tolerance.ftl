@@ -120,6 +120,7 @@ file-exists = plik lub folder o tej nazwie już istnieje: { $path }
 file-half-set = zapisywanie zestawu plików przerwało się w połowie, więc część plików w folderze jest stara, a część nowa: zapisać zestaw ponownie, aby go dokończyć; to, co trzeba jeszcze przenieść, jest w { $path }
 file-not-a-file = to potok lub urządzenie, a nie plik: { $path }
 file-changed = plik zmienił się podczas odczytu; odczytać go ponownie: { $path }
+file-busy = plik jest otwarty w innym programie: zamknąć go tam i spróbować ponownie: { $path }
 file-stopped = zatrzymano: nic nie zapisano: { $path }
 file-too-large = plik jest większy niż { $limit } MiB: { $path }
 file-system = { $reason }: { $path }

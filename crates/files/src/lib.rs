@@ -48,6 +48,8 @@ pub enum FileError {
     },
     /// A file that is read several times is another one than at first.
     Changed { path: PathBuf },
+    /// Another program has it open and lets nobody else in, as on Windows a spreadsheet does.
+    Busy { path: PathBuf },
     /// It was written no further, as somebody wished.
     Stopped { path: PathBuf },
     /// The file is larger than [`LARGEST`].
@@ -68,6 +70,9 @@ pub fn system(path: &Path, error: &std::io::Error) -> FileError {
         std::io::ErrorKind::NotFound => FileError::Missing { path },
         std::io::ErrorKind::AlreadyExists => FileError::Exists { path },
         std::io::ErrorKind::IsADirectory => FileError::IsFolder { path },
+        std::io::ErrorKind::ResourceBusy => FileError::Busy { path },
+        // ERROR_SHARING_VIOLATION and ERROR_LOCK_VIOLATION, which have no kind of their own.
+        _ if cfg!(windows) && matches!(error.raw_os_error(), Some(32 | 33)) => FileError::Busy { path },
         _ => FileError::System { reason: error.to_string(), path },
     }
 }

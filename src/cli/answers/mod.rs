@@ -5,13 +5,15 @@ mod lines;
 pub(super) use lines::LONGEST_LINE;
 
 use std::fmt::Display;
+use std::io::{BufRead, Cursor};
+use std::path::Path;
 
 use lines::{Line, NextLine};
 use serde::Serialize;
 
 use super::rows::{Columns, csv_line, line, names};
-use super::{CliError, CliRemark, Format, Io};
-use crate::text::decode;
+use super::{CliError, CliRemark, Format, Io, read_input};
+use crate::text::{decode, utf16};
 
 /// How much of a line that is too long is shown.
 const SHOWN: usize = 40;
@@ -72,8 +74,17 @@ impl Answers {
     /// can ask line by line.
     fn lines<A: Answerer>(&mut self, answerer: &mut A, io: &mut Io<'_>) -> Result<(), CliError> {
         let mut line = Line::default();
+        let mut whole = None;
         for number in 1_usize.. {
-            let (input, out) = io.input_and_data();
+            // UTF-16 comes from a file, so that nobody waits for its first answers.
+            if number == 1 && utf16(io.input_and_data().0.fill_buf()?).is_some() {
+                whole = Some(Cursor::new(decode(&read_input(Path::new("-"), io)?.1).into_owned()));
+            }
+            let (given, out) = io.input_and_data();
+            let input: &mut dyn BufRead = match &mut whole {
+                Some(whole) => whole,
+                None => given,
+            };
             let found = line.read(input, || out.flush())?;
             let text = printable(&decode(&line.bytes));
             let asked = |callout| CalloutInput { callout, line: Some(number) };

@@ -7,10 +7,24 @@ mod within;
 
 use std::borrow::Cow;
 
+use encoding_rs::Encoding;
+
 pub use within::{Within, long};
 
-/// Text of a file: UTF-8 if it is valid (a byte order mark is dropped), else Windows-1252. Never fails.
+/// The encoding of a text that begins with the byte order mark of UTF-16.
+pub fn utf16(head: &[u8]) -> Option<&'static Encoding> {
+    match head {
+        [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
+        [0xfe, 0xff, ..] => Some(encoding_rs::UTF_16BE),
+        _ => None,
+    }
+}
+
+/// Text of a file: UTF-16 with its byte order mark, else UTF-8 if it is valid (a byte order mark is dropped), else Windows-1252. Never fails.
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    if let Some(encoding) = utf16(bytes) {
+        return encoding.decode_with_bom_removal(bytes).0;
+    }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {
         Ok(text) => Cow::Borrowed(text),

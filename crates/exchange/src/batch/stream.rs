@@ -3,6 +3,7 @@
 use std::io::{self, Cursor, Read, Write as _};
 use std::path::Path;
 
+use fitcheck_core::text::utf16;
 use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
@@ -109,7 +110,7 @@ impl<'a> Stream<'a> {
             }
         };
         let head = beginning(&mut text)?;
-        let encoding = pieces::utf16(&head);
+        let encoding = utf16(&head);
         let input: Box<dyn Read + Send + 'a> = match encoding {
             None => Box::new(Cursor::new(head).chain(text)),
             Some(encoding) => Box::new(pieces::as_utf8(encoding, Cursor::new(head).chain(text))),

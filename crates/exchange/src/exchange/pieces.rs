@@ -8,7 +8,7 @@ use std::io::{self, Read};
 
 use encoding_rs::Encoding;
 use encoding_rs_io::DecodeReaderBytesBuilder;
-use fitcheck_core::text::{Within as _, windows_1252};
+use fitcheck_core::text::{Within as _, utf16, windows_1252};
 
 use super::batch::{BLOCK, read};
 use super::error::ImportErrorKind;
@@ -16,15 +16,6 @@ use super::index::LONGEST_ROW;
 
 /// How much the first piece has: the longest row and a header, so that the columns are known by it.
 const FIRST: usize = LONGEST_ROW + BLOCK;
-
-/// The encoding of a text that begins with the byte order mark of UTF-16.
-pub fn utf16(head: &[u8]) -> Option<&'static Encoding> {
-    match head {
-        [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
-        [0xfe, 0xff, ..] => Some(encoding_rs::UTF_16BE),
-        _ => None,
-    }
-}
 
 /// A text of this encoding as UTF-8.
 pub(crate) fn as_utf8<R: Read>(encoding: &'static Encoding, input: R) -> impl Read {

@@ -1,10 +1,9 @@
 //! Where the lines of a file end, and the hash of everything up to there.
 
-use fitcheck_core::text::Within as _;
+use fitcheck_core::text::{Within as _, utf16};
 use std::io::{self, Read as _};
 
 use fitcheck_exchange::exchange::Body;
-use fitcheck_exchange::exchange::pieces::utf16;
 use fitcheck_exchange::journal::chain::{FileHash, Hash};
 
 /// How much is read at a time: whole characters of UTF-16.
