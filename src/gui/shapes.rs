@@ -5,6 +5,7 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Response, Shape, Stroke, Stroke
 
 use super::theme::{Icon, Weight, palette};
 use crate::journal::Record;
+use crate::statistics::round::round_down;
 use crate::text::long;
 use crate::tolerance::Feature;
 use crate::tolerance::fit::FitKind;
@@ -242,8 +243,7 @@ pub(super) fn hatch(painter: &Painter, rect: Rect, hatch: Hatch, stroke: Stroke)
 pub(super) fn magnification(reach: f64, largest: f64) -> f64 {
     // An exact part has nothing to magnify; a factor of a few million is already more than any scatter needs.
     let wanted = (reach / largest.max(reach * 1e-7 / 0.3)).max(1.0);
-    let decade = 10_f64.powf(wanted.log10().floor());
-    [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|factor| *factor <= wanted * (1.0 + 1e-9)).unwrap_or(1.0)
+    round_down(wanted)
 }
 
 #[cfg(test)]

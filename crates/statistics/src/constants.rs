@@ -74,5 +74,5 @@ pub fn c4(size: usize) -> Result<f64, Reason> {
         return Ok(1.0 - (0.25 + (7.0 / 32.0 + 19.0 / 128.0 / number) / number) / number);
     }
     let logarithm = libm::lgamma(number / 2.0) - libm::lgamma((number - 1.0) / 2.0);
-    Ok((2.0 / (number - 1.0)).sqrt() * logarithm.exp())
+    Ok((2.0 / (number - 1.0)).sqrt() * libm::exp(logarithm))
 }

@@ -58,10 +58,10 @@ impl Law {
         match self.family {
             Family::Normal => normal((value - first) / second),
             _ if value <= 0.0 => Tails { below: 0.0, above: 1.0 },
-            Family::LogNormal => normal((value.ln() - first) / second),
+            Family::LogNormal => normal((libm::log(value) - first) / second),
             Family::Weibull => {
-                let power = (value / first).powf(second);
-                Tails { below: -(-power).exp_m1(), above: (-power).exp() }
+                let power = libm::pow(value / first, second);
+                Tails { below: -libm::expm1(-power), above: libm::exp(-power) }
             }
             Family::FoldedNormal => {
                 let above = normal((value - first) / second).above + normal((value + first) / second).above;
@@ -76,8 +76,8 @@ impl Law {
         let Self { first, second, .. } = *self;
         match self.family {
             Family::Normal => first + second * normal_quantile(share),
-            Family::LogNormal => (first + second * normal_quantile(share)).exp(),
-            Family::Weibull => first * (-(-share).ln_1p()).powf(1.0 / second),
+            Family::LogNormal => libm::exp(first + second * normal_quantile(share)),
+            Family::Weibull => first * libm::pow(-libm::log1p(-share), 1.0 / second),
             Family::FoldedNormal => {
                 let lacks = |value: f64| {
                     let tails = self.tails(value);
@@ -91,16 +91,16 @@ impl Law {
     /// The logarithm of the density.
     fn density(&self, value: f64) -> f64 {
         let Self { first, second, .. } = *self;
-        let bell = |z: f64| -0.5 * z * z - (second * (2.0 * std::f64::consts::PI).sqrt()).ln();
+        let bell = |z: f64| -0.5 * z * z - libm::log(second * (2.0 * std::f64::consts::PI).sqrt());
         match self.family {
             Family::Normal => bell((value - first) / second),
-            Family::LogNormal => bell((value.ln() - first) / second) - value.ln(),
+            Family::LogNormal => bell((libm::log(value) - first) / second) - libm::log(value),
             Family::Weibull => {
                 let ratio = value / first;
-                (second / first).ln() + (second - 1.0) * ratio.ln() - ratio.powf(second)
+                libm::log(second / first) + (second - 1.0) * libm::log(ratio) - libm::pow(ratio, second)
             }
             Family::FoldedNormal => {
-                bell((value - first) / second) + (-2.0 * value * first / (second * second)).exp().ln_1p()
+                bell((value - first) / second) + libm::log1p(libm::exp(-2.0 * value * first / (second * second)))
             }
         }
     }
@@ -161,7 +161,11 @@ impl Fitted {
 }
 
 fn logarithms(values: &[f64], moments: &Moments) -> Result<Vec<f64>, Reason> {
-    if moments.least <= 0.0 { Err(Reason::NotPositive) } else { Ok(values.iter().map(|value| value.ln()).collect()) }
+    if moments.least <= 0.0 {
+        Err(Reason::NotPositive)
+    } else {
+        Ok(values.iter().map(|&value| libm::log(value)).collect())
+    }
 }
 
 /// Scale and shape of Weibull's law by maximum likelihood.
@@ -169,11 +173,11 @@ fn weibull(values: &[f64], moments: &Moments) -> Result<[f64; 2], Reason> {
     let logarithms = logarithms(values, moments)?;
     let of = Moments::of(&logarithms)?;
     // With the greatest value as the unit, no power overflows.
-    let unit = moments.greatest.ln();
+    let unit = libm::log(moments.greatest);
     let powers = |shape: f64| {
         let (mut sum, mut weighted) = (0.0, 0.0);
         for logarithm in &logarithms {
-            let power = (shape * (logarithm - unit)).exp();
+            let power = libm::exp(shape * (logarithm - unit));
             sum += power;
             weighted += power * logarithm;
         }
@@ -187,7 +191,7 @@ fn weibull(values: &[f64], moments: &Moments) -> Result<[f64; 2], Reason> {
     let first = std::f64::consts::PI / 6.0_f64.sqrt() / of.deviation()?;
     let shape = root([first / 20.0, first * 20.0], score).ok_or(Reason::NoFit)?;
     let (sum, _) = powers(shape);
-    Ok([moments.greatest * (sum / count(of.count)).powf(1.0 / shape), shape])
+    Ok([moments.greatest * libm::pow(sum / count(of.count), 1.0 / shape), shape])
 }
 
 /// Mean and standard deviation before folding, by maximum likelihood: the mean is that of x tanh(x μ / σ²), and
@@ -204,7 +208,7 @@ fn folded(values: &[f64], moments: &Moments) -> Result<[f64; 2], Reason> {
     }
     let score = |mean: f64| {
         let variance = square - mean * mean;
-        values.iter().map(|value| value * (value * mean / variance).tanh()).sum::<f64>() / number - mean
+        values.iter().map(|value| value * libm::tanh(value * mean / variance)).sum::<f64>() / number - mean
     };
     let mean = root([moments.mean * 1e-3, moments.mean], score);
     let mean = mean.unwrap_or(if score(moments.mean * 1e-3) < 0.0 { 0.0 } else { moments.mean });

@@ -40,7 +40,7 @@ pub fn normal_quantile(share: f64) -> f64 {
     if share <= 0.0 {
         return f64::NEG_INFINITY;
     }
-    -root([0.0, 40.0], |z| share.ln() - normal(z).above.ln()).unwrap_or(f64::NAN)
+    -root([0.0, 40.0], |z| libm::log(share) - libm::log(normal(z).above)).unwrap_or(f64::NAN)
 }
 
 /// The chi-square law of this many degrees of freedom, which need not be whole.
@@ -125,10 +125,10 @@ fn positive_quantile(at: Tails, law: impl Fn(f64) -> Tails) -> f64 {
         return f64::NAN;
     }
     let lacks = |logarithm: f64| {
-        let Tails { below, above } = law(logarithm.exp());
-        if at.below < 0.5 { below.ln() - at.below.ln() } else { at.above.ln() - above.ln() }
+        let Tails { below, above } = law(libm::exp(logarithm));
+        if at.below < 0.5 { libm::log(below) - libm::log(at.below) } else { libm::log(at.above) - libm::log(above) }
     };
-    root([-700.0, 700.0], lacks).map_or(f64::NAN, f64::exp)
+    root([-700.0, 700.0], lacks).map_or(f64::NAN, libm::exp)
 }
 
 /// Where a function changes its sign, to the last bits: regula falsi with the weights of Illinois, and every third step halves.

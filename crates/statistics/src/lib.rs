@@ -25,6 +25,7 @@
 //! | `trend` | where a series goes, and the offset of a tool |
 //! | [`gauge`] | studies of gauges |
 //! | [`picture`] | charts as drawings |
+//! | [`round`] | round numbers of axes and scales |
 //! | `advice` | what a person does with the figures, in sentences |
 //!
 //! To add a statistic or a chart:
@@ -49,6 +50,7 @@
 pub mod gauge;
 pub mod law;
 pub mod picture;
+pub mod round;
 
 mod advice;
 mod anova;

@@ -119,20 +119,20 @@ impl Picture {
             .map(|contact| {
                 let x = contact.x - nominal[0];
                 let y = contact.y - nominal[1];
-                (y.atan2(x), x.hypot(y) - radius)
+                (libm::atan2(y, x), libm::hypot(x, y) - radius)
             })
             .collect();
         let largest = polar.iter().map(|(_, deviation)| deviation.abs()).fold(0.0, f64::max);
-        let factor = magnification(REACH * radius, largest.max(off[0].hypot(off[1])));
+        let factor = magnification(REACH * radius, largest.max(libm::hypot(off[0], off[1])));
         let at = |(angle, deviation): (f64, f64)| {
             let length = 1.0 + deviation * factor / radius;
-            [length * angle.cos(), length * angle.sin()]
+            [length * libm::cos(angle), length * libm::sin(angle)]
         };
         let fitted = (0..=STEPS).map(|step| {
             let angle = TAU * f64::from(step) / f64::from(STEPS);
             // Where a ray from the nominal centre meets the fitted circle.
-            let along = off[0] * angle.cos() + off[1] * angle.sin();
-            let across = off[1] * angle.cos() - off[0] * angle.sin();
+            let along = off[0] * libm::cos(angle) + off[1] * libm::sin(angle);
+            let across = off[1] * libm::cos(angle) - off[0] * libm::sin(angle);
             let half = (circle.diameter * circle.diameter / 4.0 - across * across).max(0.0).sqrt();
             at((angle, along + half - radius))
         });
@@ -146,14 +146,14 @@ impl Picture {
 
     /// How far out the drawing goes.
     fn reach(&self) -> f64 {
-        let lengths = self.contacts.iter().chain(&self.fitted).map(|[x, y]| x.hypot(*y));
+        let lengths = self.contacts.iter().chain(&self.fitted).map(|[x, y]| libm::hypot(*x, *y));
         lengths.fold(1.0, f64::max)
     }
 
     fn plot_ui(&self, ui: &mut Ui, words: &Words, record: &Record, height: f32) {
         let palette = palette(ui.ctx());
         let nominal: Vec<[f64; 2]> = (0..=STEPS)
-            .map(|step| (TAU * f64::from(step) / f64::from(STEPS)).sin_cos())
+            .map(|step| libm::sincos(TAU * f64::from(step) / f64::from(STEPS)))
             .map(|(sin, cos)| [cos, sin])
             .collect();
         let labels: Vec<_> = (1..)
@@ -196,7 +196,7 @@ impl Picture {
         for ([x, y], galley) in self.contacts.iter().zip(labels) {
             let at = response.transform.position_from_point(&PlotPoint::new(*x, *y));
             // The number is beside the contact, outside the circle.
-            let side = |part: f64, before, after| match part / x.hypot(*y) {
+            let side = |part: f64, before, after| match part / libm::hypot(*x, *y) {
                 part if part < -0.38 => before,
                 part if 0.38 < part => after,
                 _ => Align::Center,
@@ -231,7 +231,7 @@ impl Picture {
 fn deviations(record: &Record) -> Vec<String> {
     let Some(circle) = record.measurement.circle else { return Vec::new() };
     let deviation = |contact: &crate::probing::Contact| {
-        let radius = (contact.x - circle.x).hypot(contact.y - circle.y);
+        let radius = libm::hypot(contact.x - circle.x, contact.y - circle.y);
         let um = (radius - circle.diameter / 2.0) * 1000.0;
         let text = format!("{um:+.1}");
         if text == "+0.0" || text == "-0.0" { "0.0".to_owned() } else { text }

@@ -105,7 +105,7 @@ impl Calibrated {
         }
         let u_p = (off.iter().map(|off| (off - bias).powi(2)).sum::<f64>() / (number - 1.0)).sqrt();
         let Self { u_cal, u_b, u_w, is_corrected, .. } = *self;
-        let without = u_cal.hypot(u_p).hypot(u_w);
+        let without = libm::hypot(libm::hypot(u_cal, u_p), u_w);
         let repeated = Repeated {
             readings: off.len(),
             mean_mm,
@@ -114,7 +114,7 @@ impl Calibrated {
             u_p,
             u_b,
             u_w,
-            expanded_2011: Repeated::K * without.hypot(u_b),
+            expanded_2011: Repeated::K * libm::hypot(without, u_b),
             expanded_2004: Repeated::K * without + bias.abs(),
             is_corrected,
         };

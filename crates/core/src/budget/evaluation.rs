@@ -119,7 +119,7 @@ impl Evaluation {
         let rows = contributions.iter().map(|contribution| row(contribution, conditions));
         let mut rows = rows.collect::<Result<Vec<ContributionRow>, _>>()?;
         // Hypotenuses do not lose small numbers.
-        let u = rows.iter().fold(0.0, |u: f64, row| u.hypot(row.contribution));
+        let u = rows.iter().fold(0.0, |u: f64, row| libm::hypot(u, row.contribution));
         if u <= 0.0 {
             return Err(EvaluationError::Nothing);
         }
@@ -185,10 +185,10 @@ fn largest(rows: &[ContributionRow]) -> usize {
 
 fn help(row: &ContributionRow, rows: &[ContributionRow], number: usize) -> Vec<Help> {
     let others = rows.iter().enumerate().filter(|(other, _)| *other != number);
-    let others = others.fold(0.0, |u: f64, (_, row)| u.hypot(row.contribution));
-    let mut help = vec![Help::Halved { u: others.hypot(row.contribution / 2.0) }];
+    let others = others.fold(0.0, |u: f64, (_, row)| libm::hypot(u, row.contribution));
+    let mut help = vec![Help::Halved { u: libm::hypot(others, row.contribution / 2.0) }];
     if let Some(Geometry { touches, factor, .. }) = row.geometry {
-        let with = |touches| others.hypot(row.contribution / factor * Geometry::even_factor(touches));
+        let with = |touches| libm::hypot(others, row.contribution / factor * Geometry::even_factor(touches));
         // Evenly spaced contacts are on a full circle; a thousandth is rounding.
         if Geometry::even_factor(touches) * 1.001 < factor {
             help.push(Help::FullCircle { touches, u: with(touches) });

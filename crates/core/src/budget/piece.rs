@@ -71,7 +71,7 @@ pub(super) fn calibrated(piece: &Spanned<Piece>, text: &str) -> Result<Calibrate
     };
     let together = |given: Option<f64>, grown: Option<f64>, keys| match (given, grown) {
         (None, None) => Err(numbers.missing(keys)),
-        (given, grown) => Ok(given.unwrap_or(0.0).hypot(grown.unwrap_or(0.0))),
+        (given, grown) => Ok(libm::hypot(given.unwrap_or(0.0), grown.unwrap_or(0.0))),
     };
     let of_bias = (numbers.within("u_b_um", 0.0, FAR)?, grown("u_alpha_per_k")?);
     let of_parts = (numbers.within("u_w_um", 0.0, FAR)?, grown("u_alpha_parts_per_k")?);

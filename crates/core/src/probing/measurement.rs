@@ -210,7 +210,7 @@ impl Caveat {
 
     /// Radii that differ by more than half the zone.
     fn of_spread(contacts: &[Contact], circle: &Circle, zone: Length) -> Option<Self> {
-        let radii = contacts.iter().map(|contact| (contact.x - circle.x).hypot(contact.y - circle.y));
+        let radii = contacts.iter().map(|contact| libm::hypot(contact.x - circle.x, contact.y - circle.y));
         let (least, most) =
             radii.fold((f64::INFINITY, 0.0_f64), |(least, most), radius| (least.min(radius), most.max(radius)));
         let form = Length::from_mm_f64(most - least).ok()?;

@@ -18,7 +18,7 @@ impl Default for Orientation {
 /// Sine and cosine of an angle in degrees, exact at every quarter turn.
 fn sin_cos(degrees: f64) -> (f64, f64) {
     let quarters = (degrees / 90.0).round();
-    let (sin, cos) = (degrees - 90.0 * quarters).to_radians().sin_cos();
+    let (sin, cos) = libm::sincos((degrees - 90.0 * quarters).to_radians());
     match quarters.rem_euclid(4.0) {
         turn if turn < 0.5 => (sin, cos),
         turn if turn < 1.5 => (cos, -sin),
@@ -88,7 +88,7 @@ impl Orientation {
     /// By how many degrees X is turned about Z.
     pub fn about_z(self) -> f64 {
         let [[x, y, _], ..] = self.axes;
-        y.atan2(x).to_degrees()
+        libm::atan2(y, x).to_degrees()
     }
 }
 

@@ -6,6 +6,7 @@
 use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{Feature, Limits};
 use fitcheck_core::verdict::Rule;
+use fitcheck_statistics::round::round_down;
 
 /// What a part is on one side of the zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -236,9 +237,7 @@ pub fn micrometres(length: Length) -> f64 {
 
 /// Multiples of 1, 2 or 5 times a power of ten: at least [`STEPS`] steps fit.
 fn ticks(min: f64, max: f64) -> Vec<f64> {
-    let rough = (max - min) / STEPS;
-    let power = 10_f64.powf(rough.log10().floor());
-    let step = [5.0, 2.0].into_iter().find(|step| step * power <= rough).unwrap_or(1.0) * power;
+    let step = round_down((max - min) / STEPS);
     let first = (min / step).ceil();
     // `+ 0.0` turns a negative zero into zero.
     (0_u8..u8::MAX).map(|n| (first + f64::from(n)) * step + 0.0).take_while(|tick| *tick <= max).collect()

@@ -6,10 +6,11 @@
 use fitcheck_core::length::Length;
 
 use super::plot::Plot;
-use super::scale::{Scale, place, round_down, round_up};
+use super::scale::{Scale, place};
 use super::{Anchor, Picture, Tone, View};
 use crate::fitted::Fitted;
 use crate::moments::{Moments, count};
+use crate::round::{round_down, round_up};
 use crate::tolerance::Tolerance;
 
 /// So many bars at most, whatever the values.
@@ -57,7 +58,7 @@ fn expected(law: &Fitted, values: usize, width: f64, [from, to]: [f64; 2]) -> Ve
 /// The width of a bar.
 fn bar(values: &[f64], [from, to]: [f64; 2]) -> f64 {
     let deviation = Moments::of(values).and_then(|of| of.deviation()).unwrap_or_default();
-    let scott = round_down(3.49 * deviation / count(values.len().max(1)).cbrt());
+    let scott = round_down(3.49 * deviation / libm::cbrt(count(values.len().max(1))));
     let least = round_up((to - from).max(1e-6) / MOST_BARS);
     let wide = scott.max(least).max(1e-6);
     let step = resolution(values);

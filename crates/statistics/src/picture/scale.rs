@@ -3,6 +3,7 @@
 use fitcheck_core::words::Words;
 
 use crate::moments::count;
+use crate::round::round_up;
 
 /// Values from one end to the other, and the places of both ends.
 #[derive(Debug, Clone, Copy)]
@@ -37,26 +38,6 @@ impl Scale {
         let numbers = (0..=1_000_u32).map(f64::from).take_while(|at| *at <= number);
         (step, numbers.map(|at| (first + at) * step).collect())
     }
-}
-
-/// The least of 1, 2 and 5 times a power of ten that is not below a value.
-pub(super) fn round_up(value: f64) -> f64 {
-    if !(0.0 < value && value.is_finite()) {
-        return value;
-    }
-    let power = 10_f64.powf(value.log10().floor());
-    let nice = [1.0, 2.0, 5.0, 10.0].into_iter().find(|nice| value <= nice * power * (1.0 + 1e-9));
-    nice.unwrap_or(10.0) * power
-}
-
-/// The greatest of them that is not above it.
-pub(super) fn round_down(value: f64) -> f64 {
-    if !(0.0 < value && value.is_finite()) {
-        return value;
-    }
-    let power = 10_f64.powf(value.log10().floor());
-    let nice = [5.0, 2.0, 1.0].into_iter().find(|nice| nice * power * (1.0 - 1e-9) <= value);
-    nice.unwrap_or(1.0) * power
 }
 
 /// How many decimals values have that are so far apart.

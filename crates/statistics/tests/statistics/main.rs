@@ -14,6 +14,10 @@
 //! | `simulated` | values by chance, for the levels of intervals |
 
 #![cfg(test)]
+#![expect(
+    clippy::disallowed_methods,
+    reason = "expected values come from the mathematics of the system, not from that of the program"
+)]
 
 mod advice;
 mod capability;

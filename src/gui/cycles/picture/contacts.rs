@@ -147,18 +147,19 @@ impl Picture {
             .map(|contact| {
                 let x = contact.x - circle.x + off_x;
                 let y = contact.y - circle.y + off_y;
-                (y.atan2(x), x.hypot(y) - radius)
+                (libm::atan2(y, x), libm::hypot(x, y) - radius)
             })
             .collect();
         let largest = polar.iter().map(|(_, deviation)| deviation.abs()).fold(NOT_WORTH_MM, f64::max);
-        let factor = crate::gui::shapes::magnification(REACH * radius, largest.max(off_x.hypot(off_y)));
+        let factor = crate::gui::shapes::magnification(REACH * radius, largest.max(libm::hypot(off_x, off_y)));
         let at = |(angle, deviation): (f64, f64)| {
             let length = (1.0 + deviation * factor / radius).max(0.0);
-            [length * angle.cos(), length * angle.sin()]
+            [length * libm::cos(angle), length * libm::sin(angle)]
         };
         let on_fitted = |angle: f64| at((angle, ray(&circle, off, angle) - radius));
         let given = evaluation.map(|evaluation| evaluation.residuals.clone());
-        let residual = |contact: &Contact| (contact.x - circle.x).hypot(contact.y - circle.y) - circle.diameter / 2.0;
+        let residual =
+            |contact: &Contact| libm::hypot(contact.x - circle.x, contact.y - circle.y) - circle.diameter / 2.0;
         Some(Self {
             factor,
             diameter: circle.diameter,
@@ -177,14 +178,14 @@ impl Picture {
 impl Picture {
     /// How far out the drawing goes.
     fn reach(&self) -> f64 {
-        let lengths = self.contacts.iter().chain(&self.fitted).map(|[x, y]| x.hypot(*y));
+        let lengths = self.contacts.iter().chain(&self.fitted).map(|[x, y]| libm::hypot(*x, *y));
         lengths.fold(1.0, f64::max)
     }
 }
 
 /// How far a ray from the nominal centre goes until it meets the fitted circle.
 fn ray(circle: &Circle, [off_x, off_y]: [f64; 2], angle: f64) -> f64 {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = libm::sincos(angle);
     let along = off_x * cos + off_y * sin;
     let across = off_y * cos - off_x * sin;
     along + (circle.diameter * circle.diameter / 4.0 - across * across).max(0.0).sqrt()
@@ -245,7 +246,7 @@ impl<'a> Drawing<'a> {
     fn draw(&self) {
         let palette = self.canvas.palette;
         let nominal: Vec<Pos2> = (0..=STEPS)
-            .map(|step| (TAU * f64::from(step) / f64::from(STEPS)).sin_cos())
+            .map(|step| libm::sincos(TAU * f64::from(step) / f64::from(STEPS)))
             .map(|(sin, cos)| self.at([cos, sin]))
             .collect();
         let dashed = Stroke::new(1.5, palette.quiet.0);

@@ -229,7 +229,7 @@ mod tests {
     fn on_circle(degrees: &[f64]) -> Evaluation {
         let contacts: Vec<_> = degrees
             .iter()
-            .map(|degrees| degrees.to_radians().sin_cos())
+            .map(|degrees| libm::sincos(degrees.to_radians()))
             .map(|(sin, cos)| Contact { x: 10.0 + 12.5 * cos, y: 12.5 * sin, z: 0.0 })
             .collect();
         evaluate(&contacts).unwrap()

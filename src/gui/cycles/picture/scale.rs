@@ -10,6 +10,7 @@ use crate::gui::theme::{sizes, space};
 use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::{Outline, PartFeature};
+use crate::statistics::round::round_down;
 use crate::words::Words;
 
 /// The share of the room that is kept free around a view.
@@ -286,7 +287,7 @@ impl Scale {
         let has_room = width(&title) < inner.width() / 2.0 - space(4.0);
         let title = if has_room { title } else { format!("{first}/{second}") };
         canvas.note(inner.left_top(), Align2::LEFT_TOP, &title);
-        let mm = round_below(f64::from(self.rect.width()) * 0.25 / self.points_per_mm);
+        let mm = round_down(f64::from(self.rect.width()) * 0.25 / self.points_per_mm);
         let right = inner.right_bottom();
         let left = right - vec2(self.length(mm), 0.0);
         let text = format!("{} mm", words.number(&format!("{mm}")));
@@ -389,10 +390,4 @@ pub(super) fn legend(canvas: &Canvas<'_>, place: Rect, words: &Words) -> f32 {
         x = at.left() + wide + space(gap);
     }
     height
-}
-
-/// The largest of 1, 2 or 5 times a power of ten that is not above a length.
-fn round_below(mm: f64) -> f64 {
-    let decade = 10_f64.powf(mm.log10().floor());
-    [5.0, 2.0].into_iter().map(|step| step * decade).find(|step| *step <= mm).unwrap_or(decade)
 }

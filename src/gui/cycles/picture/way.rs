@@ -86,16 +86,16 @@ pub(super) fn trace(one: &Move, plane: Plane) -> Vec<[f64; 3]> {
         (x - centre_x, y - centre_y)
     };
     let ((from_x, from_y), (to_x, to_y)) = (about_centre(from), about_centre(to));
-    let begin = from_y.atan2(from_x);
-    let end = to_y.atan2(to_x);
+    let begin = libm::atan2(from_y, from_x);
+    let end = libm::atan2(to_y, to_x);
     let turn = (end - begin + PI).rem_euclid(TAU) - PI;
-    let first = from_x.hypot(from_y);
-    let last = to_x.hypot(to_y);
+    let first = libm::hypot(from_x, from_y);
+    let last = libm::hypot(to_x, to_y);
     let ([_, _, low], [_, _, high]) = (from, to);
     (0..=STEPS)
         .map(|step| {
             let share = f64::from(step) / f64::from(STEPS);
-            let (sin, cos) = (begin + turn * share).sin_cos();
+            let (sin, cos) = libm::sincos(begin + turn * share);
             let radius = first + (last - first) * share;
             let [centre_x, centre_y, _] = about;
             [centre_x + radius * cos, centre_y + radius * sin, low + (high - low) * share]

@@ -110,7 +110,7 @@ pub(super) fn cross([a_x, a_y]: [f64; 2], [b_x, b_y]: [f64; 2]) -> f64 {
 
 /// Length of a vector.
 pub(super) fn norm([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
+    libm::hypot(x, y)
 }
 
 /// The same direction with length 1; a vector of length zero has no direction and stays zero.

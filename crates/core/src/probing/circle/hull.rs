@@ -43,7 +43,7 @@ pub(super) fn around(points: &[[f64; 2]], corners: &[[f64; 2]]) -> Vec<[f64; 2]>
     let middle = mean(corners);
     let angle = |point: &[f64; 2]| {
         let [x, y] = minus(*point, middle);
-        y.atan2(x)
+        libm::atan2(y, x)
     };
     let mut ordered = points.to_vec();
     ordered.sort_by(|a, b| angle(a).total_cmp(&angle(b)));

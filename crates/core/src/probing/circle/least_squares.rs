@@ -317,7 +317,7 @@ fn straight_squares(points: &[[f64; 2]]) -> f64 {
     let Moments { centroid, xx, xy, yy, .. } = Moments::of(points);
     // The direction of the line is half the angle of (xx - yy, 2 xy); distances are summed directly, because the
     // smaller eigenvalue of a nearly straight set would cancel.
-    let angle = (2.0 * xy).atan2(xx - yy) / 2.0;
-    let along = [angle.cos(), angle.sin()];
+    let angle = libm::atan2(2.0 * xy, xx - yy) / 2.0;
+    let along = [libm::cos(angle), libm::sin(angle)];
     points.iter().map(|&point| cross(along, minus(point, centroid)).powi(2)).sum()
 }

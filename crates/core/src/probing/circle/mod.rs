@@ -158,7 +158,8 @@ pub fn arc_deg(contacts: &[Contact], circle: &Circle) -> f64 {
 
 /// The largest angle in degrees between the directions of neighbouring points, seen from a centre.
 fn largest_gap_deg(points: &[[f64; 2]], [centre_x, centre_y]: [f64; 2]) -> f64 {
-    let mut angles: Vec<f64> = points.iter().map(|&[x, y]| (y - centre_y).atan2(x - centre_x).to_degrees()).collect();
+    let mut angles: Vec<f64> =
+        points.iter().map(|&[x, y]| libm::atan2(y - centre_y, x - centre_x).to_degrees()).collect();
     angles.sort_by(f64::total_cmp);
     let within =
         angles.iter().zip(angles.iter().skip(1)).fold(0.0, |gap: f64, (before, after)| gap.max(after - before));

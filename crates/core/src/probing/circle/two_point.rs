@@ -30,10 +30,10 @@ impl TwoPoint {
 /// Pairs of contacts that are each other's best opposite, sorted by the lower number.
 pub(super) fn opposed(contacts: &[Contact], frame: &Frame, centre: [f64; 2]) -> Vec<TwoPoint> {
     let places: Vec<_> = contacts.iter().map(|contact| minus(frame.place(contact), centre)).collect();
-    let mut angles: Vec<(f64, usize)> = places.iter().map(|[x, y]| y.atan2(*x).to_degrees()).zip(0..).collect();
+    let mut angles: Vec<(f64, usize)> = places.iter().map(|[x, y]| libm::atan2(*y, *x).to_degrees()).zip(0..).collect();
     angles.sort_by(|(a, a_index), (b, b_index)| a.total_cmp(b).then(a_index.cmp(b_index)));
     let opposite: Vec<Option<usize>> =
-        places.iter().map(|[x, y]| nearest(&angles, (-y).atan2(-x).to_degrees())).collect();
+        places.iter().map(|[x, y]| nearest(&angles, libm::atan2(-y, -x).to_degrees())).collect();
     let mut sizes = Vec::new();
     for (first, &second) in opposite.iter().enumerate() {
         let Some(second) = second.filter(|&second| first < second) else { continue };
@@ -50,7 +50,7 @@ fn size(frame: &Frame, contacts: [usize; 2], from: [f64; 2], to: [f64; 2]) -> Tw
     let distance = norm(chord);
     let diameter = norm(from) + norm(to);
     let [x, y] = if dot(chord, [1.0, 0.0]) < 0.0 { minus(from, to) } else { chord };
-    let direction_deg = y.atan2(x).to_degrees();
+    let direction_deg = libm::atan2(y, x).to_degrees();
     TwoPoint {
         contacts,
         size: frame.length(distance),

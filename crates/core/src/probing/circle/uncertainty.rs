@@ -36,9 +36,9 @@ impl Uncertainty {
         }
         // The two directions in which the matrix stretches only. On a short arc one of them is so small that the determinant
         // would be rounding; summed along these directions nothing cancels.
-        let angle = (2.0 * xy).atan2(xx - yy) / 2.0;
-        let wide = [angle.cos(), angle.sin()];
-        let narrow = [-angle.sin(), angle.cos()];
+        let angle = libm::atan2(2.0 * xy, xx - yy) / 2.0;
+        let wide = [libm::cos(angle), libm::sin(angle)];
+        let narrow = [-libm::sin(angle), libm::cos(angle)];
         let stretch = |along| off.iter().map(|&off| dot(off, along).powi(2)).sum::<f64>();
         let carried = |along| {
             let carried = dot([mean_x, mean_y], along);
@@ -53,7 +53,7 @@ impl Uncertainty {
 
     /// For contacts in these directions, radians.
     pub fn of_angles(angles: &[f64]) -> Self {
-        let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle.cos(), angle.sin()]).collect();
+        let points: Vec<[f64; 2]> = angles.iter().map(|&angle| [libm::cos(angle), libm::sin(angle)]).collect();
         Self::of(&points, [0.0, 0.0])
     }
 

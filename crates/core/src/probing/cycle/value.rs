@@ -50,7 +50,7 @@ impl Angle {
     pub fn direction(self) -> [f64; 2] {
         let turned = self.0.rem_euclid(4 * QUARTER_TURN);
         let beyond = Self(turned % QUARTER_TURN);
-        let (sin, cos) = beyond.to_degrees_f64().to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(beyond.to_degrees_f64().to_radians());
         match turned / QUARTER_TURN {
             0 => [cos, sin],
             1 => [-sin, cos],

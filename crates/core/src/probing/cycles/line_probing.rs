@@ -77,7 +77,7 @@ pub(super) fn probe(inputs: &Inputs, course: &mut Course<'_>) -> Result<[Contact
 /// the angle about the first axis or about the second.
 pub(super) fn turned(inputs: &Inputs, contacts: [Contact; 2]) -> f64 {
     let (along, off) = across(inputs, contacts.map(|contact| contact.place()));
-    let rise = (off / along).atan().to_degrees();
+    let rise = libm::atan(off / along).to_degrees();
     // A line along the second axis that leans to plus has turned clockwise; one that rises along the first has turned backwards about
     // the second.
     let is_backwards = inputs.whole(272) == 1 || inputs.whole(272) == 3 && !is_about_first(inputs);

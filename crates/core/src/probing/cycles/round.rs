@@ -49,7 +49,7 @@ fn fit(
         let off_x = contact.x - circle.x;
         let off_y = contact.y - circle.y;
         // Three contacts of one circle are never all at its centre; a contact that is there stays there.
-        let distance = off_x.hypot(off_y);
+        let distance = libm::hypot(off_x, off_y);
         let share = if distance <= 0.0 { 0.0 } else { outward / distance };
         Contact::at(plane.place([contact.x + off_x * share, contact.y + off_y * share, contact.z]))
     };

@@ -76,7 +76,7 @@ pub(super) fn line([from_x, from_y, _]: [f64; 3], [to_x, to_y, _]: [f64; 3]) -> 
 pub(super) fn turned([from, to]: [[f64; 3]; 2], [found, found_to]: [[f64; 3]; 2]) -> f64 {
     let [wanted_1, wanted_2] = line(from, to);
     let [found_1, found_2] = line(found, found_to);
-    (wanted_1 * found_2 - wanted_2 * found_1).atan2(wanted_1 * found_1 + wanted_2 * found_2).to_degrees()
+    libm::atan2(wanted_1 * found_2 - wanted_2 * found_1, wanted_1 * found_1 + wanted_2 * found_2).to_degrees()
 }
 
 /// That angle as a result.

@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn the_lowest_valley_is_found_to_the_last_bits() {
-        let waves = |x: f64| (5.0 * x).cos() + 0.01 * (x - 2.0).powi(2);
+        let waves = |x: f64| libm::cos(5.0 * x) + 0.01 * (x - 2.0).powi(2);
         // The valley at 3 π / 5 lies nearest to 2.
         let place = 3.0 * std::f64::consts::PI / 5.0;
         let found = least(waves, 0.0, 6.0, 64);

@@ -51,6 +51,6 @@ impl Probe {
 
     /// How much later a contact is reported in this direction: only the share in X/Y counts.
     pub(super) fn pre_travel(&self, [x, y, _]: [f64; 3]) -> f64 {
-        if self.lobing.amplitude <= 0.0 { 0.0 } else { self.lobing.height(y.atan2(x)) * x.hypot(y) }
+        if self.lobing.amplitude <= 0.0 { 0.0 } else { self.lobing.height(libm::atan2(y, x)) * libm::hypot(x, y) }
     }
 }

@@ -257,7 +257,7 @@ impl Surface {
                     return workpiece.distance([first, second], [along_1, along_2], ball_radius);
                 }
                 // Only the share across the axis moves towards the wall.
-                let share = along_1.hypot(along_2);
+                let share = libm::hypot(along_1, along_2);
                 if share <= 0.0 {
                     return None;
                 }
@@ -298,12 +298,12 @@ impl Face {
         }
         let place = dot(off, unit(self.across(&wave)));
         let number = std::f64::consts::TAU / wave.length;
-        let crest = |gone: f64| wave.amplitude * (number * gone).cos();
+        let crest = |gone: f64| wave.amplitude * libm::cos(number * gone);
         if height < crest(place) {
             // Below the surface: the depth is enough.
             return height - crest(place) - ball_radius;
         }
-        let distance = |gone: f64| (gone - place).hypot(height - crest(gone));
+        let distance = |gone: f64| libm::hypot(gone - place, height - crest(gone));
         // No point farther along than the one straight below can be nearer.
         let reach = height - crest(place);
         let samples = whole((64.0 * reach / wave.length).clamp(16.0, 20_000.0));

@@ -53,7 +53,7 @@ impl Walls {
 
     /// The direction across the first pair, exact at every quarter turn.
     pub(super) fn across(&self) -> [f64; 2] {
-        let (sin, cos) = self.angle.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(self.angle.to_radians());
         let is_quarter = (self.angle % 90.0).abs() <= 0.0;
         if is_quarter { [cos.round(), sin.round()] } else { [cos, sin] }
     }
@@ -106,7 +106,7 @@ impl Walls {
                 let off_1 = place_1 - half_1;
                 let off_2 = place_2 - half_2;
                 // Beside an edge the corner is nearest.
-                let gap = if 0.0 < off_1 && 0.0 < off_2 { off_1.hypot(off_2) } else { off_1.max(off_2) };
+                let gap = if 0.0 < off_1 && 0.0 < off_2 { libm::hypot(off_1, off_2) } else { off_1.max(off_2) };
                 ball_radius <= gap
             }
         }

@@ -97,7 +97,7 @@ impl Workpiece {
     /// The direction from the centre to a place, with length 1.
     pub(super) fn outwards(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [centre_x, centre_y] = self.centre;
-        let (sin, cos) = (y - centre_y).atan2(x - centre_x).sin_cos();
+        let (sin, cos) = libm::sincos(libm::atan2(y - centre_y, x - centre_x));
         [cos, sin]
     }
 
@@ -105,7 +105,7 @@ impl Workpiece {
     pub(super) fn outside(&self, [x, y]: [f64; 2]) -> f64 {
         let [centre_x, centre_y] = self.centre;
         let off @ [off_x, off_y] = [x - centre_x, y - centre_y];
-        let beyond = off_x.hypot(off_y) - self.radius(off_y.atan2(off_x));
+        let beyond = libm::hypot(off_x, off_y) - self.radius(libm::atan2(off_y, off_x));
         if self.is_round() { beyond } else { self.gap(off, 0.0).copysign(beyond) }
     }
 
@@ -114,8 +114,8 @@ impl Workpiece {
         let [centre_x, centre_y] = self.centre;
         let off_x = x - centre_x;
         let off_y = y - centre_y;
-        let radius = self.radius(off_y.atan2(off_x));
-        let off = off_x.hypot(off_y);
+        let radius = self.radius(libm::atan2(off_y, off_x));
+        let off = libm::hypot(off_x, off_y);
         let is_outside_material = match self.feature {
             Feature::Hole => off + ball_radius <= radius || (!self.is_round() && off <= radius),
             Feature::Shaft => radius + ball_radius <= off || (!self.is_round() && radius <= off),
@@ -165,7 +165,7 @@ impl Workpiece {
         let crossed = |distance: f64| {
             let off_x = distance * along_x - to_x;
             let off_y = distance * along_y - to_y;
-            let outside = off_x.hypot(off_y) - self.radius(off_y.atan2(off_x));
+            let outside = libm::hypot(off_x, off_y) - self.radius(libm::atan2(off_y, off_x));
             if feature == Feature::Hole { 0.0 <= outside } else { outside <= 0.0 }
         };
         if last < first {
@@ -187,8 +187,8 @@ impl Workpiece {
     fn gap(&self, [x, y]: [f64; 2], ball_radius: f64) -> f64 {
         let distance = |angle: f64| {
             let radius = self.radius(angle);
-            let (sin, cos) = angle.sin_cos();
-            (x - radius * cos).hypot(y - radius * sin)
+            let (sin, cos) = libm::sincos(angle);
+            libm::hypot(x - radius * cos, y - radius * sin)
         };
         let turn = std::f64::consts::TAU;
         least(distance, 0.0, turn, (STEPS / 2).max(32 * self.lobes.count)) - ball_radius
@@ -200,6 +200,6 @@ impl Lobes {
     pub const NONE: Self = Self { count: 0, amplitude: 0.0, angle: 0.0 };
 
     pub(super) fn height(&self, angle: f64) -> f64 {
-        self.amplitude * (f64::from(self.count) * (angle - self.angle.to_radians())).cos()
+        self.amplitude * libm::cos(f64::from(self.count) * (angle - self.angle.to_radians()))
     }
 }

@@ -63,7 +63,7 @@ impl Prior {
         match self {
             Self::Normal { mean, deviation } => {
                 let off = (x - mean) / deviation;
-                (-off * off / 2.0).exp() / (deviation * std::f64::consts::TAU.sqrt())
+                libm::exp(-off * off / 2.0) / (deviation * std::f64::consts::TAU.sqrt())
             }
             Self::Gamma { shape, scale } => Gamma::new(shape, 1.0 / scale).map_or(0.0, |gamma| gamma.pdf(x)),
         }

@@ -48,7 +48,7 @@ pub(super) fn placed(element: &Element) -> Option<Placed> {
 fn along_z(vector: &str) -> bool {
     let parts: Option<Vec<f64>> = vector.split_whitespace().map(|part| part.parse().ok()).collect();
     let Some([x, y, z]) = parts.as_deref() else { return false };
-    0.0 < z.abs() && z.is_finite() && x.hypot(*y) <= MOST_OFF * z.abs()
+    0.0 < z.abs() && z.is_finite() && libm::hypot(*x, *y) <= MOST_OFF * z.abs()
 }
 
 /// Whether a coordinate system is the one that the file's coordinates count in: its transform is known and changes nothing.

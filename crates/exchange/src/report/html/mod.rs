@@ -385,7 +385,7 @@ fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<
         Err(error) => words.number(&error.to_string()),
     };
     let radial = |contact: &Contact, circle: Circle| {
-        let distance = (contact.x - circle.x).hypot(contact.y - circle.y);
+        let distance = libm::hypot(contact.x - circle.x, contact.y - circle.y);
         picture::radial_um(distance, circle.diameter / 2.0, words)
     };
     let line = |(before, contact): (usize, &Contact)| ContactLine {

@@ -121,19 +121,19 @@ fn apply(function: NumberFunction, value: f64) -> Result<f64, FaultKind> {
         NumberFunction::Square => value * value,
         NumberFunction::SquareRoot if value < 0.0 => return Err(FaultKind::NegativeRoot(value)),
         NumberFunction::SquareRoot => value.sqrt(),
-        NumberFunction::Sine => value.to_radians().sin(),
-        NumberFunction::Cosine => value.to_radians().cos(),
-        NumberFunction::Tangent => value.to_radians().tan(),
+        NumberFunction::Sine => libm::sin(value.to_radians()),
+        NumberFunction::Cosine => libm::cos(value.to_radians()),
+        NumberFunction::Tangent => libm::tan(value.to_radians()),
         NumberFunction::ArcSine if 1.0 < value.abs() => return none("ASIN"),
-        NumberFunction::ArcSine => value.asin().to_degrees(),
+        NumberFunction::ArcSine => libm::asin(value).to_degrees(),
         NumberFunction::ArcCosine if 1.0 < value.abs() => return none("ACOS"),
-        NumberFunction::ArcCosine => value.acos().to_degrees(),
-        NumberFunction::ArcTangent => value.atan().to_degrees(),
+        NumberFunction::ArcCosine => libm::acos(value).to_degrees(),
+        NumberFunction::ArcTangent => libm::atan(value).to_degrees(),
         NumberFunction::NaturalLogarithm if value <= 0.0 => return none("LN"),
-        NumberFunction::NaturalLogarithm => value.ln(),
+        NumberFunction::NaturalLogarithm => libm::log(value),
         NumberFunction::Logarithm if value <= 0.0 => return none("LOG"),
-        NumberFunction::Logarithm => value.log10(),
-        NumberFunction::Exponential => value.exp(),
+        NumberFunction::Logarithm => libm::log10(value),
+        NumberFunction::Exponential => libm::exp(value),
         NumberFunction::Negative => -value,
         NumberFunction::Integer => value.trunc(),
         NumberFunction::Absolute => value.abs(),
@@ -155,14 +155,14 @@ fn combine(operation: Operation, left: f64, right: f64) -> Result<f64, FaultKind
         Operation::Power if is_zero(left) && right < 0.0 => return Err(FaultKind::DivisionByZero),
         // A number below zero has whole powers only.
         Operation::Power if left < 0.0 && 0.0 < right.fract().abs() => return Err(FaultKind::NegativeRoot(left)),
-        Operation::Power => left.powf(right),
-        Operation::Hypotenuse => left.hypot(right),
+        Operation::Power => libm::pow(left, right),
+        Operation::Hypotenuse => libm::hypot(left, right),
         Operation::Angle if is_zero(left) && is_zero(right) => {
             return Err(FaultKind::NoResult { function: "0 ANG", value: 0.0 });
         }
         // From 0 up to a full turn, as the control gives it.
         Operation::Angle => {
-            let turned = left.atan2(right).to_degrees().rem_euclid(360.0);
+            let turned = libm::atan2(left, right).to_degrees().rem_euclid(360.0);
             // A tiny angle below zero is rounded to the full turn.
             if turned < 360.0 { turned } else { 0.0 }
         }

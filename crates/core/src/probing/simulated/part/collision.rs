@@ -73,7 +73,7 @@ impl Line {
         let aside = along(other, arm, -dot(arm, other) / (radius * radius));
         let [x, y, _] = arm;
         let across = if 1e-9 < norm(aside) { aside.map(|part| part * radius / norm(aside)) } else { [-y, x, 0.0] };
-        let angle = cos.clamp(-1.0, 1.0).acos();
+        let angle = libm::acos(cos.clamp(-1.0, 1.0));
         // NaN, where an arm has no length, is no angle either.
         (1e-9 < angle).then_some(Arc { centre, arm, across, angle })
     }
@@ -83,7 +83,7 @@ impl Line {
         let Some(Arc { centre, arm, across, angle }) = self.arc() else {
             return along(self.from, along(self.to, self.from, -1.0), share);
         };
-        let (sin, cos) = (share * angle).sin_cos();
+        let (sin, cos) = libm::sincos(share * angle);
         along(along(centre, arm, cos), across, sin)
     }
 }

@@ -11,7 +11,7 @@ use crate::tolerance::Feature;
 
 /// The distance of a place beside two edges: from the corner if it is beyond both, else from the farther edge.
 fn beyond_both(one: f64, other: f64) -> f64 {
-    if 0.0 < one && 0.0 < other { one.hypot(other) } else { one.max(other) }
+    if 0.0 < one && 0.0 < other { libm::hypot(one, other) } else { one.max(other) }
 }
 
 impl PartFeature {
@@ -53,7 +53,7 @@ impl PartFeature {
             // The ends of a slot are open.
             Surface::Walls(walls @ Walls { lengths: (_, None), .. }) => {
                 let [across, beside] = walls.outside(place, self.extent.length);
-                across.abs().hypot(beside.max(0.0))
+                libm::hypot(across.abs(), beside.max(0.0))
             }
             _ => self.outside(place).abs(),
         }
@@ -77,7 +77,7 @@ impl PartFeature {
         if !self.is_space() || self.extent.bottom.is_infinite() {
             return f64::INFINITY;
         }
-        self.outside(flat).max(0.0).hypot(height - self.extent.bottom)
+        libm::hypot(self.outside(flat).max(0.0), height - self.extent.bottom)
     }
 
     /// How far a place is from the material, the floor of a space left out; below zero in the material.
@@ -85,7 +85,7 @@ impl PartFeature {
         let (flat, height) = self.within(place);
         let beyond = self.extent.beyond(height);
         match (&self.surface, self.walls()) {
-            (_, Some(Feature::Hole)) => self.gap_to_walls(flat).hypot(beyond.max(0.0)),
+            (_, Some(Feature::Hole)) => libm::hypot(self.gap_to_walls(flat), beyond.max(0.0)),
             (_, Some(Feature::Shaft)) => beyond_both(self.outside(flat), beyond),
             (Surface::Face(face), _) if self.extent.reach.is_infinite() => face.gap(place, 0.0),
             (Surface::Point(point), _) if self.extent.reach.is_infinite() => point.gap(place, 0.0),
@@ -97,7 +97,7 @@ impl PartFeature {
 
     fn gap_to_disc(&self, point: [f64; 3], normal: [f64; 3], place: [f64; 3]) -> f64 {
         let [height, beside] = over(point, unit(normal), place);
-        height.abs().hypot((beside - self.extent.reach).max(0.0))
+        libm::hypot(height.abs(), (beside - self.extent.reach).max(0.0))
     }
 
     /// From the cap of a ball, or a hollow, about its point.
@@ -112,9 +112,9 @@ impl PartFeature {
         let rim_height = ((radius - rim) * (radius + rim)).sqrt();
         // Within the cone to the rim the ball itself is nearest.
         if 0.0 <= height && beside * rim_height <= rim * height {
-            return (height.hypot(beside) - radius).abs();
+            return (libm::hypot(height, beside) - radius).abs();
         }
-        (height - rim_height).hypot(beside - rim)
+        libm::hypot(height - rim_height, beside - rim)
     }
 
     /// The place on the stylus above a ball that is nearest to the material: the stylus is a line upwards in Z.
@@ -180,7 +180,7 @@ impl PartFeature {
         let normal = unit(normal);
         let [height, beside] = over(point, normal, centre);
         // On a ball the foot lies on the line to its centre.
-        let foot = radius.map_or(beside, |radius| radius.abs() * beside / beside.hypot(radius + height));
+        let foot = radius.map_or(beside, |radius| radius.abs() * beside / libm::hypot(beside, radius + height));
         foot <= self.extent.reach
     }
 }

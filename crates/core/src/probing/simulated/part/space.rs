@@ -144,7 +144,7 @@ fn overlap(one: &PartFeature, other: &PartFeature) -> bool {
         },
         (Surface::Round(round, _), Surface::Round(second, _)) => {
             let [[x, y], [other_x, other_y]] = [round.centre, second.centre];
-            (x - other_x).hypot(y - other_y) < round.widest() + second.widest()
+            libm::hypot(x - other_x, y - other_y) < round.widest() + second.widest()
         }
         (Surface::Round(round, _), Surface::Walls(_)) => other.outside(round.centre) < round.widest(),
         (Surface::Walls(_), Surface::Round(round, _)) => one.outside(round.centre) < round.widest(),

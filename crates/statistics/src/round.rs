@@ -1,0 +1,50 @@
+//! Round numbers: 1, 2 and 5 times a power of ten, as axes, scales and drawings name them.
+
+/// The least round number that is not below a value, in the unit of the value. What is not above zero, or has no end, is
+/// answered as it is. A billionth more than a round number counts as that number.
+pub fn round_up(value: f64) -> f64 {
+    match power_below(value) {
+        Some(power) => {
+            [1.0, 2.0, 5.0].into_iter().map(|n| n * power).find(|n| value <= n * (1.0 + 1e-9)).unwrap_or(10.0 * power)
+        }
+        None => value,
+    }
+}
+
+/// The greatest round number that is not above a value, as [`round_up`] otherwise.
+pub fn round_down(value: f64) -> f64 {
+    match power_below(value) {
+        Some(power) => {
+            [10.0, 5.0, 2.0].into_iter().map(|n| n * power).find(|n| n * (1.0 - 1e-9) <= value).unwrap_or(power)
+        }
+        None => value,
+    }
+}
+
+/// The power of ten at or below a value. `exp10` has whole powers to the last bit, which a general power has not on every system.
+fn power_below(value: f64) -> Option<f64> {
+    (0.0 < value && value.is_finite()).then(|| libm::exp10(libm::log10(value).floor()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[expect(clippy::float_cmp, reason = "round numbers are exact to the last bit")]
+    fn round_numbers_stay_and_others_go_to_the_next() {
+        for exponent in -12..=12 {
+            let at = |digit: &str| format!("{digit}e{exponent}").parse::<f64>().unwrap();
+            for digit in ["1", "2", "5"] {
+                assert_eq!(round_up(at(digit)), at(digit), "{digit}e{exponent}");
+                assert_eq!(round_down(at(digit)), at(digit), "{digit}e{exponent}");
+            }
+            for (given, below, above) in
+                [("1.001", "1", "2"), ("3", "2", "5"), ("4.999", "2", "5"), ("9.999", "5", "10")]
+            {
+                assert_eq!((round_down(at(given)), round_up(at(given))), (at(below), at(above)), "{given}e{exponent}");
+            }
+        }
+        assert_eq!((round_down(0.0), round_up(-1.0), round_up(f64::INFINITY)), (0.0, -1.0, f64::INFINITY));
+    }
+}
