@@ -10,20 +10,25 @@ use fitcheck_nc::control::status::status_of;
 use super::error::ImportWarningKind;
 use super::given::shorten;
 use super::quantity::is_form;
+use super::vocabulary::Names;
 use crate::journal::Record;
 
 /// Words and marks of a value within its limits, without their stops and blanks.
-const GOOD: &str = "ok|pass|passed|accept|accepted|conform|conforms|conforming|io|inordnung|oke|akkoord|goedgekeurd|conforme|intolerance|\
-    intol|withintolerance|withinlimits|gut|goed|buono|bestanden|freigegeben|innerhalb|idoneo|accettato|✓|✔|✅|☑";
+static GOOD: Names = Names::of(
+    "ok|pass|passed|accept|accepted|conform|conforms|conforming|io|inordnung|oke|akkoord|goedgekeurd|conforme|intolerance|\
+    intol|withintolerance|withinlimits|gut|goed|buono|bestanden|freigegeben|innerhalb|idoneo|accettato|✓|✔|✅|☑",
+);
 
 /// The same of one out of its limits.
-const OUT: &str = "nok|notok|ng|fail|failed|reject|rejected|nio|nichtinordnung|nietok|nietakkoord|afgekeurd|nonconform|nonconforme|\
+static OUT: Names = Names::of(
+    "nok|notok|ng|fail|failed|reject|rejected|nio|nichtinordnung|nietok|nietakkoord|afgekeurd|nonconform|nonconforme|\
     nonconforming|nonok|ko|bad|schlecht|slecht|scrapped|outoftolerance|outoftol|outoflimits|oot|zurückgewiesen|gesperrt|nichtbestanden|\
-    außerhalb|ausserhalb|fout|fuoritolleranza|nonidoneo|respinto|blocked|✗|✘|✕|❌|☒";
+    außerhalb|ausserhalb|fout|fuoritolleranza|nonidoneo|respinto|blocked|✗|✘|✕|❌|☒",
+);
 
 /// Words that say how far a value has come, and nothing of its verdict.
-const NO_VERDICT: &str =
-    "measured|done|complete|completed|finished|gemessen|fertig|erledigt|gemeten|gereed|klaar|misurato|none";
+static NO_VERDICT: Names =
+    Names::of("measured|done|complete|completed|finished|gemessen|fertig|erledigt|gemeten|gereed|klaar|misurato|none");
 
 /// Marks that say something without a letter.
 const MARKS: &str = "✓✔✅☑✗✘✕❌☒?!+";
@@ -36,7 +41,7 @@ fn says_nothing(text: &str) -> bool {
     let small = text.trim().to_lowercase();
     // "NA" without its stroke may be rework.
     let is_none = matches!(small.as_str(), "n/a" | "n.a." | "n.v.t." | "n. v. t.");
-    is_none || NO_VERDICT.split('|').any(|known| known == small)
+    is_none || NO_VERDICT.has(&small)
 }
 
 /// Marks that turn a word round, or put it in doubt.
@@ -248,14 +253,14 @@ impl Claim {
             return Some(Self::of(word, status));
         }
         let small = letters(word);
-        let is = |list: &str| list.split('|').any(|known| known == small || known == word.trim());
-        if is(OUT) {
+        let is = |list: &Names| list.has(&small) || list.has(word.trim());
+        if is(&OUT) {
             return Some(Self::out(word));
         }
         if word.contains(AGAINST) {
             return Some(Self::new(shorten(word), ClaimContent::Unknown));
         }
-        if is(GOOD) {
+        if is(&GOOD) {
             return Some(Self::of(word, Status::Good));
         }
         // "n.i.O. (scratch)", "rejected - burr"

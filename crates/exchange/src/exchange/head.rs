@@ -9,20 +9,26 @@ use jiff::civil::DateTime;
 use super::given::shorten;
 use super::measurements::date_time;
 use super::role::Role;
-use super::vocabulary::{self, KNOWN, Rank};
+use super::vocabulary::{KNOWN, Names, Rank};
 use super::words;
 
 /// More names of a part than those of a column: beside a title they can hardly be anything else.
-const PART: &str = "part name|teilename|teilebezeichnung|benennung|item description|part description|naam onderdeel|\
-    nome pezzo|nom de la pièce|nombre de la pieza";
+static PART: Names = Names::of(
+    "part name|teilename|teilebezeichnung|benennung|item description|part description|naam onderdeel|\
+    nome pezzo|nom de la pièce|nombre de la pieza",
+);
 
 /// Names of a drawing, and of its revision.
-const DRAWING: &str = "drawing|drawing no|drawing number|drawing no rev|drg no|drg no rev|zeichnung|zeichnungsnummer|zeichnungs nr|tekening|\
-    tekeningnummer|disegno|numero disegno|plan|numéro de plan|plano|número de plano";
-const REVISION: &str = "revision|rev|rev no|rev number|drawing revision|revisie|revisione|révision|revisión|änderungsstand|änderungsindex|index|indice";
+static DRAWING: Names = Names::of(
+    "drawing|drawing no|drawing number|drawing no rev|drg no|drg no rev|zeichnung|zeichnungsnummer|zeichnungs nr|tekening|\
+    tekeningnummer|disegno|numero disegno|plan|numéro de plan|plano|número de plano",
+);
+static REVISION: Names = Names::of(
+    "revision|rev|rev no|rev number|drawing revision|revisie|revisione|révision|revisión|änderungsstand|änderungsindex|index|indice",
+);
 
-fn has(list: &str, key: &str) -> bool {
-    vocabulary::has(list, &words::bare(key))
+fn has(list: &Names, key: &str) -> bool {
+    list.has(&words::bare(key))
 }
 
 /// What is said of all values.
@@ -53,8 +59,8 @@ impl Head {
         for (line, cells) in lines {
             for (columns, key, value) in pairs(cells) {
                 let place = match role(key) {
-                    _ if has(DRAWING, key) => &mut head.drawing,
-                    _ if has(REVISION, key) => &mut head.revision,
+                    _ if has(&DRAWING, key) => &mut head.drawing,
+                    _ if has(&REVISION, key) => &mut head.revision,
                     Some(Role::Part) => &mut head.part,
                     Some(Role::Serial) => &mut head.serial,
                     Some(Role::Who) => &mut head.who,
@@ -151,11 +157,11 @@ fn pairs(cells: &StringRecord) -> Vec<(RangeInclusive<usize>, &str, &str)> {
 
 fn role(key: &str) -> Option<Role> {
     let bare = words::bare(key);
-    if has(DRAWING, key) || has(REVISION, key) {
+    if has(&DRAWING, key) || has(&REVISION, key) {
         // Beside the lines of a head a drawing is none of its parts.
         return Some(Role::Id);
     }
-    if PART.split('|').any(|known| known == bare) {
+    if PART.has(&bare) {
         return Some(Role::Part);
     }
     let is_time = || KNOWN.whole.get(bare.as_str()) == Some(&(Role::Time, Rank::Exact));

@@ -6,12 +6,14 @@ use super::cell::single_blanks;
 use super::claim::letters;
 use super::column::name_of;
 use super::given::shorten;
-use super::vocabulary::has;
+use super::vocabulary::Names;
 use crate::exchange::cell::Cells as _;
 
 /// Words before the numbers of such columns: `Sample 1`, `Teil 2`. A measured value with a number is asked about.
-const BEFORE: &str = "|sample|samples|s|part|pc|pcs|piece|specimen|unit|teil|stück|stueck|muster|stichprobe|probe|monster|stuk|campione|pezzo|\
-    échantillon|pièce|muestra|pieza|x|n|no|nr";
+static BEFORE: Names = Names::of(
+    "|sample|samples|s|part|pc|pcs|piece|specimen|unit|teil|stück|stueck|muster|stichprobe|probe|monster|stuk|campione|pezzo|\
+    échantillon|pièce|muestra|pieza|x|n|no|nr",
+);
 
 /// The columns whose names are counted from 1, one beside the other, where two or more are.
 pub(super) fn counted(names: &StringRecord) -> Vec<usize> {
@@ -43,7 +45,7 @@ fn split(name: &str) -> Option<(String, usize)> {
     let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let number = name.strip_prefix(word)?.parse().ok()?;
     let word = letters(word);
-    has(BEFORE, &word).then_some((word, number))
+    BEFORE.has(&word).then_some((word, number))
 }
 
 /// Whether a column has a name of this kind, whatever stands beside it.

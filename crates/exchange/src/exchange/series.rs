@@ -7,12 +7,14 @@
 use super::beside::is_deviation;
 use super::imported::Labels;
 use super::role::Role;
-use super::vocabulary::{self, KNOWN, Rank};
+use super::vocabulary::{KNOWN, Names, Rank};
 use super::words;
 
 /// Names of a counter, besides those of a part and of a serial number.
-const COUNTERS: &str = "count|counter|part count|part counter|piece|piece no|sample|stück|stueck|stück nr|stueck nr|zähler|zaehler|\
-    teilezähler|teilezaehler|stuk|stuk nr|teller|contatore|contapezzi|pezzo n|compteur|contador";
+static COUNTERS: Names = Names::of(
+    "count|counter|part count|part counter|piece|piece no|sample|stück|stueck|stück nr|stueck nr|zähler|zaehler|\
+    teilezähler|teilezaehler|stuk|stuk nr|teller|contatore|contapezzi|pezzo n|compteur|contador",
+);
 
 /// What a field says of the part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,7 +27,7 @@ impl Tells {
     /// What a label says of a text or of a whole number: a whole number that stands behind the word of a part counts the parts.
     pub(super) fn of(label: &str, is_text: bool) -> Option<Self> {
         let label = label.trim_end_matches([':', '=']);
-        let is_counter = vocabulary::has(COUNTERS, &words::bare(label));
+        let is_counter = COUNTERS.has(&words::bare(label));
         match words::label(label) {
             Some(Role::Part) if !is_text => Some(Self::Counter),
             Some(role @ (Role::Part | Role::Serial | Role::Who | Role::Machine | Role::Batch)) => {

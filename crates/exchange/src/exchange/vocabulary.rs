@@ -5,7 +5,7 @@
 //! origin are in `words`.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 use super::role::Role;
 
@@ -145,11 +145,35 @@ pub(super) const LARGEST: &str = "max|maximum|massimo|maxi|máximo";
 pub(super) const SMALLEST: &str = "min|minimum|minimo|mini|mínimo";
 
 /// Words that make a sign one of a deviation: `+TOL`, `Abw. -`.
-pub(super) const SIGNED: &str = "tol|toll|tols|tolerance|toleranz|tolerantie|tolleranza|tolérance|tolerancia|dev|abmaß|abmass|afwijking|scostamento|écart";
+pub(super) static SIGNED: Names = Names::of(
+    "tol|toll|tols|tolerance|toleranz|tolerantie|tolleranza|tolérance|tolerancia|dev|abmaß|abmass|afwijking|scostamento|écart",
+);
 
-/// Whether a list of names has one.
-pub(super) fn has(list: &str, name: &str) -> bool {
-    list.split('|').any(|known| known == name)
+/// A list of names between bars, taken apart when it is first asked: a file has many names, and most lists are asked for each.
+pub(in crate::exchange) struct Names {
+    list: &'static str,
+    all: OnceLock<HashSet<&'static str>>,
+}
+
+impl Names {
+    pub(in crate::exchange) const fn of(list: &'static str) -> Self {
+        Self { list, all: OnceLock::new() }
+    }
+
+    pub(in crate::exchange) fn has(&self, name: &str) -> bool {
+        self.all.get_or_init(|| self.list.split('|').collect()).contains(name)
+    }
+}
+
+/// Lists of names to be asked by a name; where two have it, the first counts.
+pub(super) fn by_word<T: Copy>(lists: impl IntoIterator<Item = (&'static str, T)>) -> HashMap<&'static str, T> {
+    let mut found = HashMap::new();
+    for (list, means) in lists {
+        for name in list.split('|') {
+            found.entry(name).or_insert(means);
+        }
+    }
+    found
 }
 
 /// The lists above, to be asked by a word.
@@ -177,20 +201,10 @@ pub(super) static KNOWN: LazyLock<Known> = LazyLock::new(|| {
         (Role::Simulated, SIMULATED),
         (Role::Id, ID),
     ];
-    let exact = exact.map(|(role, list)| (role, Rank::Exact, list));
-    let unsure = [(Role::Tolerance, Rank::Contained, CLASS), (Role::Measured, Rank::Weak, WEAK)];
-    let mut whole = HashMap::new();
-    for (role, rank, list) in exact.into_iter().chain(unsure) {
-        for name in list.split('|') {
-            whole.entry(name).or_insert((role, rank));
-        }
-    }
-    let mut within = HashMap::new();
-    for (place, (_, list)) in WITHIN.iter().enumerate() {
-        for word in list.split('|') {
-            within.entry(word).or_insert(place);
-        }
-    }
+    let exact = exact.map(|(role, list)| (list, (role, Rank::Exact)));
+    let unsure = [(CLASS, (Role::Tolerance, Rank::Contained)), (WEAK, (Role::Measured, Rank::Weak))];
+    let whole = by_word(exact.into_iter().chain(unsure));
+    let within = by_word(WITHIN.iter().map(|(_, list)| *list).zip(0..));
     let names = whole.keys().flat_map(|name| name.split(' '));
     let words = names.chain([OTHER, STRANGE, BESIDE].into_iter().flat_map(|list| list.split('|'))).collect();
     Known { words, whole, within, other: OTHER.split('|').collect(), strange: STRANGE.split('|').collect() }

@@ -3,27 +3,36 @@
 //! Names of what is compared beside a value are in `beside`, words of a verdict in `claim`, words of what was measured in `quantity`.
 //! Tests: `tests/core/beside.rs`, `column_mapping.rs`.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use super::limits;
 use super::role::Role;
 use super::units::{self, ColumnNameParts};
-use super::vocabulary::{KNOWN, Rank, WITHIN};
+use super::vocabulary::{KNOWN, Names, Rank, WITHIN, by_word};
 
 /// Names of a column that says where a value comes from.
-const ORIGIN: &str = "origin|value origin|data origin|measurement origin|herkunft|wertherkunft|oorsprong|herkomst|origine|\
-    provenienza";
+static ORIGIN: Names = Names::of(
+    "origin|value origin|data origin|measurement origin|herkunft|wertherkunft|oorsprong|herkomst|origine|\
+    provenienza",
+);
 
 /// Names of a column that says whether a value was brought to 20 °C.
-const CORRECTED: &str = "temp comp|temp compensation|temp compensated|temperature compensation|temperature correction|temp correction|\
+static CORRECTED: Names = Names::of(
+    "temp comp|temp compensation|temp compensated|temperature compensation|temperature correction|temp correction|\
     tempkomp|temp komp|temp kompensation|temperaturkompensation|temperaturkorrektur|temperatuurcompensatie|temperatuurcorrectie|\
     normalized|normalised|compensazione|compensazione termica|corrected|is corrected|temperature corrected|corrected to 20 c|at 20 c|temperature compensated|\
     compensated|gecorrigeerd|temperatuur gecorrigeerd|temperatuurgecorrigeerd|gecompenseerd|bij 20 c|op 20 c|korrigiert|\
     temperaturkorrigiert|temperaturkompensiert|kompensiert|auf 20 c|bei 20 c|corretto|corretta|compensato|a 20 c|correction um|\
-    corrigé à 20 c|à 20 c|corregido a 20 c|skorygowano do 20 c|korigováno na 20 c|na 20 c";
+    corrigé à 20 c|à 20 c|corregido a 20 c|skorygowano do 20 c|korigováno na 20 c|na 20 c",
+);
 
 /// Words of a name whose numbers are those of features: a balloon, a characteristic, a bore. A number below another name may count the rows.
-const OF_FEATURES: &str = "name|naam|nome|bezeichnung|benaming|feature|merkmal|merkmalsnummer|kenmerk|kenmerknummer|\
+static OF_FEATURES: Names = Names::of(
+    "name|naam|nome|bezeichnung|benaming|feature|merkmal|merkmalsnummer|kenmerk|kenmerknummer|\
     characteristic|caratteristica|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|balloon|bubble|repère|alésage|característica|caractéristique|agujero|pos|\
-    position|positie|posizione|positionsnummer|what|was|wat";
+    position|positie|posizione|positionsnummer|what|was|wat",
+);
 
 /// Names that say more of a value than what it is of: they count beside a column that names the feature.
 const LABELS: [(Role, &str); 6] = [
@@ -180,82 +189,92 @@ fn is_deviation(header: &str) -> bool {
 
 /// What else a column with this name says of a value: the part, who measured, where it is.
 pub(super) fn label(header: &str) -> Option<Role> {
-    let name = bare(header);
-    let lists = LABELS.iter().chain(&PLACES);
-    lists.into_iter().find(|(_, list)| list.split('|').any(|known| known == name)).map(|(role, _)| *role)
+    static ALL: LazyLock<HashMap<&'static str, Role>> =
+        LazyLock::new(|| by_word(LABELS.iter().chain(&PLACES).map(|(role, list)| (*list, *role))));
+    ALL.get(bare(header).as_str()).copied()
 }
 
 /// Whether numbers in a column with this name may be running ones, or those of parts: nothing in it says that they are of features.
 pub(super) fn may_be_running(header: &str) -> bool {
-    let names_features = |word: &str| OF_FEATURES.split('|').any(|known| known == word);
+    let names_features = |word: &str| OF_FEATURES.has(word);
     !bare(header).split(' ').any(names_features)
 }
 
 /// Names of a column that says what somebody or something else decided.
-const STATUS: &str = "status|result|verdict|decision|judgement|judgment|pass fail|ok nok|resultaat|uitslag|oordeel|beoordeling|\
-    ergebnis|urteil|bewertung|entscheid|entscheidung|befund|risultato|esito|giudizio";
+static STATUS: Names = Names::of(
+    "status|result|verdict|decision|judgement|judgment|pass fail|ok nok|resultaat|uitslag|oordeel|beoordeling|\
+    ergebnis|urteil|bewertung|entscheid|entscheidung|befund|risultato|esito|giudizio",
+);
 
 /// Words with which a line begins that sums up the rows above it.
-const SUMMARY: &str = "summary|total|totals|zusammenfassung|gesamtergebnis|gesamt|samenvatting|totaal|riepilogo|totale|résumé|synthèse|resumen|end of report|\
-    ende|end";
+static SUMMARY: Names = Names::of(
+    "summary|total|totals|zusammenfassung|gesamtergebnis|gesamt|samenvatting|totaal|riepilogo|totale|résumé|synthèse|resumen|end of report|\
+    ende|end",
+);
 
 /// What a line of two cells says of the rows above it, besides a status.
-const SUMMED: &str = "characteristics total|total characteristics|characteristics in tolerance|characteristics out of tolerance|in tolerance|in tol|\
-    out of tolerance|out of tol|disposition";
+static SUMMED: Names = Names::of(
+    "characteristics total|total characteristics|characteristics in tolerance|characteristics out of tolerance|in tolerance|in tol|\
+    out of tolerance|out of tol|disposition",
+);
 
 /// Whether a line that is no measurement sums up the rows above it.
 pub(super) fn is_summary(cells: &csv::StringRecord) -> bool {
     let mut filled = cells.iter().map(str::trim).filter(|cell| !cell.is_empty());
     let Some(first) = filled.next() else { return false };
-    let has = |list: &str| list.split('|').any(|known| known == bare(first));
-    has(SUMMARY) || filled.count() == 1 && (has(SUMMED) || is_status(first))
+    let name = bare(first);
+    SUMMARY.has(&name) || filled.count() == 1 && (SUMMED.has(&name) || is_status(first))
 }
 
 /// Names of a column of results: measured values, or what somebody decided.
-const RESULTS: &str = "result|results|messergebnis|messergebnisse|ergebnis|ergebnisse|resultaat|resultaten|meetresultaat|risultato|risultati|\
-    résultat|résultats|resultado|resultados";
+static RESULTS: Names = Names::of(
+    "result|results|messergebnis|messergebnisse|ergebnis|ergebnisse|resultaat|resultaten|meetresultaat|risultato|risultati|\
+    résultat|résultats|resultado|resultados",
+);
 
 /// Whether a column with this name may have measured values, if they are numbers.
 pub(super) fn may_be_results(header: &str) -> bool {
     let name = bare(header);
-    RESULTS.split('|').any(|known| known == name)
+    RESULTS.has(&name)
 }
 
 /// Whether a column with this name says the status of a value.
 pub(super) fn is_status(header: &str) -> bool {
     let name = bare(header);
-    STATUS.split('|').any(|known| known == name)
+    STATUS.has(&name)
 }
 
 /// Names of rows that are figures of several parts, or of what a gauge was set by.
-const OF_SEVERAL: &str = "mean|average|avg|max|maximum|min|minimum|range|median|sigma|std|std dev|stdev|standard deviation|cp|cpk|pp|ppk|usl|lsl|\
+static OF_SEVERAL: Names = Names::of(
+    "mean|average|avg|max|maximum|min|minimum|range|median|sigma|std|std dev|stdev|standard deviation|cp|cpk|pp|ppk|usl|lsl|\
     count|sum|total|mittelwert|mittel|spannweite|streuung|standardabweichung|anzahl|summe|gemiddelde|gemiddeld|spreiding|standaarddeviatie|\
     aantal|totaal|media|mediana|massimo|minimo|escursione|deviazione standard|scarto tipo|master|setting master|setting ring|reference ring|master ring|\
-    einstellring|einstellmeister|meister|instelring|meesterring|nominal|nennmaß|sollwert|nominaal|nominale";
+    einstellring|einstellmeister|meister|instelring|meesterring|nominal|nennmaß|sollwert|nominaal|nominale",
+);
 
 /// Whether a row of this name is of no part.
 pub(super) fn is_of_several_parts(name: &str) -> bool {
     let name = plain(name);
-    OF_SEVERAL.split('|').any(|known| known == name)
+    OF_SEVERAL.has(&name)
 }
 
 /// Whether a column with this name says where a value comes from.
 pub(super) fn is_origin(header: &str) -> bool {
     let name = plain(header);
-    ORIGIN.split('|').any(|known| known == name)
+    ORIGIN.has(&name)
 }
 
 /// Whether a column with this name says whether a value was brought to 20 °C.
 pub(super) fn is_corrected(header: &str) -> bool {
     let name = plain(header);
-    CORRECTED.split('|').any(|known| known == name)
+    CORRECTED.has(&name)
 }
 
 /// Whether the name of a measured value says that it was brought to 20 °C, as in `Istmaß auf 20 °C` or `corrected diameter`.
 pub(super) fn says_corrected(header: &str) -> bool {
     let name = plain(header);
     let words = || name.split(' ');
-    let is_word = |word: &str| CORRECTED.split('|').any(|known| known == word);
+    let is_word = |word: &str| CORRECTED.has(word);
     words().any(is_word) || words().zip(words().skip(1)).any(|pair| pair == ("20", "c"))
 }
 

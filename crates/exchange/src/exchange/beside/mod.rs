@@ -26,7 +26,7 @@ use super::evidence::yes_or_no;
 use super::limits::{self, LimitName};
 use super::quantity::{is_form, is_shape};
 use super::role::Role;
-use super::vocabulary::has;
+use super::vocabulary::Names;
 use super::warmth::{self, OfTemperature};
 use super::{cells, words};
 
@@ -69,28 +69,38 @@ pub(super) struct BesideColumn {
 }
 
 /// Both sides of a decision as one name, without blanks and signs: `i.O./n.i.O.`, `OK/NOK`, `P/F`.
-const BOTH: &str = "ionio|niooio|oknok|nokok|okng|okko|passfail|pf|gutschlecht|goedfout|goedslecht|goedafgekeurd|acceptreject|gonogo|conformenonconforme";
+static BOTH: Names = Names::of(
+    "ionio|niooio|oknok|nokok|okng|okko|passfail|pf|gutschlecht|goedfout|goedslecht|goedafgekeurd|acceptreject|gonogo|conformenonconforme",
+);
 
 /// Names of a column of ticks for accepted values, written the same way.
-const ACCEPTED: &str = "ok|pass|passed|accept|accepted|approved|conform|conforming|good|valid|intolerance|intol|io|inordnung|gut|gültig|\
-    freigegeben|akkoord|goed|goedgekeurd|geldig|conforme|buono|valido|approvato|accettato";
+static ACCEPTED: Names = Names::of(
+    "ok|pass|passed|accept|accepted|approved|conform|conforming|good|valid|intolerance|intol|io|inordnung|gut|gültig|\
+    freigegeben|akkoord|goed|goedgekeurd|geldig|conforme|buono|valido|approvato|accettato",
+);
 
 /// The same for rejected ones, or for how far they are out.
-const REJECTED: &str = "nok|ng|notok|fail|failed|reject|rejected|scrap|scrapped|defect|defective|invalid|deleted|void|voided|superseded|outlier|\
+static REJECTED: Names = Names::of(
+    "nok|ng|notok|fail|failed|reject|rejected|scrap|scrapped|defect|defective|invalid|deleted|void|voided|superseded|outlier|\
     outtol|outoftol|outoftolerance|outoflimits|outofspec|out|oot|exceed|exceedance|exceeded|nonconforming|nonconformity|nio|ausschuss|ungültig|gelöscht|\
     ausreißer|überschreitung|toleranzüberschreitung|defekt|afkeur|afgekeurd|ongeldig|verwijderd|vervallen|uitschieter|overschrijding|\
-    tolerantieoverschrijding|scarto|scartato|annullato|nonvalido|fuoritolleranza";
+    tolerantieoverschrijding|scarto|scartato|annullato|nonvalido|fuoritolleranza",
+);
 
 /// Words that reject a value where a column says its status, and may say something else elsewhere.
-const REJECTS: &str = "out|red|rot|rood|rosso|aborted|abgebrochen|afgebroken|interrotto";
+static REJECTS: Names = Names::of("out|red|rot|rood|rosso|aborted|abgebrochen|afgebroken|interrotto");
 
 /// Words of a status within a longer name.
-const STATUS_WORDS: &str = "status|state|judge|judged|judgement|judgment|verdict|evaluation|disposition|conformity|conformance|qc|result|check|\
+static STATUS_WORDS: Names = Names::of(
+    "status|state|judge|judged|judgement|judgment|verdict|evaluation|disposition|conformity|conformance|qc|result|check|\
     inspection|decision|stato|ergebnis|messergebnis|gesamtergebnis|endergebnis|prüfergebnis|pruefergebnis|prüfurteil|prüfstatus|pruefstatus|prüfbefund|beurteilung|bewertung|freigabe|resultaat|keuring|keuringsresultaat|goedkeuring|\
-    beoordeling|oordeel|risultato|esito|conformità|giudizio|verdetto|controllo";
+    beoordeling|oordeel|risultato|esito|conformità|giudizio|verdetto|controllo",
+);
 
-const DEVIATION: &str = "deviation|dev|deviation from nominal|nominal deviation|diff|difference|delta|abweichung|abw|istabweichung|soll ist abweichung|\
-    afwijking|verschil|scostamento|differenza";
+static DEVIATION: Names = Names::of(
+    "deviation|dev|deviation from nominal|nominal deviation|diff|difference|delta|abweichung|abw|istabweichung|soll ist abweichung|\
+    afwijking|verschil|scostamento|differenza",
+);
 
 /// What the name of a column says, alone and with its unit.
 fn by_name(header: &str, with_unit: &str) -> Option<Says> {
@@ -99,15 +109,15 @@ fn by_name(header: &str, with_unit: &str) -> Option<Says> {
     let limit = limits::by_name(header);
     let says = match name.as_str() {
         _ if words::is_status(header) => Says::Status { is_named: true },
-        name if has(BOTH, name) => Says::Status { is_named: true },
-        name if has(ACCEPTED, name) => Says::Accepted,
-        name if has(REJECTED, name) => Says::Rejected,
+        name if BOTH.has(name) => Says::Status { is_named: true },
+        name if ACCEPTED.has(name) => Says::Accepted,
+        name if REJECTED.has(name) => Says::Rejected,
         _ if limit.is_some_and(LimitName::is_upper) => Says::Upper,
         _ if limit.is_some() => Says::Lower,
         _ if is_deviation(header) => Says::Deviation,
         _ => match warmth::of_column(with_unit) {
             Some(column) => Says::Temperature(column),
-            None if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
+            None if bare.split(' ').any(|word| STATUS_WORDS.has(word)) => Says::Status { is_named: false },
             None => return None,
         },
     };
@@ -116,7 +126,7 @@ fn by_name(header: &str, with_unit: &str) -> Option<Says> {
 
 /// Whether a column of this name has deviations from the nominal value.
 pub(super) fn is_deviation(header: &str) -> bool {
-    has(DEVIATION, &words::bare(header))
+    DEVIATION.has(&words::bare(header))
 }
 
 /// What a name says that is not the size of one part: another quantity, or a figure of several parts.
@@ -164,7 +174,7 @@ impl BesideColumn {
         let said = || if self.name.is_empty() { text.to_owned() } else { format!("{} {text}", self.name) };
         let figure = || Figure::read(text, self.unit.unwrap_or(unit));
         match self.says {
-            Says::Status { .. } if has(REJECTS, &letters(text)) && !self.name.is_empty() => Some(Claim::out(text)),
+            Says::Status { .. } if REJECTS.has(&letters(text)) && !self.name.is_empty() => Some(Claim::out(text)),
             Says::Status { is_named: true } => Claim::of_cell(text),
             Says::Status { is_named: false } => Claim::of_word(text).filter(Claim::is_known),
             Says::Name => of_no_size(text),

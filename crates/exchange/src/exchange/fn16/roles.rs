@@ -19,7 +19,7 @@ use super::part::PartFields;
 use crate::exchange::claim::Claim;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
-use crate::exchange::vocabulary;
+use crate::exchange::vocabulary::Names;
 
 /// A result of a measuring cycle, and the parameters that hold its limits: those of the cycle itself, and those of programs that call it.
 struct CycleReading {
@@ -284,10 +284,10 @@ pub(super) fn is_printed(length: Length, text: &str) -> bool {
 }
 
 /// Words of a hole or a shaft that are no names of one.
-const SIDES: &str = "hole|shaft|bohrung|welle|boring|gat|as|foro|albero|alésage|alesage|arbre|agujero|eje";
+static SIDES: Names = Names::of("hole|shaft|bohrung|welle|boring|gat|as|foro|albero|alésage|alesage|arbre|agujero|eje");
 
 fn is_side(text: &str) -> bool {
-    vocabulary::has(SIDES, &text.to_lowercase())
+    SIDES.has(&text.to_lowercase())
 }
 
 fn is_class(text: &str) -> bool {

@@ -1,11 +1,14 @@
 //! What the name of a column says of a limit; `vocabulary` has the words.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use csv::StringRecord;
 
 use crate::exchange::claim::letters;
 use crate::exchange::role::Role;
 use crate::exchange::vocabulary::{
-    LARGEST, LOWER, LOWER_DEVIATION, MAXIMUM, MINIMUM, MINUS, Rank, SIGNED, SMALLEST, UPPER, UPPER_DEVIATION, has,
+    LARGEST, LOWER, LOWER_DEVIATION, MAXIMUM, MINIMUM, MINUS, Rank, SIGNED, SMALLEST, UPPER, UPPER_DEVIATION, by_word,
 };
 use crate::exchange::{units, words};
 
@@ -58,14 +61,8 @@ impl LimitName {
     }
 }
 
-/// What the name of a column says of a limit.
-pub(in crate::exchange) fn by_name(header: &str) -> Option<LimitName> {
-    match sign(header) {
-        Some('+') => return Some(LimitName::UpperDeviation),
-        Some(_) => return Some(LimitName::Minus),
-        None => {}
-    }
-    let bare = words::bare(header);
+/// Every whole name of a limit; of two lists that have a name, the first counts.
+static NAMES: LazyLock<HashMap<&'static str, LimitName>> = LazyLock::new(|| {
     let lists = [
         (UPPER_DEVIATION, LimitName::UpperDeviation),
         (LOWER_DEVIATION, LimitName::LowerDeviation),
@@ -77,7 +74,17 @@ pub(in crate::exchange) fn by_name(header: &str) -> Option<LimitName> {
         (LARGEST, LimitName::Largest),
         (SMALLEST, LimitName::Smallest),
     ];
-    lists.into_iter().find(|(list, _)| has(list, &bare)).map(|(_, name)| name)
+    by_word(lists)
+});
+
+/// What the name of a column says of a limit.
+pub(in crate::exchange) fn by_name(header: &str) -> Option<LimitName> {
+    match sign(header) {
+        Some('+') => return Some(LimitName::UpperDeviation),
+        Some(_) => return Some(LimitName::Minus),
+        None => {}
+    }
+    NAMES.get(words::bare(header).as_str()).copied()
 }
 
 /// What two columns with a sign alone as their names hold, where there is one of each: a single `-` says that a column has no name.
@@ -108,7 +115,7 @@ fn sign(header: &str) -> Option<char> {
     };
     let found = ['+', '-'].into_iter().filter(|c| is_at_end(*c)).collect::<Vec<_>>();
     let [found] = found.as_slice() else { return None };
-    has(SIGNED, &letters(&name)).then_some(*found)
+    SIGNED.has(&letters(&name)).then_some(*found)
 }
 
 /// Whether the name of a tolerance says that its number goes both ways: `Tol ±`, `+/- Tol`.

@@ -4,42 +4,56 @@ use fitcheck_core::probing::cycle::Axis;
 
 use super::Quantity;
 use crate::exchange::units::words_of;
+use crate::exchange::vocabulary::Names;
 
 /// Names of columns that say what was measured.
-const STRONG: &str = "axis|axes|achse|messachse|assi|asse|quantity|measured quantity|measurand|messgröße|messgrösse|messgroesse|\
+static STRONG: Names = Names::of(
+    "axis|axes|achse|messachse|assi|asse|quantity|measured quantity|measurand|messgröße|messgrösse|messgroesse|\
     meetgrootheid|grootheid|grandezza|grandezza misurata|characteristic type|char type|type of characteristic|merkmalsart|\
     merkmalstyp|merkmalart|art des merkmals|kenmerktype|kenmerksoort|soort kenmerk|type kenmerk|tipo caratteristica|\
     tipo di caratteristica|measurement type|measure type|type of measurement|messart|meettype|soort meting|tipo misura|\
-    tipo di misura|dimension type|dim type|maßart|massart|maatsoort|tipo dimensione|tipo di quota|feature axis";
+    tipo di misura|dimension type|dim type|maßart|massart|maatsoort|tipo dimensione|tipo di quota|feature axis",
+);
 
 /// Names of columns that may say so.
-const WEAK: &str = "type|typ|tipo|soort|art|kind|as|dim|dimension|dimensione|feature type|element type|elementtyp|elementtype|\
+static WEAK: Names = Names::of(
+    "type|typ|tipo|soort|art|kind|as|dim|dimension|dimensione|feature type|element type|elementtyp|elementtype|\
     tipo elemento|tipo di elemento|tolerance type|toleranztyp|toleranzart|tolerantietype|tipo tolleranza|tipo di tolleranza|\
     property|eigenschaft|eigenschap|proprietà|hole shaft|hole or shaft|bohrung welle|boring as|gat as|foro albero|alésage arbre|\
-    agujero eje|genre|nature|clase de medida";
+    agujero eje|genre|nature|clase de medida",
+);
 
 /// Words of a diameter; German, Dutch and Italian ones may end a longer word.
-const DIAMETERS: &str = "diameter|durchmesser|diametro|diamètre|diámetro|diam|dia|ø|innendurchmesser|außendurchmesser|aussendurchmesser|binnendiameter|\
-    buitendiameter|bohrungsdurchmesser|lochdurchmesser|wellendurchmesser";
+static DIAMETERS: Names = Names::of(
+    "diameter|durchmesser|diametro|diamètre|diámetro|diam|dia|ø|innendurchmesser|außendurchmesser|aussendurchmesser|binnendiameter|\
+    buitendiameter|bohrungsdurchmesser|lochdurchmesser|wellendurchmesser",
+);
 
 /// Words of a distance between two walls, or from a datum.
-const WIDTHS: &str = "width|breite|breedte|larghezza|distance|abstand|distanz|afstand|distanza|length|länge|laenge|lengte|\
-    lunghezza|thickness|dicke|dikte|spessore|slot|nut|sleuf|groef|cava|largeur|longueur|épaisseur|rainure|ancho|anchura|longitud|distancia|espesor|ranura";
+static WIDTHS: Names = Names::of(
+    "width|breite|breedte|larghezza|distance|abstand|distanz|afstand|distanza|length|länge|laenge|lengte|\
+    lunghezza|thickness|dicke|dikte|spessore|slot|nut|sleuf|groef|cava|largeur|longueur|épaisseur|rainure|ancho|anchura|longitud|distancia|espesor|ranura",
+);
 
 /// Words of a size.
-const SIZES: &str = "size|maß|mass|maat|misura|dimension|dimensione|quota|measure|cote|dimensión|medida|cota";
+static SIZES: Names =
+    Names::of("size|maß|mass|maat|misura|dimension|dimensione|quota|measure|cote|dimensión|medida|cota");
 
 /// Words of what has a diameter; beside the name of a feature they say nothing new.
-const ROUND: &str = "bore|hole|bohrung|boring|gat|foro|shaft|welle|albero|circle|kreis|cirkel|cerchio|cylinder|zylinder|cilinder|\
-    cilindro|pin|stift|pen|perno|zapfen|tap|alésage|trou|arbre|cercle|cylindre|agujero|taladro|eje|círculo|goupille|pasador";
+static ROUND: Names = Names::of(
+    "bore|hole|bohrung|boring|gat|foro|shaft|welle|albero|circle|kreis|cirkel|cerchio|cylinder|zylinder|cilinder|\
+    cilindro|pin|stift|pen|perno|zapfen|tap|alésage|trou|arbre|cercle|cylindre|agujero|taladro|eje|círculo|goupille|pasador",
+);
 
 /// Those of them that are holes; the others are shafts, but for circles and cylinders.
-const HOLES: &str = "bore|hole|bohrung|boring|gat|foro|alésage|trou|agujero|taladro";
-const SHAFTS: &str = "shaft|welle|albero|pin|stift|pen|perno|zapfen|tap|arbre|goupille|eje|pasador";
+static HOLES: Names = Names::of("bore|hole|bohrung|boring|gat|foro|alésage|trou|agujero|taladro");
+static SHAFTS: Names = Names::of("shaft|welle|albero|pin|stift|pen|perno|zapfen|tap|arbre|goupille|eje|pasador");
 
 /// Words that change none of these.
-const NEUTRAL: &str = "inner|outer|inside|outside|innen|außen|aussen|binnen|buiten|interno|esterno|of|a|the|des|der|di|van|nominal|\
-    linear|lineare|lineair|min|max|gauss|lsc|mic|mcc|mzc|ls|mi|mc|two|2pt|int|ext|est";
+static NEUTRAL: Names = Names::of(
+    "inner|outer|inside|outside|innen|außen|aussen|binnen|buiten|interno|esterno|of|a|the|des|der|di|van|nominal|\
+    linear|lineare|lineair|min|max|gauss|lsc|mic|mcc|mzc|ls|mi|mc|two|2pt|int|ext|est",
+);
 
 /// Words of other quantities. A word that begins with one of them is one as well.
 const OTHERS: &str = "radius|radii|radien|radial|raggio|straal|halbmesser|roundness|round|rondheid|rundheit|circularit|circolarit|\
@@ -56,14 +70,14 @@ const OTHERS: &str = "radius|radii|radien|radial|raggio|straal|halbmesser|roundn
     profundidad|altura|rugosidad|alabeo|rosca|ángulo|posición";
 
 /// Words that are another quantity where nothing else is said: a diameter may be one of two points.
-const POINTS: &str = "point|points|punkt|punkte|punt|punten|punto|punti";
+static POINTS: Names = Names::of("point|points|punkt|punkte|punt|punten|punto|punti");
 
 /// Letters of other quantities, as measuring software writes them.
-const CODES: &str = "r|rad|tp|pos|pr|pa|a|ang|h|t|v|rn|tx|ty|tz|px|py|pz|dx|dy|dz|ppos|ptp|gdt|ra|rz";
+static CODES: Names = Names::of("r|rad|tp|pos|pr|pa|a|ang|h|t|v|rn|tx|ty|tz|px|py|pz|dx|dy|dz|ppos|ptp|gdt|ra|rz");
 
 /// The same of diameters and of distances.
-const DIAMETER_CODES: &str = "d|df|dm|id|od|di|da";
-const WIDTH_CODES: &str = "m|l|w|lg|wd";
+static DIAMETER_CODES: Names = Names::of("d|df|dm|id|od|di|da");
+static WIDTH_CODES: Names = Names::of("m|l|w|lg|wd");
 
 /// Signs of tolerances of form and place in drawings.
 const SIGNS: &str = "⏤⏥○⌭⌒⌓⟂∥∠⌖◎⌯↗⌰";
@@ -83,20 +97,16 @@ pub(super) struct Said {
     pub(super) is_code: bool,
 }
 
-fn has(list: &str, word: &str) -> bool {
-    list.split('|').any(|known| known == word)
-}
-
 fn is_other(word: &str) -> bool {
     // "lineal" is not "line": short words are whole.
     let begins = |known: &str| word == known || 4 < known.chars().count() && word.starts_with(known);
-    let is_neutral = has(NEUTRAL, word);
+    let is_neutral = NEUTRAL.has(word);
     !is_neutral && OTHERS.split('|').any(begins)
         || ["abweichung", "toleranz", "toleranza", "tolleranza"].iter().any(|end| word.ends_with(end))
 }
 
 fn is_diameter(word: &str) -> bool {
-    has(DIAMETERS, word) || ["durchmesser", "diameter"].iter().any(|end| word.ends_with(end))
+    DIAMETERS.has(word) || ["durchmesser", "diameter"].iter().any(|end| word.ends_with(end))
 }
 
 fn axis(word: &str) -> Option<Axis> {
@@ -125,9 +135,9 @@ pub(super) fn said(cell: &str) -> Option<Said> {
         && word.chars().count() <= LONGEST_CODE
     {
         let code = match word.as_str() {
-            code if has(CODES, code) => Some(other()),
-            code if has(DIAMETER_CODES, code) => Some(Quantity::Diameter),
-            code if has(WIDTH_CODES, code) => Some(Quantity::Width),
+            code if CODES.has(code) => Some(other()),
+            code if DIAMETER_CODES.has(code) => Some(Quantity::Diameter),
+            code if WIDTH_CODES.has(code) => Some(Quantity::Width),
             code => axis(code).map(Quantity::Coordinate),
         };
         if let Some(quantity) = code {
@@ -137,10 +147,10 @@ pub(super) fn said(cell: &str) -> Option<Said> {
     let is_known = |word: &String| {
         is_other(word)
             || is_diameter(word)
-            || has(WIDTHS, word)
-            || has(SIZES, word)
-            || has(NEUTRAL, word)
-            || has(POINTS, word)
+            || WIDTHS.has(word)
+            || SIZES.has(word)
+            || NEUTRAL.has(word)
+            || POINTS.has(word)
     };
     let is_plain = words.iter().all(is_known);
     let any = |is: &dyn Fn(&str) -> bool| words.iter().any(|word| is(word));
@@ -150,16 +160,16 @@ pub(super) fn said(cell: &str) -> Option<Said> {
     if any(&is_diameter) {
         return of(Quantity::Diameter, is_plain);
     }
-    if any(&|word| has(WIDTHS, word)) {
+    if any(&|word| WIDTHS.has(word)) {
         return of(Quantity::Width, is_plain);
     }
-    if any(&|word| has(SIZES, word)) {
+    if any(&|word| SIZES.has(word)) {
         return of(Quantity::Size, is_plain);
     }
-    if any(&|word| has(POINTS, word)) {
+    if any(&|word| POINTS.has(word)) {
         return of(Quantity::Other, is_plain);
     }
-    any(&|word| has(ROUND, word)).then_some(Said {
+    any(&|word| ROUND.has(word)).then_some(Said {
         quantity: Quantity::Size,
         is_plain: false,
         is_shape: true,
@@ -173,8 +183,8 @@ pub(in crate::exchange) fn is_shape(text: &str) -> Option<bool> {
         return None;
     }
     let words = words_of(text);
-    let any = |list: &str| words.iter().any(|word| has(list, word));
-    match (any(HOLES), any(SHAFTS)) {
+    let any = |list: &Names| words.iter().any(|word| list.has(word));
+    match (any(&HOLES), any(&SHAFTS)) {
         (true, false) => Some(true),
         (false, true) => Some(false),
         _ => None,
@@ -231,7 +241,7 @@ const NO_LENGTHS: &str = "angle|angular|winkel|hoek|angol|ángulo|hardness|härt
     torque|kąt|úhel|úhly|rough|rauheit|rauhigkeit|rauigkeit|ruwheid|rugos|chropowat|drsnost";
 
 /// Codes of angles and of roughness.
-const NO_LENGTH_CODES: &str = "a|ang|pa|ra|rz|rt|rq";
+static NO_LENGTH_CODES: Names = Names::of("a|ang|pa|ra|rz|rt|rq");
 
 /// Whether a text says that an angle was measured, or a roughness, or something else that no length of the part is.
 pub(in crate::exchange) fn is_no_length(text: &str) -> bool {
@@ -240,7 +250,7 @@ pub(in crate::exchange) fn is_no_length(text: &str) -> bool {
     // Angularity is a zone between two planes.
     let is_zone = |word: &String| word.starts_with("angularit") || word.starts_with("angolarit");
     match words.as_slice() {
-        [word] if has(NO_LENGTH_CODES, word) => true,
+        [word] if NO_LENGTH_CODES.has(word) => true,
         words => words.iter().any(|word| begins(word) && !is_zone(word)),
     }
 }
@@ -278,8 +288,8 @@ pub(super) enum Name {
 pub(super) fn name(header: &str) -> Name {
     let name = words_of(header).join(" ");
     match name.as_str() {
-        name if has(STRONG, name) => Name::Strong,
-        name if has(WEAK, name) => Name::Weak,
+        name if STRONG.has(name) => Name::Strong,
+        name if WEAK.has(name) => Name::Weak,
         _ => Name::None,
     }
 }

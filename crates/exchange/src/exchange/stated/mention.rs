@@ -6,16 +6,18 @@ use fitcheck_core::length::Unit;
 use super::sign;
 use crate::exchange::delimited::SEPARATORS;
 use crate::exchange::role::Role;
-use crate::exchange::vocabulary::Rank;
+use crate::exchange::vocabulary::{Names, Rank};
 use crate::exchange::{units, words};
 
 /// Names of what states a unit, in small letters.
-const KEYS: &str = "unit|eh|einh|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\
+static KEYS: Names = Names::of(
+    "unit|eh|einh|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\
     measurement units|measuring unit|measuring units|measure unit|length unit|length units|linear unit|linear units|unit of length|\
     units of length|dimension unit|dimension units|dimensional units|size unit|value unit|measured unit|nominal unit|actual unit|\
     unit measured|unit nominal|unit actual|unit value|unit measure|einheit|einheiten|maßeinheit|masseinheit|maßeinheiten|\
     masseinheiten|messeinheit|messeinheiten|längeneinheit|laengeneinheit|einheit der maße|eenheid|eenheden|maateenheid|meeteenheid|\
-    lengte eenheid|lengteeenheid|unità|unita|unità di misura|unita di misura|u m|udm|unité|unidad";
+    lengte eenheid|lengteeenheid|unità|unita|unità di misura|unita di misura|u m|udm|unité|unidad",
+);
 
 /// Words that say such a name within a longer one.
 const KEY_WORDS: [&str; 14] = [
@@ -36,16 +38,20 @@ const KEY_WORDS: [&str; 14] = [
 ];
 
 /// Words before a unit that say that values are in it.
-const LINKS: &str = "in|are|is|all|values|value|units|unit|dimensions|dimension|sizes|measurements|lengths|einheit|einheiten|sind|ist|\
+static LINKS: Names = Names::of(
+    "in|are|is|all|values|value|units|unit|dimensions|dimension|sizes|measurements|lengths|einheit|einheiten|sind|ist|\
     werte|messwerte|maße|masse|angaben|alle|längen|eenheid|eenheden|zijn|is|waarden|maten|afmetingen|unità|unita|sono|valori|misure|\
-    quote|dimensioni|tutte|tutti";
+    quote|dimensioni|tutte|tutti",
+);
 
 /// Words that turn a sentence round.
 const NOT: [&str; 6] = ["not", "nicht", "niet", "non", "kein", "geen"];
 
 /// Units of what is not a length.
-const OTHER: &str = "c|°c|ºc|℃|f|°f|k|degc|celsius|deg|degree|degrees|°|º|grad|grado|gradi|graden|rad|gon|n|kn|%|s|sec|min|h|ms|kg|g|bar|\
-    mpa|gpa|pa|psi|v|a|hz|rpm|pcs|stk|stück|stuks|pz|ea|n/a|none|text|-|–|—";
+static OTHER: Names = Names::of(
+    "c|°c|ºc|℃|f|°f|k|degc|celsius|deg|degree|degrees|°|º|grad|grado|gradi|graden|rad|gon|n|kn|%|s|sec|min|h|ms|kg|g|bar|\
+    mpa|gpa|pa|psi|v|a|hz|rpm|pcs|stk|stück|stuks|pz|ea|n/a|none|text|-|–|—",
+);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Word {
@@ -63,7 +69,7 @@ pub(super) fn word(text: &str) -> Word {
     if let Some(unit) = units::known(text) {
         return Word::Length(unit);
     }
-    let is_other = OTHER.split('|').any(|other| other == small.trim_end_matches('.'));
+    let is_other = OTHER.has(small.trim_end_matches('.'));
     match small.as_str() {
         _ if is_other && !text.is_empty() => Word::Other,
         "metric" | "metrisch" | "metriek" | "metrico" => Word::Length(Unit::Millimetre),
@@ -83,7 +89,7 @@ pub(super) fn key(text: &str) -> Option<Rank> {
     let bare = words::bare(text);
     // "UoM" is no two words.
     let small = text.trim_matches([' ', '.']).to_lowercase();
-    if KEYS.split('|').any(|key| key == bare || key == small) {
+    if KEYS.has(&bare) || KEYS.has(&small) {
         return Some(Rank::Exact);
     }
     let is_key = bare.split(' ').any(|part| KEY_WORDS.contains(&part)) && !bare.contains(|c: char| c.is_ascii_digit());
@@ -162,7 +168,7 @@ pub(in crate::exchange) fn may_state(cells: &StringRecord) -> bool {
 
 /// What a text without a key says.
 fn of_field(field: &str, before: Option<&str>, behind: Option<&str>) -> Option<Mention> {
-    let is_link = |text: &str| LINKS.split('|').any(|link| link == text);
+    let is_link = |text: &str| LINKS.has(text);
     let has_link = |text: &str| text.to_lowercase().split_whitespace().any(is_link);
     // "Tip [mm];3" is a size of its own.
     let is_of_number = before.is_some_and(begins_with_figure) || behind.is_some_and(begins_with_figure);

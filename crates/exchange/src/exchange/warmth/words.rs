@@ -1,5 +1,7 @@
 //! What a word says of a temperature: English, Dutch, German and Italian, in small letters.
 
+use crate::exchange::vocabulary::Names;
+
 /// How the names of temperatures end.
 const NAMES: [&str; 12] = [
     "temp",
@@ -59,25 +61,25 @@ const DONE: [&str; 16] = [
 ];
 
 /// Words with which a correction is not done.
-const NOT: &str = "not|no|non|off|none|without|never|un|inactive|disabled|nicht|kein|keine|keiner|aus|ohne|nie|inaktiv|deaktiviert|niet|geen|\
+static NOT: Names = Names::of(
+    "not|no|non|off|none|without|never|un|inactive|disabled|nicht|kein|keine|keiner|aus|ohne|nie|inaktiv|deaktiviert|niet|geen|\
     uit|zonder|nooit|inactief|senza|mai|disattiva|disattivata|be|must|should|needs|need|needed|required|todo|yet|muss|noch|soll|bitte|\
-    erforderlich|moet|nog|deve|deb|da|ancora|false|falsch|onwaar|falso|if|wenn|falls|als|se";
+    erforderlich|moet|nog|deve|deb|da|ancora|false|falsch|onwaar|falso|if|wenn|falls|als|se",
+);
 
 /// Words that say nothing of their own.
-const FILLERS: &str = "at|a|an|the|to|of|is|are|was|were|all|by|from|for|in|as|and|value|values|size|sizes|dimension|dimensions|\
+static FILLERS: Names = Names::of(
+    "at|a|an|the|to|of|is|are|was|were|all|by|from|for|in|as|and|value|values|size|sizes|dimension|dimensions|\
     diameter|result|results|bei|bij|auf|op|der|die|das|des|dem|den|von|van|het|de|een|ist|sind|wurde|wurden|war|alle|werte|wert|maße|\
     masse|maß|durchmesser|ergebnisse|zu|waarden|maten|zijn|werd|werden|naar|tot|il|la|i|le|del|della|di|tutti|valori|misure|sono|era|ca|\
     circa|approx|about|ungefähr|ungefaehr|etwa|ongeveer|ing|actual|ist|mean|average|mittel|mittlere|gemiddelde|media|und|en|e|during|\
     während|tijdens|durante|with|mit|met|con|c|f|k|celsius|fahrenheit|kelvin|degrees|grad|graden|gradi|deg|t|start|end|beginn|ende|begin|\
-    einde|inizio|fine";
+    einde|inizio|fine",
+);
 
 /// Whether a word has a part that stands in a list.
 fn has_part(list: &str, word: &str) -> bool {
     list.split('|').any(|part| word.contains(part))
-}
-
-fn is_one_of(list: &str, word: &str) -> bool {
-    list.split('|').any(|known| known == word)
 }
 
 pub(super) fn names_temperature(word: &str) -> bool {
@@ -139,9 +141,9 @@ pub(super) fn says_not(word: &str) -> bool {
     let begins = ["un", "on", "non"]
         .iter()
         .any(|begin| word.strip_prefix(begin).is_some_and(|rest| correction(rest) == Some(true)));
-    is_one_of(NOT, word) || begins
+    NOT.has(word) || begins
 }
 
 pub(super) fn is_filler(word: &str) -> bool {
-    is_one_of(FILLERS, word)
+    FILLERS.has(word)
 }
