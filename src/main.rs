@@ -46,12 +46,7 @@ fn open_window(files: &[(Purpose, PathBuf)]) -> ExitCode {
     env_logger::init();
     match fitcheck::gui::run(files) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            // Started from a shortcut, it has no console that the reason could be read on.
-            #[cfg(windows)]
-            rfd::MessageDialog::new().set_title("Fitcheck").set_description(error.to_string()).show();
-            tell(&error.to_string())
-        }
+        Err(error) => tell(&error.to_string()),
     }
 }
 

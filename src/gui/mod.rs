@@ -187,5 +187,10 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
         eframe::Error::WinitEventLoop(_) => Err(first.to_string()),
         _ => open(eframe::Renderer::Wgpu).map_err(|second| format!("{first}; {second}")),
     });
-    opened.map_err(|reason| WindowError::NotOpened { reason })
+    opened.map_err(|reason| {
+        // Started from a shortcut, it has no console that the reason could be read on.
+        #[cfg(windows)]
+        rfd::MessageDialog::new().set_title("Fitcheck").set_description(&reason).show();
+        WindowError::NotOpened { reason }
+    })
 }

@@ -436,7 +436,8 @@ fn lab(pixel: image::Rgba<u8>, seen: &[[f64; 3]; 3]) -> [f64; 3] {
         0.2126 * red + 0.7152 * green + 0.0722 * blue,
         (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.089,
     ];
-    let [first, light, third] = shares.map(|of| if 0.008_856 < of { libm::cbrt(of) } else { 7.787 * of + 16.0 / 116.0 });
+    let [first, light, third] =
+        shares.map(|of| if 0.008_856 < of { libm::cbrt(of) } else { 7.787 * of + 16.0 / 116.0 });
     [116.0 * light - 16.0, 500.0 * (first - light), 200.0 * (light - third)]
 }
 
