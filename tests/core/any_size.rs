@@ -102,11 +102,8 @@ fn what_is_kept_in_memory_is_bounded_and_says_so() {
 
 #[test]
 fn comments_of_any_length_may_come_before_the_rows() {
-    let text = format!(
-        "{}name;callout;measured\n{}b1;25 H7;25.012\n",
-        "# station 3\n".repeat(20_000),
-        "\n".repeat(200_000)
-    );
+    let text =
+        format!("{}name;callout;measured\n{}b1;25 H7;25.012\n", "# station 3\n".repeat(20_000), "\n".repeat(200_000));
     let (records, others) = read("m.csv", text.as_bytes());
     assert_eq!((records, others), (vec![(220_002, "b1".to_owned(), 25_012_000)], Vec::new()));
 }

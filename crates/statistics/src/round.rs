@@ -3,27 +3,28 @@
 /// The least round number that is not below a value, in the unit of the value. What is not above zero, or has no end, is
 /// answered as it is. A billionth more than a round number counts as that number.
 pub fn round_up(value: f64) -> f64 {
-    match power_below(value) {
-        Some(power) => {
-            [1.0, 2.0, 5.0].into_iter().map(|n| n * power).find(|n| value <= n * (1.0 + 1e-9)).unwrap_or(10.0 * power)
-        }
-        None => value,
-    }
+    exponent_below(value).map_or(value, |exponent| {
+        let rounds = [1.0, 2.0, 5.0].map(|digit| round(digit, exponent));
+        rounds.into_iter().find(|round| value <= round * (1.0 + 1e-9)).unwrap_or_else(|| round(1.0, exponent + 1.0))
+    })
 }
 
 /// The greatest round number that is not above a value, as [`round_up`] otherwise.
 pub fn round_down(value: f64) -> f64 {
-    match power_below(value) {
-        Some(power) => {
-            [10.0, 5.0, 2.0].into_iter().map(|n| n * power).find(|n| n * (1.0 - 1e-9) <= value).unwrap_or(power)
-        }
-        None => value,
-    }
+    exponent_below(value).map_or(value, |exponent| {
+        let rounds = [10.0, 5.0, 2.0].map(|digit| round(digit, exponent));
+        rounds.into_iter().find(|round| round * (1.0 - 1e-9) <= value).unwrap_or_else(|| round(1.0, exponent))
+    })
 }
 
-/// The power of ten at or below a value. `exp10` has whole powers to the last bit, which a general power has not on every system.
-fn power_below(value: f64) -> Option<f64> {
-    (0.0 < value && value.is_finite()).then(|| libm::exp10(libm::log10(value).floor()))
+/// The exponent of the power of ten at or below a value.
+fn exponent_below(value: f64) -> Option<f64> {
+    (0.0 < value && value.is_finite()).then(|| libm::log10(value).floor())
+}
+
+/// A digit times a power of ten, as near as a number can be: whole powers are exact, and those of one tenth are not.
+fn round(digit: f64, exponent: f64) -> f64 {
+    if exponent < 0.0 { digit / libm::exp10(-exponent) } else { digit * libm::exp10(exponent) }
 }
 
 #[cfg(test)]
