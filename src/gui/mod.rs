@@ -156,6 +156,13 @@ fn has_no_display() -> bool {
 /// The icon of the window, drawn from `assets/icons/fitcheck.svg`.
 const ICON: &[u8] = include_bytes!("../../assets/icons/128.png");
 
+fn icon() -> eframe::egui::IconData {
+    eframe::icon_data::from_png_bytes(ICON).unwrap_or_else(|error| {
+        log::warn!("the window has no icon: {error}");
+        eframe::egui::IconData::default()
+    })
+}
+
 /// Opens the window with these files and runs it until it is closed: with OpenGL, or, with the feature `wgpu`, by wgpu
 /// where OpenGL fails.
 pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
@@ -169,7 +176,7 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
         let viewport = ViewportBuilder::default()
             .with_app_id("fitcheck")
             .with_title("Fitcheck")
-            .with_icon(eframe::icon_data::from_png_bytes(ICON).unwrap_or_default())
+            .with_icon(icon())
             .with_inner_size(Vec2::new(1280.0, 800.0))
             .with_min_inner_size(Vec2::new(480.0, 320.0));
         let persistence_path = crate::files::carried_folder().map(|folder| folder.join("app.ron"));
