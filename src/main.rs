@@ -3,14 +3,16 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use fitcheck::cli::{Cli, Start, tell};
+#[cfg(feature = "gui")]
+use fitcheck::cli::Kept;
+use fitcheck::cli::{Cli, OfWindow, Start, tell};
 use fitcheck::files;
 use fitcheck::session::{HEAD, Purpose};
 
 fn main() -> ExitCode {
     outlive_the_largest_file();
     match Cli::start(Purpose::knows_ending) {
-        Start::Subcommand(cli) => cli.run_here(),
+        Start::Subcommand(cli) => cli.run_here(OF_WINDOW),
         Start::Window(paths) => match paths.into_iter().map(purpose).collect::<Result<Vec<_>, _>>() {
             Ok(files) => open_window(&files),
             Err(exit) => exit,
@@ -48,6 +50,26 @@ fn open_window(files: &[(Purpose, PathBuf)]) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => tell(&error.to_string()),
     }
+}
+
+#[cfg(feature = "gui")]
+const OF_WINDOW: Option<fn() -> OfWindow> = Some(of_window);
+
+#[cfg(not(feature = "gui"))]
+const OF_WINDOW: Option<fn() -> OfWindow> = None;
+
+/// What the doctor asks of the window.
+#[cfg(feature = "gui")]
+fn of_window() -> OfWindow {
+    use fitcheck::message::Say as _;
+    let renderer = fitcheck::gui::renderer().map_err(|error| error.message());
+    let kept = fitcheck::gui::Store::of_user().kept().map(|kept| Kept {
+        journal: kept.records.file,
+        server: kept.records.server,
+        tables: kept.tables_folder,
+        gauges: kept.gauges.into_iter().filter(|gauge| gauge.on).map(|gauge| (gauge.name, gauge.port.name)).collect(),
+    });
+    OfWindow { renderer, kept }
 }
 
 #[cfg(not(feature = "gui"))]

@@ -228,7 +228,7 @@ impl Args {
         if let Some(removal) = record.verdict.size.removal {
             let limit = removal.to_limit;
             let middle = removal.to_middle;
-            io.tell(CliRemark::Remove { limit, middle });
+            io.note(CliRemark::Remove { limit, middle });
         }
         Ok(())
     }

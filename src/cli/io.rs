@@ -12,7 +12,7 @@ use out::{Out, tame};
 use super::admitted::Admits;
 use super::progress::{Line, Work};
 use super::said::{CliRemark, CliWarning, about, remark, warning};
-use super::{CliError, ErrorSubject, IntoCliError as _, Outcome};
+use super::{CliError, ErrorSubject, IntoCliError as _, OfWindow, Outcome};
 use crate::control::deviations;
 use crate::exchange::contacts;
 use crate::files::{self, FileError};
@@ -40,23 +40,37 @@ pub struct Io<'a> {
     is_terminal: bool,
     /// Whether something was told that asks somebody to look before the answers count.
     wants_a_look: bool,
+    /// Whether standard error has warnings and errors only.
+    is_quiet: bool,
+    /// Asks what only the window knows; none in a program without it.
+    of_window: Option<fn() -> OfWindow>,
 }
 
 impl<'a> Io<'a> {
     /// Standard input, standard output (buffered) and standard error.
     pub fn new(input: &'a mut (dyn BufRead + Send), out: &'a mut (dyn Write + Send), err: &'a mut dyn Write) -> Self {
         let out = Tame(Out { out, failed: None });
-        Self { input, out, err, files: None, line: None, is_terminal: false, wants_a_look: false }
+        Self {
+            input,
+            out,
+            err,
+            files: None,
+            line: None,
+            is_terminal: false,
+            wants_a_look: false,
+            is_quiet: false,
+            of_window: None,
+        }
     }
 
     /// Runs with the process's own streams.
-    pub(super) fn standard<T>(run: impl FnOnce(&mut Io<'_>) -> T) -> T {
+    pub(super) fn standard<T>(of_window: Option<fn() -> OfWindow>, run: impl FnOnce(&mut Io<'_>) -> T) -> T {
         // Not locked: workers read and write them, too.
         let mut out = BufWriter::new(std::io::stdout());
         let mut err = std::io::stderr();
         let mut input = BufReader::new(std::io::stdin());
         let is_terminal = std::io::stdout().is_terminal();
-        run(&mut Io { is_terminal, ..Io::new(&mut input, &mut out, &mut err) })
+        run(&mut Io { is_terminal, of_window, ..Io::new(&mut input, &mut out, &mut err) })
     }
 
     /// From here on the files that are read are remembered: what was decided with them is to be recorded.
@@ -88,6 +102,11 @@ impl<'a> Io<'a> {
         &mut self.out.0
     }
 
+    /// What only the window knows, where there is one.
+    pub(super) fn of_window(&self) -> Option<OfWindow> {
+        self.of_window.map(|ask| ask())
+    }
+
     /// Whether nobody reads standard output any more: whoever would go on for ever ends.
     pub(super) fn is_closed(&self) -> bool {
         self.out.0.failed.as_ref().is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
@@ -101,12 +120,29 @@ impl<'a> Io<'a> {
 
     /// Standard input, output and error for workers that read and write in turns.
     pub(super) fn streams(&mut self) -> (&mut (dyn BufRead + Send), &mut (dyn Write + Send), Listener<'_>) {
-        (self.input, self.out.0.out, Listener { err: self.err, wants_a_look: &mut self.wants_a_look })
+        let listener = Listener { err: self.err, wants_a_look: &mut self.wants_a_look, is_quiet: self.is_quiet };
+        (self.input, self.out.0.out, listener)
     }
 
     /// From here on what is told stands above the line of a work.
     pub(super) fn watch(&mut self, work: &Work) {
-        self.line = Some(work.line());
+        let line = work.line();
+        if self.is_quiet {
+            line.give_way();
+        }
+        self.line = Some(line);
+    }
+
+    /// From here on standard error has warnings and errors only.
+    pub(super) const fn be_quiet(&mut self) {
+        self.is_quiet = true;
+    }
+
+    /// Writes a line to standard error that nobody has to act on: none where it is to be quiet.
+    pub(super) fn note(&mut self, line: impl Display) {
+        if !self.is_quiet {
+            self.tell(line);
+        }
     }
 
     /// The line goes where answers come to the same terminal.
@@ -124,7 +160,8 @@ impl<'a> Io<'a> {
     /// Writes a line to standard error. It is not an error if nobody listens there or nothing more fits: the answer and
     /// the exit code stand without it.
     pub(super) fn tell(&mut self, line: impl Display) {
-        let mut listener = Listener { err: self.err, wants_a_look: &mut self.wants_a_look };
+        let is_quiet = self.is_quiet;
+        let mut listener = Listener { err: self.err, wants_a_look: &mut self.wants_a_look, is_quiet };
         match &self.line {
             Some(shown) => shown.beside(|| listener.tell(line)),
             None => listener.tell(line),
@@ -163,7 +200,7 @@ impl<'a> Io<'a> {
 
     /// Prints a remark.
     pub(super) fn remark(&mut self, what: &impl Say) {
-        self.tell(remark(what));
+        self.note(remark(what));
     }
 
     /// Prints what failed, while the rest continues.
@@ -176,12 +213,20 @@ impl<'a> Io<'a> {
 pub(super) struct Listener<'a> {
     err: &'a mut dyn Write,
     wants_a_look: &'a mut bool,
+    is_quiet: bool,
 }
 
 impl Listener<'_> {
     /// As [`Io::tell`].
     pub(super) fn tell(&mut self, line: impl Display) {
         let _unheard = writeln!(self.err, "{}", tame_line(&line.to_string()));
+    }
+
+    /// As [`Io::note`].
+    pub(super) fn note(&mut self, line: impl Display) {
+        if !self.is_quiet {
+            self.tell(line);
+        }
     }
 
     /// As [`Io::look_first`].
@@ -221,7 +266,7 @@ pub fn tell(message: &str) -> ExitCode {
 pub(super) fn tell_at_once<T: Say>(what: &T) {
     let mut err = std::io::stderr().lock();
     let mut wants_a_look = false;
-    Listener { err: &mut err, wants_a_look: &mut wants_a_look }.tell(remark(what));
+    Listener { err: &mut err, wants_a_look: &mut wants_a_look, is_quiet: false }.tell(remark(what));
 }
 
 /// The bytes of a file, or of standard input for `-`, and the name to call it by.
@@ -290,7 +335,7 @@ pub(super) fn diameter(text: &str, what: ErrorSubject<'_>) -> Result<Length, Cli
 /// Writes an output file and prints its name on standard error.
 pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), CliError> {
     files::write(path, bytes)?;
-    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+    io.note(CliRemark::Wrote { path: path.display().to_string() });
     Ok(())
 }
 
@@ -315,7 +360,7 @@ pub(super) fn save_with(
     io: &mut Io<'_>,
 ) -> Result<(), CliError> {
     files::write_with(path, write)?;
-    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+    io.note(CliRemark::Wrote { path: path.display().to_string() });
     Ok(())
 }
 

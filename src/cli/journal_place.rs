@@ -27,13 +27,16 @@ pub(super) enum JournalPlace {
 impl JournalPlace {
     /// The journal that was named, or else the user's own.
     pub(super) fn of(given: Option<&str>) -> Result<Self, CliError> {
-        let of_variable = || std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty());
         match given.map(str::to_owned).or_else(of_variable) {
             Some(text) if is_server(&text) => Ok(Self::Server(text)),
             Some(text) => Ok(Self::File(PathBuf::from(text))),
             None => own().map(Self::File),
         }
     }
+}
+
+fn of_variable() -> Option<String> {
+    std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty())
 }
 
 /// The user's own journal.
@@ -45,6 +48,11 @@ impl JournalArgs {
     /// The file or the server.
     pub(super) fn place(&self) -> Result<JournalPlace, CliError> {
         JournalPlace::of(self.journal.as_deref())
+    }
+
+    /// Whether one is named, here or by the variable.
+    pub(super) fn is_given(&self) -> bool {
+        self.journal.is_some() || of_variable().is_some()
     }
 
     /// The file, for what a server cannot do.

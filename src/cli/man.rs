@@ -38,7 +38,7 @@ impl Args {
                 files::write(&folder.join(format!("{name}.1")), &page)?;
                 commands.extend(command.get_subcommands().filter(|subcommand| subcommand.get_name() != "help"));
             }
-            io.tell(CliRemark::Wrote { path: folder.display().to_string() });
+            io.note(CliRemark::Wrote { path: folder.display().to_string() });
             return Ok(Outcome::Done);
         }
         let mut command = &whole;

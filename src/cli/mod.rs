@@ -65,6 +65,7 @@ mod circle;
 mod completions;
 mod cycle;
 mod decide;
+mod doctor;
 mod error;
 mod fit;
 mod import;
@@ -102,6 +103,7 @@ use crate::files::{self, ZoneError};
 use crate::report::figure::Figure;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
+pub use doctor::{Kept, OfWindow};
 use error::{CliError, ErrorSubject, IntoCliError};
 pub use io::{Io, tell};
 use io::{diameter, now, put, read_contacts, read_input, read_table, save, save_with};
@@ -117,6 +119,9 @@ pub use start::Start;
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
+    /// Only warnings and errors on standard error, and that nothing was measured: no notes, progress or names of written files
+    #[arg(short, long, global = true)]
+    quiet: bool,
 }
 
 /// The version; of a package with the commit that it was built from, and that commit's day.
@@ -147,6 +152,7 @@ subcommands! {
     Completions(completions::Args),
     Cycle(cycle::Args),
     Decide(decide::Args),
+    Doctor(doctor::Args),
     Journal(journal::Args),
     Man(man::Args),
     Nc(nc::Args),
@@ -222,6 +228,9 @@ impl Outcome {
 impl Cli {
     /// Runs the subcommand on the given streams and returns the exit code.
     pub fn run(&self, io: &mut Io<'_>) -> u8 {
+        if self.quiet {
+            io.be_quiet();
+        }
         let result = self.command.as_ref().map_or(Ok(Outcome::Done), |command| command.run(io));
         let unwritten = io.unwritten();
         match result {
@@ -242,12 +251,14 @@ impl Cli {
         }
     }
 
-    /// Runs the subcommand on the process's own streams.
-    pub fn run_here(&self) -> ExitCode {
-        // Days, entries and prints would have the times of another zone.
-        if let Err(error @ ZoneError::NotUnderstood { .. }) = files::zone() {
+    /// Runs the subcommand on the process's own streams; what only the window knows is asked where it is needed.
+    pub fn run_here(&self, of_window: Option<fn() -> OfWindow>) -> ExitCode {
+        // Days, entries and prints would have the times of another zone; the doctor says so among the rest.
+        if let Err(error @ ZoneError::NotUnderstood { .. }) = files::zone()
+            && !matches!(self.command, Some(Command::Doctor(_)))
+        {
             Self::wrong_usage(&error);
         }
-        ExitCode::from(Io::standard(|io| self.run(io)))
+        ExitCode::from(Io::standard(of_window, |io| self.run(io)))
     }
 }

@@ -186,7 +186,7 @@ impl Args {
         if let Some(path) = &self.workpiece_out {
             let text = plan.workpiece().write().map_err(|error| SetError::Workpiece { reason: error.to_string() });
             write_new(path, text.said()?.as_bytes(), self.force)?;
-            io.tell(CliRemark::Wrote { path: path.display().to_string() });
+            io.note(CliRemark::Wrote { path: path.display().to_string() });
         }
         Ok(Outcome::Done)
     }
@@ -226,7 +226,7 @@ impl Args {
             let bytes = set.zip().said()?;
             write_new(&self.output, &bytes, self.force)?;
             let path = self.output.display().to_string();
-            io.tell(CliRemark::WroteFiles { path, count: set.files.len() });
+            io.note(CliRemark::WroteFiles { path, count: set.files.len() });
             return Ok(());
         }
         let files: Vec<(&str, &[u8])> =
@@ -234,7 +234,7 @@ impl Args {
         for path in
             files::write_folder(&self.output, &files, self.force).map_err(|error| unless_forced(error, self.force))?
         {
-            io.tell(CliRemark::Wrote { path: path.display().to_string() });
+            io.note(CliRemark::Wrote { path: path.display().to_string() });
         }
         Ok(())
     }

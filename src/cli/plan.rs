@@ -380,6 +380,6 @@ fn save(draft: &Draft, path: &Path, force: bool, io: &mut Io<'_>) -> Result<Outc
         return Ok(Outcome::Done);
     }
     write_new(path, text.as_bytes(), force)?;
-    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+    io.note(CliRemark::Wrote { path: path.display().to_string() });
     Ok(Outcome::Done)
 }

@@ -294,7 +294,7 @@ fn tell_kept(file: &Path, kept: &[Kept], io: &mut Io<'_>) {
     let (Some(first), Some(last)) = (kept.first(), kept.last()) else { return };
     let file = file.display().to_string();
     let hash = last.head.hash.to_string();
-    io.tell(if first.head == last.head {
+    io.note(if first.head == last.head {
         Recorded::Entry { number: last.head.number, file, hash }
     } else {
         Recorded::Entries { first: first.head.number, last: last.head.number, file, hash }

@@ -109,7 +109,7 @@ impl Args {
         }
         let mut parts = plan.as_ref().map(PlanParts::of_stream);
         let known = before(&journal, parts.as_mut())?;
-        io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.count() });
+        io.note(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.count() });
         let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io);
         let plan = plan.as_ref();
         let sources = &sources;

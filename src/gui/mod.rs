@@ -125,6 +125,7 @@ pub use errands::Errands;
 pub use store::Store;
 pub use theme::install as install_theme;
 
+use std::cell::RefCell;
 use std::path::PathBuf;
 
 use eframe::egui::{Vec2, ViewportBuilder};
@@ -163,8 +164,7 @@ fn icon() -> eframe::egui::IconData {
     })
 }
 
-/// Opens the window with these files and runs it until it is closed: with OpenGL, or, with the feature `wgpu`, by wgpu
-/// where OpenGL fails.
+/// Opens the window with these files and runs it until it is closed.
 pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
     if has_no_display() {
         return Err(WindowError::NoDisplay);
@@ -172,32 +172,67 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
     if let Some(folder) = Store::of_user().folder() {
         crash::watch(folder.to_owned());
     }
-    let open = |renderer| {
-        let viewport = ViewportBuilder::default()
-            .with_app_id("fitcheck")
-            .with_title("Fitcheck")
-            .with_icon(icon())
-            .with_inner_size(Vec2::new(1280.0, 800.0))
-            .with_min_inner_size(Vec2::new(480.0, 320.0));
-        let persistence_path = crate::files::carried_folder().map(|folder| folder.join("app.ron"));
-        let options = eframe::NativeOptions { viewport, renderer, persistence_path, ..Default::default() };
-        let setup = Setup { files: files.to_owned(), ..Setup::for_user() };
-        eframe::run_native("fitcheck", options, Box::new(|cc| Ok(Box::new(App::new(cc, setup)))))
-    };
-    let opened = open(eframe::Renderer::Glow);
-    #[cfg(not(feature = "wgpu"))]
-    let opened = opened.map_err(|error| error.to_string());
-    #[cfg(feature = "wgpu")]
-    let opened = opened.or_else(|first| match first {
-        // Neither renderer opens a window on a display that does not answer, and a second try would say only that it is
-        // the second.
-        eframe::Error::WinitEventLoop(_) => Err(first.to_string()),
-        _ => open(eframe::Renderer::Wgpu).map_err(|second| format!("{first}; {second}")),
-    });
+    let setup = || Setup { files: files.to_owned(), ..Setup::for_user() };
+    let opened = open(true, &|cc| Ok(Box::new(App::new(cc, setup()))));
     opened.map_err(|reason| {
         // Started from a shortcut, it has no console that the reason could be read on.
         #[cfg(windows)]
         rfd::MessageDialog::new().set_title("Fitcheck").set_description(&reason).show();
         WindowError::NotOpened { reason }
+    })
+}
+
+/// What draws the window on this display: its name, where it can be opened. Nobody sees it.
+pub fn renderer() -> Result<String, WindowError> {
+    if has_no_display() {
+        return Err(WindowError::NoDisplay);
+    }
+    let found = RefCell::new(None);
+    let opened = open(false, &|cc| {
+        found.replace(Some(name_of_renderer(cc)));
+        // It ends before its first frame.
+        Err("looked at".into())
+    });
+    match (found.into_inner(), opened) {
+        (Some(renderer), _) => Ok(renderer),
+        (None, opened) => Err(WindowError::NotOpened { reason: opened.err().unwrap_or_default() }),
+    }
+}
+
+fn name_of_renderer(cc: &eframe::CreationContext<'_>) -> String {
+    #[cfg(feature = "wgpu")]
+    if let Some(state) = &cc.wgpu_render_state {
+        let adapter = state.adapter.get_info();
+        return format!("{} ({})", adapter.name, adapter.backend);
+    }
+    cc.gl.as_ref().map_or_else(String::new, |gl| format!("OpenGL {}", gl.version().vendor_info))
+}
+
+type NewApp<'a> =
+    dyn Fn(&eframe::CreationContext<'_>) -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> + 'a;
+
+/// Opens a window and runs what is made for it: with OpenGL, or, with the feature `wgpu`, by wgpu where OpenGL fails.
+fn open(is_visible: bool, app: &NewApp<'_>) -> Result<(), String> {
+    let open = |renderer| {
+        let viewport = ViewportBuilder::default()
+            .with_app_id("fitcheck")
+            .with_title("Fitcheck")
+            .with_icon(icon())
+            .with_visible(is_visible)
+            .with_inner_size(Vec2::new(1280.0, 800.0))
+            .with_min_inner_size(Vec2::new(480.0, 320.0));
+        let persistence_path = crate::files::carried_folder().map(|folder| folder.join("app.ron"));
+        let options = eframe::NativeOptions { viewport, renderer, persistence_path, ..Default::default() };
+        eframe::run_native("fitcheck", options, Box::new(app))
+    };
+    let opened = open(eframe::Renderer::Glow);
+    #[cfg(not(feature = "wgpu"))]
+    return opened.map_err(|error| error.to_string());
+    #[cfg(feature = "wgpu")]
+    opened.or_else(|first| match first {
+        // Neither renderer opens a window on a display that does not answer, and a second try would say only that it is
+        // the second.
+        eframe::Error::WinitEventLoop(_) | eframe::Error::AppCreation(_) => Err(first.to_string()),
+        _ => open(eframe::Renderer::Wgpu).map_err(|second| format!("{first}; {second}")),
     })
 }

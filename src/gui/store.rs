@@ -40,11 +40,9 @@ impl Store {
     /// kept from here on, because that would replace it.
     pub fn load(&mut self) -> (Option<Saved>, Option<Message>) {
         let Some(path) = &self.path else { return (None, None) };
-        let error = match files::read_file(path).map(|bytes| Saved::read(&bytes)) {
-            Ok(Ok(saved)) => return (Some(saved), None),
-            Err(FileError::Missing { .. }) => return (None, None),
-            Ok(Err(error)) => error.message(),
-            Err(error) => error.message(),
+        let error = match read(path) {
+            Ok(saved) => return (saved, None),
+            Err(error) => error,
         };
         log::error!("{error}");
         match files::set_aside(path) {
@@ -55,6 +53,15 @@ impl Store {
                 (None, Some(told))
             }
         }
+    }
+
+    /// What is kept, to look at it; what nothing is kept of is as at the first start.
+    ///
+    /// # Errors
+    /// What is wrong with the file. It stays where it is.
+    pub fn kept(&self) -> Result<Saved, Message> {
+        let read = self.path.as_deref().map_or(Ok(None), read);
+        read.map(Option::unwrap_or_default)
     }
 
     /// The user's own materials, `materials.toml` beside the state file; `None` where there are none.
@@ -102,6 +109,16 @@ impl Store {
             Ok(Some(aside)) => Err(message!("state-set-aside-now").text("path", aside.display())),
             Err(reason) => Err(message!("state-not-kept").message("reason", reason)),
         }
+    }
+}
+
+/// The state in a file, where there is one.
+fn read(path: &Path) -> Result<Option<Saved>, Message> {
+    match files::read_file(path).map(|bytes| Saved::read(&bytes)) {
+        Ok(Ok(saved)) => Ok(Some(saved)),
+        Err(FileError::Missing { .. }) => Ok(None),
+        Ok(Err(error)) => Err(error.message()),
+        Err(error) => Err(error.message()),
     }
 }
 

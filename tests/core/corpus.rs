@@ -411,7 +411,9 @@ fn wanted(command: &clap::Command, path: &[&str], calls: &[&Call], shared: &Shar
     let mut all =
         vec![Wanted { what: format!("no call of fitcheck {name}"), is_used: !calls.is_empty(), shared: None }];
     let mut structs: BTreeMap<String, bool> = BTreeMap::new();
-    for argument in command.get_arguments().filter(|argument| !argument.is_positional()) {
+    // What every subcommand has counts once.
+    let is_own = |argument: &&clap::Arg| !argument.is_positional() && (path.is_empty() || !argument.is_global_set());
+    for argument in command.get_arguments().filter(is_own) {
         let options: Vec<String> = [
             argument.get_long().map(|long| format!("--{long}")),
             argument.get_short().map(|short| format!("-{short}")),

@@ -286,3 +286,24 @@ cli-warning-not-alone = nelze zjistit, zda tuto složku nesleduje pro stejný de
 ## The time zone of this computer
 zone-not-understood = TZ je nastaveno na „{ $given }“, což není časové pásmo: nastavte název jako Europe/Amsterdam nebo UTC, nebo je zrušte
 zone-unknown = časové pásmo tohoto počítače není známo, časy jsou proto v UTC: nastavte TZ na název jako Europe/Amsterdam
+
+# Doktor
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, je { $time }
+doctor-clock = ne před nejnovějším zápisem deníku
+doctor-clock-behind = před nejnovějším zápisem v { $path }, zapsaným { $newest }: nastavte hodiny tohoto počítače
+doctor-folder = { $path }: soubory lze zapisovat
+doctor-journal = { $path }: zápisů { $entries }
+doctor-no-journal = { $path } zatím není: vytvoří jej první zaznamenaná kontrola
+doctor-server = { $address } odpovídá
+doctor-no-server = žádný server není nastaven: uveďte jej pomocí --journal postgres://…, nebo v okně v Nastavení
+doctor-gauges = porty tohoto počítače: { $ports }
+doctor-no-port = tento počítač nemá sériový port: připojte měřidlo nebo jeho kabel
+doctor-gauge-gone = { $gauge }: port { $port } chybí: připojte měřidlo, nebo v okně v Nastavení zvolte jiný port
+doctor-no-gauges = tento program byl sestaven bez portů měřidel: balíčky je mají
+doctor-ports-not-listed = porty tohoto počítače nelze vypsat: { $reason }
+doctor-tables = { $path }: tabulek { $count }
+doctor-no-tables = žádné vlastní tabulky: ISO 286 a tabulky řídicího systému jsou vestavěné
+doctor-settings = co okno uchovává, lze přečíst
+doctor-window = kresleno pomocí { $renderer }
+doctor-no-window = tento program byl sestaven bez okna

@@ -275,3 +275,24 @@ cli-warning-not-alone = nicht feststellbar, ob ein anderes Programm diesen Ordne
 ## Die Zeitzone dieses Computers
 zone-not-understood = TZ steht auf "{ $given }", und das ist keine Zeitzone: auf einen Namen wie Europe/Amsterdam oder auf UTC setzen, oder entfernen
 zone-unknown = die Zeitzone dieses Computers ist nicht bekannt, daher stehen Zeiten in UTC: TZ auf einen Namen wie Europe/Amsterdam setzen
+
+# Was um das Programm ist
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, es ist { $time }
+doctor-clock = nicht vor dem neuesten Eintrag des Journals
+doctor-clock-behind = vor dem neuesten Eintrag von { $path }, geschrieben um { $newest }: Uhr dieses Rechners stellen
+doctor-folder = { $path }: Dateien können geschrieben werden
+doctor-journal = { $path }: Einträge { $entries }
+doctor-no-journal = { $path } gibt es noch nicht: die erste aufgezeichnete Prüfung legt es an
+doctor-server = { $address } antwortet
+doctor-no-server = kein Server eingestellt: mit --journal postgres://… nennen, oder im Fenster unter Einstellungen
+doctor-gauges = Anschlüsse dieses Rechners: { $ports }
+doctor-no-port = dieser Rechner hat keinen seriellen Anschluss: Messmittel oder dessen Kabel einstecken
+doctor-gauge-gone = { $gauge }: Anschluss { $port } fehlt: Messmittel einstecken oder im Fenster unter Einstellungen einen anderen Anschluss wählen
+doctor-no-gauges = dieses Programm wurde ohne Anschlüsse für Messmittel gebaut: die Pakete haben sie
+doctor-ports-not-listed = die Anschlüsse dieses Rechners lassen sich nicht auflisten: { $reason }
+doctor-tables = { $path }: Tabellen { $count }
+doctor-no-tables = keine eigenen Tabellen: ISO 286 und die Tabellen der Steuerung sind eingebaut
+doctor-settings = was das Fenster aufbewahrt, ist lesbar
+doctor-window = gezeichnet mit { $renderer }
+doctor-no-window = dieses Programm wurde ohne das Fenster gebaut

@@ -275,3 +275,24 @@ cli-warning-not-alone = cannot tell whether another program watches this folder 
 ## The time zone of this computer
 zone-not-understood = TZ is set to "{ $given }", which is not a time zone: set it to a name such as Europe/Amsterdam or to UTC, or remove it
 zone-unknown = the time zone of this computer is not known, so times are in UTC: set TZ to a name such as Europe/Amsterdam
+
+# The doctor
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, it is { $time }
+doctor-clock = not before the newest entry of the journal
+doctor-clock-behind = earlier than the newest entry of { $path }, which was written at { $newest }: set the clock of this computer
+doctor-folder = { $path }: files can be written
+doctor-journal = { $path }: entries { $entries }
+doctor-no-journal = { $path } is not there yet: the first check that is recorded makes it
+doctor-server = { $address } answers
+doctor-no-server = no server is set: name it with --journal postgres://…, or in the window under Settings
+doctor-gauges = ports of this computer: { $ports }
+doctor-no-port = this computer has no serial port: plug the gauge in, or its cable
+doctor-gauge-gone = { $gauge }: port { $port } is not there: plug the gauge in, or choose another port in the window under Settings
+doctor-no-gauges = this program was built without the ports of gauges: the packages have them
+doctor-ports-not-listed = the ports of this computer cannot be listed: { $reason }
+doctor-tables = { $path }: tables { $count }
+doctor-no-tables = no tables of your own: ISO 286 and the tables of the control are built in
+doctor-settings = what the window keeps can be read
+doctor-window = drawn with { $renderer }
+doctor-no-window = this program was built without the window

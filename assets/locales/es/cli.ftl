@@ -275,3 +275,24 @@ cli-warning-not-alone = no se sabe si otro programa vigila esta carpeta para el 
 ## The time zone of this computer
 zone-not-understood = TZ está en "{ $given }", que no es una zona horaria: póngala en un nombre como Europe/Amsterdam o en UTC, o quítela
 zone-unknown = no se conoce la zona horaria de este ordenador, así que las horas están en UTC: ponga TZ en un nombre como Europe/Amsterdam
+
+# El doctor
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, son las { $time }
+doctor-clock = no anterior a la última entrada del registro
+doctor-clock-behind = anterior a la última entrada de { $path }, escrita a las { $newest }: ajuste el reloj de este equipo
+doctor-folder = { $path }: se pueden escribir archivos
+doctor-journal = { $path }: entradas { $entries }
+doctor-no-journal = { $path } aún no existe: lo crea la primera comprobación registrada
+doctor-server = { $address } responde
+doctor-no-server = ningún servidor configurado: indíquelo con --journal postgres://…, o en la ventana en Configuración
+doctor-gauges = puertos de este equipo: { $ports }
+doctor-no-port = este equipo no tiene puerto serie: conecte el instrumento o su cable
+doctor-gauge-gone = { $gauge }: falta el puerto { $port }: conecte el instrumento o elija otro puerto en la ventana en Configuración
+doctor-no-gauges = este programa se construyó sin los puertos de instrumentos: los paquetes los tienen
+doctor-ports-not-listed = no se pueden enumerar los puertos de este equipo: { $reason }
+doctor-tables = { $path }: tablas { $count }
+doctor-no-tables = sin tablas propias: ISO 286 y las tablas del control están integradas
+doctor-settings = lo que guarda la ventana se puede leer
+doctor-window = dibujada con { $renderer }
+doctor-no-window = este programa se construyó sin la ventana

@@ -272,3 +272,24 @@ cli-warning-not-alone = impossible de savoir si un autre programme surveille ce 
 ## Le fuseau horaire de cet ordinateur
 zone-not-understood = TZ est « { $given } », qui n'est pas un fuseau horaire : lui donner un nom tel que Europe/Amsterdam ou UTC, ou le supprimer
 zone-unknown = le fuseau horaire de cet ordinateur est inconnu, les heures sont donc en UTC : donner à TZ un nom tel que Europe/Amsterdam
+
+# Le docteur
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, il est { $time }
+doctor-clock = pas avant la dernière entrée du journal
+doctor-clock-behind = avant la dernière entrée de { $path }, écrite à { $newest } : régler l'horloge de cet ordinateur
+doctor-folder = { $path } : des fichiers peuvent y être écrits
+doctor-journal = { $path } : entrées { $entries }
+doctor-no-journal = { $path } n'existe pas encore : le premier contrôle enregistré le crée
+doctor-server = { $address } répond
+doctor-no-server = aucun serveur réglé : le nommer avec --journal postgres://…, ou dans la fenêtre sous Réglages
+doctor-gauges = ports de cet ordinateur : { $ports }
+doctor-no-port = cet ordinateur n'a pas de port série : brancher l'instrument ou son câble
+doctor-gauge-gone = { $gauge } : le port { $port } est absent : brancher l'instrument ou choisir un autre port dans la fenêtre sous Réglages
+doctor-no-gauges = ce programme a été construit sans les ports d'instruments : les paquets les ont
+doctor-ports-not-listed = les ports de cet ordinateur ne peuvent pas être énumérés : { $reason }
+doctor-tables = { $path } : tables { $count }
+doctor-no-tables = pas de tables propres : ISO 286 et les tables de la commande sont intégrées
+doctor-settings = ce que garde la fenêtre est lisible
+doctor-window = dessinée avec { $renderer }
+doctor-no-window = ce programme a été construit sans la fenêtre

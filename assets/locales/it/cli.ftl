@@ -275,3 +275,24 @@ cli-warning-not-alone = impossibile sapere se un altro programma sorveglia quest
 ## Il fuso orario di questo computer
 zone-not-understood = TZ è impostato su «{ $given }», che non è un fuso orario: impostarlo su un nome come Europe/Amsterdam o su UTC, o rimuoverlo
 zone-unknown = il fuso orario di questo computer non è noto, quindi le ore sono in UTC: impostare TZ su un nome come Europe/Amsterdam
+
+# Il dottore
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, sono le { $time }
+doctor-clock = non precede l'ultima voce del registro
+doctor-clock-behind = precede l'ultima voce di { $path }, scritta alle { $newest }: regolare l'orologio di questo computer
+doctor-folder = { $path }: si possono scrivere file
+doctor-journal = { $path }: voci { $entries }
+doctor-no-journal = { $path } non esiste ancora: lo crea il primo controllo registrato
+doctor-server = { $address } risponde
+doctor-no-server = nessun server impostato: indicarlo con --journal postgres://…, o nella finestra sotto Impostazioni
+doctor-gauges = porte di questo computer: { $ports }
+doctor-no-port = questo computer non ha porte seriali: collegare lo strumento o il suo cavo
+doctor-gauge-gone = { $gauge }: la porta { $port } non c'è: collegare lo strumento o scegliere un'altra porta nella finestra sotto Impostazioni
+doctor-no-gauges = questo programma è stato costruito senza le porte degli strumenti: i pacchetti le hanno
+doctor-ports-not-listed = le porte di questo computer non si possono elencare: { $reason }
+doctor-tables = { $path }: tabelle { $count }
+doctor-no-tables = nessuna tabella propria: ISO 286 e le tabelle del controllo sono integrate
+doctor-settings = ciò che la finestra conserva è leggibile
+doctor-window = disegnata con { $renderer }
+doctor-no-window = questo programma è stato costruito senza la finestra

@@ -275,3 +275,24 @@ cli-warning-not-alone = het is niet bekend of een ander programma deze map voor 
 ## De tijdzone van deze computer
 zone-not-understood = TZ staat op "{ $given }", en dat is geen tijdzone: geef een naam als Europe/Amsterdam of UTC, of verwijder de variabele
 zone-unknown = de tijdzone van deze computer is niet bekend, dus zijn tijden in UTC: zet TZ op een naam als Europe/Amsterdam
+
+# De doctor
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, het is { $time }
+doctor-clock = niet vóór de nieuwste vermelding van het logboek
+doctor-clock-behind = vóór de nieuwste vermelding van { $path }, geschreven om { $newest }: zet de klok van deze computer goed
+doctor-folder = { $path }: bestanden kunnen worden geschreven
+doctor-journal = { $path }: vermeldingen { $entries }
+doctor-no-journal = { $path } is er nog niet: de eerste vastgelegde controle maakt het aan
+doctor-server = { $address } antwoordt
+doctor-no-server = geen server ingesteld: noem hem met --journal postgres://…, of in het venster onder Instellingen
+doctor-gauges = poorten van deze computer: { $ports }
+doctor-no-port = deze computer heeft geen seriële poort: sluit het meetmiddel of de kabel aan
+doctor-gauge-gone = { $gauge }: poort { $port } is er niet: sluit het meetmiddel aan, of kies in het venster onder Instellingen een andere poort
+doctor-no-gauges = dit programma is gebouwd zonder poorten voor meetmiddelen: de pakketten hebben ze
+doctor-ports-not-listed = de poorten van deze computer kunnen niet worden opgesomd: { $reason }
+doctor-tables = { $path }: tabellen { $count }
+doctor-no-tables = geen eigen tabellen: ISO 286 en de tabellen van de besturing zijn ingebouwd
+doctor-settings = wat het venster bewaart, is leesbaar
+doctor-window = getekend met { $renderer }
+doctor-no-window = dit programma is gebouwd zonder het venster

@@ -314,3 +314,24 @@ cli-warning-not-alone = nie wiadomo, czy inny program obserwuje ten folder dla t
 ## The time zone of this computer
 zone-not-understood = TZ jest ustawione na "{ $given }", co nie jest strefą czasową: ustawić nazwę, np. Europe/Amsterdam, lub UTC, albo usunąć
 zone-unknown = strefa czasowa tego komputera jest nieznana, więc czasy są w UTC: ustawić TZ na nazwę, np. Europe/Amsterdam
+
+# Doktor
+doctor-program = Fitcheck { $version }
+doctor-zone = { $zone }, jest { $time }
+doctor-clock = nie wcześniej niż najnowszy wpis dziennika
+doctor-clock-behind = wcześniej niż najnowszy wpis w { $path }, zapisany { $newest }: ustaw zegar tego komputera
+doctor-folder = { $path }: można zapisywać pliki
+doctor-journal = { $path }: wpisów { $entries }
+doctor-no-journal = { $path } jeszcze nie ma: utworzy go pierwsza zapisana kontrola
+doctor-server = { $address } odpowiada
+doctor-no-server = nie ustawiono serwera: podaj go przez --journal postgres://…, albo w oknie w Ustawieniach
+doctor-gauges = porty tego komputera: { $ports }
+doctor-no-port = ten komputer nie ma portu szeregowego: podłącz przyrząd lub jego kabel
+doctor-gauge-gone = { $gauge }: nie ma portu { $port }: podłącz przyrząd albo wybierz w oknie w Ustawieniach inny port
+doctor-no-gauges = ten program zbudowano bez portów przyrządów: pakiety je mają
+doctor-ports-not-listed = nie można wypisać portów tego komputera: { $reason }
+doctor-tables = { $path }: tabel { $count }
+doctor-no-tables = brak własnych tabel: ISO 286 i tabele sterowania są wbudowane
+doctor-settings = to, co zachowuje okno, można odczytać
+doctor-window = rysowane przez { $renderer }
+doctor-no-window = ten program zbudowano bez okna

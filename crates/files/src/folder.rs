@@ -71,6 +71,17 @@ fn parent_of_new(folder: &Path) -> Result<&Path, FileError> {
     if parent.is_dir() { Ok(parent) } else { Err(FileError::Missing { path: parent.to_owned() }) }
 }
 
+/// Whether files can be written into a folder, or, where it is not there yet, whether it can be made. Nothing stays behind.
+///
+/// # Errors
+/// What the system says of the folder, or of the nearest one above it that is there.
+pub fn takes_files(folder: &Path) -> Result<(), FileError> {
+    let there = folder.ancestors().find(|above| above.symlink_metadata().is_ok()).unwrap_or(folder);
+    let name = whole::unfinished_name(&there.join("fitcheck"));
+    let made = File::options().write(true).create_new(true).open(&name);
+    made.map(|_file| drop(Unfinished::at(name))).map_err(|error| system(there, &error))
+}
+
 fn into_new(folder: &Path, files: &[(&str, &[u8])]) -> Result<(), FileError> {
     parent_of_new(folder)?;
     let all = || -> io::Result<()> {

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use fitcheck_core::message::Say;
 
 pub use beside::{beside, beside_path};
-pub use folder::{make_folder, no_half_set, write_folder, write_into};
+pub use folder::{make_folder, no_half_set, takes_files, write_folder, write_into};
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
 pub use places::{carried_folder, journal_folder, settings_folder};
 pub use stopping::Stop;

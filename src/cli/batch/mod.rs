@@ -113,7 +113,7 @@ impl Args {
             });
             if result.is_ok() {
                 written?;
-                io.tell(CliRemark::Wrote { path: path.display().to_string() });
+                io.note(CliRemark::Wrote { path: path.display().to_string() });
             }
         } else {
             let (input, out, listener) = io.streams();

@@ -24,7 +24,7 @@ impl<'a> BatchRemarks<'a> {
     }
 
     pub(super) fn remark(&mut self, what: &CliRemark) {
-        self.listener.tell(said::remark(what));
+        self.listener.note(said::remark(what));
     }
 
     /// A warning about a line above the rows.
@@ -68,16 +68,16 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
     if 1 < classes.len() {
         let left = classes.len().saturating_sub(CLASSES);
         for (name, counts, rows) in classes.into_iter().take(CLASSES) {
-            io.tell(format_args!("  {name}: {}", counted(rows, counts, 0)));
+            io.note(format_args!("  {name}: {}", counted(rows, counts, 0)));
         }
         if 0 < left {
-            io.tell(format_args!("  and {left} more {}", if left == 1 { "class" } else { "classes" }));
+            io.note(format_args!("  and {left} more {}", if left == 1 { "class" } else { "classes" }));
         }
     }
     if tally.rows == 0 {
         return io.fail(ImportErrorKind::NoRows);
     }
-    io.tell(counted(tally.rows, summary.counts(), tally.notes(RowNoteKind::Refused).count));
+    io.note(counted(tally.rows, summary.counts(), tally.notes(RowNoteKind::Refused).count));
     if let Some(count) = all_nominal(summary).and_then(|count| usize::try_from(count).ok()) {
         io.tell(said::warning(&ImportWarningKind::AllNominal { count }));
     }

@@ -24,7 +24,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         not_dash(&self.to)?;
         let Head { number, hash } = local::backup(&self.journal.file()?, &self.to).said()?;
-        io.tell(CliRemark::BackedUp { path: self.to.clone(), number, hash: hash.to_string() });
+        io.note(CliRemark::BackedUp { path: self.to.clone(), number, hash: hash.to_string() });
         Ok(Outcome::Done)
     }
 }

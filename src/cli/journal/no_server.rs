@@ -8,6 +8,10 @@ use crate::journal::chain::{ChainId, Head};
 use crate::message::Message;
 use crate::store::local::ListedEntry;
 
+pub(in crate::cli) fn answers(_address: &str, _io: &mut Io<'_>) -> Result<String, CliError> {
+    Err(CliError::NoShop)
+}
+
 pub(in crate::cli) fn init(_address: &str, _io: &mut Io<'_>) -> Result<(), CliError> {
     Err(CliError::NoShop)
 }

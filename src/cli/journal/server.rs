@@ -30,10 +30,17 @@ fn count(number: u64) -> usize {
     usize::try_from(number).unwrap_or(usize::MAX)
 }
 
+/// Whether the server answers, and has the tables; its address without a password.
+pub(in crate::cli) fn answers(address: &str, io: &mut Io<'_>) -> Result<String, CliError> {
+    let access = access(address, io)?;
+    ShopReader::open(&access, Patience::default(), &Stop::default()).said()?;
+    Ok(access.address.to_string())
+}
+
 /// Makes the tables.
 pub(in crate::cli) fn init(address: &str, io: &mut Io<'_>) -> Result<(), CliError> {
     let made = shop::init(&access(address, io)?, Patience::default()).said()?;
-    io.tell(made);
+    io.note(made);
     Ok(())
 }
 
@@ -53,7 +60,7 @@ pub(in crate::cli) fn send(address: &str, file: &Path, station: &str, io: &mut I
     let entries = count(sent.entries);
     let number = sent.head.number;
     let server = access.address.to_string();
-    io.tell(CliRemark::Sent { entries, number, server });
+    io.note(CliRemark::Sent { entries, number, server });
     Ok(())
 }
 

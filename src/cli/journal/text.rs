@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::row::origin;
 use super::{CliRemark, Io};
 use crate::cli::people::mm;
-use crate::cli::said::decided;
+use crate::cli::said::{decided, remark};
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::entry::{
     About, Begin, BlockKept, Check, Checked, Content, Correction, CycleCheck, Entry, Reported,
@@ -108,7 +108,7 @@ fn print_check(check: &Check, io: &mut Io<'_>) {
     }
     line("origin", origin(check), io);
     if check.is_simulated() {
-        io.remark(&CliRemark::Simulated);
+        io.tell(remark(&CliRemark::Simulated));
     }
     if let Some(remark) = check.remark() {
         io.warn(&remark);

@@ -2,6 +2,7 @@
 
 use super::super::CliRemark;
 use super::super::cycle::Source;
+use super::super::said::remark;
 use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::message::message;
 use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, ToolChanged, shown};
@@ -64,23 +65,23 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
     }
     for (BlockPlace { program, block }, remark) in machine.remarks() {
         let (file, line) = place(machine, program, *block);
-        io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
+        io.note(format_args!("note: {file}:{line}: {}", words.told(remark)));
     }
     if 0 < machine.unlisted_remarks() {
         let more = message!("machine-remark-more").text("count", machine.unlisted_remarks());
-        io.tell(format_args!("note: {}", words.say(&more)));
+        io.note(format_args!("note: {}", words.say(&more)));
     }
     if let Some(passed_over) = machine.passed_over_message() {
-        io.tell(format_args!("note: {}", words.say(&passed_over)));
+        io.note(format_args!("note: {}", words.say(&passed_over)));
     }
     if is_traced {
         for (path, origin) in machine.origins() {
-            io.tell(format_args!("note: {}", words.told(&FileRead::of(path, origin))));
+            io.note(format_args!("note: {}", words.told(&FileRead::of(path, origin))));
         }
     }
     for ToolChanged { place: BlockPlace { program, block }, change } in machine.tool_changes() {
         let (file, line) = place(machine, program, *block);
-        io.tell(format_args!("note: {file}:{line}: {}", words.told(change)));
+        io.note(format_args!("note: {file}:{line}: {}", words.told(change)));
     }
     let mut written: Vec<_> =
         machine.outputs().iter().filter(|output| output.is_saved).map(|output| &output.path).collect();
@@ -88,7 +89,7 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
     // A file that is printed to a thousand times is one file.
     written.dedup();
     for path in written {
-        io.tell(CliRemark::Wrote { path: path.to_string() });
+        io.note(CliRemark::Wrote { path: path.to_string() });
     }
 }
 
@@ -98,8 +99,9 @@ pub(super) fn tell_source(machine: &Machine, source: &Source, io: &mut Io<'_>) {
         return;
     }
     match source {
-        Source::Perfect => io.remark(&CliRemark::PerfectWorkpiece),
-        Source::Workpiece { .. } => io.remark(&CliRemark::Simulated),
+        // Whoever asks for quiet must know it, too.
+        Source::Perfect => io.tell(remark(&CliRemark::PerfectWorkpiece)),
+        Source::Workpiece { .. } => io.tell(remark(&CliRemark::Simulated)),
         Source::Contacts { .. } => {}
     }
 }

@@ -86,7 +86,7 @@ impl Read {
                 }
             }
             Item::Contacts(_) => {
-                io.tell(format_args!("{}: {}", path.display(), CliRemark::NoColumns));
+                io.note(format_args!("{}: {}", path.display(), CliRemark::NoColumns));
                 self.has_failed = true;
             }
         }

@@ -121,7 +121,7 @@ impl NewArgs {
                 let named: Vec<_> = both.iter().map(|(_, name, bytes)| (name.as_str(), bytes.as_slice())).collect();
                 let folder = self.output.parent().unwrap_or(Path::new(""));
                 for path in files::write_into(folder, &named, true)? {
-                    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+                    io.note(CliRemark::Wrote { path: path.display().to_string() });
                 }
             }
         }
