@@ -67,7 +67,7 @@ fn of_window() -> OfWindow {
         journal: kept.records.file,
         server: kept.records.server,
         tables: kept.tables_folder,
-        gauges: kept.gauges.into_iter().filter(|gauge| gauge.on).map(|gauge| (gauge.name, gauge.port.name)).collect(),
+        gauges: kept.gauges.into_iter().filter(|gauge| gauge.on).map(|gauge| (gauge.name, gauge.port.port)).collect(),
     });
     OfWindow { renderer, kept }
 }

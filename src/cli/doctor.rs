@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::args::one_of;
 use super::journal::server;
 use super::journal_place::{JournalArgs, JournalPlace, own};
+use super::of_window::{Kept, OfWindow};
 use super::people::Aligned;
 use super::people::Side::Left;
 use super::{CliError, Format, Io, Outcome, version};
@@ -39,28 +40,6 @@ pub(super) struct Args {
     tables: Option<PathBuf>,
     #[command(flatten)]
     journal: JournalArgs,
-}
-
-/// What only the window knows.
-#[derive(Debug)]
-pub struct OfWindow {
-    /// What draws it on this display.
-    pub renderer: Result<String, Message>,
-    /// What it keeps in its settings.
-    pub kept: Result<Kept, Message>,
-}
-
-/// What a window keeps in its settings of things around it.
-#[derive(Debug, Default)]
-pub struct Kept {
-    /// Its journal, where it is not the user's own.
-    pub journal: Option<PathBuf>,
-    /// The address of its server.
-    pub server: Option<String>,
-    /// The folder of the user's own tables.
-    pub tables: Option<PathBuf>,
-    /// Its gauges: their names, and their ports.
-    pub gauges: Vec<(String, String)>,
 }
 
 /// How something is.

@@ -31,6 +31,7 @@
 //! | `rows` | answers in figures: each value declared once, for CSV and JSON |
 //! | `error` | why a subcommand could not do its work |
 //! | `said` | remarks and warnings beside an answer |
+//! | `of_window` | what only the window knows of this computer |
 //! | `start` | a subcommand, the window, or files that it opens |
 
 /// The table of subcommands: one file and one line each.
@@ -78,6 +79,7 @@ mod man;
 mod material;
 mod measured;
 mod nc;
+mod of_window;
 mod pair;
 mod parts;
 mod people;
@@ -103,10 +105,10 @@ use crate::files::{self, ZoneError};
 use crate::report::figure::Figure;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
-pub use doctor::{Kept, OfWindow};
 use error::{CliError, ErrorSubject, IntoCliError};
 pub use io::{Io, tell};
 use io::{diameter, now, put, read_contacts, read_input, read_table, save, save_with};
+pub use of_window::{Kept, OfWindow};
 use said::{CliRemark, CliWarning};
 pub use start::Start;
 

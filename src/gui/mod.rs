@@ -127,8 +127,10 @@ pub use theme::install as install_theme;
 
 use std::cell::RefCell;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use eframe::egui::{Vec2, ViewportBuilder};
+use eframe::glow::HasContext as _;
 
 use crate::message::Say;
 use crate::session::Purpose;
@@ -205,14 +207,18 @@ fn name_of_renderer(cc: &eframe::CreationContext<'_>) -> String {
         let adapter = state.adapter.get_info();
         return format!("{} ({})", adapter.name, adapter.backend);
     }
-    cc.gl.as_ref().map_or_else(String::new, |gl| format!("OpenGL {}", gl.version().vendor_info))
+    let opengl = |gl: &Arc<eframe::glow::Context>| {
+        let version = gl.version();
+        format!("OpenGL {}.{} {}", version.major, version.minor, version.vendor_info)
+    };
+    cc.gl.as_ref().map_or_else(String::new, opengl)
 }
 
-type NewApp<'a> =
-    dyn Fn(&eframe::CreationContext<'_>) -> Result<Box<dyn eframe::App>, Box<dyn std::error::Error + Send + Sync>> + 'a;
+type NewApp<'app> = dyn Fn(&eframe::CreationContext<'_>) -> Result<Box<dyn eframe::App + 'app>, Box<dyn std::error::Error + Send + Sync>>
+    + 'app;
 
 /// Opens a window and runs what is made for it: with OpenGL, or, with the feature `wgpu`, by wgpu where OpenGL fails.
-fn open(is_visible: bool, app: &NewApp<'_>) -> Result<(), String> {
+fn open<'app>(is_visible: bool, app: &'app NewApp<'app>) -> Result<(), String> {
     let open = |renderer| {
         let viewport = ViewportBuilder::default()
             .with_app_id("fitcheck")

@@ -108,6 +108,7 @@ fn the_exit_code_stands_when_standard_error_takes_nothing() {
 }
 
 /// A line feed in a name, and what it would have printed as a line of its own.
+#[cfg(unix)]
 const FORGED: &str = "a\nGOOD forged\r\nGOOD forged.csv";
 
 #[cfg(unix)]

@@ -70,6 +70,7 @@ impl Watched {
     }
 
     /// Begins a file that its writer keeps open.
+    #[cfg(target_os = "linux")]
     pub(crate) fn open(&self, name: &str, text: &str) -> File {
         let mut file = OpenOptions::new().create(true).append(true).open(self.path(name)).unwrap();
         file.write_all(text.as_bytes()).unwrap();

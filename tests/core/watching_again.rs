@@ -112,6 +112,7 @@ fn how_long_a_last_line_without_an_end_waits_is_by_what_is_known_of_its_writer()
     assert_eq!(watched.take(2_000), ["c.csv BORE_A 12.05 GOOD"]);
 }
 
+#[cfg(target_os = "linux")]
 const DFQ: &str = "K0100 1\nK2001/1 1\nK2002/1 BORE_A\nK2101/1 12\nK2110/1 12.016\nK2111/1 12.059\nK2142/1 mm\n";
 
 #[cfg(target_os = "linux")]
