@@ -91,17 +91,18 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 
 /// The rooms from the ground up, each with its crate and the rooms of the same crate that it may name: an arrow only
 /// points down. Which crate may name which is in their manifests, and the compiler holds it.
-pub const ROOMS: [(&str, &str, &[&str]); 27] = [
+pub const ROOMS: [(&str, &str, &[&str]); 28] = [
     ("shipped", "shipped", &[]),
     ("core", "message", &[]),
     ("core", "length", &["message"]),
     ("core", "words", &["message", "length"]),
     ("core", "text", &[]),
+    ("core", "law", &[]),
     ("core", "tolerance", &["message", "length", "words"]),
-    ("core", "verdict", &["message", "length", "tolerance"]),
+    ("core", "verdict", &["message", "length", "law", "tolerance"]),
     ("core", "pairing", &["message", "length", "tolerance"]),
     ("core", "probing", &["message", "length", "words", "tolerance", "verdict"]),
-    ("core", "budget", &["message", "length", "tolerance", "verdict", "probing"]),
+    ("core", "budget", &["message", "length", "law", "tolerance", "verdict", "probing"]),
     ("core", "part", &["message", "length", "text", "tolerance", "verdict", "probing"]),
     ("statistics", "statistics", &[]),
     ("nc", "control", &[]),

@@ -1,10 +1,14 @@
 //! The watched folder, where files are replaced, copied, half written or held: nothing is lost, and nothing is silent.
 
+#[cfg(unix)]
 use std::fs::{File, rename};
+#[cfg(unix)]
 use std::io::Write as _;
 
 use fitcheck::control::mask::Mask;
+#[cfg(unix)]
 use fitcheck::files;
+#[cfg(unix)]
 use fitcheck::watch::Waiting;
 
 use crate::watching::{HEAD, Watched};

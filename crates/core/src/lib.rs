@@ -14,6 +14,7 @@
 //! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |
 //! | [`budget`] | how sure a measured value is |
 //! | [`part`] | whole parts: plans of features |
+//! | [`law`] | the laws of errors and of test statistics |
 //! | [`message`], [`words`] | sentences without a language; texts in the user's language |
 //! | [`text`] | from the bytes of a text file to text and lines |
 //!
@@ -79,6 +80,7 @@
 extern crate self as fitcheck_core;
 
 pub mod budget;
+pub mod law;
 pub mod length;
 pub mod message;
 pub mod pairing;

@@ -1,8 +1,8 @@
 //! Analysis of variance: its rows, and the comparison of groups by one factor.
 
-use crate::law::{fisher, student_factor};
 use crate::moments::{Estimate, Moments, checked_level, count};
 use crate::reason::Reason;
+use fitcheck_core::law::{fisher, student_factor};
 
 /// A row of an analysis of variance.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,11 +4,11 @@
 //! ISO 22514-2; NIST/SEMATECH e-Handbook 6.1.6; Montgomery. The indices with σ within subgroups are Cp and Cpk, those with the
 //! standard deviation of all values Pp and Ppk. With one limit there is no Cp, and Cpk is that of the one side.
 
-use crate::law::{chi_square_quantile, normal, normal_quantile};
 use crate::moments::{Estimate, Moments, checked_level, count};
 use crate::reason::Reason;
 use crate::sigma::{Method, Sigma};
 use crate::tolerance::Tolerance;
+use fitcheck_core::law::{chi_square_quantile, normal, normal_quantile};
 
 /// Which degrees of freedom the intervals of Cp and Cpk have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

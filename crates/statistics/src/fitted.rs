@@ -3,9 +3,9 @@
 //! The normal and the lognormal law have mean and standard deviation with n − 1, of the values or of their logarithms; the other
 //! two are fitted by maximum likelihood. The folded normal law is that of form and position, which cannot fall below 0.
 
-use crate::law::{Tails, normal, normal_quantile, root};
 use crate::moments::{Estimate, Moments, checked_level, count};
 use crate::reason::Reason;
+use fitcheck_core::law::{Tails, normal, normal_quantile, root};
 
 /// A family of laws.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

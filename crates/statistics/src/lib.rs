@@ -7,7 +7,6 @@
 //! | file | what |
 //! |---|---|
 //! | `reason` | why there is no figure |
-//! | `law` | the laws of test statistics: normal, chi-square, Student's, Fisher's |
 //! | `moments` | count, mean and standard deviation of values; estimates with their intervals |
 //! | `constants` | d2, d3 and c4 of control charts |
 //! | `sigma` | the standard deviation within subgroups |
@@ -48,7 +47,6 @@
 #![warn(missing_docs)]
 
 pub mod gauge;
-pub mod law;
 pub mod picture;
 pub mod round;
 

@@ -1,8 +1,8 @@
 //! A straight line through points, by least squares.
 
-use crate::law::{student_both, student_factor};
 use crate::moments::{Estimate, Moments, count};
 use crate::reason::Reason;
+use fitcheck_core::law::{student_both, student_factor};
 
 /// A straight line y = intercept + slope x with what its coefficients are worth.
 #[derive(Debug, Clone, Copy, PartialEq)]

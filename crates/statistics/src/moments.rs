@@ -1,7 +1,7 @@
 //! Count, mean and standard deviation of values; estimates with their intervals.
 
-use crate::law::{chi_square_quantile, student_factor};
 use crate::reason::Reason;
+use fitcheck_core::law::{chi_square_quantile, student_factor};
 
 /// A count as a number to compute with.
 pub fn count(number: usize) -> f64 {

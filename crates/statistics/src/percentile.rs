@@ -4,11 +4,11 @@
 //! The intervals are those for many values; a simulation of 50 values holds them.
 
 use crate::fitted::{Family, Fitted, Law};
-use crate::law::{normal, normal_quantile};
 use crate::moments::Estimate;
 use crate::reason::Reason;
 use crate::shape::{AndersonDarling, anderson_darling};
 use crate::tolerance::Tolerance;
+use fitcheck_core::law::{normal, normal_quantile};
 
 /// The shares at −3 s, 0 and +3 s of a normal law, to the digits that the standard prints.
 const SHARES: [f64; 3] = [0.001_35, 0.5, 0.998_65];

@@ -1,6 +1,6 @@
 //! The coverage factor: by Student's law with the effective degrees of freedom (GUM, annex G).
 
-use statrs::distribution::{ContinuousCDF as _, Normal, StudentsT};
+use crate::law::{normal_quantile, student_quantile};
 
 /// The probability that the expanded uncertainty covers the value: that of two standard deviations, 95.45 %.
 pub const PROBABILITY: f64 = 0.954_499_736_103_642;
@@ -18,7 +18,10 @@ pub fn factor(degrees_of_freedom: Option<f64>) -> f64 {
 pub fn student(degrees_of_freedom: Option<f64>, probability: f64) -> f64 {
     let upper = f64::midpoint(1.0, probability);
     match degrees_of_freedom.filter(|degrees| *degrees < MANY) {
-        Some(degrees) => StudentsT::new(0.0, 1.0, degrees).map_or(f64::INFINITY, |law| law.inverse_cdf(upper)),
-        None => Normal::standard().inverse_cdf(upper),
+        // With none, or hardly any, nothing is covered.
+        Some(degrees) => {
+            Some(student_quantile(degrees, upper)).filter(|factor| !factor.is_nan()).unwrap_or(f64::INFINITY)
+        }
+        None => normal_quantile(upper),
     }
 }

@@ -1,10 +1,10 @@
 //! Bias over the range of sizes: readings of several masters and the line through their biases (AIAG MSA).
 
-use crate::law::{student_both, student_factor};
 use crate::line::Line;
 use crate::moments::{Estimate, Moments, checked_level, count};
 use crate::reason::Reason;
 use crate::sigma::{Method, Sigma};
+use fitcheck_core::law::{student_both, student_factor};
 
 /// The bias at one master.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,9 +2,9 @@
 //!
 //! Cg = share × T / (spread × s) and Cgk = (share / 2 × T − |bias|) / (spread / 2 × s), usually with a fifth of the tolerance and 6 s.
 
-use crate::law::{normal_quantile, student_both};
 use crate::moments::{Estimate, Moments, count, parameter};
 use crate::reason::Reason;
+use fitcheck_core::law::{normal_quantile, student_both};
 
 /// What the readings are compared with.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,9 +5,9 @@
 //! own, as where reading destroys them. Components of variance that come out negative are 0.
 
 use crate::anova::{Ratio, Row};
-use crate::law::chi_square_quantile;
 use crate::moments::{Estimate, Moments, checked_level, count, parameter};
 use crate::reason::Reason;
+use fitcheck_core::law::chi_square_quantile;
 
 /// How parts and operators go together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,9 +9,9 @@ use super::plot::{Plot, decimals_of, micrometres};
 use super::scale::{Scale, decimals, place, signed};
 use super::{Anchor, Mark, Picture, Spot, Tone, View};
 use crate::fitted::Fitted;
-use crate::law::normal_quantile;
 use crate::moments::count;
 use crate::tolerance::Tolerance;
+use fitcheck_core::law::normal_quantile;
 
 /// Shares that the axis names.
 const SHARES: [f64; 9] = [0.0001, 0.001, 0.01, 0.1, 0.5, 0.9, 0.99, 0.999, 0.9999];
@@ -68,7 +68,8 @@ fn ranks(values: usize, edge: f64) -> Vec<usize> {
         return (0..values).collect();
     }
     let steps = (0..=800_u32).map(|step| (f64::from(step) / 400.0 - 1.0) * edge);
-    let mut ranks: Vec<usize> = steps.map(|quantile| rank_of(crate::law::normal(quantile).below, values)).collect();
+    let mut ranks: Vec<usize> =
+        steps.map(|quantile| rank_of(fitcheck_core::law::normal(quantile).below, values)).collect();
     ranks.dedup();
     ranks
 }
@@ -128,7 +129,7 @@ fn curve(plot: &mut Plot<'_>, law: &Fitted, level: f64, edge: f64) {
     let mut sides = [Vec::new(), Vec::new()];
     for step in 0..=60_u32 {
         let quantile = (f64::from(step) / 30.0 - 1.0) * edge;
-        let share = crate::law::normal(quantile).below;
+        let share = fitcheck_core::law::normal(quantile).below;
         let value = law.law.quantile(share);
         let y = plot.values.at(quantile);
         if value.is_finite() && plot.across.has(value) {

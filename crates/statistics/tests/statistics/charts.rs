@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_statistics::law::normal;
+use fitcheck_core::law::normal;
 use fitcheck_statistics::{
     Baseline, ChartKind, ChartPlan, Cusum, Ewma, Method, Reason, Rule, Rules, Sample, Scanner, Stage, c4, chart, count,
     d2, d3,

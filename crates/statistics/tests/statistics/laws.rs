@@ -1,7 +1,8 @@
 //! The laws, against 30 digits of mpmath. What they must keep: twelve digits, in the tails too.
 
-use fitcheck_statistics::law::{
-    chi_square, chi_square_quantile, fisher, fisher_quantile, normal, normal_quantile, student, student_quantile,
+use fitcheck_core::law::{
+    chi_square, chi_square_quantile, fisher, fisher_quantile, gamma, gamma_density, normal, normal_quantile, student,
+    student_quantile,
 };
 
 use crate::{data, near, number, within};
@@ -26,6 +27,16 @@ fn the_normal_law_has_its_quantiles_and_tails() {
 }
 
 #[test]
+fn the_gamma_law_keeps_its_digits_in_both_tails_and_with_large_shapes() {
+    each("gamma", |row| {
+        let tails = gamma(row[0], row[1]);
+        near(tails.below, row[2], 1e-12);
+        near(tails.above, row[3], 1e-12);
+        near(gamma_density(row[0], row[1]), row[4], 1e-12);
+    });
+}
+
+#[test]
 fn the_chi_square_law_has_its_quantiles() {
     each("chi_square_quantile", |row| near(chi_square_quantile(row[0], row[1]), row[2], 1e-11));
     within(chi_square(4.0, 3.0).below + chi_square(4.0, 3.0).above, 1.0, 1e-15);
@@ -41,8 +52,8 @@ fn students_law_has_its_quantiles() {
 #[test]
 fn fishers_law_keeps_its_digits_in_both_tails() {
     each("fisher", |row| {
-        near(fisher([row[0], row[1]], row[2]).above, row[3], 1e-9);
-        near(fisher([row[0], row[1]], row[2]).below, row[4], 1e-9);
+        near(fisher([row[0], row[1]], row[2]).above, row[3], 1e-12);
+        near(fisher([row[0], row[1]], row[2]).below, row[4], 1e-12);
     });
     each("fisher_quantile", |row| near(fisher_quantile([row[0], row[1]], row[2]), row[3], 1e-11));
 }

@@ -54,7 +54,7 @@ fn two_groups_are_compared_as_by_students_test() {
     let pooled = (2.0 + 2.0) / 3.0;
     let t = 3.0 / (pooled * (1.0 / 3.0 + 0.5_f64)).sqrt();
     near(found.ratio.f, t * t, 1e-12);
-    near(found.ratio.p, fitcheck_statistics::law::student_both(3.0, t), 1e-12);
+    near(found.ratio.p, fitcheck_core::law::student_both(3.0, t), 1e-12);
 }
 
 #[test]
@@ -151,6 +151,6 @@ fn a_drift_is_corrected_by_where_it_is_now() {
     within(late.correction.unwrap(), -0.005, 1e-12);
     // The interval of the line at the mean of x is that of the mean of y about the line.
     let line = Line::of(&[[1.0, 2.0], [2.0, 2.5], [3.0, 3.5], [4.0, 3.8]]).unwrap();
-    let half = fitcheck_statistics::law::student_factor(2.0, 0.95) * line.deviation / 2.0;
+    let half = fitcheck_core::law::student_factor(2.0, 0.95) * line.deviation / 2.0;
     near(line.at(2.5, 0.95).upper, 2.95 + half, 1e-12);
 }

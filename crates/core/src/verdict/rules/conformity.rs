@@ -1,8 +1,7 @@
 //! The probability that a true value lies within limits, by a normal law about the measured value (JCGM 106).
 
-use libm::erfc;
-
 use super::Uncertainty;
+use crate::law;
 use crate::length::Length;
 use crate::tolerance::Bounds;
 
@@ -22,6 +21,7 @@ impl Conformity {
     pub fn of(bounds: &Bounds, measured: Length, uncertainty: Uncertainty) -> Self {
         let u = uncertainty.nm();
         let away = |limit: Length| distance(limit, measured) / u;
+        let normal = |z: f64| law::normal(z).below;
         let below = normal(away(bounds.minimum()));
         let above = normal(-away(bounds.maximum()));
         // The smaller part of a whole keeps its digits.
@@ -63,9 +63,4 @@ pub fn percent(probability: f64) -> String {
 #[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "far from a limit its last digits do not count")]
 fn distance(limit: Length, value: Length) -> f64 {
     limit.saturating_sub(value).nanometres() as f64
-}
-
-/// The normal distribution.
-pub(super) fn normal(x: f64) -> f64 {
-    erfc(-x / std::f64::consts::SQRT_2) / 2.0
 }

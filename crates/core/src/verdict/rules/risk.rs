@@ -1,8 +1,6 @@
 //! Global risks: how often a process and a rule together accept what does not conform, or reject what does (JCGM 106, section 9).
 
-use statrs::distribution::{Continuous as _, ContinuousCDF as _, Gamma};
-
-use super::conformity::normal;
+use crate::law::{gamma, gamma_density, normal};
 
 /// What is known of the true values before one is measured, in the unit of the limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,17 +63,15 @@ impl Prior {
                 let off = (x - mean) / deviation;
                 libm::exp(-off * off / 2.0) / (deviation * std::f64::consts::TAU.sqrt())
             }
-            Self::Gamma { shape, scale } => Gamma::new(shape, 1.0 / scale).map_or(0.0, |gamma| gamma.pdf(x)),
+            Self::Gamma { shape, scale } => gamma_density(shape, x / scale) / scale,
         }
     }
 
     /// How many values are not above this one.
     fn up_to(self, x: f64) -> f64 {
         match self {
-            Self::Normal { mean, deviation } => normal((x - mean) / deviation),
-            Self::Gamma { shape, scale } => {
-                Gamma::new(shape, 1.0 / scale).map_or(0.0, |gamma| if x <= 0.0 { 0.0 } else { gamma.cdf(x) })
-            }
+            Self::Normal { mean, deviation } => normal((x - mean) / deviation).below,
+            Self::Gamma { shape, scale } => gamma(shape, x / scale).below,
         }
     }
 
@@ -92,7 +88,7 @@ impl Risks {
     /// The risks of accepting by a zone.
     pub fn of(prior: Prior, acceptance: &Acceptance) -> Self {
         let Acceptance { limits: [minimum, maximum], accepted: [least, most], u } = *acceptance;
-        let is_accepted = |x: f64| normal((most - x) / u) - normal((least - x) / u);
+        let is_accepted = |x: f64| normal((most - x) / u).below - normal((least - x) / u).below;
         let [first, last] = prior.range();
         let minimum = minimum.clamp(first, last);
         let maximum = maximum.clamp(first, last);

@@ -10,6 +10,7 @@
 //! | `notes` | the last sheet: notes, and what is not in the workbook |
 //! | `cells` | cells: kinds of them, their looks, the longest text |
 //! | `names` | names of sheets |
+//! | `container` | the ZIP file around it |
 //!
 //! A workbook is made in memory, so it lists at most [`MOST_CHECKS`]; the counts are those of all checks. Texts are never formulas or
 //! links. A verdict has its mark and its word, and colours only besides; what nobody measured has the mark of no verdict, says so in its
@@ -17,6 +18,7 @@
 
 mod cells;
 mod checks;
+mod container;
 mod names;
 mod notes;
 mod parts;
@@ -104,7 +106,7 @@ impl Book<'_> {
         summary::fill(self, workbook.worksheet_from_index(0).map_err(failed)?, &counted)?;
         // Last, because only now it is known what was cut.
         notes::sheet(self, &mut workbook)?;
-        workbook.save_to_buffer().map_err(failed)
+        workbook.save_to_buffer().map(container::made_on_unix).map_err(failed)
     }
 
     fn title(&self) -> String {
