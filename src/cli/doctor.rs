@@ -164,14 +164,12 @@ impl Doctor {
     }
 
     fn zone(&mut self) {
-        match files::zone() {
-            Err(error) => self.wrong("time zone", &error),
-            Ok(_) => {
-                let now = files::now();
-                let time = now.strftime("%Y-%m-%d %H:%M").to_string();
-                self.well("time zone", &Found::Zone { zone: files::zone_name(&now), time });
-            }
+        if let Err(error) = files::zone() {
+            return self.wrong("time zone", &error);
         }
+        let now = files::now();
+        let time = now.strftime("%Y-%m-%d %H:%M").to_string();
+        self.well("time zone", &Found::Zone { zone: files::zone_name(&now), time });
     }
 
     fn folder(&mut self, what: &'static str, folder: Option<PathBuf>) {
@@ -224,9 +222,10 @@ impl Doctor {
         for (gauge, port) in gauges.iter().filter(|(_, port)| !ports.contains(port)) {
             self.wrong("gauges", &FoundPorts::GaugeGone { gauge: gauge.clone(), port: port.clone() });
         }
-        match ports.is_empty() {
-            true => self.none("gauges", &FoundPorts::NoPort),
-            false => self.well("gauges", &FoundPorts::Gauges { ports: ports.join(", ") }),
+        if ports.is_empty() {
+            self.none("gauges", &FoundPorts::NoPort);
+        } else {
+            self.well("gauges", &FoundPorts::Gauges { ports: ports.join(", ") });
         }
     }
 
@@ -272,6 +271,7 @@ impl Doctor {
 }
 
 impl Args {
+    #[expect(clippy::unnecessary_wraps, reason = "as every subcommand; what is wrong here is an answer")]
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let mut doctor = Doctor::default();
         doctor.well("program", &Found::Program { version: version() });
@@ -293,17 +293,14 @@ impl Args {
         doctor.gauges(&kept.gauges);
         doctor.tables(self.tables.as_deref().or(kept.tables.as_deref()));
         let looked = doctor.0;
-        match self.format {
-            Format::Json => io.json(&looked.iter().map(Answer::of).collect::<Vec<_>>()),
-            _ => {
-                let columns = [("what", Left), ("is", Left), ("found", Left)];
-                let rows = looked
-                    .iter()
-                    .map(|one| [one.what.to_owned(), one.condition.word().to_owned(), one.found.to_string()]);
-                let rows: Vec<_> = rows.collect();
-                for line in (Aligned { columns, widest: 12 }).lines(&rows) {
-                    writeln!(io.people(), "{line}");
-                }
+        if self.format == Format::Json {
+            io.json(&looked.iter().map(Answer::of).collect::<Vec<_>>());
+        } else {
+            let columns = [("what", Left), ("is", Left), ("found", Left)];
+            let cells = |one: &Looked| [one.what.to_owned(), one.condition.word().to_owned(), one.found.to_string()];
+            let rows: Vec<_> = looked.iter().map(cells).collect();
+            for line in (Aligned { columns, widest: 12 }).lines(&rows) {
+                writeln!(io.people(), "{line}");
             }
         }
         let is_well = looked.iter().all(|one| one.condition != Condition::Wrong);

@@ -6,6 +6,7 @@
 //! | `effects`, `errands`, `reading`, `file_contents` | files, dialogs and the clipboard, off the frame's thread |
 //! | `measurements` | files of measurements, and what their columns are taken for |
 //! | `gauges`, `sound` | the threads of the ports of gauges, and of the sounds of verdicts |
+//! | `renderer` | whether a window can be opened at all, and what draws it |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
 //! | `store` | the state file |
@@ -95,6 +96,7 @@ mod program;
 mod rail;
 mod reading;
 mod records;
+mod renderer;
 mod reports;
 mod room;
 mod rows;
@@ -122,15 +124,13 @@ mod zoom;
 
 pub use app::{App, Setup};
 pub use errands::Errands;
+pub use renderer::renderer;
 pub use store::Store;
 pub use theme::install as install_theme;
 
-use std::cell::RefCell;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use eframe::egui::{Vec2, ViewportBuilder};
-use eframe::glow::HasContext as _;
 
 use crate::message::Say;
 use crate::session::Purpose;
@@ -175,7 +175,7 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
         crash::watch(folder.to_owned());
     }
     let setup = || Setup { files: files.to_owned(), ..Setup::for_user() };
-    let opened = open(true, &|cc| Ok(Box::new(App::new(cc, setup()))));
+    let opened = open(KEPT, &|cc| Ok(Box::new(App::new(cc, setup()))));
     opened.map_err(|reason| {
         // Started from a shortcut, it has no console that the reason could be read on.
         #[cfg(windows)]
@@ -184,51 +184,24 @@ pub fn run(files: &[(Purpose, PathBuf)]) -> Result<(), WindowError> {
     })
 }
 
-/// What draws the window on this display: its name, where it can be opened. Nobody sees it.
-pub fn renderer() -> Result<String, WindowError> {
-    if has_no_display() {
-        return Err(WindowError::NoDisplay);
-    }
-    let found = RefCell::new(None);
-    let opened = open(false, &|cc| {
-        found.replace(Some(name_of_renderer(cc)));
-        // It ends before its first frame.
-        Err("looked at".into())
-    });
-    match (found.into_inner(), opened) {
-        (Some(renderer), _) => Ok(renderer),
-        (None, opened) => Err(WindowError::NotOpened { reason: opened.err().unwrap_or_default() }),
-    }
-}
-
-fn name_of_renderer(cc: &eframe::CreationContext<'_>) -> String {
-    #[cfg(feature = "wgpu")]
-    if let Some(state) = &cc.wgpu_render_state {
-        let adapter = state.adapter.get_info();
-        return format!("{} ({})", adapter.name, adapter.backend);
-    }
-    let opengl = |gl: &Arc<eframe::glow::Context>| {
-        let version = gl.version();
-        format!("OpenGL {}.{} {}", version.major, version.minor, version.vendor_info)
-    };
-    cc.gl.as_ref().map_or_else(String::new, opengl)
-}
-
 type NewApp<'app> = dyn Fn(&eframe::CreationContext<'_>) -> Result<Box<dyn eframe::App + 'app>, Box<dyn std::error::Error + Send + Sync>>
     + 'app;
 
+/// Whether place and size of a window are kept for the next one.
+const KEPT: bool = true;
+
 /// Opens a window and runs what is made for it: with OpenGL, or, with the feature `wgpu`, by wgpu where OpenGL fails.
-fn open<'app>(is_visible: bool, app: &'app NewApp<'app>) -> Result<(), String> {
+fn open<'app>(persist_window: bool, app: &'app NewApp<'app>) -> Result<(), String> {
     let open = |renderer| {
         let viewport = ViewportBuilder::default()
             .with_app_id("fitcheck")
             .with_title("Fitcheck")
             .with_icon(icon())
-            .with_visible(is_visible)
             .with_inner_size(Vec2::new(1280.0, 800.0))
             .with_min_inner_size(Vec2::new(480.0, 320.0));
         let persistence_path = crate::files::carried_folder().map(|folder| folder.join("app.ron"));
-        let options = eframe::NativeOptions { viewport, renderer, persistence_path, ..Default::default() };
+        let options =
+            eframe::NativeOptions { viewport, renderer, persistence_path, persist_window, ..Default::default() };
         eframe::run_native("fitcheck", options, Box::new(app))
     };
     let opened = open(eframe::Renderer::Glow);
@@ -238,7 +211,7 @@ fn open<'app>(is_visible: bool, app: &'app NewApp<'app>) -> Result<(), String> {
     opened.or_else(|first| match first {
         // Neither renderer opens a window on a display that does not answer, and a second try would say only that it is
         // the second.
-        eframe::Error::WinitEventLoop(_) | eframe::Error::AppCreation(_) => Err(first.to_string()),
+        eframe::Error::WinitEventLoop(_) => Err(first.to_string()),
         _ => open(eframe::Renderer::Wgpu).map_err(|second| format!("{first}; {second}")),
     })
 }

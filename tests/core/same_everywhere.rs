@@ -24,7 +24,7 @@ struct Call {
     input: String,
 }
 
-/// Numbers that look random and are the same everywhere: SplitMix64, by Steele, Lea and Flood, 2014.
+/// Numbers that look random and are the same everywhere: `SplitMix64`, by Steele, Lea and Flood, 2014.
 struct Chance(u64);
 
 impl Chance {
@@ -174,16 +174,15 @@ fn decision(chance: &mut Chance) -> Call {
 }
 
 fn circle(chance: &mut Chance) -> Call {
-    let radius = chance.between(10_000, 2_000_000);
-    let (x, y) = (chance.between(-900_000, 900_000), chance.between(-900_000, 900_000));
+    // Ten-thousandths of a millimetre.
+    let number = |chance: &mut Chance, least, most| f64::from(i32::try_from(chance.between(least, most)).unwrap());
+    let radius = number(chance, 10_000, 2_000_000);
+    let (x, y) = (number(chance, -900_000, 900_000), number(chance, -900_000, 900_000));
     let mut input = "x,y\n".to_owned();
     for _ in 0..3 + chance.below(10) {
         let (cosine, sine) = chance.direction();
-        #[expect(clippy::cast_precision_loss, reason = "far below 2^53")]
-        let on = radius as f64 + f64::from(i32::try_from(chance.between(-60, 60)).unwrap());
-        #[expect(clippy::cast_possible_truncation, reason = "a few metres")]
-        let at = |centre: i64, share: f64| mm(centre + (on * share).round() as i64);
-        writeln!(input, "{},{}", at(x, cosine), at(y, sine)).unwrap();
+        let radius = radius + number(chance, -60, 60);
+        writeln!(input, "{:.4},{:.4}", (x + radius * cosine) / 10_000.0, (y + radius * sine) / 10_000.0).unwrap();
     }
     Call { words: ["circle", "-", "--format", chance.one(&FORMATS)].map(str::to_owned).into(), input }
 }
@@ -303,7 +302,7 @@ fn report(chance: &mut Chance) -> Call {
     ];
     let mut words: Vec<String> =
         ["report", "-o", "-", "--time", "2026-01-02T03:04", "--format", chance.one(&formats)].map(str::to_owned).into();
-    for number in 0..1 + chance.below(5) {
+    for number in 0..=chance.below(5) {
         let size = size(chance);
         let measured = (size + chance.between(-300, 300)).max(1);
         words.extend([
@@ -363,7 +362,7 @@ fn answer(call: &Call, here: &Path) -> Vec<u8> {
         }
         Ok::<_, std::string::FromUtf8Error>(text.into_bytes())
     };
-    let out = plain(out).unwrap_or_else(|binary| binary.into_bytes());
+    let out = plain(out).unwrap_or_else(std::string::FromUtf8Error::into_bytes);
     [format!("= {code}\n").into_bytes(), out, plain(err).unwrap()].concat()
 }
 

@@ -225,9 +225,15 @@ fn the_other_pictures_are_those_of_the_tests() {
     }
 }
 
+/// Pictures that no test takes, and what takes them.
+const ELSEWHERE: [(&str, &str); 1] = [("windows", ".ci/windows")];
+
 #[test]
 fn every_picture_is_taken_by_a_test_and_shown_in_a_document() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (picture, script) in ELSEWHERE {
+        assert!(root.join(script).is_file(), "{picture} is taken by {script}");
+    }
     let source = std::fs::read_to_string(root.join("tests/gui/readme.rs")).unwrap();
     let mut shown = BTreeSet::new();
     let pages = std::fs::read_dir(root.join("docs/manual")).unwrap().map(|entry| entry.unwrap().path());
