@@ -62,7 +62,7 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     choose(&mut page, "3 Ergebnis in Zoll", "measured value");
     page.get_by_label("No column identifies the feature of a value: choose name, number, or X and Y");
     choose(&mut page, "1 Stelle", "name");
-    page.get_by_label("3 of 3 rows shown become values");
+    page.get_by_label("Values read: 3 in 3 rows shown");
     assert_eq!(held(&page, "2 Kontur"), "not used");
     click(&mut page, Role::Button, "Import");
     assert!(!is_open(&page));
@@ -113,7 +113,7 @@ fn a_certain_file_is_imported_at_once_and_says_what_its_columns_were_taken_for()
     page.get_all_by_role_and_label(Role::Button, "Columns…").last().unwrap().click();
     page.run();
     page.get_by_label("Columns of a.csv");
-    page.get_by_label("2 of 2 rows shown become values");
+    page.get_by_label("Values read: 2 in 2 rows shown");
     press(&mut page, Key::Escape);
     assert!(!is_open(&page));
     assert_eq!(measured(&page), 2);
@@ -138,7 +138,7 @@ fn the_keyboard_alone_corrects_and_takes() {
     dropped(&mut page, folder.path(), "a.csv", "feature;gauge 1;measured\nBORE;7;25,012\n");
     assert!(is_open(&page), "a column is unknown");
     // What is certain is taken with Enter.
-    page.get_by_label("1 of 1 row shown becomes a value");
+    page.get_by_label("Values read: 1 in 1 row shown");
     page.get_by_role_and_label(Role::ComboBox, "2 gauge 1").focus();
     page.run();
     press(&mut page, Key::Space);

@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } nečte se
 columns-page-read = { $rows ->
         [0] Žádný ze zobrazených řádků se nečte
-        [one] Řádky s hodnotou: { $read } z 1 zobrazeného
-       *[other] Řádky s hodnotou: { $read } z { $rows } zobrazených
+        [one] Přečtené hodnoty: { $read } v 1 zobrazeném řádku
+       *[other] Přečtené hodnoty: { $read } v { $rows } zobrazených řádcích
     }
 columns-page-first-problem = První chyba: { $why }
 columns-page-no-measured = Naměřená hodnota není v žádném sloupci: zvolte jej

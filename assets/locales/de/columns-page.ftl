@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } nicht gelesen
 columns-page-read = { $rows ->
         [0] Keine der angezeigten Zeilen wird gelesen
-        [one] { $read } von 1 angezeigten Zeile wird ein Wert
-       *[other] { $read } von { $rows } angezeigten Zeilen werden Werte
+        [one] Gelesene Werte: { $read } in 1 angezeigten Zeile
+       *[other] Gelesene Werte: { $read } in { $rows } angezeigten Zeilen
     }
 columns-page-first-problem = Erster Fehler: { $why }
 columns-page-no-measured = Keine Spalte enthält den Messwert: eine wählen

@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } not read
 columns-page-read = { $rows ->
         [0] None of the rows shown is read
-        [one] { $read } of 1 row shown becomes a value
-       *[other] { $read } of { $rows } rows shown become values
+        [one] Values read: { $read } in 1 row shown
+       *[other] Values read: { $read } in { $rows } rows shown
     }
 columns-page-first-problem = First problem: { $why }
 columns-page-no-measured = No column holds the measured value: choose one

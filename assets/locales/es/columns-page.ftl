@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } no leída
 columns-page-read = { $rows ->
         [0] Ninguna de las filas mostradas se lee
-        [one] { $read } de 1 fila mostrada da un valor
-       *[other] { $read } de { $rows } filas mostradas dan valores
+        [one] Valores leídos: { $read } en 1 fila mostrada
+       *[other] Valores leídos: { $read } en { $rows } filas mostradas
     }
 columns-page-first-problem = Primer error: { $why }
 columns-page-no-measured = Ninguna columna contiene el valor medido: elija una

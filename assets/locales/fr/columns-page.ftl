@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } non lue
 columns-page-read = { $rows ->
         [0] Aucune des rangées affichées n'est lue
-        [one] { $read } sur { $rows } rangée affichée devient une valeur
-       *[other] { $read } sur { $rows } rangées affichées deviennent des valeurs
+        [one] Valeurs lues : { $read } dans { $rows } rangée affichée
+       *[other] Valeurs lues : { $read } dans { $rows } rangées affichées
     }
 columns-page-first-problem = Première erreur : { $why }
 columns-page-no-measured = Aucune colonne ne contient la valeur mesurée : en choisir une

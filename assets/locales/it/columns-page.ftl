@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } non letta
 columns-page-read = { $rows ->
         [0] Nessuna delle righe mostrate viene letta
-        [one] { $read } di 1 riga mostrata diventa un valore
-       *[other] { $read } di { $rows } righe mostrate diventano valori
+        [one] Valori letti: { $read } in 1 riga mostrata
+       *[other] Valori letti: { $read } in { $rows } righe mostrate
     }
 columns-page-first-problem = Primo errore: { $why }
 columns-page-no-measured = Nessuna colonna contiene il valore misurato: sceglierne una

@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } niet gelezen
 columns-page-read = { $rows ->
         [0] Geen van de getoonde rijen wordt gelezen
-        [one] { $read } van 1 getoonde rij wordt een waarde
-       *[other] { $read } van de { $rows } getoonde rijen worden waarden
+        [one] Gelezen waarden: { $read } in 1 getoonde rij
+       *[other] Gelezen waarden: { $read } in { $rows } getoonde rijen
     }
 columns-page-first-problem = Eerste probleem: { $why }
 columns-page-no-measured = Geen kolom bevat de gemeten waarde: kies die

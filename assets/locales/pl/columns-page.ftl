@@ -63,8 +63,8 @@ columns-page-row = { $line }
 columns-page-not-read = { $line } nieczytana
 columns-page-read = { $rows ->
         [0] Żaden z pokazanych wierszy nie jest czytany
-        [one] Wiersze, które dają wartość: { $read } z 1 pokazanego
-       *[other] Wiersze, które dają wartość: { $read } z { $rows } pokazanych
+        [one] Odczytane wartości: { $read } w 1 pokazanym wierszu
+       *[other] Odczytane wartości: { $read } w { $rows } pokazanych wierszach
     }
 columns-page-first-problem = Pierwszy błąd: { $why }
 columns-page-no-measured = Żadna kolumna nie zawiera wartości zmierzonej: wybrać ją

@@ -157,6 +157,10 @@ impl Args {
             return Err(CliError::StatsParameters);
         }
         let mut read = read::read(&self.files, &sources, mapping.as_ref(), plan.as_ref(), io);
+        // What is missing was told; for people a sheet of nothing would hide it.
+        if read.has_failed && read.values.is_empty() && self.format == Format::Text {
+            return Ok(Outcome::BadData);
+        }
         if self.feature.is_none() && self.gauge.has_parts() {
             names_are_parts(&mut read.values);
         }
