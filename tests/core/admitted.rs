@@ -4,6 +4,8 @@ use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 
+use crate::at_home::AtHome as _;
+
 /// Exit code, standard output and standard error of a call in a folder with these files.
 fn of(files: &[(&str, &str)], args: &[&str]) -> (i32, String, String) {
     let folder = tempfile::tempdir().unwrap();
@@ -18,7 +20,7 @@ fn within(folder: &Path, args: &[&str]) -> (i32, String, String) {
     let home = folder.join("home");
     let mut command = cargo_bin_cmd!("fitcheck");
     command.current_dir(folder).args(args).env("FITCHECK_JOURNAL", folder.join("j.sqlite"));
-    let output = command.env("HOME", &home).env("XDG_STATE_HOME", &home).env("XDG_DATA_HOME", &home).output().unwrap();
+    let output = command.at_home(&home).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
 }

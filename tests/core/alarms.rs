@@ -22,6 +22,7 @@ use fitcheck::store::local::{Journal, Opening, Reader, verify};
 use fitcheck::words::{Language, Words};
 use serde_json::Value as Json;
 
+use crate::at_home::AtHome as _;
 use crate::local_journal::{check, moment};
 use crate::session_walk::{act, head, kept, said, send, take, typed, walking_by};
 
@@ -173,10 +174,8 @@ impl Kept {
 
     fn say(&self, line: &str) -> String {
         let mut command = cargo_bin_cmd!("fitcheck");
-        for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "FITCHECK_JOURNAL"] {
-            command.env_remove(name);
-        }
-        command.env("HOME", self.0.path()).env("TZ", "UTC").current_dir(self.0.path());
+        command.env_remove("FITCHECK_JOURNAL");
+        command.at_home(self.0.path()).env("TZ", "UTC").current_dir(self.0.path());
         let Output { status, stdout, stderr } =
             command.args(line.split(' ')).args(["--journal", "j.sqlite"]).output().unwrap();
         let out = String::from_utf8(stdout).unwrap();

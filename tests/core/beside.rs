@@ -4,11 +4,13 @@ use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 
+use crate::at_home::AtHome as _;
+
 fn within(folder: &Path, args: &[&str]) -> (i32, String) {
     let home = folder.join("home");
     let mut command = cargo_bin_cmd!("fitcheck");
     command.current_dir(folder).args(args).env("FITCHECK_JOURNAL", folder.join("j.sqlite"));
-    let output = command.env("HOME", &home).env("XDG_STATE_HOME", &home).env("XDG_DATA_HOME", &home).output().unwrap();
+    let output = command.at_home(&home).output().unwrap();
     (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 
@@ -522,8 +524,7 @@ fn a_serial_number_that_names_the_rows_is_found_as_one() {
     for serial in ["serial:S1", "serial:S2"] {
         let mut command = cargo_bin_cmd!("fitcheck");
         let command = command.current_dir(folder.path()).env("FITCHECK_JOURNAL", folder.path().join("j.sqlite"));
-        let output =
-            command.env("HOME", folder.path().join("home")).args(["journal", "list", serial]).output().unwrap();
+        let output = command.at_home(folder.path().join("home")).args(["journal", "list", serial]).output().unwrap();
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(text.contains("SCRAP"), "{serial}: {text}");
     }

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 
+use crate::at_home::AtHome as _;
+
 /// A whole block that measures a good bore of 25 H7.
 const BORE: &str = "TCH PROBE 421 MEASURE HOLE ~\nQ273=+10 ~\nQ274=+20 ~\nQ262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-5 ~\nQ320=+0 ~\n\
     Q260=+20 ~\nQ301=+0 ~\nQ275=+25.021 ~\nQ276=+25 ~\nQ279=+0 ~\nQ280=+0 ~\nQ281=+0 ~\nQ309=+0 ~\nQ330=+0 ~\nQ423=+4 ~\nQ365=+1\n";
@@ -16,7 +18,7 @@ fn within(folder: &Path, args: &[&str]) -> (i32, String) {
     let home = folder.join("home");
     let mut command = cargo_bin_cmd!("fitcheck");
     command.current_dir(folder).args(args).env("FITCHECK_JOURNAL", folder.join("j.sqlite"));
-    let output = command.env("HOME", &home).env("XDG_STATE_HOME", &home).env("XDG_DATA_HOME", &home).output().unwrap();
+    let output = command.at_home(&home).output().unwrap();
     (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 

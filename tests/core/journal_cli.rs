@@ -7,6 +7,8 @@ use assert_cmd::cargo::cargo_bin_cmd;
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::at_home::AtHome as _;
+
 const HEADER: &str = "station,number,time,who,part,serial,feature,callout,min_mm,max_mm,measured_mm,rule,u_um,status,origin,correction_of,hash,simulated,as_measured_mm,correction_um,temperature_c,expansion_um_per_m_k,scale_temperature_c,scale_expansion_um_per_m_k,position,remeasure_reason";
 
 /// A folder with a home of its own, so that nothing of the user's is touched.
@@ -31,10 +33,10 @@ impl Place {
     fn run_with(&self, args: &[&str], variables: &[(&str, &str)]) -> Said {
         let mut command = cargo_bin_cmd!("fitcheck");
         let home = self.path("home");
-        for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "APPDATA", "LOCALAPPDATA", "FITCHECK_JOURNAL", "HOSTNAME"] {
+        for name in ["FITCHECK_JOURNAL", "HOSTNAME"] {
             command.env_remove(name);
         }
-        command.env("HOME", &home).env("USERPROFILE", &home).env("TZ", "UTC").current_dir(self.0.path());
+        command.at_home(&home).env("TZ", "UTC").current_dir(self.0.path());
         command.envs(variables.iter().copied());
         let Output { status, stdout, stderr } = command.args(args).output().unwrap();
         Said {
@@ -164,7 +166,7 @@ fn a_program_that_is_carried_about_keeps_its_journal_beside_it() {
     std::fs::hard_link(built, &carried).or_else(|_| std::fs::copy(built, &carried).map(drop)).unwrap();
     let mut command = std::process::Command::new(&carried);
     command.args(["check", "25 H7", "--measured", "25.012", "--record"]).current_dir(place.0.path());
-    let output = command.env("HOME", place.path("home")).env_remove("FITCHECK_JOURNAL").output().unwrap();
+    let output = command.at_home(place.path("home")).env_remove("FITCHECK_JOURNAL").output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let names = ["journal.sqlite", "journal-heads.txt"];
     assert!(names.iter().all(|name| place.path("stick/state").join(name).exists()));

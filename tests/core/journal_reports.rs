@@ -15,6 +15,7 @@ use fitcheck::words::{Language, Words};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::at_home::AtHome as _;
 use crate::local_journal::{check, moment, report};
 
 struct Place(TempDir);
@@ -93,11 +94,9 @@ impl Place {
 
     fn say(&self, line: &str) -> Said {
         let mut command = cargo_bin_cmd!("fitcheck");
-        for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "APPDATA", "LOCALAPPDATA", "FITCHECK_JOURNAL"] {
-            command.env_remove(name);
-        }
+        command.env_remove("FITCHECK_JOURNAL");
         let home = self.path("home");
-        command.env("HOME", &home).env("USERPROFILE", &home).env("TZ", "UTC").current_dir(self.0.path());
+        command.at_home(&home).env("TZ", "UTC").current_dir(self.0.path());
         let Output { status, stdout, stderr } = command.args(line.split(' ')).output().unwrap();
         Said {
             code: status.code().unwrap(),

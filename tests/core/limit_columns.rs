@@ -4,6 +4,8 @@ use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 
+use crate::at_home::AtHome as _;
+
 const TABLES: &str = "tests/data/tables";
 
 struct Said {
@@ -16,7 +18,7 @@ fn run(folder: &Path, args: &[&str]) -> Said {
     let home = folder.join("home");
     let mut command = cargo_bin_cmd!("fitcheck");
     command.current_dir(folder).args(args).env("FITCHECK_JOURNAL", folder.join("j.sqlite"));
-    let output = command.env("HOME", &home).env("XDG_STATE_HOME", &home).env("XDG_DATA_HOME", &home).output().unwrap();
+    let output = command.at_home(&home).output().unwrap();
     Said {
         code: output.status.code().unwrap(),
         out: String::from_utf8(output.stdout).unwrap(),

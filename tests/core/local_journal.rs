@@ -24,6 +24,8 @@ use proptest::prelude::*;
 use rusqlite::Connection;
 use tempfile::TempDir;
 
+use crate::at_home::AtHome as _;
+
 /// 2026-11-23 18:00:00 UTC.
 const NOON: i64 = 1_795_456_800_000;
 
@@ -998,7 +1000,7 @@ fn a_journal_that_is_open_keeps_its_log_while_it_is_looked_at_and_others_come_an
         let status = std::process::Command::new(env!("CARGO_BIN_EXE_fitcheck"))
             .args(["check", "25 H7", "--measured", "25.012", "--record", "--journal"])
             .arg(place.path())
-            .env("XDG_CONFIG_HOME", place.folder.path())
+            .at_home(place.folder.path())
             .output()
             .unwrap();
         assert!(status.status.success(), "{status:?}");

@@ -10,6 +10,8 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
+use crate::at_home::AtHome as _;
+
 /// Rows that take a while in a build for tests, on any machine.
 const ROWS: usize = 400_000;
 
@@ -33,10 +35,7 @@ impl Place {
 
     fn command(&self, program: impl AsRef<std::ffi::OsStr>) -> Command {
         let mut command = Command::new(program);
-        command.current_dir(self.0.path()).env("HOME", self.0.path()).env_remove("FITCHECK_JOURNAL");
-        for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME"] {
-            command.env_remove(name);
-        }
+        command.current_dir(self.0.path()).at_home(self.0.path()).env_remove("FITCHECK_JOURNAL");
         command
     }
 

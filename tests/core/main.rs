@@ -15,6 +15,7 @@ mod alarms;
 mod any_size;
 mod aqdef;
 mod around;
+mod at_home;
 mod bad_input;
 mod batch;
 mod beside;

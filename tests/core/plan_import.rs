@@ -6,6 +6,8 @@ use std::path::Path;
 use assert_cmd::cargo::cargo_bin_cmd;
 use serde_json::Value as Json;
 
+use crate::at_home::AtHome as _;
+
 /// Twelve features; the first four are measured by a control, the others by hand, gauge and machine.
 const PLAN: &str = "\
 number;name;kind;axis;callout;callout2;feature;x;y;z
@@ -47,10 +49,8 @@ impl Place {
 
     fn say(&self, args: &[&str]) -> (i32, String, String) {
         let mut command = cargo_bin_cmd!("fitcheck");
-        for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "FITCHECK_JOURNAL"] {
-            command.env_remove(name);
-        }
-        let output = command.env("HOME", self.0.path()).current_dir(self.0.path()).args(args).output().unwrap();
+        command.env_remove("FITCHECK_JOURNAL");
+        let output = command.at_home(self.0.path()).current_dir(self.0.path()).args(args).output().unwrap();
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
         (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
     }

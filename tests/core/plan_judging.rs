@@ -17,6 +17,8 @@ use jiff::civil::{DateTime, date};
 use jiff::tz::{TimeZone, offset};
 use serde_json::Value as Json;
 
+use crate::at_home::AtHome as _;
+
 /// A value on the edge of each size: 25.0205 is 0.5 µm below the limit, 100.010 of the face 10 µm above its own.
 const PLAN: &str = "\
 name;kind;axis;callout;feature;rule;u_um;material
@@ -54,7 +56,7 @@ fn by_import(options: &[&str]) -> Vec<(Verdict, String)> {
         fitcheck::files::write(&folder.path().join(name), text.as_bytes()).unwrap();
     }
     let mut command = cargo_bin_cmd!("fitcheck");
-    command.env("HOME", folder.path()).env_remove("XDG_CONFIG_HOME").current_dir(folder.path());
+    command.at_home(folder.path()).current_dir(folder.path());
     let import = ["import", "--plan", "plan.csv", "v.csv", "--format", "json"];
     let output = command.args(import).args(options).output().unwrap();
     let text = String::from_utf8(output.stdout).unwrap();

@@ -10,6 +10,7 @@ use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Doubt;
 use serde_json::Value as Json;
 
+use crate::at_home::AtHome as _;
 use crate::plans::{plan, read};
 use crate::session_walk::{act, act_after, asked, import, kept, said, size, take, walking_by};
 
@@ -119,10 +120,8 @@ fn run(args: &[&str]) -> (i32, String, String) {
     write("plan.toml", PLAN);
     write("v.csv", "name;measured\nBORE;25,912\nK1 X;40,01\nK1 Y;25,01\n");
     let mut command = cargo_bin_cmd!("fitcheck");
-    for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "FITCHECK_JOURNAL"] {
-        command.env_remove(name);
-    }
-    let output = command.env("HOME", place.path()).current_dir(place.path()).args(args).output().unwrap();
+    command.env_remove("FITCHECK_JOURNAL");
+    let output = command.at_home(place.path()).current_dir(place.path()).args(args).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
 }
@@ -160,7 +159,7 @@ fn a_set_for_a_control_says_that_it_does_not_know_the_range() {
     fitcheck::files::write(&place.path().join("p.csv"), placed.as_bytes()).unwrap();
     let mut command = cargo_bin_cmd!("fitcheck");
     let output = command
-        .env("HOME", place.path())
+        .at_home(place.path())
         .current_dir(place.path())
         .args(["nc", "p.csv", "--control", "tnc7", "-o", "set"])
         .output()

@@ -8,6 +8,8 @@ use fitcheck::exchange::{ByPlan, FirstRows, ImportInputs, Item, Mapping, Role, i
 use fitcheck::part::Document;
 use fitcheck::tolerance::Sources;
 
+use crate::at_home::AtHome as _;
+
 /// The answer of the program.
 struct Answer {
     code: i32,
@@ -38,10 +40,8 @@ impl Place {
 
     fn say(&self, args: &[&str]) -> Answer {
         let mut command = cargo_bin_cmd!("fitcheck");
-        for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "FITCHECK_JOURNAL"] {
-            command.env_remove(name);
-        }
-        let output = command.env("HOME", self.path()).current_dir(self.path()).args(args).output().unwrap();
+        command.env_remove("FITCHECK_JOURNAL");
+        let output = command.at_home(self.path()).current_dir(self.path()).args(args).output().unwrap();
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
         Answer { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
     }

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use fitcheck::files;
 use fitcheck::journal::entry::Checked;
 
+use crate::at_home::AtHome as _;
 use crate::watching::PLAN;
 
 struct Running(Child);
@@ -31,7 +32,7 @@ impl Running {
         let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
         let args = ["watch", "in", "--plan", "plan.csv", "--journal", "j.sqlite", "--until-idle", seconds];
         command.current_dir(folder).args(args);
-        command.env("XDG_DATA_HOME", folder).env("XDG_CONFIG_HOME", folder).env_remove("FITCHECK_JOURNAL");
+        command.at_home(folder).env_remove("FITCHECK_JOURNAL");
         command
     }
 }

@@ -5,12 +5,14 @@ use std::process::Output;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 
+use crate::at_home::AtHome as _;
+
 fn run(home: &Path, args: &[&str], variables: &[(&str, &str)]) -> (i32, String, String) {
     let mut command = cargo_bin_cmd!("fitcheck");
-    for name in ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "APPDATA", "LOCALAPPDATA", "FITCHECK_JOURNAL", "TZ", "TZDIR"] {
+    for name in ["FITCHECK_JOURNAL", "TZ", "TZDIR"] {
         command.env_remove(name);
     }
-    command.env("HOME", home).env("USERPROFILE", home).current_dir(home).envs(variables.iter().copied());
+    command.at_home(home).current_dir(home).envs(variables.iter().copied());
     let Output { status, stdout, stderr } = command.args(args).output().unwrap();
     (status.code().unwrap(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
 }
