@@ -2,10 +2,8 @@
 
 use std::path::Path;
 
-/// The variables by which systems name the folders of a user besides the home.
-const FOLDERS: [&str; 5] = ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "APPDATA", "LOCALAPPDATA"];
-/// The home by its names.
-const HOME: [&str; 2] = ["HOME", "USERPROFILE"];
+/// The variables by which Linux names the folders of a user besides the home.
+const FOLDERS: [&str; 3] = ["XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"];
 
 pub trait AtHome {
     /// The home is this folder, and the other folders of the user are below it.
@@ -19,7 +17,10 @@ macro_rules! at_home {
                 for name in FOLDERS {
                     self.env_remove(name);
                 }
-                self.envs(HOME.map(|name| (name, home.as_ref())))
+                let home = home.as_ref();
+                // Without these, Windows asks the system, which names the folders of whoever runs the tests.
+                self.env("APPDATA", home.join("Roaming")).env("LOCALAPPDATA", home.join("Local"));
+                self.env("HOME", home).env("USERPROFILE", home)
             }
         })+
     };

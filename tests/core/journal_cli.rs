@@ -616,7 +616,7 @@ fn a_head_from_elsewhere_shows_an_older_copy() {
     // Another one has not, unless somebody tells.
     let elsewhere = place.path("elsewhere");
     let other =
-        |args: &[&str]| place.run_with(args, &["HOME", "USERPROFILE"].map(|name| (name, elsewhere.to_str().unwrap())));
+        |args: &[&str]| place.run_with(args, &["HOME", "APPDATA"].map(|name| (name, elsewhere.to_str().unwrap())));
     let verify = ["journal", "verify", "--journal", "old.sqlite"];
     let said = other(&verify);
     assert_eq!(said.code, 0, "{}{}", said.out, said.err);
