@@ -194,7 +194,8 @@ fn a_broken_table_ends_the_program_before_anything_is_answered() {
     std::fs::write(folder.path().join("own.tab"), "BEGIN own.tab\nNR BEREICH H7\n0  3       +1O\n").unwrap();
     let broken = format!(
         "fitcheck: the number of rows is odd (1): each size range takes two, first the upper deviation, then the lower deviation: \
-         {path}/own.tab, line 3, column 1\n"
+         {}, line 3, column 1\n",
+        folder.path().join("own.tab").display()
     );
     check(&["25 H7", "--tables", path], "", 1, "", &broken);
 }
