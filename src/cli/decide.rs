@@ -263,8 +263,12 @@ fn text(asked: &DecisionRequest, answer: &Map<String, Json>, io: &mut Io<'_>) {
     }
     if is_known("risk_zone_producer_risk") {
         let producer = probability("risk_zone_producer_risk");
-        let least = shown("risk_zone_min_mm");
-        let most = shown("risk_zone_max_mm");
+        // To the nanometre, inwards: what is shown is accepted.
+        let to_nm = |name: &str, inwards: fn(f64) -> f64| {
+            let mm = answer.get(name).and_then(Json::as_f64);
+            mm.map_or_else(|| "–".to_owned(), |mm| format!("{:.6}", inwards(mm * 1e6) / 1e6))
+        };
+        let (least, most) = (to_nm("risk_zone_min_mm", f64::ceil), to_nm("risk_zone_max_mm", f64::floor));
         writeln!(io.people(), "for this risk {least} to {most} mm accepted, {producer} % good and not accepted");
     }
 }

@@ -181,7 +181,8 @@ fn own_tables_come_first_and_the_answer_says_what_they_replace() {
          25 H8,25,0,33,25.000,25.033,{HOLE_18_30},\n\
          50 H7,50,0,25,50.000,50.025,\"ISO 286, over 30 up to 50 mm\",\n"
     );
-    let warning = format!("warning: [END] is missing: {path}/own.tab, line 4, column 1\n");
+    let named = folder.path().join("own.tab");
+    let warning = format!("warning: [END] is missing: {}, line 4, column 1\n", named.display());
     check(&["25 U1", "25 H7", "25 H8", "50 H7", "--format", "csv", "--tables", path], "", 0, &out, &warning);
 }
 
