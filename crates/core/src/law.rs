@@ -1,7 +1,7 @@
 //! The laws of errors and of test statistics: normal, gamma, chi-square, Student's, Fisher's.
 //!
 //! The same bits on every system: nothing behind them but the functions of `libm`. Quantiles are sought on the distribution functions,
-//! whose values keep their digits in both tails. Tests of `crates/statistics` compare with 30 digits, and with a second implementation.
+//! whose values keep their digits in both tails. Tests of `crates/statistics` compare with 30 digits.
 
 use std::f64::consts::TAU;
 
