@@ -315,10 +315,25 @@ fn report(chance: &mut Chance) -> Call {
     Call { words, input: String::new() }
 }
 
+/// A plan's values on its picture, whose circles become curves.
+fn plan(chance: &mut Chance) -> Call {
+    let mut input = "id;measured\n".to_owned();
+    for (name, size) in [("BORE", 250_000), ("HOLE_1", 80_000), ("HOLE_4", 80_000), ("PIN", 119_900)] {
+        writeln!(input, "{name};{}", mm(size + chance.between(-100, 300))).unwrap();
+    }
+    let words =
+        ["report", "--plan", "assets/samples/sample_plate.toml", "«here»/rows.csv", "-o", "-", "--format", "pdf"];
+    let mut words: Vec<String> = words.map(str::to_owned).into();
+    words.extend(
+        ["--time", "2026-01-02T03:04", "--template", chance.one(&["sheet", "certificate", "list"])].map(str::to_owned),
+    );
+    Call { words, input }
+}
+
 /// How each kind of call is made, and how many there are of it.
 type Kind = (&'static str, usize, fn(&mut Chance) -> Call);
 
-const KINDS: [Kind; 10] = [
+const KINDS: [Kind; 11] = [
     ("limits", 5_000, limits),
     ("check", 5_000, check),
     ("simulated", 2_000, simulated),
@@ -329,6 +344,7 @@ const KINDS: [Kind; 10] = [
     ("fit", 1_000, fit),
     ("statistics", 500, statistics),
     ("report", 300, report),
+    ("plan", 100, plan),
 ];
 
 /// The calls of a hundred: each begins with its own numbers.

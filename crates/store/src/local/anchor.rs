@@ -94,7 +94,8 @@ impl Anchors {
         let folder = path.parent().unwrap_or(path);
         std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
         // Two programs with two journals must not take each other's line away.
-        let lock = std::fs::File::options().create(true).append(true).open(path.with_extension("lock"));
+        let mut options = std::fs::File::options();
+        let lock = options.create(true).truncate(false).write(true).open(path.with_extension("lock"));
         let lock = lock.map_err(|error| error.to_string())?;
         lock.lock().map_err(|error| error.to_string())?;
         let mut anchors = Self::read(path)?;

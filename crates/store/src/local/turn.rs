@@ -75,12 +75,13 @@ impl Turn {
     }
 }
 
-/// The file of the queue; one that belongs to another user is locked without writing to it.
+/// The file of the queue; one that belongs to another user is locked without writing to it. Windows locks no file that is open for
+/// appending alone.
 fn lock_file(path: &Path) -> Option<File> {
     let mut name = path.file_name()?.to_owned();
     name.push(ENDING);
     let file = path.with_file_name(name);
-    File::options().create(true).append(true).open(&file).or_else(|_denied| File::open(&file)).ok()
+    File::options().create(true).truncate(false).write(true).open(&file).or_else(|_denied| File::open(&file)).ok()
 }
 
 /// Somebody else writes. As long as the file changes, the queue moves, and however slow the machine is, the turn comes.

@@ -121,8 +121,11 @@ impl Store for Folders {
         let is_behind = how != FileUse::Replace && is_there;
         let old = if is_behind { bytes_of(folder, &target, path)? } else { Vec::new() };
         let whole = [old.as_slice(), bytes].concat();
-        let into = target.parent().unwrap_or(folder);
-        let written = self.names.get_mut().writing(into, path.file_name(), || write(&target, &whole));
+        // As it is looked for: the target may be spelled as the system does.
+        let mut into = folder.clone();
+        into.extend(path.parts());
+        into.pop();
+        let written = self.names.get_mut().writing(&into, path.file_name(), || write(&target, &whole));
         written.map_err(|error| of_file(error, path))?;
         Ok(whole.len())
     }

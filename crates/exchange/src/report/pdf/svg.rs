@@ -95,15 +95,34 @@ fn outline(builder: &mut PathBuilder, of: &Group, transform: skia::Transform) {
 }
 
 fn add(builder: &mut PathBuilder, path: &skia::Path) {
+    let at = |point: skia::Point| (rounded(point.x), rounded(point.y));
     for segment in path.segments() {
         match segment {
-            PathSegment::MoveTo(to) => builder.move_to(to.x, to.y),
-            PathSegment::LineTo(to) => builder.line_to(to.x, to.y),
-            PathSegment::QuadTo(by, to) => builder.quad_to(by.x, by.y, to.x, to.y),
-            PathSegment::CubicTo(by, and, to) => builder.cubic_to(by.x, by.y, and.x, and.y, to.x, to.y),
+            PathSegment::MoveTo(to) => {
+                let (x, y) = at(to);
+                builder.move_to(x, y);
+            }
+            PathSegment::LineTo(to) => {
+                let (x, y) = at(to);
+                builder.line_to(x, y);
+            }
+            PathSegment::QuadTo(by, to) => {
+                let ((x1, y1), (x, y)) = (at(by), at(to));
+                builder.quad_to(x1, y1, x, y);
+            }
+            PathSegment::CubicTo(by, and, to) => {
+                let ((x1, y1), (x2, y2), (x, y)) = (at(by), at(and), at(to));
+                builder.cubic_to(x1, y1, x2, y2, x, y);
+            }
             PathSegment::Close => builder.close(),
         }
     }
+}
+
+/// To a ten-thousandth, less than is seen. Arcs come with the sines of the system, and a quarter of a circle ends near zero: its
+/// last digits, which differ from one system to the next, would make two files of one report.
+fn rounded(coordinate: f32) -> f32 {
+    (coordinate * 1e4).round() / 1e4 + 0.0
 }
 
 fn draw_path(surface: &mut Surface<'_>, path: &usvg::Path) {
