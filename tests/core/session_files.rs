@@ -15,6 +15,11 @@ use fitcheck::session::{
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
 
+/// A path from the root of a disk: Windows remembers only one that names the disk.
+fn rooted(path: &str) -> String {
+    if cfg!(windows) { format!("C:{path}") } else { path.to_owned() }
+}
+
 fn now() -> DateTime {
     date(2026, 11, 21).at(10, 42, 7, 0)
 }
@@ -204,7 +209,7 @@ fn a_folder_of_tables_is_the_one_that_is_listed() {
     send(&mut session, listed("/home/mia", &["tables/", "a.tab"]));
     assert_eq!(shown(&session), ["tables"]);
     send(&mut session, FilesCommand::Select(0));
-    assert_eq!(dialog(&session).path, "/home/mia/tables");
+    assert_eq!(Path::new(&dialog(&session).path), Path::new("/home/mia/tables"));
     let effects = send(&mut session, Command::Confirm);
     assert_eq!(asked_for(&session, &effects), Effect::Read(Purpose::LoadTables, "/home/mia/tables".into()));
 }
@@ -326,41 +331,46 @@ fn a_file_that_exists_is_only_replaced_when_the_user_says_so() {
 #[test]
 fn a_written_file_is_told_with_its_folder_and_can_be_opened() {
     let mut session = session();
+    let (tmp, file) = (rooted("/tmp"), rooted("/tmp/x.csv"));
     check(&mut session, "25 H7", "25.012");
     assert!(!session.can(WindowAction::OpenWritten));
     send(&mut session, Command::OpenDialog(csv()));
-    send(&mut session, Command::TypePath("/tmp/x.csv".into()));
+    send(&mut session, Command::TypePath(file.clone()));
     send(&mut session, Command::Confirm);
-    answer(&mut session, Command::Saved { path: "/tmp/x.csv".into(), result: Ok(()) });
-    assert_eq!(Words::new(Language::En).say(&session.notices()[0].message), "x.csv was written to /tmp");
+    answer(&mut session, Command::Saved { path: file.clone().into(), result: Ok(()) });
+    assert_eq!(Words::new(Language::En).say(&session.notices()[0].message), format!("x.csv was written to {tmp}"));
     for (action, how) in [(WindowAction::OpenWritten, Launch::Open), (WindowAction::ShowWritten, Launch::ShowInFolder)]
     {
         let command = action.command(&session).unwrap();
-        assert_eq!(send(&mut session, command), [Effect::Launch("/tmp/x.csv".into(), how)]);
+        assert_eq!(send(&mut session, command), [Effect::Launch(file.clone().into(), how)]);
     }
     send(&mut session, FilesCommand::Launched(Ok(())));
     assert_eq!(session.notices().len(), 1);
     send(&mut session, FilesCommand::Launched(Err(Message::new("launch-failed").text("reason", "none"))));
     assert!(session.notices()[0].is_problem && session.notices()[1].file.is_some());
     // The next dialog of the kind begins there, and one of another kind as well.
-    assert_eq!(send(&mut session, Command::OpenDialog(csv())), [Effect::List("/tmp".into())]);
+    assert_eq!(send(&mut session, Command::OpenDialog(csv())), [Effect::List(tmp.clone().into())]);
     assert!(!session.can(WindowAction::OpenWritten), "the dialog lies over the notice");
     send(&mut session, Command::Close);
-    assert_eq!(send(&mut session, Command::OpenDialog(Purpose::Import)), [Effect::List("/tmp".into())]);
+    assert_eq!(send(&mut session, Command::OpenDialog(Purpose::Import)), [Effect::List(tmp.clone().into())]);
 }
 
 #[test]
 fn every_kind_begins_in_its_own_last_folder() {
     let mut session = session();
     for (purpose, path) in [(Purpose::Import, "/parts/a.csv"), (Purpose::OpenProgram, "/nc/a.h")] {
-        send(&mut session, FilesCommand::Seen { purpose, path: path.into(), fate: ReadOutcome::Read });
+        send(&mut session, FilesCommand::Seen { purpose, path: rooted(path).into(), fate: ReadOutcome::Read });
     }
     let (mut again, _) = Session::restore(Saved::read(&session.saved().write().unwrap()).unwrap());
     for (purpose, folder) in [(Purpose::Import, "/parts"), (Purpose::OpenProgram, "/nc"), (Purpose::LoadMask, "/nc")] {
-        assert_eq!(send(&mut again, Command::OpenDialog(purpose)), [Effect::List(folder.into())], "{purpose:?}");
+        assert_eq!(
+            send(&mut again, Command::OpenDialog(purpose)),
+            [Effect::List(rooted(folder).into())],
+            "{purpose:?}"
+        );
         send(&mut again, Command::Close);
     }
-    assert_eq!(again.recent_folders(), [Path::new("/nc"), Path::new("/parts")]);
+    assert_eq!(again.recent_folders(), [Path::new(&rooted("/nc")), Path::new(&rooted("/parts"))]);
 }
 
 #[test]
