@@ -52,13 +52,11 @@ impl Index {
     }
 
     /// Forgets all rows.
-    #[cfg(feature = "parquet")]
     pub(super) const fn clear(&mut self) {
         self.count = 0;
     }
 
     /// A cell ends here; with `is_last` its row, too.
-    #[cfg(feature = "parquet")]
     #[inline]
     pub(super) fn end_cell(&mut self, at: usize, is_last: bool) {
         self.push(at, if is_last { ROW } else { 0 });

@@ -59,7 +59,8 @@
 //! | `sql` | limits and verdicts as plain SQL |
 //! | `delimited` | rows and cells, with their lines |
 //! | `index`, `row` | where the cells of some rows end; one row of them |
-//! | `parquet` | columns of typed values, with the feature of that name |
+//! | `typed_value` | a value of a column with types, as text |
+//! | `parquet` | columns of such values, with the feature of that name |
 //! | `batch` | a verdict for every row of a stream of any length |
 //!
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
@@ -157,6 +158,7 @@ mod source;
 pub mod sql;
 mod stated;
 pub mod tables;
+pub mod typed_value;
 mod units;
 mod vocabulary;
 mod warmth;

@@ -7,7 +7,7 @@ use fitcheck_core::verdict::Status;
 use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
-use super::typed::Typed;
+use super::row_groups::Typed;
 use crate::exchange::ImportErrorKind;
 use crate::exchange::parquet::{Chunks, Field, Group, added, put_text};
 use crate::exchange::row::{TextRow, unquoted};

@@ -6,9 +6,7 @@ use super::cut::Block;
 use super::figures::{bounds_of, number};
 use super::judged::Judged;
 use super::known::{Classes, Figures};
-#[cfg(feature = "parquet")]
-use super::layout::Layout;
-use super::layout::utf8;
+use super::layout::{Layout, utf8};
 use super::tally::{RowNoteKind, Tally};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::marks_simulation;
@@ -91,8 +89,7 @@ impl StreamJudging<'_> {
 
 impl Judge<'_> {
     /// The layout of the rows.
-    #[cfg(feature = "parquet")]
-    pub(super) const fn layout(&self) -> &Layout {
+    pub const fn layout(&self) -> &Layout {
         self.court.layout
     }
 

@@ -162,7 +162,6 @@ impl Layout {
     ///
     /// # Errors
     /// Why nothing in them can be judged.
-    #[cfg(feature = "parquet")]
     pub(super) fn of_columns(names: Vec<String>, above: Vec<u8>, sample: &[u8]) -> Result<Self, ImportErrorKind> {
         // Other separators may occur in cells.
         let head = [b"sep=,\n", sample].concat();
@@ -209,8 +208,13 @@ impl Layout {
             || columns.beside.iter().any(|column| column.at() == at)
     }
 
+    /// Whether the judge reads a column with types: it is judged, or its text may say something against a value.
+    pub fn needs(&self, at: usize, is_text: bool) -> bool {
+        self.is_judged(at) || is_text && self.may_say(at)
+    }
+
     /// Whether a column has a text that may say something against a value.
-    pub fn may_say(&self, at: usize) -> bool {
+    fn may_say(&self, at: usize) -> bool {
         self.columns.remarks.iter().any(|column| column.at == at)
     }
 

@@ -10,7 +10,8 @@
 //! | `judged`, `compared` | a row with its verdict; what the file says beside it |
 //! | `known` | limit deviations, looked up once for each class and step |
 //! | `csv`, `tsv`, `json_lines` | the rows as CSV again, with the columns that are added; as TSV for spreadsheets; as JSON |
-//! | `typed`, `answers` | the same from and into Parquet, with the feature `parquet` |
+//! | `typed` | rows of columns with types, as text |
+//! | `row_groups`, `answers` | the same from and into Parquet, with the feature `parquet` |
 //! | `marks` | which verdict and class each row has, in two bytes a row |
 //! | `pick` | some rows of a block once more, with their cells |
 //! | `again` | the rows of a list once more: which have some words, the worst first |
@@ -36,9 +37,10 @@ mod layout;
 mod limits;
 mod marks;
 mod pick;
+#[cfg(feature = "parquet")]
+mod row_groups;
 mod tally;
 mod tsv;
-#[cfg(feature = "parquet")]
 mod typed;
 
 pub use again::{ListedRows, MOST_SIFTED, Sifted, Sifting, StreamBytes};
@@ -54,10 +56,11 @@ pub use known::Figures;
 pub use layout::{HEAD, Layout};
 pub use marks::{FATES, Filter, Marks, Part, RowFate, Sieve, Store};
 pub use pick::{Picked, pick};
+#[cfg(feature = "parquet")]
+pub use row_groups::{Purpose, Typed, layout_of};
 pub use tally::{FIRST, Note, Notes, RowNoteKind, Tally};
 pub use tsv::Tsv;
-#[cfg(feature = "parquet")]
-pub use typed::{Purpose, Typed, layout_of};
+pub use typed::TypedBlock;
 
 pub use super::index::row_end;
 pub use super::row::{TextRow, cells_of};

@@ -1,149 +1,103 @@
-//! Rows from Parquet as the text that CSV would have, so that one judge reads both.
-
-use std::io;
+//! Rows of columns with types, as the text that CSV would have, so that one judge reads both.
 
 use super::judge::{Judge, Take};
 use super::layout::Layout;
-use super::{Block, Tally};
+use super::{BLOCK, Block, Tally};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::LONGEST_ROW;
-use crate::exchange::parquet::{ChunkReader, Field, FieldKind, PortionSize, Reader, Rows, Value, put};
+use crate::exchange::typed_value::TypedValue;
 use fitcheck_core::text::Within as _;
 
-/// How many rows decide what the columns are, as with CSV.
-const SAMPLE: PortionSize = PortionSize { rows: 200, bytes: 512 << 10 };
-
-/// How much text is judged at a time.
-const TEXT: usize = super::BLOCK;
-
-/// What rows are wanted for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
-    /// Every cell is written as text.
-    Text,
-    /// The columns are passed on as they are, and only what is judged is needed as text.
-    Columns,
-}
-
-impl Purpose {
-    /// How many rows are taken at a time: some to be written at once, or a row group.
-    pub const fn wanted(self) -> PortionSize {
-        match self {
-            Self::Text => PortionSize { rows: 8_192, bytes: 1 << 20 },
-            Self::Columns => PortionSize { rows: 128 << 10, bytes: 16 << 20 },
-        }
-    }
-}
-
-/// What the columns of a file are: by their names, as in CSV, else by the first rows.
-///
-/// # Errors
-/// Why nothing in it can be judged.
-pub fn layout_of<R: ChunkReader + 'static>(mut file: Reader<R>) -> Result<Layout, ImportErrorKind> {
-    let fields = file.fields().to_vec();
-    let names: Vec<String> = fields.iter().map(|field| field.name().to_owned()).collect();
-    let mut above = Vec::new();
-    for (at, name) in names.iter().enumerate() {
-        if 0 < at {
-            above.push(b',');
-        }
-        let begin = above.len();
-        above.extend_from_slice(name.as_bytes());
-        quote_from(begin, &mut above);
-    }
-    above.push(b'\n');
-    let mut rows = Rows::default();
-    let read = file.next(SAMPLE, &mut rows);
-    read.map_err(|error| ImportErrorKind::Parquet { reason: error.to_string() })?;
-    let mut sample = above.clone();
-    let mut cells = rows.cells();
-    for _ in 0..rows.count {
-        for (at, (field, cells)) in fields.iter().zip(&mut cells).enumerate() {
-            if 0 < at {
-                sample.push(b',');
-            }
-            if let Some(value) = cells.next() {
-                put_cell(field.kind, value, &mut sample);
-            }
-        }
-        sample.push(b'\n');
-    }
-    Layout::of_columns(names, above, &sample)
-}
-
-/// Some rows of a file, judged as text.
+/// Rows of columns with types, some at a time: cell by cell, row by row.
 #[derive(Debug, Default)]
-pub struct Typed {
-    pub(super) rows: Rows,
+pub struct TypedBlock {
     block: Block,
+    /// Whether a cell of the row stands already.
+    has_cells: bool,
 }
 
-impl Typed {
-    /// Reads the next rows; `false` at the end.
+impl TypedBlock {
+    /// Takes all rows out.
+    pub fn clear(&mut self) {
+        self.block.text.clear();
+        self.block.index.get_or_insert_default().clear();
+        self.has_cells = false;
+    }
+
+    /// Whether it has so much that it should be judged.
+    pub const fn is_full(&self) -> bool {
+        BLOCK <= self.block.text.len()
+    }
+
+    /// Adds the next cell of a row; nothing where it is empty. Of one that is not needed only is kept that it is there.
+    #[inline]
+    pub fn cell(&mut self, value: Option<TypedValue<'_>>, is_needed: bool) {
+        let Block { text, index, .. } = &mut self.block;
+        if self.has_cells {
+            index.get_or_insert_default().end_cell(text.len(), false);
+            text.push(b',');
+        }
+        self.has_cells = true;
+        match value {
+            Some(value) if is_needed => put_cell(value, text),
+            Some(value) => put_mark(value, text),
+            None => {}
+        }
+    }
+
+    /// Ends a row.
+    #[inline]
+    pub fn end_row(&mut self) {
+        let Block { text, index, .. } = &mut self.block;
+        index.get_or_insert_default().end_cell(text.len(), true);
+        text.push(b'\n');
+        self.has_cells = false;
+    }
+
+    /// Judges its rows. Each goes to `take` once, in its order.
+    pub fn judge(&self, judge: &mut Judge<'_>, take: &mut impl Take) -> Tally {
+        judge.block(&self.block, take)
+    }
+
+    /// What columns with these names are, by the names, as in CSV, else by these rows, the first of all.
     ///
     /// # Errors
-    /// What is damaged.
-    pub fn read<R: ChunkReader + 'static>(&mut self, file: &mut Reader<R>, purpose: Purpose) -> io::Result<bool> {
-        Ok(file.next(purpose.wanted(), &mut self.rows)?)
-    }
-
-    /// Judges all rows.
-    pub fn judge(&mut self, fields: &[Field], purpose: Purpose, judge: &mut Judge<'_>, take: &mut impl Take) -> Tally {
-        let mut tally = Tally::default();
-        let layout = judge.layout();
-        let may_say = |at: usize, field: &Field| field.kind == FieldKind::Text && layout.may_say(at);
-        let is_needed = |(at, field)| purpose == Purpose::Text || layout.is_judged(at) || may_say(at, field);
-        let needed: Vec<bool> = (0..).zip(fields).map(is_needed).collect();
-        let mut cells = self.rows.cells();
-        let mut left = self.rows.count;
-        while 0 < left {
-            let Block { text, index, .. } = &mut self.block;
-            text.clear();
-            let ends = index.get_or_insert_default();
-            ends.clear();
-            while 0 < left && text.len() < TEXT {
-                for (at, ((field, cells), is_needed)) in fields.iter().zip(&mut cells).zip(&needed).enumerate() {
-                    if 0 < at {
-                        ends.end_cell(text.len(), false);
-                        text.push(b',');
-                    }
-                    match cells.next() {
-                        Some(value) if *is_needed => put_cell(field.kind, value, text),
-                        Some(value) => put_mark(field.kind, value, text),
-                        None => {}
-                    }
-                }
-                ends.end_cell(text.len(), true);
-                text.push(b'\n');
-                left -= 1;
+    /// Why nothing in them can be judged.
+    pub fn layout(&self, names: Vec<String>) -> Result<Layout, ImportErrorKind> {
+        let mut above = Vec::new();
+        for (at, name) in names.iter().enumerate() {
+            if 0 < at {
+                above.push(b',');
             }
-            tally.add(judge.block(&self.block, take));
+            put_cell(TypedValue::Text(name.as_bytes()), &mut above);
         }
-        tally
+        above.push(b'\n');
+        let sample = [above.as_slice(), &self.block.text].concat();
+        Layout::of_columns(names, above, &sample)
     }
 }
 
 /// A value as a cell of CSV.
 #[inline]
-fn put_cell(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
-    // More of a text is not needed to see that its row is too long.
-    let value = match value {
-        Value::Bytes(text) => Value::Bytes(text.get(..=LONGEST_ROW).unwrap_or(text)),
-        other => other,
-    };
+fn put_cell(value: TypedValue<'_>, out: &mut Vec<u8>) {
     let begin = out.len();
-    put(kind, value, out);
-    if kind == FieldKind::Text {
-        quote_from(begin, out);
+    match value {
+        // More of a text is not needed to see that its row is too long.
+        TypedValue::Text(text) => {
+            out.extend_from_slice(text.get(..=LONGEST_ROW).unwrap_or(text));
+            quote_from(begin, out);
+        }
+        TypedValue::Bytes(bytes) => TypedValue::Bytes(bytes.get(..=LONGEST_ROW).unwrap_or(bytes)).put(out),
+        other => other.put(out),
     }
 }
 
 /// In place of a cell that nobody reads: something where there is something, as much where it is very long.
 #[inline]
-fn put_mark(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
-    match value {
-        Value::Bytes(text) if LONG < text.len() => put_cell(kind, value, out),
-        Value::Bytes(text) if kind == FieldKind::Text && text.trim_ascii().is_empty() => {}
+fn put_mark(value: TypedValue<'_>, out: &mut Vec<u8>) {
+    match value.bytes() {
+        Some(bytes) if LONG < bytes.len() => put_cell(value, out),
+        Some(text) if matches!(value, TypedValue::Text(_)) && text.trim_ascii().is_empty() => {}
         _ => out.push(b'-'),
     }
 }

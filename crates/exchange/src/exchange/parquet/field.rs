@@ -52,7 +52,7 @@ impl Part {
     }
 
     /// How many nanoseconds it has.
-    pub(super) const fn nanoseconds(self) -> i128 {
+    pub(super) const fn nanoseconds(self) -> i64 {
         match self {
             Self::Milli => 1_000_000,
             Self::Micro => 1_000,
@@ -129,6 +129,11 @@ impl Field {
 
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Whether its values are characters.
+    pub(in crate::exchange) fn is_text(&self) -> bool {
+        self.kind == FieldKind::Text
     }
 
     /// Whether its values are binary fractions, which are read as the shortest decimals that stand for them.

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `field` | what a column of a file is: its name, its type, and how its values are read |
 //! | `column` | some rows of a column in memory, and one value of it |
-//! | `text` | a value as the text that it would have in CSV |
+//! | `typed` | what a stored value is, by the type of its column |
 //! | `checked`, `guarded` | pages looked at before they are decoded; a panic of a decoder as an error |
 //! | `read` | the rows of a file, a few thousand at a time, however large its row groups are |
 //! | `page`, `delta` | the values of a column as a packed page; whole numbers as packed differences |
@@ -20,14 +20,14 @@ mod field;
 mod guarded;
 mod page;
 mod read;
-mod text;
+mod typed;
 mod write;
 
-pub(in crate::exchange) use column::{Rows, Value};
+pub(in crate::exchange) use column::Rows;
 pub use field::Field;
-pub(in crate::exchange) use field::{FieldKind, added};
+pub(in crate::exchange) use field::added;
 pub use parquet::file::reader::ChunkReader;
 pub use read::{PortionSize, Reader};
-pub(in crate::exchange) use text::put;
+pub(in crate::exchange) use typed::typed;
 pub(in crate::exchange) use write::{Chunks, put_text};
 pub use write::{Group, Writer};

@@ -1,70 +1,100 @@
-//! A value as the text that it would have in CSV.
+//! A value of a column with types, as the text that it would have in CSV.
 
 use std::io::Write as _;
 
 use fitcheck_core::length::{Length, Window};
+use fitcheck_core::text::Within as _;
 use jiff::Timestamp;
 use jiff::civil::{Date, Time};
 use jiff::tz::TimeZone;
-use parquet::data_type::Int96;
 
-use super::column::Value;
-use super::field::{FieldKind, Part};
-use fitcheck_core::text::Within as _;
+/// A value whose type its column states, as in Parquet and Arrow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TypedValue<'a> {
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A whole number.
+    Whole(i64),
+    /// A whole number without a sign.
+    Unsigned(u64),
+    /// A whole number with this many decimals.
+    Decimal(i64, usize),
+    /// The same with up to 38 figures.
+    Long(i128, usize),
+    /// The same of any size: two's complement, the largest byte first.
+    Large(&'a [u8], usize),
+    /// A binary fraction of 32 bits.
+    Float(f32),
+    /// A binary fraction of 64 bits.
+    Double(f64),
+    /// Days since 1970-01-01.
+    Day(i64),
+    /// A time of day: a count, and how many nanoseconds each of it has.
+    Time(i64, i64),
+    /// Nanoseconds since 1970-01-01; with `true` in UTC, else of no zone.
+    Moment(i128, bool),
+    /// Characters in UTF-8.
+    Text(&'a [u8]),
+    /// A universally unique identifier.
+    Uuid(&'a [u8]),
+    /// Bytes without a meaning here.
+    Bytes(&'a [u8]),
+}
 
-/// Appends the text of a value.
-#[inline]
-pub(in crate::exchange) fn put(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
-    match (kind, value) {
-        (FieldKind::Text, Value::Bytes(text)) => out.extend_from_slice(text),
-        (FieldKind::Decimal(scale), Value::Int64(number)) => put_short(number, scale, out),
-        (FieldKind::Decimal(scale), Value::Int32(number)) => put_short(number.into(), scale, out),
-        (FieldKind::Float, Value::Double(number)) => put_double(number, out),
-        _ => put_other(kind, value, out),
+impl<'a> TypedValue<'a> {
+    /// Appends its text. A binary fraction is written as the shortest decimal that stands for it and no other.
+    #[inline]
+    pub fn put(self, out: &mut Vec<u8>) {
+        match self {
+            Self::Text(text) => out.extend_from_slice(text),
+            Self::Decimal(number, scale) => put_short(number, scale, out),
+            Self::Double(number) => put_double(number, out),
+            other => other.put_other(out),
+        }
     }
-}
 
-fn put_other(kind: FieldKind, value: Value<'_>, out: &mut Vec<u8>) {
-    // Writing to memory does not fail.
-    let _written = match (kind, value) {
-        (FieldKind::Unsigned, Value::Int32(number)) => write!(out, "{}", number.cast_unsigned()),
-        (FieldKind::Unsigned, Value::Int64(number)) => write!(out, "{}", number.cast_unsigned()),
-        (FieldKind::Date, Value::Int32(days)) => match day(days.into()) {
-            Some(date) => write!(out, "{date}"),
-            None => write!(out, "{days}"),
-        },
-        (FieldKind::Time(part), Value::Int32(count)) => put_time(count.into(), part, out),
-        (FieldKind::Time(part), Value::Int64(count)) => put_time(count, part, out),
-        (FieldKind::Moment(part, is_utc), Value::Int64(count)) => {
-            put_moment(i128::from(count) * part.nanoseconds(), is_utc, out)
+    /// Its bytes, where it has as many as it likes.
+    #[inline]
+    pub(super) const fn bytes(self) -> Option<&'a [u8]> {
+        match self {
+            Self::Text(bytes) | Self::Bytes(bytes) | Self::Uuid(bytes) | Self::Large(bytes, _) => Some(bytes),
+            _ => None,
         }
-        (_, Value::Int96(moment)) => put_moment(nanoseconds(moment), false, out),
-        (FieldKind::Decimal(scale), Value::Bytes(bytes)) => {
-            put_large(bytes, scale, out);
-            Ok(())
-        }
-        (FieldKind::Half, Value::Bytes(bytes)) => match bytes.try_into().map(half) {
-            Ok(number) => write!(out, "{number}"),
-            Err(_) => put_hexadecimal(bytes, out),
-        },
-        (FieldKind::Uuid, Value::Bytes(bytes)) => {
-            for (at, byte) in bytes.iter().enumerate() {
+    }
+
+    fn put_other(self, out: &mut Vec<u8>) {
+        // Writing to memory does not fail.
+        let _written = match self {
+            Self::Boolean(is) => write!(out, "{is}"),
+            Self::Whole(number) => write!(out, "{number}"),
+            Self::Unsigned(number) => write!(out, "{number}"),
+            Self::Float(number) => write!(out, "{number}"),
+            Self::Day(days) => match day(days) {
+                Some(date) => write!(out, "{date}"),
+                None => write!(out, "{days}"),
+            },
+            Self::Time(count, nanoseconds) => put_time(count, nanoseconds, out),
+            Self::Moment(nanoseconds, is_utc) => put_moment(nanoseconds, is_utc, out),
+            Self::Uuid(bytes) => bytes.iter().enumerate().try_for_each(|(at, byte)| {
                 let hyphen = if matches!(at, 4 | 6 | 8 | 10) { "-" } else { "" };
-                let _written = write!(out, "{hyphen}{byte:02x}");
+                write!(out, "{hyphen}{byte:02x}")
+            }),
+            Self::Bytes(bytes) => bytes.iter().try_for_each(|byte| write!(out, "{byte:02x}")),
+            Self::Long(number, scale) => {
+                put_decimal(number, scale, out);
+                Ok(())
             }
-            Ok(())
-        }
-        (_, Value::Bytes(bytes)) => put_hexadecimal(bytes, out),
-        (_, Value::Boolean(is)) => write!(out, "{is}"),
-        (_, Value::Int32(number)) => write!(out, "{number}"),
-        (_, Value::Int64(number)) => write!(out, "{number}"),
-        (_, Value::Float(number)) => write!(out, "{number}"),
-        (_, Value::Double(number)) => write!(out, "{number}"),
-    };
-}
-
-fn put_hexadecimal(bytes: &[u8], out: &mut Vec<u8>) -> std::io::Result<()> {
-    bytes.iter().try_for_each(|byte| write!(out, "{byte:02x}"))
+            Self::Large(bytes, scale) => {
+                put_large(bytes, scale, out);
+                Ok(())
+            }
+            // As above.
+            Self::Text(_) | Self::Decimal(..) | Self::Double(_) => {
+                self.put(out);
+                Ok(())
+            }
+        };
+    }
 }
 
 /// A number with `scale` decimals: in the way of lengths if it may be one, three figures at a time.
@@ -196,28 +226,14 @@ fn put_double(number: f64, out: &mut Vec<u8>) {
     let _written = write!(out, "{number}");
 }
 
-/// IEEE 754 binary16, the smaller byte first.
-fn half(bytes: [u8; 2]) -> f32 {
-    let bits = u16::from_le_bytes(bytes);
-    let exponent = i32::from(bits >> 10 & 0x1f);
-    let fraction = f32::from(bits & 0x3ff);
-    let magnitude = match exponent {
-        0 => fraction * 2_f32.powi(-24),
-        0x1f if fraction == 0.0 => f32::INFINITY,
-        0x1f => f32::NAN,
-        _ => (1024.0 + fraction) * 2_f32.powi(exponent - 25),
-    };
-    if bits >> 15 == 1 { -magnitude } else { magnitude }
-}
-
 /// A day; `None` outside the years that can be written.
 fn day(days: i64) -> Option<Date> {
     let seconds = days.checked_mul(86_400)?;
     Some(TimeZone::UTC.to_datetime(Timestamp::from_second(seconds).ok()?).date())
 }
 
-fn put_time(count: i64, part: Part, out: &mut Vec<u8>) -> std::io::Result<()> {
-    let nanoseconds = i128::from(count) * part.nanoseconds();
+fn put_time(count: i64, nanoseconds: i64, out: &mut Vec<u8>) -> std::io::Result<()> {
+    let nanoseconds = i128::from(count) * i128::from(nanoseconds);
     match i64::try_from(nanoseconds)
         .ok()
         .and_then(|all| Time::midnight().checked_add(jiff::SignedDuration::from_nanos(all)).ok())
@@ -233,11 +249,4 @@ fn put_moment(nanoseconds: i128, is_utc: bool, out: &mut Vec<u8>) -> std::io::Re
         Ok(moment) => write!(out, "{}", TimeZone::UTC.to_datetime(moment)),
         Err(_) => write!(out, "{nanoseconds}"),
     }
-}
-
-/// Nanoseconds since 1970-01-01 of a moment as nanoseconds of a Julian day.
-fn nanoseconds(moment: Int96) -> i128 {
-    let &[low, high, day] = moment.data() else { return 0 };
-    let of_day = u64::from(high) << 32 | u64::from(low);
-    (i128::from(day) - 2_440_588) * 86_400_000_000_000 + i128::from(of_day)
 }
