@@ -1,0 +1,108 @@
+//! Verdicts for the rows of a table of any length, from whatever speaks the C stream of Arrow: Polars, pandas, `DuckDB`, pyarrow.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the function, and the rows as Python has them |
+//! | `cells` | the cells of a column in memory, as values with types |
+//! | `stream` | rows judged as they are asked for |
+//! | `answers` | the answers as columns |
+//!
+//! What a row means is in `fitcheck_exchange::exchange::batch`, which judges the rows of `fitcheck batch`, too.
+
+mod answers;
+mod cells;
+mod stream;
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use fitcheck_core::verdict::Status;
+use fitcheck_exchange::exchange::batch::RowNoteKind;
+use pyo3::prelude::*;
+use pyo3::types::{PyCapsule, PyDict};
+use pyo3_arrow::PyRecordBatchReader;
+use pyo3_arrow::input::AnyRecordBatch;
+
+use crate::check::status_of;
+use crate::error::with_code;
+use stream::{Judging, Named, Totals};
+
+/// The rows of a table with their answers: a stream of Arrow, which is read once.
+#[pyclass(frozen, module = "fitcheck")]
+pub(crate) struct Rows {
+    reader: Py<PyRecordBatchReader>,
+    totals: Arc<Mutex<Totals>>,
+    warnings: Vec<String>,
+}
+
+#[pymethods]
+impl Rows {
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.reader.bind(py).call_method0("__arrow_c_schema__")
+    }
+
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyCapsule>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.reader.bind(py).call_method1("__arrow_c_stream__", (requested_schema,))
+    }
+
+    #[getter]
+    fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let counts = self.totals.lock().unwrap_or_else(PoisonError::into_inner).counts;
+        let dict = PyDict::new(py);
+        for (status, count) in Status::ALL.into_iter().zip(counts) {
+            dict.set_item(status_of(py, status)?, count)?;
+        }
+        Ok(dict)
+    }
+
+    #[getter]
+    fn refused(&self) -> u64 {
+        self.totals.lock().unwrap_or_else(PoisonError::into_inner).tally.notes(RowNoteKind::Refused).count
+    }
+
+    #[getter]
+    fn notes(&self) -> Vec<(usize, String)> {
+        let totals = self.totals.lock().unwrap_or_else(PoisonError::into_inner);
+        let of = |kind| totals.tally.notes(kind).first.iter().map(|note| (note.line, note.what.to_string()));
+        RowNoteKind::ALL.into_iter().flat_map(of).collect()
+    }
+
+    #[getter]
+    fn simulated(&self) -> u64 {
+        self.totals.lock().unwrap_or_else(PoisonError::into_inner).tally.simulated
+    }
+
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+}
+
+/// Judges every row of a table, in its order.
+#[pyfunction]
+#[pyo3(signature = (table, *, callout = None, measured = None, prefix = ""))]
+pub(crate) fn batch(
+    py: Python<'_>,
+    table: &Bound<'_, PyAny>,
+    callout: Option<&str>,
+    measured: Option<&str>,
+    prefix: &str,
+) -> PyResult<Rows> {
+    let table: AnyRecordBatch = table.extract().map_err(|error| {
+        let kind = table.get_type();
+        let allowed = "give a frame of Polars or pandas, a table of pyarrow, a relation of DuckDB, or what else has __arrow_c_stream__";
+        with_code(format!("table: {kind} cannot be read as Arrow; {allowed} ({error})"), "python-table")
+    })?;
+    let rows = table.into_reader()?;
+    let totals = Arc::new(Mutex::new(Totals::default()));
+    let named = Named { callout, measured };
+    let judging = Judging::new(rows, named, prefix, Arc::clone(&totals));
+    let judging = judging.map_err(|reason| with_code(reason, "python-table"))?;
+    let warnings = judging.warnings();
+    let reader = Py::new(py, PyRecordBatchReader::new(Box::new(judging)))?;
+    Ok(Rows { reader, totals, warnings })
+}
