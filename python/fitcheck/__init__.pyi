@@ -200,6 +200,73 @@ class Rows:
     def warnings(self) -> list[str]:
         """What is to be said of the columns, such as those that no verdict depends on."""
 
+class Pairing:
+    """Which measured holes go with which measured shafts: as many pairs as possible, those closest to the middle of the clearances."""
+
+    @property
+    def pairs(self) -> list[tuple[int, int, Decimal]]:
+        """For each pair the positions of hole and shaft in the given lists, and hole minus shaft in micrometres; in order of size."""
+    @property
+    def holes_left(self) -> list[int]: ...
+    @property
+    def shafts_left(self) -> list[int]: ...
+    @property
+    def band_um(self) -> Decimal:
+        """The width of the narrowest band around the middle of the wanted clearances that all pairs lie in, micrometres."""
+
+class Budget:
+    """An uncertainty budget and what it comes to (JCGM 100, ISO 15530-3), micrometres."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def u_um(self) -> float:
+        """The combined standard uncertainty."""
+    @property
+    def k(self) -> float: ...
+    @property
+    def expanded_um(self) -> float: ...
+    @property
+    def degrees_of_freedom(self) -> float | None:
+        """None where they are infinite."""
+    @property
+    def rule_u_um(self) -> Decimal:
+        """The standard uncertainty that a decision rule gets, for check(..., u_um=…)."""
+    @property
+    def valid_until(self) -> str: ...
+    @property
+    def warnings(self) -> list[str]: ...
+
+class Figure:
+    """A figure with its interval, or the reason why there is none."""
+
+    value: float | None
+    lower: float | None
+    upper: float | None
+    method: str
+    reason: str | None
+
+class Statistics:
+    """What the values of one feature say, in the order in which they were made."""
+
+    @property
+    def count(self) -> int:
+        """How many values count."""
+    @property
+    def left_out(self) -> dict[str, int]:
+        """How many values count for nothing, by the reason: those that may be another part's are "doubtful"."""
+    @property
+    def outside(self) -> tuple[int, int]:
+        """How many are below the lower and above the upper limit."""
+    @property
+    def figures(self) -> dict[str, Figure]:
+        """Every figure by the name that `fitcheck stats --format json` has: mean_mm, s_within_mm, cp, cpk, pp, ppk, …"""
+    @property
+    def rules(self) -> dict[str, list[int]]:
+        """The rules of control charts that fire (Nelson), each with its points from 1."""
+    @property
+    def advice(self) -> list[str]: ...
+
 def limits(callout: str, *, feature: Literal["hole", "shaft"] | None = None) -> Limits:
     """The limits of size of a callout: "25 H7", "12 ±0.02", "10m", "12 +0.01 -0.015", or one part of "25 H7/g6" with its feature.
 
@@ -249,4 +316,46 @@ def batch(
     columns are found by their names and contents, or named by callout and measured. All columns are given on without copies,
     followed by min_mm, max_mm, deviation_um, status, remove_um, error and doubt, each behind the prefix. A row without a verdict
     has the reason in error. Raises FitcheckError where nothing in the table can be judged.
+    """
+
+def pair(
+    holes: Sequence[Number],
+    shafts: Sequence[Number],
+    *,
+    clearance: tuple[Number, Number] | None = None,
+    fit: str | None = None,
+) -> Pairing:
+    """Pairs measured holes with measured shafts (selective assembly), for clearances in millimetres, both ends included, or for a fit.
+
+    A negative clearance is an interference. Raises FitcheckError for a size that is none, named by its place.
+    """
+
+def budget(
+    text: str,
+    *,
+    size: Number | None = None,
+    touches: int | None = None,
+    step_deg: float | None = None,
+    day: str | None = None,
+) -> Budget:
+    """Evaluates the text of a budget file (TOML, as `fitcheck budget` reads it).
+
+    size: the measured size in millimetres, for contributions that grow with it. touches and step_deg: how many contacts were taken,
+    and the angle between them in degrees. day: YYYY-MM-DD, today unless given; a budget that is not valid then says so.
+    """
+
+def statistics(
+    values: Sequence[Number],
+    *,
+    callout: str | None = None,
+    lower: Number | None = None,
+    upper: Number | None = None,
+    target: Number | None = None,
+    group: int = 1,
+    level: float = 0.95,
+) -> Statistics:
+    """Control chart, capability, trend and advice for measured values in their order, as `fitcheck stats` computes them.
+
+    Limits come from a callout, or are given in millimetres. group: how many values in a row are a subgroup. level: of the intervals,
+    from 0.5 to below 1. What cannot be computed of too few values has its reason in the figure.
     """

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::message::Message;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyFloat, PyInt, PyString, PyType};
@@ -98,5 +99,5 @@ pub(crate) fn diameter(value: &Bound<'_, PyAny>, what: &str) -> PyResult<Length>
     if Length::ZERO < diameter {
         return Ok(diameter);
     }
-    Err(with_code(format!("{what}: {diameter} mm is not above 0"), "python-not-above-zero"))
+    Err(refused(what, &Message::new("cli-not-above-zero").with("diameter", &diameter)))
 }
