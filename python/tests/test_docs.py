@@ -1,10 +1,12 @@
 """The examples of README and package are what is printed."""
 
 import doctest
+import json
 import re
 from pathlib import Path
 
 import fitcheck
+import pytest
 
 FOLDER = Path(__file__).parents[1]
 
@@ -18,12 +20,13 @@ def test_the_examples_of_the_readme() -> None:
     assert failed == 0 and tried > 3
 
 
-def test_the_programs_of_the_readme() -> None:
-    blocks = re.findall(r"```python\n(.*?)```", (FOLDER / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+@pytest.mark.parametrize("page", [FOLDER / "README.md", FOLDER.parent / "docs" / "manual" / "own-programs.md"])
+def test_the_programs_of_the_documents(page: Path) -> None:
+    blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
     programs = [block for block in blocks if ">>>" not in block]
     assert programs
     for program in programs:
-        exec(compile(program, "README.md", "exec"), {})
+        exec(compile(program, page.name, "exec"), {})
 
 
 def test_every_name_has_its_types() -> None:
@@ -36,3 +39,14 @@ def test_every_name_has_its_types() -> None:
             body = re.split(r"\n(?=class |def )", types[re.search(rf"^class {name}\b", types, re.MULTILINE).start() :])[0]
             for own in own:
                 assert re.search(rf"\b{own}\b", body), f"{name}.{own}"
+
+
+def test_the_notebook_runs_from_its_first_cell_to_its_last() -> None:
+    cells = json.loads((FOLDER / "ten_minutes.ipynb").read_text(encoding="utf-8"))["cells"]
+    programs = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+    names: dict[str, object] = {}
+    for number, program in enumerate(programs):
+        exec(compile(program, f"cell {number}", "exec"), names)
+    assert names["verdict"].status == fitcheck.Status.RE_MEASURE
+    assert names["judged"]["status"].to_list() == ["GOOD", "SCRAP", "REWORK", "GOOD", None]
+    assert names["found"].count == 80
