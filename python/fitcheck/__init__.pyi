@@ -179,7 +179,8 @@ class Evaluation:
 class Rows:
     """The rows of a table with their answers: a stream of Arrow, which is read once.
 
-    Counts and notes are complete when the stream was read to its end.
+    Counts and notes are those of all rows: before the stream was read to its end, as by polars.DataFrame(rows), asking for them raises
+    FitcheckError. So does reading it a second time.
     """
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
@@ -190,6 +191,9 @@ class Rows:
     @property
     def refused(self) -> int:
         """How many rows have no verdict; the column `error` says why."""
+    @property
+    def doubtful(self) -> int:
+        """How many verdicts have a doubt; they are among the counts. The column `doubt` says what to look at."""
     @property
     def simulated(self) -> int:
         """How many of the judged rows say that nobody measured."""
@@ -238,13 +242,15 @@ class Budget:
     def warnings(self) -> list[str]: ...
 
 class Figure:
-    """A figure with its interval, or the reason why there is none."""
+    """A figure with its interval, or the reason why there is none. float() gives the value."""
 
     value: float | None
     lower: float | None
+    """The interval at the level of the statistics; None where the figure is not estimated."""
     upper: float | None
     method: str
     reason: str | None
+    def __float__(self) -> float: ...
 
 class Statistics:
     """What the values of one feature say, in the order in which they were made."""
@@ -252,6 +258,9 @@ class Statistics:
     @property
     def count(self) -> int:
         """How many values count."""
+    @property
+    def level(self) -> float:
+        """The level of the intervals, such as 0.95."""
     @property
     def left_out(self) -> dict[str, int]:
         """How many values count for nothing, by the reason: those that may be another part's are "doubtful"."""
@@ -313,7 +322,8 @@ def batch(
     """Judges every row of a table, in its order, as `fitcheck batch` does.
 
     table: whatever speaks the C stream of Arrow, such as a frame of Polars or pandas, a table of pyarrow, a relation of DuckDB. Its
-    columns are found by their names and contents, or named by callout and measured. All columns are given on without copies,
+    columns are found by their names in English, Dutch, German, Italian, French or Spanish and by their contents, or named by callout and measured.
+    Texts may have a decimal comma. All columns are given on without copies,
     followed by min_mm, max_mm, deviation_um, status, remove_um, error and doubt, each behind the prefix. A row without a verdict
     has the reason in error. Raises FitcheckError where nothing in the table can be judged.
     """

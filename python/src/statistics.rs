@@ -38,6 +38,14 @@ impl Figure {
 
 #[pymethods]
 impl Figure {
+    /// The value, so that it can be rounded and printed as a number.
+    fn __float__(&self) -> PyResult<f64> {
+        self.value.ok_or_else(|| {
+            let why = self.reason.as_deref().unwrap_or("");
+            with_code(format!("the figure has no value: {why}"), "python-no-figure")
+        })
+    }
+
     fn __repr__(&self) -> String {
         match (self.value, self.lower, self.upper) {
             (Some(value), Some(lower), Some(upper)) => format!("Figure({value}, {lower} to {upper})"),
@@ -61,6 +69,12 @@ impl Statistics {
     #[getter]
     const fn count(&self) -> usize {
         self.count
+    }
+
+    /// The level of the intervals.
+    #[getter]
+    const fn level(&self) -> f64 {
+        self.answer.wanted.level
     }
 
     /// How many values count for nothing, by the reason.

@@ -82,15 +82,27 @@ def test_counts_and_notes_are_of_all_rows(table: pyarrow.Table) -> None:
     assert asked.refused == sum(answer["status"] is None for answer in answers)
     row, reason = asked.notes[0]
     assert answers[row]["error"] == reason
-    with pytest.raises(Exception, match="closed"):
+    assert asked.doubtful == sum(answer["doubt"] is not None for answer in answers)
+    with pytest.raises(fitcheck.FitcheckError, match="read once"):
         pyarrow.table(asked)
+
+
+def test_counts_of_some_rows_are_not_given_for_those_of_all(table: pyarrow.Table) -> None:
+    asked = fitcheck.batch(table)
+    for name in ("counts", "refused", "doubtful", "simulated", "notes"):
+        with pytest.raises(fitcheck.FitcheckError, match="not read to their end"):
+            getattr(asked, name)
+    reader = pyarrow.RecordBatchReader.from_stream(asked)
+    reader.read_next_batch()
+    with pytest.raises(fitcheck.FitcheckError, match="not read to their end"):
+        asked.counts
 
 
 def test_columns_may_be_named() -> None:
     table = pyarrow.table({"Passung": ["25 H7"], "A": [25.5], "Wert": [25.01]})
     assert judged(table, callout="Passung", measured="Wert")[0]["status"] == "GOOD"
-    with pytest.raises(fitcheck.FitcheckError, match="no column 'x'|no column \"x\""):
-        fitcheck.batch(table, measured="x")
+    with pytest.raises(fitcheck.FitcheckError, match="no column .x.; its columns are Passung, A, Wert"):
+        fitcheck.batch(table, callout="Passung", measured="x")
     again = pyarrow.table(fitcheck.batch(pyarrow.table({"callout": ["25 H7"], "measured": [25.01]})))
     with pytest.raises(fitcheck.FitcheckError, match="prefix="):
         fitcheck.batch(again)

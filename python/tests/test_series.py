@@ -60,7 +60,8 @@ def test_figures_are_those_of_other_computations() -> None:
     chance = random.Random(2)
     values = [round(chance.gauss(25.010, 0.002), 6) for _ in range(60)]
     found = fitcheck.statistics(values, callout="25 H7")
-    assert (found.count, found.left_out) == (60, {})
+    assert (found.count, found.left_out, found.level) == (60, {}, 0.95)
+    assert f"{float(found.figures['ppk']):.2f}" == f"{found.figures['ppk'].value:.2f}"
     mean, s = reference.mean(values), reference.stdev(values)
     ranges = [abs(one - other) for one, other in itertools.pairwise(values)]
     within = reference.mean(ranges) / 1.128_379_167

@@ -13,6 +13,7 @@ mod answers;
 mod cells;
 mod stream;
 
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use fitcheck_core::verdict::Status;
@@ -30,8 +31,21 @@ use stream::{Judging, Named, Totals};
 #[pyclass(frozen, module = "fitcheck")]
 pub(crate) struct Rows {
     reader: Py<PyRecordBatchReader>,
+    is_taken: AtomicBool,
     totals: Arc<Mutex<Totals>>,
     warnings: Vec<String>,
+}
+
+impl Rows {
+    /// What is counted of all rows: of some of them it would look better than it is.
+    fn of_all<T>(&self, of: impl FnOnce(&Totals) -> T) -> PyResult<T> {
+        let totals = self.totals.lock().unwrap_or_else(PoisonError::into_inner);
+        if totals.are_all {
+            return Ok(of(&totals));
+        }
+        let text = "the rows were not read to their end: make a frame of them first, such as polars.DataFrame(rows)";
+        Err(with_code(text.to_owned(), "python-rows-not-read"))
+    }
 }
 
 #[pymethods]
@@ -46,12 +60,17 @@ impl Rows {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyCapsule>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        if self.is_taken.swap(true, Relaxed) {
+            let text =
+                "the rows were read already, and are read once: ask batch() again, or keep the frame made of them";
+            return Err(with_code(text.to_owned(), "python-rows-read"));
+        }
         self.reader.bind(py).call_method1("__arrow_c_stream__", (requested_schema,))
     }
 
     #[getter]
     fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let counts = self.totals.lock().unwrap_or_else(PoisonError::into_inner).counts;
+        let counts = self.of_all(|totals| totals.counts)?;
         let dict = PyDict::new(py);
         for (status, count) in Status::ALL.into_iter().zip(counts) {
             dict.set_item(status_of(py, status)?, count)?;
@@ -60,20 +79,26 @@ impl Rows {
     }
 
     #[getter]
-    fn refused(&self) -> u64 {
-        self.totals.lock().unwrap_or_else(PoisonError::into_inner).tally.notes(RowNoteKind::Refused).count
+    fn refused(&self) -> PyResult<u64> {
+        self.of_all(|totals| totals.tally.notes(RowNoteKind::Refused).count)
     }
 
     #[getter]
-    fn notes(&self) -> Vec<(usize, String)> {
-        let totals = self.totals.lock().unwrap_or_else(PoisonError::into_inner);
-        let of = |kind| totals.tally.notes(kind).first.iter().map(|note| (note.line, note.what.to_string()));
-        RowNoteKind::ALL.into_iter().flat_map(of).collect()
+    fn doubtful(&self) -> PyResult<u64> {
+        self.of_all(|totals| totals.tally.notes(RowNoteKind::Doubt).count)
     }
 
     #[getter]
-    fn simulated(&self) -> u64 {
-        self.totals.lock().unwrap_or_else(PoisonError::into_inner).tally.simulated
+    fn notes(&self) -> PyResult<Vec<(usize, String)>> {
+        self.of_all(|totals| {
+            let of = |kind| totals.tally.notes(kind).first.iter().map(|note| (note.line, note.what.to_string()));
+            RowNoteKind::ALL.into_iter().flat_map(of).collect()
+        })
+    }
+
+    #[getter]
+    fn simulated(&self) -> PyResult<u64> {
+        self.of_all(|totals| totals.tally.simulated)
     }
 
     #[getter]
@@ -104,5 +129,5 @@ pub(crate) fn batch(
     let judging = judging.map_err(|reason| with_code(reason, "python-table"))?;
     let warnings = judging.warnings();
     let reader = Py::new(py, PyRecordBatchReader::new(Box::new(judging)))?;
-    Ok(Rows { reader, totals, warnings })
+    Ok(Rows { reader, is_taken: AtomicBool::new(false), totals, warnings })
 }

@@ -24,6 +24,8 @@ pub(super) struct Totals {
     pub(super) tally: Tally,
     /// In the order of `Status::ALL`.
     pub(super) counts: [u64; 5],
+    /// Whether these are all rows.
+    pub(super) are_all: bool,
 }
 
 /// The rows of a table with their answers.
@@ -51,18 +53,20 @@ pub(super) struct Named<'a> {
 impl Named<'_> {
     /// The names of the columns as they are looked for.
     fn names(&self, schema: &Schema) -> Result<Vec<String>, String> {
-        let mut names: Vec<String> = schema.fields().iter().map(|field| field.name().clone()).collect();
+        let given: Vec<String> = schema.fields().iter().map(|field| field.name().clone()).collect();
+        let mut names = given.clone();
         for (role, name) in [("callout", self.callout), ("measured", self.measured)] {
             let Some(name) = name else { continue };
-            let mut places = (0..).zip(schema.fields()).filter(|(_, field)| field.name() == name).map(|(at, _)| at);
-            let (Some(at), None) = (places.next(), places.next()) else {
-                return Err(format!(
-                    "{role}: the table has no column {name:?}, or several; its columns are {}",
-                    names.join(", ")
-                ));
-            };
-            if let Some(own) = names.get_mut::<usize>(at) {
-                role.clone_into(own);
+            let mut places = (0..).zip(&given).filter(|(_, own)| *own == name).map(|(at, _): (usize, _)| at);
+            match (places.next(), places.next()) {
+                (Some(at), None) => names.splice(at..=at, [role.to_owned()]).for_each(drop),
+                (None, _) => {
+                    return Err(format!(
+                        "{role}: the table has no column {name:?}; its columns are {}",
+                        given.join(", ")
+                    ));
+                }
+                (Some(_), Some(_)) => return Err(format!("{role}: the table has several columns {name:?}")),
             }
         }
         Ok(names)
@@ -193,7 +197,11 @@ impl Iterator for Judging {
                 return Some(Err(error));
             }
         }
-        self.judged.pop_front().map(Ok)
+        let next = self.judged.pop_front();
+        if next.is_none() {
+            self.totals.lock().unwrap_or_else(PoisonError::into_inner).are_all = true;
+        }
+        next.map(Ok)
     }
 }
 
