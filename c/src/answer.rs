@@ -2,7 +2,7 @@
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say};
-use fitcheck_core::probing::noted;
+use fitcheck_core::probing::{Measurement, Origin, noted};
 use fitcheck_core::tolerance::{Callout, Feature, FigureWarning, Limits, Sources};
 use fitcheck_core::verdict::{doubt, judge_size};
 use fitcheck_core::words::{Language, Words};
@@ -35,7 +35,6 @@ pub(crate) fn answer(callout: &str, given: Option<Given<'_>>, language: Option<&
     let limits = sources.limits(&callout, None).map_err(|error| refused(&error))?;
     let mut looks: Vec<Message> = Vec::new();
     looks.extend(sources.zone_doubt(&callout, &limits).map(|doubt| doubt.message()));
-    looks.extend(noted::differing(callout.notes(), &limits).map(|differs| differs.message()));
     looks.extend(FigureWarning::of_limits(&callout, &limits, &sources).map(|warning| warning.message()));
     let mut verdict = FitcheckVerdict { limits: of(&limits), ..FitcheckVerdict::default() };
     if let Some(given) = given {
@@ -48,12 +47,17 @@ pub(crate) fn answer(callout: &str, given: Option<Given<'_>>, language: Option<&
             return Err(said(&Message::new("cli-not-above-zero").with("diameter", &measured)));
         }
         looks.extend(doubt(&limits, measured).map(|doubt| doubt.message()));
+        // What one diameter leaves open of the callout, such as an envelope, and limits beside it that differ.
+        let diameter = Measurement::of_diameter(measured, Origin::Typed);
+        looks.extend(noted::caveats(callout.notes(), &limits, &diameter).into_iter().map(|caveat| caveat.message()));
         let found = judge_size(&limits, measured);
         verdict.measured_nm = measured.nanometres();
         verdict.deviation_nm = found.deviation.nanometres();
         verdict.remove_nm = found.removal.map_or(0, |removal| removal.to_limit.nanometres());
         verdict.status = i32::try_from(found.status.at()).unwrap_or(i32::MAX);
         verdict.look_first = i32::from(!looks.is_empty());
+    } else {
+        looks.extend(noted::differing(callout.notes(), &limits).map(|differs| differs.message()));
     }
     let lines = std::iter::once(limits.source.message()).chain(looks);
     let text = lines.map(|line| said(&line)).collect::<Vec<_>>().join("\n");

@@ -74,12 +74,14 @@ pub unsafe extern "C" fn fitcheck_limits(
     text: *mut c_char,
     capacity: usize,
 ) -> i32 {
+    if limits.is_null() {
+        return End::Misused as i32;
+    }
     // SAFETY: the caller keeps what the header asks for.
     let asked = unsafe { [string(callout), string(language)] };
     // SAFETY: as above.
     let found = unsafe { asked_for(asked, None, text, capacity) };
     match found {
-        Ok(answer) if limits.is_null() => (drop(answer), End::Misused as i32).1,
         Ok(answer) => {
             // SAFETY: it is not null, and the caller has room for one there.
             unsafe { limits.write(answer.verdict.limits) };

@@ -41,6 +41,9 @@ int main(void) {
     expect(fitcheck_check("25 H7", "0.985", NULL, &verdict, text, sizeof text) == FITCHECK_ANSWERED, "far off");
     expect(verdict.look_first == 1 && strchr(text, '\n') != NULL, "what is far off is never silent");
 
+    fitcheck_check("25 H7 \xe2\x92\xba", "25.012", NULL, &verdict, text, sizeof text);
+    expect(verdict.status == FITCHECK_GOOD && verdict.look_first == 1, "one diameter leaves an envelope open");
+
     expect(fitcheck_check("4000 H7", "4000", NULL, &verdict, text, sizeof text) == FITCHECK_REFUSED, "beyond ISO 286");
     expect(strstr(text, "3150") != NULL, "and why");
     expect(fitcheck_check("25 H7", "0", NULL, &verdict, text, sizeof text) == FITCHECK_REFUSED, "zero is no diameter");
