@@ -36,7 +36,7 @@ pub mod cli;
 pub mod gui;
 
 pub use fitcheck_core::{budget, length, message, pairing, part, probing, text, tolerance, verdict, words};
-pub use fitcheck_exchange::{batch, exchange, journal, proof, report, series};
+pub use fitcheck_exchange::{batch, exchange, journal, proof, report, row, series};
 pub use fitcheck_files as files;
 pub use fitcheck_gauges as gauges;
 pub use fitcheck_nc::{self as nc, control};

@@ -102,7 +102,7 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use crate::files::{self, ZoneError};
-use crate::report::figure::Figure;
+use crate::row::figure::Figure;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, ErrorSubject, IntoCliError};

@@ -2,7 +2,7 @@
 
 use super::Io;
 use crate::report::csv::{CsvLine, cell};
-use crate::report::figure::Figure;
+use crate::row::figure::Figure;
 use crate::verdict::Status;
 
 /// What has columns: a value has one, a row has those of its values.

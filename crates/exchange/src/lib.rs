@@ -4,8 +4,9 @@
 //! |---|---|
 //! | [`exchange`] | one file per format of other tools: bytes in; records, warnings, errors out |
 //! | [`journal`] | what was checked, when, by which rule: an entry, its bytes, the chain |
-//! | [`report`] | inspection reports: one model, one file per rendering |
-//! | [`proof`] | what a written report says, against the journal |
+//! | [`row`] | a check in figures, under the names that files for programs share |
+//! | `report` | inspection reports: one model, one file per rendering (feature `reports`) |
+//! | `proof` | what a written report says, against the journal (feature `reports`) |
 //! | [`series`] | values of a feature in a row: what counts, and the figures of it |
 //! | [`batch`] | rows by the million, judged by several workers |
 //!
@@ -14,6 +15,9 @@
 pub mod batch;
 pub mod exchange;
 pub mod journal;
+#[cfg(feature = "reports")]
 pub mod proof;
+#[cfg(feature = "reports")]
 pub mod report;
+pub mod row;
 pub mod series;

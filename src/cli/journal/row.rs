@@ -6,7 +6,7 @@ use crate::journal::entry::{Check, Checked, CycleCheck, Entry, Reported};
 use crate::journal::{Alarm, Record};
 use crate::length::Length;
 use crate::report::csv::harmless;
-use crate::report::row::position;
+use crate::row::position;
 use crate::store::local::ListedEntry;
 use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::Status;

@@ -8,7 +8,6 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::message::message;
-use crate::report::band::micrometres;
 
 /// The most values that are drawn.
 const MOST: usize = 30;
@@ -60,8 +59,8 @@ fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
     let Some(first) = records.first() else { return };
     let lower = &first.limits.deviations.lower();
     let upper = &first.limits.deviations.upper();
-    let low = micrometres(*lower);
-    let high = micrometres(*upper);
+    let low = lower.to_um_f64();
+    let high = upper.to_um_f64();
     let margin = ((high - low) * 0.5).max(1.0);
     let bottom = low - margin;
     let top = high + margin;
@@ -82,7 +81,7 @@ fn draw(ui: &Ui, view: &View<'_>, rect: Rect, records: &[&Record]) {
     }
     let step = ((plot.width() - space(8.0)) / shapes::times(1.0, MOST)).min(space(10.0));
     let x = |place: usize| plot.right() - space(4.0) - shapes::times(step, records.len() - 1 - place);
-    let at = |place: usize, record: &Record| pos2(x(place), y(micrometres(record.verdict.size.deviation)));
+    let at = |place: usize, record: &Record| pos2(x(place), y(record.verdict.size.deviation.to_um_f64()));
     let line = records.iter().enumerate().map(|(place, record)| at(place, record)).collect();
     painter.line(line, Stroke::new(1.0, palette.quiet.0));
     let shown = view.session.check().shown.as_ref();

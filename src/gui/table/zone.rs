@@ -6,7 +6,6 @@ use crate::gui::shapes::screen;
 use crate::gui::theme::{Palette, space};
 use crate::journal::Record;
 use crate::length::Length;
-use crate::report::band::micrometres;
 
 /// The whole band, and the part of it that the zone has.
 const SIZE: [f32; 2] = [24.0, 3.5];
@@ -26,8 +25,8 @@ impl Zoned {
         let size = &record.verdict.size;
         let [above, below] = [size.above_minimum, size.below_maximum];
         let is_outside = above < Length::ZERO || below < Length::ZERO;
-        let width = micrometres(above) + micrometres(below);
-        let share = if 0.0 < width { screen(micrometres(above) / width) } else { 0.5 };
+        let width = above.to_um_f64() + below.to_um_f64();
+        let share = if 0.0 < width { screen(above.to_um_f64() / width) } else { 0.5 };
         // A zone of no width has only one value.
         let beyond = if above < Length::ZERO { -1.0 } else { 2.0 };
         Self { share: if is_outside && width <= 0.0 { beyond } else { share }, is_outside }

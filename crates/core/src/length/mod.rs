@@ -234,6 +234,12 @@ impl Length {
         self.0 as f64 / 1e6
     }
 
+    /// Micrometres as the nearest float, for figures and plots.
+    #[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "below 2^53 nm, so the cast is exact")]
+    pub fn to_um_f64(self) -> f64 {
+        self.0 as f64 / 1e3
+    }
+
     /// The nearest whole nanometre to a geometric result in millimetres.
     ///
     /// # Errors

@@ -140,12 +140,12 @@ impl Band {
     /// ```
     pub fn by(rule: &Rule, limits: &Limits, measured: Option<Length>) -> Self {
         let guard = Ends::of(rule, limits);
-        let lower_um = micrometres(limits.deviations.lower());
-        let upper_um = micrometres(limits.deviations.upper());
+        let lower_um = limits.deviations.lower().to_um_f64();
+        let upper_um = limits.deviations.upper().to_um_f64();
         let width = if lower_um < upper_um { upper_um - lower_um } else { WIDTH_OF_NONE };
         let mut axis_min_um = lower_um - MARGIN * width;
         let mut axis_max_um = upper_um + MARGIN * width;
-        let measured = measured.map(|measured| micrometres(measured.saturating_sub(limits.nominal)));
+        let measured = measured.map(|measured| measured.saturating_sub(limits.nominal).to_um_f64());
         let ends = guard.iter().flat_map(Ends::all);
         for value in [Some(0.0), measured].into_iter().flatten().chain(ends) {
             if lower_um - REACH * width <= value && value <= upper_um + REACH * width {
@@ -197,7 +197,7 @@ impl Ends {
         let zones = rule.zones(&bounds);
         let plain = [bounds.minimum(), bounds.maximum()];
         let everything = [Length::MAX.negated(), Length::MAX];
-        let deviations = |ends: [Length; 2]| ends.map(|size| micrometres(size.saturating_sub(limits.nominal)));
+        let deviations = |ends: [Length; 2]| ends.map(|size| size.saturating_sub(limits.nominal).to_um_f64());
         (zones.accepted != Some(plain) || zones.rejected != plain).then(|| Self {
             accepted: zones.accepted.map(deviations),
             rejected: (zones.rejected != everything).then(|| deviations(zones.rejected)),
@@ -228,11 +228,6 @@ impl Ends {
         });
         Guard { accepted, rejected, bands: bands.filter(|band| band.from_um < band.to_um).collect() }
     }
-}
-
-/// A length in micrometres, the nearest float to its exact value.
-pub fn micrometres(length: Length) -> f64 {
-    (length.to_mm_f64() * 1e6).round() / 1e3
 }
 
 /// Multiples of 1, 2 or 5 times a power of ten: at least [`STEPS`] steps fit.

@@ -17,11 +17,11 @@ use fitcheck_core::length::{Length, Line};
 use fitcheck_core::message::{guarded, is_formula};
 use fitcheck_core::words::Words;
 
-use super::columns::{Cell as _, Column, cells, names};
 use super::part::PartSheet;
-use super::row::ReportRow;
 use super::{Holds, RenderError, Rendering, Report};
 use crate::journal::Record;
+use crate::row::ReportRow;
+use crate::row::columns::{Cell as _, Column, cells, names};
 
 pub const RENDERING: Rendering = Rendering {
     name: "csv",

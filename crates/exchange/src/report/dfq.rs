@@ -16,10 +16,10 @@ use fitcheck_core::words::Words;
 use jiff::civil::DateTime;
 
 use super::given::{self, Catalogue, Found, Given, Known, Quantity, is_plain, remarks, standing};
-use super::row::Millimetres;
 use super::told::on_one_line;
 use super::{Holds, Rendering, Report};
 use crate::journal::Record;
+use crate::row::Millimetres;
 
 pub const RENDERING: Rendering = Rendering {
     name: "dfq",

@@ -14,10 +14,11 @@ use fitcheck_core::verdict::rules::Uncertainty;
 use fitcheck_core::verdict::{Status, judge_size};
 use sha2::{Digest as _, Sha256};
 
+use super::Report;
 use super::part::PartSheet;
 use super::said::decimals_of;
-use super::{Report, row};
 use crate::journal::Record;
+use crate::row;
 
 /// A value, or the place of one that is missing.
 pub(super) struct Given<'r> {

@@ -13,9 +13,9 @@ use serde::Serialize;
 
 use super::csv::More;
 use super::part::PartSheet;
-use super::row::ReportRow;
 use super::{Checks, Holds, RenderError, Rendering, Report};
 use crate::journal::Record;
+use crate::row::{self, ReportRow};
 
 pub const RENDERING: Rendering = Rendering {
     name: "json",
@@ -111,16 +111,7 @@ pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
 
 /// One record as an object with the CSV's names; missing values are left out.
 pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Value>, RenderError> {
-    let value = serde_json::to_value(ReportRow::of(record)).map_err(|error| RenderError::writer("json", &error))?;
-    let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
-    // Leave out missing values: nulls, and the empty contacts and name of a typed value. That it is neither hole nor shaft is said.
-    object.retain(|name, value| {
-        name == "feature"
-            || !value.is_null()
-                && value.as_str() != Some("")
-                && !matches!(value, serde_json::Value::Array(array) if array.is_empty())
-    });
-    Ok(object)
+    row::object(record).map_err(|error| RenderError::writer("json", &error))
 }
 
 /// What a record has under the names of some columns; null where it has nothing.

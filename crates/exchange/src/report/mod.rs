@@ -10,8 +10,6 @@
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `dfq`, `qif` | the values with their characteristics, for statistics and measuring software |
 //! | `given` | the values of a report as these two have them |
-//! | `row` | the names and figures that CSV and JSON share |
-//! | `figure` | an exact decimal in files for programs |
 //! | `part`, `image` | a whole part by its plan, and its picture |
 //! | `pairing` | which parts go together, and its files |
 //! | `band` | the limit band's geometry, for the report and the window |
@@ -45,10 +43,8 @@
 pub mod band;
 pub mod changes;
 mod chart_file;
-pub mod columns;
 pub mod csv;
 pub mod dfq;
-pub mod figure;
 mod given;
 mod head;
 pub mod html;
@@ -63,7 +59,6 @@ pub mod pdf;
 mod picture;
 pub mod png;
 pub mod qif;
-pub mod row;
 mod said;
 mod seen;
 pub mod shapes;

@@ -11,7 +11,7 @@ use fitcheck_core::message::message;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
-use super::band::{Band, Guard, GuardBand, Guarded, Marker, Side, micrometres};
+use super::band::{Band, Guard, GuardBand, Guarded, Marker, Side};
 use super::text;
 use crate::journal::Record;
 
@@ -373,7 +373,7 @@ fn units(value: f64) -> String {
 pub(super) fn radial_um(distance: f64, radius: f64, words: &Words) -> String {
     let Ok(deviation) = Length::from_mm_f64(distance - radius) else { return String::new() };
     let text = deviation.rounded(fitcheck_core::length::Unit::Micrometre, 1);
-    let plus = if 0.05 <= micrometres(deviation) { "+" } else { "" };
+    let plus = if 0.05 <= deviation.to_um_f64() { "+" } else { "" };
     format!("{plus}{}", words.number(&text))
 }
 

@@ -54,19 +54,15 @@ const ROOM: f64 = 0.16;
 /// The height of a picture that would have none, micrometres.
 const HEIGHT_OF_NONE: f64 = 10.0;
 
-fn micrometres(length: Length) -> f64 {
-    length.to_mm_f64() * 1000.0
-}
-
 fn zone(deviations: Deviations, mark: Option<Mark>) -> PictureZone {
     let upper = deviations.upper();
     let lower = deviations.lower();
     let is_upper = upper.abs() < lower.abs();
     let fundamental = if is_upper { upper } else { lower };
     PictureZone {
-        upper_um: micrometres(upper),
-        lower_um: micrometres(lower),
-        fundamental_um: (upper.abs() != lower.abs()).then(|| micrometres(fundamental)),
+        upper_um: upper.to_um_f64(),
+        lower_um: lower.to_um_f64(),
+        fundamental_um: (upper.abs() != lower.abs()).then(|| fundamental.to_um_f64()),
         fundamental_is_upper: is_upper,
         mark,
     }
@@ -77,10 +73,10 @@ impl Picture {
     /// part that is not far away, and one farther out becomes an arrow.
     pub(super) fn new(fit: &Fit, hole: Option<Length>, shaft: Option<Length>) -> Self {
         let deviations = [fit.hole().deviations, fit.shaft().deviations];
-        let highest = deviations.iter().map(|zone| micrometres(zone.upper())).fold(0.0, f64::max);
-        let lowest = deviations.iter().map(|zone| micrometres(zone.lower())).fold(0.0, f64::min);
+        let highest = deviations.iter().map(|zone| zone.upper().to_um_f64()).fold(0.0, f64::max);
+        let lowest = deviations.iter().map(|zone| zone.lower().to_um_f64()).fold(0.0, f64::min);
         let height = if lowest < highest { highest - lowest } else { HEIGHT_OF_NONE };
-        let of = |limits: &Limits, measured: Length| micrometres(measured.saturating_sub(limits.nominal));
+        let of = |limits: &Limits, measured: Length| measured.saturating_sub(limits.nominal).to_um_f64();
         let marks = [hole.map(|hole| of(fit.hole(), hole)), shaft.map(|shaft| of(fit.shaft(), shaft))];
         let mut top = highest;
         let mut bottom = lowest;

@@ -8,9 +8,9 @@ use fitcheck_core::pairing::{Grinding, Group, Groups, Pair, PairClearances};
 use serde::Serialize;
 
 use super::{Format, PairingAnswer, PairingParts};
-use crate::report::columns::{self, Cell as _, Column, columns, names};
 use crate::report::csv::cell;
-use crate::report::figure::Figure;
+use crate::row::columns::{self, Cell as _, Column, columns, names};
+use crate::row::figure::Figure;
 
 /// The answer row by row.
 pub(super) const CSV: Format = Format { name: "csv", endings: &["csv"], write: csv };

@@ -127,7 +127,7 @@ pub(super) fn has_feature(given: &Given<'_>) -> bool {
 pub(super) fn centre(measurement: &Measurement) -> Option<[String; 3]> {
     let [x, y] = measurement.centre?;
     let height = fitcheck_core::length::Length::from_mm_f64(measurement.contacts.first()?.z).ok()?;
-    Some([x, y, height].map(|axis| crate::report::row::Millimetres(axis).text(0)))
+    Some([x, y, height].map(|axis| crate::row::Millimetres(axis).text(0)))
 }
 
 /// A name of 32 hexadecimal figures in five groups, of the beginning of a hash: version 8, one's own kind of name.

@@ -10,7 +10,7 @@ use super::xml::Elements;
 use crate::journal::Record;
 use crate::report::Report;
 use crate::report::given::{self, Found, Given, remarks};
-use crate::report::row::Millimetres;
+use crate::row::Millimetres;
 
 pub(super) fn write(report: &Report, ids: &Ids, xml: &mut Elements<'_>) -> io::Result<()> {
     let groups: Vec<usize> = (0..).zip(&ids.groups).filter(|(_, group)| 0 < group.values).map(|(at, _)| at).collect();

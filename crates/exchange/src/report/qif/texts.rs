@@ -4,7 +4,7 @@ use fitcheck_core::length::Length;
 use jiff::civil::DateTime;
 
 use crate::report::given::Quantity;
-use crate::report::row::Millimetres;
+use crate::row::Millimetres;
 
 /// A date and time to the second, as XML has it.
 pub(super) fn time(time: DateTime) -> String {

@@ -13,7 +13,6 @@ use rust_xlsxwriter::{
 };
 
 use super::failed;
-use crate::report::band::micrometres;
 use crate::report::told::{mark, on_one_line};
 
 /// The most UTF-16 units of a cell.
@@ -183,7 +182,7 @@ impl<'w> Paper<'w> {
 
     /// Micrometres without a sign.
     pub(super) fn amount(&mut self, (row, column): At, length: Length, looks: &Looks) -> io::Result<()> {
-        self.sheet.write_number_with_format(row, column, micrometres(length), &looks.amount).map_err(failed)?;
+        self.sheet.write_number_with_format(row, column, length.to_um_f64(), &looks.amount).map_err(failed)?;
         Ok(())
     }
 
@@ -223,7 +222,7 @@ impl<'w> Paper<'w> {
 
     /// Micrometres that a formula reckons.
     pub(super) fn reckoned(&mut self, (row, column): At, formula: &str, um: Length, looks: &Looks) -> io::Result<()> {
-        let formula = Formula::new(formula).set_result(micrometres(um).to_string());
+        let formula = Formula::new(formula).set_result(um.to_um_f64().to_string());
         self.sheet.write_formula_with_format(row, column, formula, &looks.um).map_err(failed)?;
         Ok(())
     }

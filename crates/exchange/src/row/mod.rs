@@ -1,6 +1,15 @@
 //! A record in figures: the names that CSV and JSON share, the same in every language.
 //!
+//! | file | what |
+//! |---|---|
+//! | here | a row: what a check has under each name |
+//! | `columns` | columns of CSV, each declared once |
+//! | `figure` | an exact decimal in files for programs |
+//!
 //! The names say millimetres or micrometres; the decimal sign is always a point. Sizes are exact.
+
+pub mod columns;
+pub mod figure;
 
 use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::tolerance::Source;
@@ -8,12 +17,11 @@ use fitcheck_core::tolerance::fit::thermal::Warm;
 use fitcheck_core::verdict::PositionVerdict;
 use serde::Serialize;
 
-use super::band::micrometres;
 use crate::journal::{Decision, Record};
 
 /// One record. The fields' order is the order of the columns.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct ReportRow {
+pub(crate) struct ReportRow {
     pub time: String,
     pub id: String,
     pub callout: Option<String>,
@@ -50,7 +58,7 @@ pub(super) struct ReportRow {
 
 /// What the correction of a measured value to 20 °C adds: `measured_mm` is the value at 20 °C.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Corrected {
+pub(crate) struct Corrected {
     pub as_measured_mm: Millimetres,
     pub correction_um: Micrometres,
     pub temperature_c: f64,
@@ -77,7 +85,7 @@ impl Corrected {
 
 /// What a decision rule adds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Guarded {
+pub(crate) struct Guarded {
     /// The word of the rule.
     pub rule_name: &'static str,
     /// The standard uncertainty, µm, and its coverage factor.
@@ -111,7 +119,7 @@ impl Guarded {
 
 /// What a budget adds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct Budgeted {
+pub(crate) struct Budgeted {
     pub budget: String,
     pub budget_date: String,
     pub budget_valid_until: String,
@@ -132,7 +140,7 @@ impl Budgeted {
 
 /// Why a value decides nothing although the rule would, in English.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(super) struct LeftUndecided {
+pub(crate) struct LeftUndecided {
     pub remeasure_reason: String,
 }
 
@@ -144,11 +152,11 @@ impl LeftUndecided {
 
 /// A length as a number of millimetres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Millimetres(pub Length);
+pub(crate) struct Millimetres(pub Length);
 
 /// A length as a number of micrometres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Micrometres(pub Length);
+pub(crate) struct Micrometres(pub Length);
 
 // A length has at most 16 significant figures, and a float's shortest text gives back 15 figures of any number and 16
 // of nearly every number; the rest are sizes above 1 000 km. So the JSON number reads as the exact decimal.
@@ -160,12 +168,13 @@ impl Serialize for Millimetres {
 
 impl Serialize for Micrometres {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_f64(micrometres(self.0))
+        serializer.serialize_f64(self.0.to_um_f64())
     }
 }
 
 impl Millimetres {
     /// Exact, with at least this many decimals.
+    #[cfg(feature = "reports")]
     pub fn text(self, decimals: usize) -> String {
         self.0.exact(Unit::Millimetre, decimals)
     }
@@ -249,4 +258,21 @@ pub fn warnings(record: &Record) -> Vec<String> {
     }
     warnings.extend(record.caveats().iter().map(ToString::to_string));
     warnings
+}
+
+/// One record as an object with the CSV's names; missing values are left out.
+///
+/// # Errors
+/// What JSON cannot hold.
+pub fn object(record: &Record) -> serde_json::Result<serde_json::Map<String, serde_json::Value>> {
+    let value = serde_json::to_value(ReportRow::of(record))?;
+    let serde_json::Value::Object(mut object) = value else { return Ok(serde_json::Map::new()) };
+    // Leave out missing values: nulls, and the empty contacts and name of a typed value. That it is neither hole nor shaft is said.
+    object.retain(|name, value| {
+        name == "feature"
+            || !value.is_null()
+                && value.as_str() != Some("")
+                && !matches!(value, serde_json::Value::Array(array) if array.is_empty())
+    });
+    Ok(object)
 }
