@@ -5,7 +5,7 @@ use fitcheck_core::probing::measurement::Caveat;
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::verdict::Status;
 use fitcheck_exchange::journal::Record;
-use fitcheck_exchange::report::json;
+use fitcheck_exchange::row;
 use jiff::Zoned;
 use jiff::civil::DateTime;
 use pyo3::prelude::*;
@@ -13,7 +13,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyList, PyString};
 use serde_json::Value;
 
-use crate::error::refused;
+use crate::error::with_code;
 use crate::given::{chars, diameter, mm, um};
 use crate::limits::Asked;
 use crate::rule::Told;
@@ -153,7 +153,7 @@ impl Verdict {
     /// What `fitcheck check --format json` says, with the time of this call.
     fn as_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let record = Record { time: Zoned::now().datetime(), ..self.record.clone() };
-        let object = json::object(&record).map_err(|error| refused("", &error))?;
+        let object = row::object(&record).map_err(|error| with_code(format!("record: {error}"), "python-no-record"))?;
         let dict = PyDict::new(py);
         for (name, value) in &object {
             dict.set_item(name, python(py, value)?)?;

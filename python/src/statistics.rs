@@ -194,7 +194,9 @@ pub(crate) fn statistics(
     });
     found.map_err(|error| match error {
         SeriesError::Reason(why) => refused("values", &why),
-        // Values without names are of one feature, and have the limits that were given.
-        other => with_code(format!("values: {other:?}"), "python-no-series"),
+        // Values without names are of one feature and have the limits that were given; nobody can ask for one point.
+        SeriesError::Features(_) | SeriesError::NoFeature(_) | SeriesError::Limits | SeriesError::NoPoint { .. } => {
+            with_code("values: they are not one series".to_owned(), "python-no-series")
+        }
     })
 }

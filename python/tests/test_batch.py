@@ -2,6 +2,7 @@
 
 import random
 import threading
+from collections.abc import Iterator
 from decimal import Decimal
 
 import duckdb
@@ -94,6 +95,22 @@ def test_counts_of_some_rows_are_not_given_for_those_of_all(table: pyarrow.Table
             getattr(asked, name)
     reader = pyarrow.RecordBatchReader.from_stream(asked)
     reader.read_next_batch()
+    with pytest.raises(fitcheck.FitcheckError, match="not read to their end"):
+        asked.counts
+
+
+def test_a_stream_that_breaks_off_has_no_counts(table: pyarrow.Table) -> None:
+    def broken() -> Iterator[pyarrow.RecordBatch]:
+        yield from table.to_batches(max_chunksize=1000)[:15]
+        raise OSError("the disk went away")
+
+    asked = fitcheck.batch(pyarrow.RecordBatchReader.from_batches(table.schema, broken()))
+    reader = pyarrow.RecordBatchReader.from_stream(asked)
+    with pytest.raises(Exception, match="the disk went away"):
+        reader.read_all()
+    # Whoever goes on after the error finds no rows, and no counts that look like those of all.
+    with pytest.raises(StopIteration):
+        reader.read_next_batch()
     with pytest.raises(fitcheck.FitcheckError, match="not read to their end"):
         asked.counts
 

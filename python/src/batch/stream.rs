@@ -40,6 +40,8 @@ pub(super) struct Judging {
     /// What was judged and is not given out yet.
     judged: VecDeque<RecordBatch>,
     threads: usize,
+    /// After an error there are no more rows, and counts of all rows never.
+    has_failed: bool,
     totals: Arc<Mutex<Totals>>,
 }
 
@@ -120,7 +122,7 @@ impl Judging {
         let all: Vec<Arc<Field>> = input.fields().iter().cloned().chain(added.into_iter().map(Arc::new)).collect();
         let schema = Arc::new(Schema::new_with_metadata(all, input.metadata().clone()));
         let threads = thread::available_parallelism().map_or(1, usize::from).min(8);
-        Ok(Self { rows, layout, needed, schema, read, judged: VecDeque::new(), threads, totals })
+        Ok(Self { rows, layout, needed, schema, read, judged: VecDeque::new(), threads, has_failed: false, totals })
     }
 
     /// What is to be said of the columns.
@@ -189,11 +191,15 @@ impl Iterator for Judging {
     type Item = Result<RecordBatch, ArrowError>;
 
     fn next(&mut self) -> Option<Self::Item> {
+        if self.has_failed {
+            return None;
+        }
         if self.judged.is_empty() {
             // Whoever asks may hold the interpreter: others go on with it meanwhile.
             let mut round = || self.round();
             let done = Python::try_attach(|py| py.detach(&mut round)).unwrap_or_else(round);
             if let Err(error) = done {
+                self.has_failed = true;
                 return Some(Err(error));
             }
         }
