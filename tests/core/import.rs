@@ -185,6 +185,32 @@ fn problems_have_file_line_and_column_on_standard_error() {
 }
 
 #[test]
+fn a_column_that_may_have_the_callouts_is_named_where_nothing_gives_limits() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = "1: warning: column 2 (Quota) looks as if it held the callouts, but its name is not known: \
+                name it callout, or give its number with --columns, such as callout=2\n";
+    let err = |text: &str| {
+        std::fs::write(folder.path().join("m.csv"), text).unwrap();
+        run(folder.path(), &["m.csv"]).err
+    };
+    let unknown = "Pezzo;Quota;Valore misurato\nP1;25 H7;25,01\nP2;30 g6;29,99\n";
+    assert!(err(unknown).contains(told), "{}", err(unknown));
+    let mut batch = Command::cargo_bin("fitcheck").unwrap();
+    let batch = batch.args(["batch", "-"]).write_stdin(unknown).output().unwrap();
+    let batch = String::from_utf8(batch.stderr).unwrap();
+    assert!(batch.contains(told), "{batch}");
+    for known in [
+        // The callouts are known: the other column may be of the mating part.
+        "Pezzo;Quota;Tolleranza;Valore misurato\nP1;25 g6;25 H7;25,01\n",
+        "Pezzo;Quota;Min;Max;Valore misurato\nP1;25 H7;25;25,021;25,01\n",
+        // Nothing in it is a callout.
+        "Pezzo;Quota;Valore misurato\nP1;17-3;25,01\n",
+    ] {
+        assert!(!err(known).contains("looks as if"), "{known}: {}", err(known));
+    }
+}
+
+#[test]
 fn json_has_the_same_names_and_exact_figures() {
     let folder = tempfile::tempdir().unwrap();
     let text = "id;callout;measured\nb\"1;25 H7;24.9979995\nb2;25 H7;x\nb3;25 H7;24.997999\n";

@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = přeskočené sloupce: { $columns }
 exchange-warning-quantity-unknown = sloupec { $column } nemá známé slovo pro to, co se měřilo ({ $words }): všechny jeho hodnoty se čtou jako rozměry; je-li to správně, uveďte import --columns quantity=-
 exchange-warning-not-used = přeskočeno, není to měření: { $text }
 exchange-warning-minus-supplied = sloupec { $column } nemá znaménka mínus: jeho hodnoty se čtou jako dolní úchylky pod jmenovitým rozměrem
+exchange-warning-callouts-unnamed = sloupec { $column } zřejmě obsahuje tolerované rozměry, ale jeho název není známý: pojmenujte jej callout, nebo zadejte jeho číslo pomocí --columns, například callout=2
 exchange-warning-limits-read = sloupce { $columns } se čtou jako meze
 exchange-warning-head-read = přečteno pro všechny hodnoty: { $said }
 exchange-warning-samples-read = sloupce { $columns } se čtou jako díly vedle sebe: každá hodnota se posuzuje zvlášť, prázdná buňka není hodnota a bez sériových čísel je každý sloupec samostatný díl

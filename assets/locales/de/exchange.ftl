@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = übersprungene Spalten: { $columns }
 exchange-warning-quantity-unknown = Spalte { $column } hat kein bekanntes Wort für die gemessene Größe ({ $words }): alle ihre Werte werden als Maße gelesen; ist das richtig, import --columns quantity=- angeben
 exchange-warning-not-used = übersprungen, keine Messung: { $text }
 exchange-warning-minus-supplied = Spalte { $column } hat keine Minuszeichen: ihre Werte gelten als untere Abmaße unter dem Nennmaß
+exchange-warning-callouts-unnamed = Spalte { $column } sieht aus, als enthielte sie die Passungen, aber ihr Name ist nicht bekannt: sie Passung nennen oder ihre Nummer mit --columns angeben, etwa callout=2
 exchange-warning-limits-read = Spalten { $columns } werden als Grenzen gelesen
 exchange-warning-head-read = für alle Werte gelesen: { $said }
 exchange-warning-samples-read = Spalten { $columns } werden als Teile nebeneinander gelesen: jeder Wert wird für sich beurteilt, eine leere Zelle ist kein Wert, und ohne Seriennummern ist jede Spalte ein eigenes Teil

@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = columns skipped: { $columns }
 exchange-warning-quantity-unknown = column { $column } has no known word for what was measured ({ $words }): all its values are read as sizes; if that is right, give import --columns quantity=-
 exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-minus-supplied = column { $column } has no minus signs: its values are read as lower deviations below the nominal size
+exchange-warning-callouts-unnamed = column { $column } looks as if it held the callouts, but its name is not known: name it callout, or give its number with --columns, such as callout=2
 exchange-warning-limits-read = columns { $columns } are read as limits
 exchange-warning-head-read = read for all values: { $said }
 exchange-warning-samples-read = columns { $columns } hold parts side by side, one part each: values are judged one by one, empty cells are skipped, and columns without serial numbers count as separate parts

@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = columnas omitidas: { $columns }
 exchange-warning-quantity-unknown = la columna { $column } no tiene ninguna palabra conocida para lo que se midió ({ $words }): todos sus valores se leen como medidas; si es correcto, indique import --columns quantity=-
 exchange-warning-not-used = omitido, no es una medición: { $text }
 exchange-warning-minus-supplied = la columna { $column } no tiene signos menos: sus valores se leen como desviaciones inferiores por debajo de la medida nominal
+exchange-warning-callouts-unnamed = la columna { $column } parece contener las cotas con tolerancia, pero su nombre no se conoce: llamarla callout o dar su número con --columns, por ejemplo callout=2
 exchange-warning-limits-read = las columnas { $columns } se leen como límites
 exchange-warning-head-read = leído para todos los valores: { $said }
 exchange-warning-samples-read = las columnas { $columns } se leen como piezas una junto a otra: cada valor se juzga por sí solo, una celda vacía no es un valor, y sin números de serie cada columna es una pieza propia

@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = colonnes ignorées : { $columns }
 exchange-warning-quantity-unknown = la colonne { $column } n'a aucun mot connu pour la grandeur mesurée ({ $words }) : toutes ses valeurs sont lues comme des cotes ; si c'est exact, donner import --columns quantity=-
 exchange-warning-not-used = ignoré, pas une mesure : { $text }
 exchange-warning-minus-supplied = la colonne { $column } n’a pas de signes moins : ses valeurs sont lues comme écarts inférieurs en dessous de la cote nominale
+exchange-warning-callouts-unnamed = la colonne { $column } semble contenir les cotes tolérancées, mais son nom n’est pas connu : la nommer callout, ou donner son numéro avec --columns, par exemple callout=2
 exchange-warning-limits-read = les colonnes { $columns } sont lues comme limites
 exchange-warning-head-read = lu pour toutes les valeurs : { $said }
 exchange-warning-samples-read = les colonnes { $columns } sont lues comme pièces côte à côte : chaque valeur est jugée seule, une cellule vide n’est pas une valeur, et sans numéros de série chaque colonne est une pièce à part

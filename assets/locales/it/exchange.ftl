@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = colonne saltate: { $columns }
 exchange-warning-quantity-unknown = la colonna { $column } non ha parole note per la grandezza misurata ({ $words }): tutti i suoi valori vengono letti come dimensioni; se è corretto, indicare import --columns quantity=-
 exchange-warning-not-used = saltato, non è una misura: { $text }
 exchange-warning-minus-supplied = la colonna { $column } è senza segni meno: i valori sono letti come scostamenti inferiori sotto la quota nominale
+exchange-warning-callouts-unnamed = la colonna { $column } sembra contenere le quote con tolleranza, ma il suo nome non è noto: chiamarla callout, oppure dare il suo numero con --columns, per esempio callout=2
 exchange-warning-limits-read = le colonne { $columns } sono lette come limiti
 exchange-warning-head-read = letto per tutti i valori: { $said }
 exchange-warning-samples-read = le colonne { $columns } sono lette come pezzi affiancati: ogni valore è giudicato da solo, una cella vuota non è un valore, e senza numeri di serie ogni colonna è un pezzo a sé

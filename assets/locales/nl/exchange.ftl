@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = overgeslagen kolommen: { $columns }
 exchange-warning-quantity-unknown = kolom { $column } heeft geen bekend woord voor wat gemeten is ({ $words }): al haar waarden worden als maten gelezen; klopt dat, geef dan import --columns quantity=- op
 exchange-warning-not-used = overgeslagen, geen meting: { $text }
 exchange-warning-minus-supplied = kolom { $column } heeft geen mintekens: de waarden worden gelezen als onderafwijkingen onder de nominale maat
+exchange-warning-callouts-unnamed = kolom { $column } lijkt de passingen te bevatten, maar de naam is niet bekend: noem de kolom passing, of geef het nummer met --columns, zoals callout=2
 exchange-warning-limits-read = kolommen { $columns } worden als grenzen gelezen
 exchange-warning-head-read = gelezen voor alle waarden: { $said }
 exchange-warning-samples-read = kolommen { $columns } worden gelezen als onderdelen naast elkaar: elke waarde wordt apart beoordeeld, een lege cel is geen waarde, en zonder serienummers is elke kolom een eigen onderdeel

@@ -130,6 +130,7 @@ exchange-warning-ignored-columns = pominięte kolumny: { $columns }
 exchange-warning-quantity-unknown = kolumna { $column } nie ma znanego słowa na to, co zmierzono ({ $words }): wszystkie wartości są czytane jako wymiary; jeśli to prawda, podać import --columns quantity=-
 exchange-warning-not-used = pominięto, to nie pomiar: { $text }
 exchange-warning-minus-supplied = kolumna { $column } nie ma minusów: jej wartości są czytane jako odchyłki dolne poniżej wymiaru nominalnego
+exchange-warning-callouts-unnamed = kolumna { $column } wygląda na kolumnę wymiarów tolerowanych, ale jej nazwa nie jest znana: nazwij ją callout albo podaj jej numer przez --columns, na przykład callout=2
 exchange-warning-limits-read = kolumny { $columns } są czytane jako granice
 exchange-warning-head-read = odczytano dla wszystkich wartości: { $said }
 exchange-warning-samples-read = kolumny { $columns } są czytane jako części obok siebie: każda wartość jest oceniana osobno, pusta komórka nie jest wartością, a bez numerów seryjnych każda kolumna to osobna część

@@ -64,6 +64,11 @@ pub enum ImportWarningKind {
         /// Its first words.
         words: String,
     },
+    /// A column of no known name that looks as if it had the callouts of rows without limits.
+    CalloutsUnnamed {
+        /// Its number and name.
+        column: String,
+    },
     /// Lower deviations that stand without their minus, which is supplied.
     MinusSupplied {
         /// Its number and name.
@@ -428,6 +433,7 @@ impl ImportWarningKind {
             | Self::OtherRule
             | Self::IgnoredColumns { .. }
             | Self::NotUsed { .. }
+            | Self::CalloutsUnnamed { .. }
             | Self::MinusSupplied { .. }
             | Self::LimitsRead { .. }
             | Self::HeadRead { .. }

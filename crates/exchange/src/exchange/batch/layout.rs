@@ -15,6 +15,7 @@ use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::limits::LimitColumns;
 use crate::exchange::mapping::Mapping;
+use crate::exchange::own::OwnColumns;
 use crate::exchange::row::TextRow;
 use crate::exchange::sample::Sample;
 use crate::exchange::{FORMATS, cells, left_out};
@@ -190,6 +191,17 @@ impl Layout {
     /// Whether a decimal comma may have become a separator of cells.
     pub(super) const fn has_commas(&self) -> bool {
         self.separator == b',' && !self.is_typed
+    }
+
+    /// Whether a column gives limits; where none does, no row is judged.
+    pub fn has_limits(&self) -> bool {
+        let columns = &self.columns;
+        columns.tolerance.is_some() || columns.limits.is_some() || columns.own != OwnColumns::default()
+    }
+
+    /// The number and name of a column of no known name that looks as if it had the callouts, where nothing else has limits.
+    pub fn callouts_unnamed(&self) -> Option<&str> {
+        self.columns.callouts_unnamed.as_deref()
     }
 
     /// Whether a verdict, or what is told of it, depends on what is in a column.

@@ -5,9 +5,11 @@ use csv::StringRecord;
 use super::Columns;
 use crate::exchange::beside::BesideColumn;
 use crate::exchange::cell::Cells as _;
-use crate::exchange::column::{NAMED, name_of};
+use crate::exchange::cells::is_callout;
+use crate::exchange::column::{NAMED, listed, name_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::head::Head;
+use crate::exchange::own::OwnColumns;
 use crate::exchange::sample::Sample;
 use crate::exchange::{cells, stated};
 
@@ -51,6 +53,15 @@ impl Sample {
         Ok(columns)
     }
 
+    /// The column that looks as if it had the callouts of rows that nothing else gives limits. It is not taken for them: it may be the
+    /// other part's.
+    fn callouts_unnamed(&self, columns: &Columns, names: &StringRecord, used: &[usize]) -> Option<String> {
+        let has_limits =
+            columns.tolerance.is_some() || columns.limits.is_some() || columns.own != OwnColumns::default();
+        let mut free = (0..columns.count).filter(|at| !has_limits && !used.contains(at));
+        free.find(|at| self.mostly(*at, is_callout)).map(|at| listed(&[name_of(at, names.cell(at))]))
+    }
+
     /// What the first measured values look like.
     pub(in crate::exchange) fn look_at_values(&self, columns: &mut Columns, names: &StringRecord) {
         let used = columns.used();
@@ -66,6 +77,7 @@ impl Sample {
         columns.beside = self.beside(names, columns, &used);
         columns.evidence.warm = self.said_of_all(columns, names);
         columns.other_values = self.other_values(names, columns, &used);
+        columns.callouts_unnamed = self.callouts_unnamed(columns, names, &used);
         columns.remarks = columns.remarks_beside(names, &used);
         // What is compared is not skipped.
         let compared = columns.beside.iter().map(BesideColumn::at).chain(columns.evidence.word);

@@ -73,6 +73,8 @@ pub(super) struct Columns {
     pub(super) other_values: Vec<String>,
     /// What stands beside a value and may contradict its answer.
     pub(super) beside: Vec<BesideColumn>,
+    /// A column of no known name that looks as if it had the callouts, where nothing else has limits.
+    pub(super) callouts_unnamed: Option<String>,
     /// Columns of no known name.
     pub(super) remarks: Vec<RemarkColumn>,
     /// The columns of measured values side by side, each as if it were the only one; none where there is one alone.
@@ -221,10 +223,12 @@ impl Columns {
         let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
         let columns = || listed(&self.other_values);
         let others = (!self.other_values.is_empty()).then(|| ImportWarningKind::OtherValues { columns: columns() });
+        let unnamed = self.callouts_unnamed.clone();
+        let unnamed = unnamed.map(|column| ImportWarningKind::CalloutsUnnamed { column });
         let samples = || ImportWarningKind::SamplesRead { columns: self.samples_named.clone() };
         let samples = (!self.samples.is_empty()).then(samples);
         let limits = self.limits.iter().flat_map(LimitColumns::told).chain(samples);
-        others.into_iter().chain(limits).chain(
+        others.into_iter().chain(unnamed).chain(limits).chain(
             taken.map(|(column, words)| ImportWarningKind::QuantityUnknown {
                 column: column.clone(),
                 words: words.clone(),
