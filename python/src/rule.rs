@@ -24,6 +24,11 @@ impl Told<'_, '_> {
     /// The rule; without a name the limits alone decide.
     pub(crate) fn rule(&self) -> PyResult<Rule> {
         let name = match self.rule {
+            // By the limits alone the answer would look as if the uncertainty had counted.
+            None if self.u_um.is_some() || self.expanded_um.is_some() => {
+                let text = "rule: give the rule that uses the uncertainty, such as \"iso14253-2017\"; with \"simple\" the limits alone decide";
+                return Err(with_code(text.to_owned(), "python-no-rule"));
+            }
             None => RuleName::Simple,
             Some(word) => RuleName::ALL.into_iter().find(|rule| rule.word() == word).ok_or_else(|| {
                 let known = RuleName::ALL.map(RuleName::word).join(", ");

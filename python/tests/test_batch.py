@@ -143,6 +143,19 @@ def test_what_is_no_table_of_measurements_is_refused(table: object) -> None:
         pyarrow.table(fitcheck.batch(table))
 
 
+def test_a_table_whose_callouts_are_not_known_is_refused_and_says_which_column_may_have_them() -> None:
+    table = polars.DataFrame({"Pezzo": ["P1", "P2"], "Quota": ["25 H7", "30 g6"], "Valore misurato": ["25,01", "29,99"]})
+    with pytest.raises(fitcheck.FitcheckError) as refused:
+        fitcheck.batch(table)
+    for word in ("2 (Quota) looks as if it had callouts", "Pezzo, Quota, Valore misurato", "callout="):
+        assert word in str(refused.value)
+    assert [answer["status"] for answer in judged(table, callout="Quota")] == ["GOOD", "GOOD"]
+    with pytest.raises(fitcheck.FitcheckError, match="measured="):
+        fitcheck.batch(polars.DataFrame({"callout": ["25 H7"], "a": [1.0], "b": [2.0]}))
+    with pytest.raises(fitcheck.FitcheckError, match="no column is known to have callouts"):
+        fitcheck.batch(polars.DataFrame({"id": ["a"], "measured": [25.0]}))
+
+
 def test_a_table_without_rows_has_none() -> None:
     none = polars.DataFrame(schema={"callout": polars.String, "measured": polars.Float64})
     assert judged(none) == []

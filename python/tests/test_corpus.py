@@ -143,6 +143,8 @@ def test_a_check_is_that_of_the_command_line(call: Call) -> None:
         pytest.skip("contacts and simulations are not in the package")
     names = {"--u": "u_um", "--expanded": "expanded_um", "--guard": "guard_um"}
     given = {names.get(name, name[2:]): value for name, value in options.items()}
+    if "u_um" in given or "expanded_um" in given:
+        given.setdefault("rule", "simple")
     try:
         verdict = fitcheck.check(places[0], measured, **given)
     except fitcheck.FitcheckError as error:

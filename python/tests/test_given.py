@@ -67,11 +67,11 @@ def test_what_is_no_callout_is_refused(callout: object) -> None:
         {"rule": "iso14253-2017"},
         {"rule": "simple", "guard_um": 1},
         {"rule": "fixed"},
-        {"u_um": 1, "expanded_um": 2},
+        {"rule": "simple", "u_um": 1, "expanded_um": 2},
         {"k": 2},
-        {"u_um": 0},
-        {"u_um": math.nan},
-        {"u_um": 1, "k": 20},
+        {"rule": "simple", "u_um": 0},
+        {"rule": "simple", "u_um": math.nan},
+        {"rule": "simple", "u_um": 1, "k": 20},
         {"rule": "ilac-g8", "u_um": 1, "factor": 0},
         {"rule": "simple", "prover": "customer"},
         {"prover": "nobody"},
@@ -81,6 +81,14 @@ def test_what_is_no_callout_is_refused(callout: object) -> None:
 def test_a_rule_that_lacks_something_is_refused(given: dict) -> None:
     with pytest.raises(fitcheck.FitcheckError):
         fitcheck.check("25 H7", "25.01", **given)
+
+
+@pytest.mark.parametrize("given", [{"u_um": 1.2}, {"expanded_um": 2.4}, {"expanded_um": 2.4, "k": 2}])
+def test_an_uncertainty_without_a_rule_is_not_passed_over(given: dict) -> None:
+    with pytest.raises(fitcheck.FitcheckError, match="give the rule that uses the uncertainty"):
+        fitcheck.check("25 H7", "25.0195", **given)
+    told = fitcheck.check("25 H7", "25.0195", rule="simple", **given)
+    assert told.status == "GOOD"
 
 
 def test_a_value_far_off_is_never_green() -> None:

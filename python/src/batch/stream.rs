@@ -107,7 +107,14 @@ impl Judging {
             missing -= some.num_rows();
             read.push_back(batch);
         }
-        let layout = block.layout(names).map_err(|error| error.to_string())?;
+        let named = || format!("the columns are {}: name those that count by callout= and measured=", names.join(", "));
+        let layout = block.layout(names.clone()).map_err(|error| format!("{error}; {}", named()))?;
+        if !layout.has_limits() {
+            let unnamed =
+                layout.callouts_unnamed().map(|column| format!("; column {column} looks as if it had callouts"));
+            let unnamed = unnamed.unwrap_or_default();
+            return Err(format!("no column is known to have callouts or limits{unnamed}; {}", named()));
+        }
         let needed: Vec<bool> =
             (0..).zip(input.fields()).map(|(at, field)| layout.needs(at, is_text(field.data_type()))).collect();
         let nested =
