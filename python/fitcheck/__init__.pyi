@@ -300,7 +300,7 @@ def check(
     Without a rule the limits alone decide, and belong to the zone, as on a control. rule: simple, iso14253-2017, iso14253-1998,
     ilac-g8, asme-simple, asme-stringent, asme-relaxed or fixed. u_um is the standard uncertainty, expanded_um the expanded one
     with its coverage factor k (2 unless given), guard_um the guard band of "fixed": micrometres. prover: who has to prove
-    (ISO 14253-1). Raises FitcheckError for what is not defined or is no number.
+    (ISO 14253-1). Raises FitcheckError for what is not defined or is no number, and for an uncertainty without the rule that uses it.
     """
 
 def fit(callout: str, *, hole: Number | None = None, shaft: Number | None = None) -> Fit:
@@ -319,13 +319,13 @@ def batch(
     measured: str | None = None,
     prefix: str = "",
 ) -> Rows:
-    """Judges every row of a table, in its order, as `fitcheck batch` does.
+    """Judges every row of a table, in its order, by the limits alone, as `fitcheck batch` does.
 
     table: whatever speaks the C stream of Arrow, such as a frame of Polars or pandas, a table of pyarrow, a relation of DuckDB. Its
     columns are found by their names in English, Dutch, German, Italian, French or Spanish and by their contents, or named by callout and measured.
     Texts may have a decimal comma. All columns are given on without copies,
     followed by min_mm, max_mm, deviation_um, status, remove_um, error and doubt, each behind the prefix. A row without a verdict
-    has the reason in error. Raises FitcheckError where nothing in the table can be judged.
+    has the reason in error. Raises FitcheckError where nothing in the table can be judged, as without a column of callouts or limits.
     """
 
 def pair(

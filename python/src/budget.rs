@@ -70,7 +70,10 @@ impl Budget {
     }
 }
 
-/// Evaluates the text of a budget file for a size, for contacts evenly round the circle, and for a day.
+/// Evaluates the text of a budget file (TOML, as `fitcheck budget` reads it).
+///
+/// size: the measured size in millimetres, for contributions that grow with it. touches and step_deg: how many contacts were taken,
+/// and the angle between them in degrees. day: YYYY-MM-DD, today unless given; a budget that is not valid then says so.
 #[pyfunction]
 #[pyo3(signature = (text, *, size = None, touches = None, step_deg = None, day = None))]
 pub(crate) fn budget(

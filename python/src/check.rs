@@ -198,6 +198,11 @@ fn python<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
 }
 
 /// Judges one measured diameter.
+///
+/// Without a rule the limits alone decide, and belong to the zone, as on a control. rule: simple, iso14253-2017, iso14253-1998,
+/// ilac-g8, asme-simple, asme-stringent, asme-relaxed or fixed. u_um is the standard uncertainty, expanded_um the expanded one
+/// with its coverage factor k (2 unless given), guard_um the guard band of "fixed": micrometres. prover: who has to prove
+/// (ISO 14253-1). Raises FitcheckError for what is not defined or is no number, and for an uncertainty without the rule that uses it.
 #[pyfunction]
 #[pyo3(signature = (
     callout, measured, *, feature = None, rule = None, u_um = None, expanded_um = None, k = None, factor = None,

@@ -110,7 +110,9 @@ pub(crate) enum Point {
     Two(f64, f64),
 }
 
-/// The circle through contacts.
+/// The circle through contacts, millimetres: by least squares and by every other criterion of ISO 14405-1.
+///
+/// Raises FitcheckError for fewer than three contacts, contacts on a line, or numbers that are not finite.
 #[pyfunction]
 pub(crate) fn circle(py: Python<'_>, contacts: Vec<Point>) -> PyResult<Evaluation> {
     let contacts: Vec<Contact> = contacts

@@ -73,7 +73,7 @@ impl Fit {
     }
 }
 
-/// A fit such as `25 H7/g6`; with both measured parts, how they go together.
+/// A fit such as "25 H7/g6"; with both measured diameters, how the parts go together. Raises FitcheckError as limits() does.
 #[pyfunction]
 #[pyo3(signature = (callout, *, hole = None, shaft = None))]
 pub(crate) fn fit(

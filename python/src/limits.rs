@@ -113,7 +113,9 @@ impl Limits {
     }
 }
 
-/// The limits of size of a callout.
+/// The limits of size of a callout: "25 H7", "12 ±0.02", "10m", "12 +0.01 -0.015", or one part of "25 H7/g6" with its feature.
+///
+/// Limits: ISO 286-1 and -2 (classes to 3150 mm), ISO 2768-1. Raises FitcheckError where a class is not defined at a size.
 #[pyfunction]
 #[pyo3(signature = (callout, *, feature = None))]
 pub(crate) fn limits(callout: &Bound<'_, PyAny>, feature: Option<&str>) -> PyResult<Limits> {

@@ -49,7 +49,9 @@ fn sizes(given: &[Bound<'_, PyAny>], what: &str) -> PyResult<Vec<Length>> {
     given.iter().enumerate().map(|(at, size)| diameter(size, &format!("{what}[{at}]"))).collect()
 }
 
-/// As many pairs as possible, those closest to the middle of the clearances.
+/// Pairs measured holes with measured shafts (selective assembly), for clearances in millimetres, both ends included, or for a fit.
+///
+/// A negative clearance is an interference. Raises FitcheckError for a size that is none, named by its place.
 #[pyfunction]
 #[pyo3(signature = (holes, shafts, *, clearance = None, fit = None))]
 #[expect(clippy::needless_pass_by_value, reason = "a sequence of Python becomes a list of its own")]

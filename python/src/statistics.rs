@@ -148,7 +148,10 @@ impl Limits {
     }
 }
 
-/// Figures of values in the order in which they were made.
+/// Control chart, capability, trend and advice for measured values in their order, as `fitcheck stats` computes them.
+///
+/// Limits come from a callout, or are given in millimetres. group: how many values in a row are a subgroup. level: of the intervals,
+/// from 0.5 to below 1. What cannot be computed of too few values has its reason in the figure.
 #[pyfunction]
 #[pyo3(signature = (values, *, callout = None, lower = None, upper = None, target = None, group = 1, level = 0.95))]
 #[expect(clippy::too_many_arguments, reason = "each has its name in Python")]

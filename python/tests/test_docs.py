@@ -1,5 +1,6 @@
 """The examples of README and package are what is printed."""
 
+import ast
 import doctest
 import json
 import re
@@ -39,6 +40,14 @@ def test_every_name_has_its_types() -> None:
             body = re.split(r"\n(?=class |def )", types[re.search(rf"^class {name}\b", types, re.MULTILINE).start() :])[0]
             for own in own:
                 assert re.search(rf"\b{own}\b", body), f"{name}.{own}"
+
+
+def test_help_says_what_the_types_say() -> None:
+    types = ast.parse((Path(fitcheck.__file__).parent / "__init__.pyi").read_text(encoding="utf-8"))
+    functions = [node for node in types.body if isinstance(node, ast.FunctionDef)]
+    assert len(functions) == 8
+    for function in functions:
+        assert getattr(fitcheck, function.name).__doc__ == ast.get_docstring(function), function.name
 
 
 def test_the_notebook_runs_from_its_first_cell_to_its_last() -> None:

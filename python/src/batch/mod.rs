@@ -107,7 +107,13 @@ impl Rows {
     }
 }
 
-/// Judges every row of a table, in its order.
+/// Judges every row of a table, in its order, by the limits alone, as `fitcheck batch` does.
+///
+/// table: whatever speaks the C stream of Arrow, such as a frame of Polars or pandas, a table of pyarrow, a relation of DuckDB. Its
+/// columns are found by their names in English, Dutch, German, Italian, French or Spanish and by their contents, or named by callout and measured.
+/// Texts may have a decimal comma. All columns are given on without copies,
+/// followed by min_mm, max_mm, deviation_um, status, remove_um, error and doubt, each behind the prefix. A row without a verdict
+/// has the reason in error. Raises FitcheckError where nothing in the table can be judged, as without a column of callouts or limits.
 #[pyfunction]
 #[pyo3(signature = (table, *, callout = None, measured = None, prefix = ""))]
 pub(crate) fn batch(
