@@ -240,6 +240,32 @@ pub const FORMATS: &[Format] = &[
     measurements::FORMAT,
 ];
 
+/// A format without its readers.
+#[derive(Clone, Copy)]
+struct Known {
+    name: &'static str,
+    description: &'static str,
+    recognises: fn(&Beginning<'_>) -> bool,
+}
+
+/// Those of [`FORMATS`], in their order: where it is only asked of which one a file is, the readers of all are not compiled in.
+static KNOWN: [Known; FORMATS.len()] = {
+    let mut all = [Known { name: "", description: "", recognises: |_| false }; FORMATS.len()];
+    let (mut formats, mut places) = (FORMATS, all.as_mut_slice());
+    while let ([Format { name, description, recognises, .. }, more @ ..], [place, others @ ..]) = (formats, places) {
+        *place = Known { name, description, recognises: *recognises };
+        (formats, places) = (more, others);
+    }
+    all
+};
+
+/// The name of the format that a file seems to be of, by its first 64 KiB and its name, and what it is.
+fn known_format(bytes: &[u8], file_name: &str) -> Option<(&'static str, Message)> {
+    let beginning = Beginning::new(file_name, bytes);
+    let known = KNOWN.iter().find(|format| (format.recognises)(&beginning))?;
+    Some((known.name, Message::new(known.description)))
+}
+
 /// Contacts of a probe: recognised here, read by their own file.
 const CONTACTS: Format = Format {
     name: "contacts",

@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use fitcheck_core::message::Say as _;
 use fitcheck_core::text::{Within as _, windows_1252};
 use fitcheck_nc::control::simulated::is_mark;
 
@@ -18,7 +17,7 @@ use crate::exchange::mapping::Mapping;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::row::TextRow;
 use crate::exchange::sample::Sample;
-use crate::exchange::{FORMATS, cells, left_out};
+use crate::exchange::{cells, known_format, left_out};
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);
@@ -90,7 +89,7 @@ impl Layout {
             return Err(ImportErrorKind::Empty);
         }
         if mapping.is_none() {
-            known_format(head, file_name)?;
+            is_judged_by_rows(head, file_name)?;
         }
         let mapping = mapping.unwrap_or(&open);
         let decoded = utf8(body);
@@ -166,7 +165,7 @@ impl Layout {
     pub(super) fn of_columns(names: Vec<String>, above: Vec<u8>, sample: &[u8]) -> Result<Self, ImportErrorKind> {
         // Other separators may occur in cells.
         let head = [b"sep=,\n", sample].concat();
-        known_format(&head, "")?;
+        is_judged_by_rows(&head, "")?;
         let text = utf8(sample);
         let columns = Sample::of(&text, 1, Some(b',')).columns()?;
         one_value(&columns)?;
@@ -251,10 +250,10 @@ fn skipped(columns: &Columns, first_line: usize) -> impl Iterator<Item = (usize,
 }
 
 /// Whether a text is of the one format that can be judged row by row.
-fn known_format(head: &[u8], file_name: &str) -> Result<(), ImportErrorKind> {
-    match FORMATS.iter().find(|format| format.recognises(head, file_name)) {
-        Some(format) if format.name == "measurements" => Ok(()),
-        Some(format) => Err(ImportErrorKind::OtherFormat { format: format.message() }),
+fn is_judged_by_rows(head: &[u8], file_name: &str) -> Result<(), ImportErrorKind> {
+    match known_format(head, file_name) {
+        Some(("measurements", _)) => Ok(()),
+        Some((_, format)) => Err(ImportErrorKind::OtherFormat { format }),
         None => Err(ImportErrorKind::NotRecognised),
     }
 }
