@@ -3,6 +3,7 @@
 import random
 import threading
 from collections.abc import Iterator
+from datetime import UTC, datetime
 from decimal import Decimal
 
 import duckdb
@@ -56,6 +57,40 @@ def test_every_type_of_column_gives_the_same_answers(table: pyarrow.Table) -> No
         for measured in (numbers, decimals, decimals.cast(pyarrow.decimal256(40, 6)), numbers.cast("string")):
             other = pyarrow.table({"callout": callout, "measured": measured})
             assert [answer["status"] for answer in judged(other)] == wanted, (callout.type, measured.type)
+
+
+def test_numbers_of_every_type_are_lengths() -> None:
+    whole = [7, 8, 9, None]
+    wanted = [answer["status"] for answer in judged(pyarrow.table({"callout": ["8 H7"] * 4, "measured": ["7", "8", "9", None]}))]
+    assert wanted == ["REWORK", "GOOD", "SCRAP", None]
+    kinds = [f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)] + ["float32", "float64", "halffloat"]
+    columns = [pyarrow.array(whole, getattr(pyarrow, kind.replace("halffloat", "float16"))()) for kind in kinds]
+    tens = [None if number is None else Decimal(number) for number in whole]
+    for kind in (pyarrow.decimal32(9, 3), pyarrow.decimal64(18, 6), pyarrow.decimal128(38, 0), pyarrow.decimal256(76, 30)):
+        columns.append(pyarrow.array(tens, kind))
+    for column in columns:
+        assert [answer["status"] for answer in judged(pyarrow.table({"callout": ["8 H7"] * 4, "measured": column}))] == wanted, column.type
+    hundreds = pyarrow.array([Decimal(100), Decimal(200)], pyarrow.decimal128(5, -2))
+    answers = judged(pyarrow.table({"callout": ["100 H7", "200 H7"], "measured": hundreds}))
+    assert [answer["status"] for answer in answers] == ["GOOD", "GOOD"]
+
+
+def test_columns_that_are_no_lengths_go_through_unchanged() -> None:
+    moment = datetime(2026, 12, 1, 10, 30, tzinfo=UTC)
+    columns = {"callout": ["25 H7"], "measured": [25.01]}
+    for unit in ("s", "ms", "us", "ns"):
+        columns[f"moment_{unit}"] = pyarrow.array([moment], pyarrow.timestamp(unit, "UTC"))
+        columns[f"local_{unit}"] = pyarrow.array([moment.replace(tzinfo=None)], pyarrow.timestamp(unit))
+    columns |= {"day": pyarrow.array([moment.date()], pyarrow.date32()), "day_64": pyarrow.array([moment.date()], pyarrow.date64())}
+    for kind in (pyarrow.time32("s"), pyarrow.time32("ms"), pyarrow.time64("us"), pyarrow.time64("ns")):
+        columns[f"time_{kind}"] = pyarrow.array([moment.time()], kind)
+    for kind in (pyarrow.binary(), pyarrow.large_binary(), pyarrow.binary_view(), pyarrow.binary(2)):
+        columns[f"bytes_{kind}"] = pyarrow.array([b"ab"], kind)
+    # Beyond what nanoseconds in 64 bits can say.
+    columns["far"] = pyarrow.array([2**61], pyarrow.timestamp("s"))
+    table = pyarrow.table(columns)
+    answers = pyarrow.table(fitcheck.batch(table))
+    assert answers.select(table.column_names).equals(table) and answers["status"].to_pylist() == ["GOOD"]
 
 
 def test_whoever_speaks_arrow_may_ask(table: pyarrow.Table) -> None:

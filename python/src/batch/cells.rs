@@ -4,15 +4,17 @@ use std::sync::Arc;
 
 use arrow_array::cast::AsArray as _;
 use arrow_array::types::{
-    Date32Type, Decimal128Type, Float32Type, Float64Type, Int64Type, Time64NanosecondType, TimestampNanosecondType,
-    UInt64Type,
+    Date32Type, Date64Type, Decimal32Type, Decimal64Type, Decimal128Type, Decimal256Type, Float16Type, Float32Type,
+    Float64Type, Int8Type, Int16Type, Int32Type, Int64Type, Time32MillisecondType, Time32SecondType,
+    Time64MicrosecondType, Time64NanosecondType, TimestampMicrosecondType, TimestampMillisecondType,
+    TimestampNanosecondType, TimestampSecondType, UInt8Type, UInt16Type, UInt32Type, UInt64Type,
 };
 use arrow_array::{
-    Array, ArrayRef, BinaryArray, BooleanArray, Date32Array, Decimal128Array, Float32Array, Float64Array, Int64Array,
-    LargeStringArray, StringArray, StringViewArray, Time64NanosecondArray, TimestampNanosecondArray, UInt64Array,
+    Array, ArrayRef, ArrowPrimitiveType, BinaryArray, BinaryViewArray, BooleanArray, Decimal128Array,
+    FixedSizeBinaryArray, Float32Array, Float64Array, Int64Array, LargeBinaryArray, LargeStringArray, PrimitiveArray,
+    StringArray, StringViewArray, UInt64Array,
 };
-use arrow_cast::cast::{CastOptions, cast_with_options};
-use arrow_schema::{ArrowError, DataType, TimeUnit};
+use arrow_schema::{DataType, TimeUnit};
 use fitcheck_exchange::exchange::typed_value::TypedValue;
 
 /// A column of some rows.
@@ -26,14 +28,20 @@ pub(super) enum Cells {
     Float(Float32Array),
     Double(Float64Array),
     Decimal(Decimal128Array, usize),
-    Day(Date32Array),
-    Time(Time64NanosecondArray),
-    /// Of no zone, or in UTC.
-    Moment(TimestampNanosecondArray, bool),
+    /// What has more than 38 figures, or tens as its unit: read as text, as a length or to be refused.
+    LongDecimal(StringArray),
+    Day(Int64Array),
+    /// With the nanoseconds of one.
+    Time(Int64Array, i64),
+    /// With the nanoseconds of one, and whether it is in UTC or of no zone.
+    Moment(Int64Array, i128, bool),
     Text(StringArray),
     LongText(LargeStringArray),
     TextView(StringViewArray),
     Bytes(BinaryArray),
+    LongBytes(LargeBinaryArray),
+    BytesView(BinaryViewArray),
+    FixedBytes(FixedSizeBinaryArray),
     /// For each row the place of its value; with the column of the values.
     Listed(ArrayRef, Vec<usize>, Box<Self>),
 }
@@ -54,39 +62,48 @@ pub(super) fn is_nested(of: &DataType) -> bool {
 
 impl Cells {
     /// The cells of a column. `is_needed` says whether more is read of it than that something is there.
-    ///
-    /// # Errors
-    /// A value that its type does not hold.
-    pub(super) fn of(column: &ArrayRef, is_needed: bool) -> Result<Self, ArrowError> {
+    pub(super) fn of(column: &ArrayRef, is_needed: bool) -> Self {
         if !is_needed && !is_text(column.data_type()) {
-            return Ok(Self::Present(Arc::clone(column)));
+            return Self::Present(Arc::clone(column));
         }
-        Ok(match column.data_type() {
+        match column.data_type() {
             DataType::Boolean => Self::Boolean(column.as_boolean().clone()),
-            DataType::Int8 | DataType::Int16 | DataType::Int32 | DataType::Int64 => {
-                Self::Whole(cast(column, &DataType::Int64)?.as_primitive::<Int64Type>().clone())
-            }
-            DataType::UInt8 | DataType::UInt16 | DataType::UInt32 | DataType::UInt64 => {
-                Self::Unsigned(cast(column, &DataType::UInt64)?.as_primitive::<UInt64Type>().clone())
-            }
-            DataType::Float16 | DataType::Float32 => {
-                Self::Float(cast(column, &DataType::Float32)?.as_primitive::<Float32Type>().clone())
-            }
+            DataType::Int8 => Self::Whole(wide::<Int8Type, _>(column)),
+            DataType::Int16 => Self::Whole(wide::<Int16Type, _>(column)),
+            DataType::Int32 => Self::Whole(wide::<Int32Type, _>(column)),
+            DataType::Int64 => Self::Whole(column.as_primitive::<Int64Type>().clone()),
+            DataType::UInt8 => Self::Unsigned(wide::<UInt8Type, _>(column)),
+            DataType::UInt16 => Self::Unsigned(wide::<UInt16Type, _>(column)),
+            DataType::UInt32 => Self::Unsigned(wide::<UInt32Type, _>(column)),
+            DataType::UInt64 => Self::Unsigned(column.as_primitive::<UInt64Type>().clone()),
+            DataType::Float16 => Self::Float(wide::<Float16Type, _>(column)),
+            DataType::Float32 => Self::Float(column.as_primitive::<Float32Type>().clone()),
             DataType::Float64 => Self::Double(column.as_primitive::<Float64Type>().clone()),
-            DataType::Decimal32(_, scale)
-            | DataType::Decimal64(_, scale)
-            | DataType::Decimal128(_, scale)
-            | DataType::Decimal256(_, scale) => Self::decimal(column, *scale)?,
-            DataType::Date32 | DataType::Date64 => {
-                Self::Day(cast(column, &DataType::Date32)?.as_primitive::<Date32Type>().clone())
+            DataType::Decimal32(_, scale) => Self::decimal(wide::<Decimal32Type, Decimal128Type>(column), *scale),
+            DataType::Decimal64(_, scale) => Self::decimal(wide::<Decimal64Type, Decimal128Type>(column), *scale),
+            DataType::Decimal128(_, scale) => Self::decimal(column.as_primitive::<Decimal128Type>().clone(), *scale),
+            DataType::Decimal256(_, scale) => {
+                let numbers = column.as_primitive::<Decimal256Type>();
+                let short = numbers.try_unary::<_, Decimal128Type, _>(|number| number.to_i128().ok_or(()));
+                let long = |()| Self::LongDecimal(texts(numbers, |row| numbers.value_as_string(row)));
+                short.map_or_else(long, |short| Self::decimal(short, *scale))
             }
-            DataType::Time32(_) | DataType::Time64(_) => {
-                let nanoseconds = cast(column, &DataType::Time64(TimeUnit::Nanosecond))?;
-                Self::Time(nanoseconds.as_primitive::<Time64NanosecondType>().clone())
+            DataType::Date32 => Self::Day(wide::<Date32Type, _>(column)),
+            DataType::Date64 => {
+                Self::Day(column.as_primitive::<Date64Type>().unary(|milliseconds| milliseconds.div_euclid(86_400_000)))
             }
-            DataType::Timestamp(_, zone) => {
-                let nanoseconds = cast(column, &DataType::Timestamp(TimeUnit::Nanosecond, zone.clone()))?;
-                Self::Moment(nanoseconds.as_primitive::<TimestampNanosecondType>().clone(), zone.is_some())
+            DataType::Time32(TimeUnit::Second) => Self::Time(wide::<Time32SecondType, _>(column), 1_000_000_000),
+            DataType::Time32(_) => Self::Time(wide::<Time32MillisecondType, _>(column), 1_000_000),
+            DataType::Time64(TimeUnit::Microsecond) => Self::Time(wide::<Time64MicrosecondType, _>(column), 1_000),
+            DataType::Time64(_) => Self::Time(wide::<Time64NanosecondType, _>(column), 1),
+            DataType::Timestamp(unit, zone) => {
+                let (moments, nanoseconds) = match unit {
+                    TimeUnit::Second => (wide::<TimestampSecondType, _>(column), 1_000_000_000),
+                    TimeUnit::Millisecond => (wide::<TimestampMillisecondType, _>(column), 1_000_000),
+                    TimeUnit::Microsecond => (wide::<TimestampMicrosecondType, _>(column), 1_000),
+                    TimeUnit::Nanosecond => (wide::<TimestampNanosecondType, _>(column), 1),
+                };
+                Self::Moment(moments, nanoseconds, zone.is_some())
             }
             DataType::Utf8 => Self::Text(column.as_string::<i32>().clone()),
             DataType::LargeUtf8 => Self::LongText(column.as_string::<i64>().clone()),
@@ -94,26 +111,24 @@ impl Cells {
             DataType::Dictionary(..) => {
                 let listed = column.as_any_dictionary();
                 let keys = if listed.values().is_empty() { Vec::new() } else { listed.normalized_keys() };
-                Self::Listed(Arc::clone(column), keys, Box::new(Self::of(listed.values(), true)?))
+                Self::Listed(Arc::clone(column), keys, Box::new(Self::of(listed.values(), true)))
             }
-            DataType::Binary | DataType::LargeBinary | DataType::BinaryView | DataType::FixedSizeBinary(_) => {
-                Self::Bytes(cast(column, &DataType::Binary)?.as_binary::<i32>().clone())
-            }
+            DataType::Binary => Self::Bytes(column.as_binary::<i32>().clone()),
+            DataType::LargeBinary => Self::LongBytes(column.as_binary::<i64>().clone()),
+            DataType::BinaryView => Self::BytesView(column.as_binary_view().clone()),
+            DataType::FixedSizeBinary(_) => Self::FixedBytes(column.as_fixed_size_binary().clone()),
             // Nothing at all, lists and their like.
             _ => Self::Present(Arc::clone(column)),
-        })
+        }
     }
 
-    /// Whole numbers with decimals. What has more than 38 figures is no length: it is read, and refused, as text.
-    fn decimal(column: &ArrayRef, scale: i8) -> Result<Self, ArrowError> {
-        let decimals = scale.max(0);
-        match cast(column, &DataType::Decimal128(38, decimals)) {
-            Ok(numbers) => {
-                let numbers = numbers.as_primitive::<Decimal128Type>().clone();
-                Ok(Self::Decimal(numbers, usize::from(decimals.unsigned_abs())))
-            }
-            Err(_too_large) => Ok(Self::Text(cast(column, &DataType::Utf8)?.as_string::<i32>().clone())),
-        }
+    /// Whole numbers with decimals; with a negative scale, of tens.
+    fn decimal(numbers: Decimal128Array, scale: i8) -> Self {
+        let Ok(decimals) = usize::try_from(scale) else {
+            let zeros = "0".repeat(scale.unsigned_abs().into());
+            return Self::LongDecimal(texts(&numbers, |row| format!("{}{zeros}", numbers.value(row))));
+        };
+        Self::Decimal(numbers, decimals)
     }
 
     /// The cell of a row; nothing where it is empty.
@@ -135,20 +150,37 @@ impl Cells {
                     Err(_long) => TypedValue::Long(number, *scale),
                 }
             }
-            Self::Day(cells) if cells.is_valid(row) => TypedValue::Day(cells.value(row).into()),
-            Self::Time(cells) if cells.is_valid(row) => TypedValue::Time(cells.value(row), 1),
-            Self::Moment(cells, is_utc) if cells.is_valid(row) => TypedValue::Moment(cells.value(row).into(), *is_utc),
-            Self::Text(cells) if cells.is_valid(row) => TypedValue::Text(cells.value(row).as_bytes()),
+            Self::Day(cells) if cells.is_valid(row) => TypedValue::Day(cells.value(row)),
+            Self::Time(cells, unit) if cells.is_valid(row) => TypedValue::Time(cells.value(row), *unit),
+            Self::Moment(cells, unit, is_utc) if cells.is_valid(row) => {
+                TypedValue::Moment(i128::from(cells.value(row)) * unit, *is_utc)
+            }
+            Self::Text(cells) | Self::LongDecimal(cells) if cells.is_valid(row) => {
+                TypedValue::Text(cells.value(row).as_bytes())
+            }
             Self::LongText(cells) if cells.is_valid(row) => TypedValue::Text(cells.value(row).as_bytes()),
             Self::TextView(cells) if cells.is_valid(row) => TypedValue::Text(cells.value(row).as_bytes()),
             Self::Bytes(cells) if cells.is_valid(row) => TypedValue::Bytes(cells.value(row)),
+            Self::LongBytes(cells) if cells.is_valid(row) => TypedValue::Bytes(cells.value(row)),
+            Self::BytesView(cells) if cells.is_valid(row) => TypedValue::Bytes(cells.value(row)),
+            Self::FixedBytes(cells) if cells.is_valid(row) => TypedValue::Bytes(cells.value(row)),
             Self::Listed(column, keys, values) if column.is_valid(row) => return values.get(*keys.get(row)?),
             _ => return None,
         })
     }
 }
 
-/// The same values in another type; a value that it does not hold is an error, and never a gap.
-fn cast(column: &ArrayRef, to: &DataType) -> Result<ArrayRef, ArrowError> {
-    cast_with_options(column, to, &CastOptions { safe: false, ..CastOptions::default() })
+/// The same numbers in a type that holds all of them.
+fn wide<Of, To>(column: &ArrayRef) -> PrimitiveArray<To>
+where
+    Of: ArrowPrimitiveType,
+    To: ArrowPrimitiveType,
+    To::Native: From<Of::Native>,
+{
+    column.as_primitive::<Of>().unary(To::Native::from)
+}
+
+/// The cells as texts.
+fn texts(numbers: &dyn Array, text: impl Fn(usize) -> String) -> StringArray {
+    (0..numbers.len()).map(|row| numbers.is_valid(row).then(|| text(row))).collect()
 }

@@ -103,17 +103,18 @@ impl Judging {
             let Some(batch) = rows.next() else { break };
             let batch = batch.map_err(|error| error.to_string())?;
             let some = batch.slice(0, missing.min(batch.num_rows()));
-            put(&some, &vec![true; some.num_columns()], &mut block, |_full| {}).map_err(|error| error.to_string())?;
+            put(&some, &vec![true; some.num_columns()], &mut block, |_full| {});
             missing -= some.num_rows();
             read.push_back(batch);
         }
-        let named = || format!("the columns are {}: name those that count by callout= and measured=", names.join(", "));
-        let layout = block.layout(names.clone()).map_err(|error| format!("{error}; {}", named()))?;
+        let advice =
+            || format!("the columns are {}: name those that count by callout= and measured=", names.join(", "));
+        let layout = block.layout(names.clone()).map_err(|error| format!("{error}; {}", advice()))?;
         if !layout.has_limits() {
             let unnamed =
                 layout.callouts_unnamed().map(|column| format!("; column {column} looks as if it had callouts"));
             let unnamed = unnamed.unwrap_or_default();
-            return Err(format!("no column is known to have callouts or limits{unnamed}; {}", named()));
+            return Err(format!("no column is known to have callouts or limits{unnamed}; {}", advice()));
         }
         let needed: Vec<bool> =
             (0..).zip(input.fields()).map(|(at, field)| layout.needs(at, is_text(field.data_type()))).collect();
@@ -241,7 +242,7 @@ fn judged(
     put(rows, needed, &mut block, |full| {
         tally.add(full.judge(&mut judge, &mut answers));
         full.clear();
-    })?;
+    });
     tally.add(block.judge(&mut judge, &mut answers));
     if answers.rows() != rows.num_rows() {
         return Err(ArrowError::ComputeError("a row without an answer".to_owned()));
@@ -258,14 +259,9 @@ fn judged(
 }
 
 /// Adds rows to a block; whenever it is full, `full` judges and clears it.
-fn put(
-    rows: &RecordBatch,
-    needed: &[bool],
-    block: &mut TypedBlock,
-    mut full: impl FnMut(&mut TypedBlock),
-) -> Result<(), ArrowError> {
-    let cells = |(column, is_needed): (&_, &bool)| Cells::of(column, *is_needed).map(|cells| (cells, *is_needed));
-    let columns = rows.columns().iter().zip(needed).map(cells).collect::<Result<Vec<_>, _>>()?;
+fn put(rows: &RecordBatch, needed: &[bool], block: &mut TypedBlock, mut full: impl FnMut(&mut TypedBlock)) {
+    let cells = |(column, is_needed): (&_, &bool)| (Cells::of(column, *is_needed), *is_needed);
+    let columns: Vec<_> = rows.columns().iter().zip(needed).map(cells).collect();
     for row in 0..rows.num_rows() {
         for (cells, is_needed) in &columns {
             block.cell(cells.get(row), *is_needed);
@@ -275,5 +271,4 @@ fn put(
             full(block);
         }
     }
-    Ok(())
 }
