@@ -113,8 +113,8 @@ impl Judging {
         if !layout.has_limits() {
             let unnamed =
                 layout.callouts_unnamed().map(|column| format!("; column {column} looks as if it had callouts"));
-            let unnamed = unnamed.unwrap_or_default();
-            return Err(format!("no column is known to have callouts or limits{unnamed}; {}", advice()));
+            let known = "no column is known to have callouts or limits".to_owned();
+            return Err(known + unnamed.as_deref().unwrap_or("") + "; " + &advice());
         }
         let needed: Vec<bool> =
             (0..).zip(input.fields()).map(|(at, field)| layout.needs(at, is_text(field.data_type()))).collect();

@@ -14,7 +14,6 @@ use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::limits::LimitColumns;
 use crate::exchange::mapping::Mapping;
-use crate::exchange::own::OwnColumns;
 use crate::exchange::row::TextRow;
 use crate::exchange::sample::Sample;
 use crate::exchange::{cells, known_format, left_out};
@@ -194,8 +193,7 @@ impl Layout {
 
     /// Whether a column gives limits; where none does, no row is judged.
     pub fn has_limits(&self) -> bool {
-        let columns = &self.columns;
-        columns.tolerance.is_some() || columns.limits.is_some() || columns.own != OwnColumns::default()
+        self.columns.have_limits()
     }
 
     /// The number and name of a column of no known name that looks as if it had the callouts, where nothing else has limits.

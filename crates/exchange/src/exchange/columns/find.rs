@@ -9,7 +9,6 @@ use crate::exchange::cells::is_callout;
 use crate::exchange::column::{NAMED, listed, name_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::head::Head;
-use crate::exchange::own::OwnColumns;
 use crate::exchange::sample::Sample;
 use crate::exchange::{cells, stated};
 
@@ -56,9 +55,7 @@ impl Sample {
     /// The column that looks as if it had the callouts of rows that nothing else gives limits. It is not taken for them: it may be the
     /// other part's.
     fn callouts_unnamed(&self, columns: &Columns, names: &StringRecord, used: &[usize]) -> Option<String> {
-        let has_limits =
-            columns.tolerance.is_some() || columns.limits.is_some() || columns.own != OwnColumns::default();
-        let mut free = (0..columns.count).filter(|at| !has_limits && !used.contains(at));
+        let mut free = (0..columns.count).filter(|at| !columns.have_limits() && !used.contains(at));
         free.find(|at| self.mostly(*at, is_callout)).map(|at| listed(&[name_of(at, names.cell(at))]))
     }
 

@@ -207,6 +207,11 @@ impl Columns {
         self.remarks.iter_mut().for_each(|remark| remark.unit = unit);
     }
 
+    /// Whether one of them gives limits; where none does, a row alone cannot be judged.
+    pub(super) fn have_limits(&self) -> bool {
+        self.tolerance.is_some() || self.limits.is_some() || self.own != OwnColumns::default()
+    }
+
     /// The columns that hold something else than what is looked for.
     pub(super) fn used(&self) -> Vec<usize> {
         // Without names, what stands before a callout is taken for a name.
